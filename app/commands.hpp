@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The commands of the program: options, help, and the checks of a call before it is
 // executed.
 #pragma once

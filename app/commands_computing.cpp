@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/commands.hpp"
 #include "app/frame/parts.hpp"
 #include "app/study/study_levels.hpp"

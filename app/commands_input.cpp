@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/commands.hpp"
 #include "app/frame/command_frame.hpp"
 #include "app/frame/shell_words.hpp"

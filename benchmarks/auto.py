@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Does the model auto meet the accuracy, and at what cost? Over the scenes of benchmarks/scene_sets.py at 5, 1 and 0.2 %:
 its answer against a fine hybrid; its seconds of computing against always taking finite elements (as `rollfem check`
 predicts them) and against an oracle: the cheapest of half-spaces on several grids and of the fine hybrid that is

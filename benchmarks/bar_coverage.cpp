@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How often the error bars of the model halfspace hold, each number against a grid four times
 // finer. Prints the tables of docs/accuracy.md, and to stderr every scene that has no result.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 /* What a call of rollfem_solve costs and how far it is off against 48 elements across, for four sets of states of
    S1002 on 60E1: both wheels at shifts of -4 to 10 mm; the S-curve of examples/wheelset_in_c; random positions,
    motions and loads; the right wheel where its flange comes to the rail, with contacts in planes of their own that

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How far rollfem is from CONTACT on CONTACT's own examples: converts, runs and compares.
 
     /usr/bin/python3 benchmarks/contact_agreement.py EXAMPLES --program build/app/rollfem [-o DIR]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What does `rollfem run CASE` answer by default, and when? Over the 300 scenes of benchmarks/default_scenes.py, no
 model and no accuracy named: seconds from start to end, crashes, runs beyond the limit, scenes refused, accuracy met
 or its lack said; and predicted against measured seconds of every grid that was tried.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """300 scenes of every kind that users bring, from a seed: texts of case files without a model and without an
 accuracy, as one writes them who has not read what `auto` does."""
 

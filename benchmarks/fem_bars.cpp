@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How often the error bars of finite elements and of the hybrid hold: random wheels on random rails
 // (tests/support/random_wheel_rail.hpp). Finite elements with cells of 1/PARTS of the smaller
 // semi-axis against cells of 1/FINER; the hybrid with 16 elements across against 64 and a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What part of a core the finite elements use: the product of the matrix-free stiffness in both
 // precisions against bandwidth and matrix multiplication of this machine, the factorisation against
 // matrix multiplication. Half a rail of case a, one process, CPU seconds, best of several.

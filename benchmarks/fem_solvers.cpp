@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Linear solvers on half a rail of case a as cells shrink: unknowns, set-up, one solve to 1e-8 (the
 // best of five) and, by a factor, one of sixteen at once, iterations, memory per process. "CPU s"
 // is of the process that needs most. Runs under mpirun; the first process prints a table row a

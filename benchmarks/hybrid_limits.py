@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The limit of finite elements that the hybrid is held against, by cells of a/4 and less and by both mesh families.
 
     benchmarks/hybrid_limits.py run --program build/app/rollfem --folder /tmp/limits -o benchmarks/hybrid_limits.json

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Kalker's creepage coefficients to five digits, with their bars: where halfspace/closed_forms/kalker_table.cpp is from.
 
 The series of benchmarks/book/linear_theory.py, at the ratios of the table in C++ or those that are named.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Are model errors right? Over cases a to f, true profiles and random curved bodies: a half-space's estimate of what it
 leaves out against its difference to the hybrid, and a theory's against its difference to the half-space.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The cases whose numbers are pinned: case files of cases/ with some keys changed, coarse enough for seconds."""
 import math
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pins the numbers of the program, so that a change of its structure shows that it changed none.
 
 usage: benchmarks/pins.py record --program PATH -o FILE.json [--cases FOLDER] [--only PATTERN]

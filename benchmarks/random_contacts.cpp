@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How surely and how fast random contacts (tests/support/random_contact.hpp) are solved. Prints one
 // row of the table in docs/accuracy.md for every size, and every contact that is not solved or
 // takes many steps. Every grid begins on coarser ones as in the models, or from scratch. Call:

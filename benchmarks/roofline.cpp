@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What share of the machine the product of the half-space reaches: flops a second beside those of
 // a loop of multiply-adds that never leaves the registers, bytes a second beside those of a triad.
 // One core; prints the rows of docs/benchmarks.md.

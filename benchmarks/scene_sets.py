@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Scenes for benchmarks that count over many: cases a to f at two loads, patches of true profiles and random curved
 bodies from a seed; and runs of a program on them, kept in files and taken up again."""
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws error against seconds on benchmark 9 and writes the tables of docs/benchmarks.md.
 
 usage: benchmarks/speed_error.py BENCHMARK_PROGRAM OUTPUT_FOLDER [--from RESULTS.json]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Error bars of tables: points at random on ellipses at random, as a table solves them, against the
 // limit of grids four times as fine.
 #include "halfspace/closed_forms/kalker.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 /* What a look-up in a table of creep forces costs: at random places and creepages of a table over
    ratios of axes or over lateral shifts, nanoseconds of CPU (the best of five rounds) and
    allocations. Call: benchmark_table_lookup TABLE FIRST LAST [shift], the ends of the first axis,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem.h: units, and exceptions as status and text.
 #include "capi/guarded.hpp"
 #include "capi/wheel_rail_pair.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Translates exceptions to a status and a text for C.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The largest pressure between the rows of a grid of few elements: where the radii of the profiles
 // change it is a peak narrower than an element.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "capi/quick_patch.hpp"
 
 #include "contact/iteration/leading_edge.hpp"

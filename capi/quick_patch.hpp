@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // One contact of like half-spaces on one grid of few elements, in memory that is kept: its part of
 // what quick_wheel.hpp solves.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The contacts of a wheel that share its load, of like half-spaces on grids of few elements, in a
 // few milliseconds and in memory that is kept: what rollfem.h solves nearly always.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem.h: tables of creep forces.
 #include "capi/guarded.hpp"
 #include "tables/files/table_files.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A wheel on its rail, prepared once and solved for one state after another: the implementation of
 // rollfem.h. mm, N, MPa, s, rad; track frame: x along the track, y to the right, z down.
 #pragma once

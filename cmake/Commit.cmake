@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Run at every build: writes models/version.cpp with the current commit, and touches it only when that
 # changed. Wants SOURCE, OUTPUT and ROLLFEM_VERSION.
 find_program(GIT git)

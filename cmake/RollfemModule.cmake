@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # One call makes a folder a module: rollfem_module(contact DEPENDS ... LIBRARIES ...) builds all its
 # .cpp files into librollfem_contact.so and exports it as rollfem::contact. Headers that are installed:
 # interface/public_headers.txt.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Reader of CONTACT's input files (E. A. H. Vollebregt, user guide for CONTACT; module 1, wheel and
 // rail, and module 3, single contacts). It reads everything, including what has no equivalent here.
 // A case holds all that it keeps from earlier ones. Names as in CONTACT's user guide; units mm, N,

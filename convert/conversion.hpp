@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Converts a CONTACT input file to case files: consecutive cases that
 // differ only in their load points share one.
 #pragma once

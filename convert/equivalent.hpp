@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The equivalent of a CONTACT case in keys of a case file, and the parts that have none. The
 // map of digits and signs is docs/coming_from_contact.md.
 #pragma once

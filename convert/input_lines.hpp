@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The line format of CONTACT's input files: numbers first, then words for the reader, comments
 // after %, continued on further lines where numbers are missing. Only the layout is known
 // here.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Module 3: contacts given by their undeformed distance or their ellipse.
 #include "contact/base/grid.hpp"
 #include "contact/base/material.hpp"

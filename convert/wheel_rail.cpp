@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Module 1: a wheel with its profile on a rail with its own.
 #include <fmt/format.h>
 

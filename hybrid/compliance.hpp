@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The hybrid's compliance on a contact grid along the common surface: that of the
 // half-space plus the correction for wheel and rail.
 #pragma once

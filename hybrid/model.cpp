@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/model.hpp"
 
 #include "contact/base/progress.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement and stress below the surface by the hybrid: the half-space's integrals in
 // coordinates that follow the surface of the body, plus the smooth correction.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "rollfem/rollfem.hpp"
 
 #include "contact/case/case_reader.hpp"

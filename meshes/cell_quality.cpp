@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meshes/cell_quality.hpp"
 
 #include <algorithm>

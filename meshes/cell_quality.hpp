@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Quality measures of a hexahedron.
 #pragma once
 

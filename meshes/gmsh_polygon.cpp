@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A polygon in quadrilaterals through gmsh: cells of twice the size, recombined and split into four
 // (a left-over triangle into three).
 #include "meshes/true_section.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The cross-section through gmsh: two surfaces, the transfinite block under the patch and the rest,
 // in quadrilaterals of twice the size, which gmsh then splits into four (or a left-over triangle
 // into three), so that only quadrilaterals remain.

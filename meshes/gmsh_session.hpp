@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Owns the gmsh library for the lifetime of an object. Internal to meshes/.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Step sizes of a graded mesh line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A coarse mesh of hexahedra with named surfaces: exchanged with gmsh
 // files and passed to the finite-element bodies.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The bytes of a .msh file and the reading position: numbers as text or
 // binary, never beyond the end. Internal to meshes/.
 #pragma once

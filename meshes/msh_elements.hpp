@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Builds hexahedra, and quadrilaterals by group, from the
 // elements of a .msh file. Internal to meshes/.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // gmsh mesh files: reading hexahedra with the physical surfaces contact, fixed and symmetry, and
 // writing them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Reading a .msh file. Not through gmsh's library: that runs NAME.msh.opt beside a mesh as a
 // script, and trusts the numbers in it.
 #include "contact/base/text_fields.hpp"

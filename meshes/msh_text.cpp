@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Writing gmsh's format 4.1 as text.
 #include "meshes/msh_file.hpp"
 

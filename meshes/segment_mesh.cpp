@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Sweeping a cross-section along the track or about the axle.
 #include "meshes/segment_mesh.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Coarse meshes of wheel and rail segments generated with gmsh: the cross-section in
 // quadrilaterals, then revolved about the axle or extruded along the track.
 #pragma once

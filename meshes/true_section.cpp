@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Outlines of true sections in the frame of a patch.
 #include "meshes/true_section.hpp"
 

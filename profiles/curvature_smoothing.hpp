@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Moves points near a profile across it until its curvature changes little and at few places: wheel
 // and rail profiles consist of arcs and slow transitions between joints.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles from tangent arcs and from polynomials, as given in a case.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Corners of a profile's points: kinks, at which the curve turns once, and steps, there and back.
 // What is refused comes with the least that would mend it.
 #include "contact/base/errors.hpp"

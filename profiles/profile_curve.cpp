@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/profile_curve.hpp"
 
 #include "contact/base/root.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A wheel or rail profile as one smooth parametric curve in its profile coordinates: y towards the
 // field side (the flange or the gauge face is at smaller y), z down for the rail, outward from the
 // axle for the wheel (which is down too at the contact). Cubic pieces, so that curvature may jump

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Reading of profile files, as instruments and programs write them. Separators are blanks, comma or
 // semicolon; with semicolons a comma is a decimal point. What stands behind a mark of a comment is
 // not read, in whichever format.

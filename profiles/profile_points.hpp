@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Points of a profile from a file: reading the formats, repairs as the case requests, checks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The profile named by a case: built in, from arcs, polynomials or a file,
 // checked, and repaired only as the case requests.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/smoothing_spline.hpp"
 
 #include "contact/base/root.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A curve through or near points of a profile: first a cubic smoothing spline in the chord
 // length, for y and z alike (C. H. Reinsch, Numer. Math. 10, 1967; P. J. Green, B. W.
 // Silverman, Nonparametric Regression, 1994, ch. 2), then a smoothing that assumes arcs and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheel S1002. Its zones H to A are printed with ten digits. In zone C the large coefficients leave
 // up to 2e-4 mm open, so that its ends miss the zones beside it by 1.2e-4 mm (y = -35) and 3.7e-5
 // mm (y = -26); everywhere else the ends meet within 6e-7 mm. A step left as it is would be a kink

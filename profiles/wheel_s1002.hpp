@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The wheel profile S1002 as a curve.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What the module rollfem._core is made of, beside module.cpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Keeps OpenBLAS to one thread while a case is solved. The program sets OPENBLAS_NUM_THREADS before
 // the library is loaded; in Python numpy has loaded it already, with as many threads as there are
 // cores. They wait for each other actively, which on a busy machine takes minutes for seconds.

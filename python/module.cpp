@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem._core: what the Python package rollfem/ is made on. Cases and results are opaque here;
 // solving lets other Python threads run, and hears Ctrl-C at every iteration.
 #include "contact/case/checks/plausibility.hpp"

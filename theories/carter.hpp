@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Carter's theory of a tractive roller in closed form (Carter 1926; Johnson 1985, section 8.3), and
 // strip by strip over Hertz's ellipse (Haines and Ollerton 1963): the model "carter".
 #pragma once

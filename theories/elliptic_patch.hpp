@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Common parts of the theories of an elliptic patch: Hertz's patch from the case, the normal part
 // of the result record on the case's contact grid, and the loop over load points.
 #pragma once

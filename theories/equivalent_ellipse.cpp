@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/equivalent_ellipse.hpp"
 
 #include "contact/base/count.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Theories of an elliptic patch on true profiles: they use the ellipse with the area and ratio of
 // extents of the half-space patch, about its centre of pressure.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/registry.hpp"
 
 #include "halfspace/closed_forms/hertz.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The models of this folder with their names, capabilities and options.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The model "strip": a case by the strip theory of strip.hpp.
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/vermeulen_johnson.hpp"
 
 #include "halfspace/closed_forms/kalker.hpp"

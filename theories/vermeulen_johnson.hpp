@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Vermeulen and Johnson's theory of an elliptic patch without spin (J. Appl. Mech. 31, 1964), with
 // Kalker's coefficients for the initial slope: the model "vermeulen-johnson".
 #pragma once

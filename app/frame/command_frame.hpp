@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The frame of the computing commands: which processes take part, MPI while models run, progress
 // and quiet, what is kept for --resume, and what happens to all of these on failure.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Messages when Ctrl-C, SIGTERM or SIGHUP ends the program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Work that is divided among independent calls (--part, --merge) or the processes of mpirun: each
 // keeps what it has solved beside the future result, and one call finds all of it and writes the
 // result, equal to that of a single call to the last bit.

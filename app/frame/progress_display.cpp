@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/frame/progress_display.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Progress of a run on stderr: on a terminal one line that is overwritten
 // and whose seconds keep counting during long phases; elsewhere one plain
 // line per finished stage (and per slow load point).

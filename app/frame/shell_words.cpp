@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/frame/shell_words.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Shell completion and the manual page, generated from the options
 // themselves.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `convert`: case files from a CONTACT input file.
 #pragma once
 

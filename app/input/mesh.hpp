@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `mesh`: the meshes of wheel and rail as files and a table of their quality; nothing
 // is solved.
 #pragma once

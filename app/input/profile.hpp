@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `profile`: a wheel or rail profile as a table on the screen and in a file and
 // as a figure, with its curvature as the contact sees it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `wheelset`: rolling radii, contact angles and equivalent conicity of the rigid
 // wheelset of a case over its lateral shift; no contact problem is solved.
 #pragma once

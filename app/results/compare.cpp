@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/results/compare.hpp"
 
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `compare`: several models on one or several cases, side by side.
 #pragma once
 

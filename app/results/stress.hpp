@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `stress`: stress and displacement below the surface from stored results, without
 // solving again. For the half-space and every theory with tractions on the contact grid by
 // exact integrals over its elements, for finite elements by interpolation in the stored

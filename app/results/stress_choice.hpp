@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Selects the models and load points of a stored result for `rollfem stress`.
 #pragma once
 

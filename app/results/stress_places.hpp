@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Stress and displacement at requested places of a stored load point: in the half-space
 // from the tractions, in finite elements from the bodies.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The request of a `rollfem stress` call. Places are those of [[subsurface.*]] in a file, as in a
 // case.
 #pragma once

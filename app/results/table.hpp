@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `table`: the creep force law of a case's contact over scaled creepages and ratios of
 // its axes, or lateral shifts of its wheelset, with error bars and the error of interpolation
 // between the points.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/run/bench.hpp"
 
 #include "app/run/bench_cases.hpp"

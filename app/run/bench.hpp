@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `rollfem bench`: error and run time of each model on this machine in cases with known
 // solutions, and the speed of the machine relative to the one that predictions are based on.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The cases of `rollfem bench`, with their solutions free of grid error.
 #pragma once
 

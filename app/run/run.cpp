@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/run/run.hpp"
 
 #include "app/frame/parts.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `run`: the models of a case one after the other, then results and report.
 #pragma once
 

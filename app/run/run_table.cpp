@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/run/run_table.hpp"
 
 #include "contact/result/bars.hpp"

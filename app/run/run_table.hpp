@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The short table that `run` prints: patch and pressure of every model, and the creep curves.
 #pragma once
 

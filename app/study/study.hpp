@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `study`: one case on successively finer grids, cells, degrees or domains; with
 // profiles every patch, at loads and creepages determined once and then fixed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a study keeps for a later call: its finished levels and the finished load
 // points of the current level, each with its seconds.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/study/study_checks.hpp"
 
 #include "app/study/study_levels.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks the call of a study before anything is computed, and turns it into models and
 // references.
 #pragma once

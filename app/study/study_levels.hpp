@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The levels of a refinement study as cases.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The verification book: every benchmark computed again and laid beside its closed form or its source.
 
     ./rollfem book                       all of it, to docs/book

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """python3 -m book: makes the verification book. Called by `./rollfem book`, which builds first."""
 import argparse
 import contextlib

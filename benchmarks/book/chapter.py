@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a chapter of the book holds: rows of numbers beside their reference, figures, cost, tests."""
 import math
 from dataclasses import dataclass, field

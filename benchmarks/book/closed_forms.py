@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Closed forms, written apart from the program's code: the book must not check a formula with itself.
 
 Units mm, N, MPa. Elastic constants are G and nu of like bodies; E* = G/(1 - nu) unless told otherwise.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs that are too dear for the book, with the commands that made them; what they come to in words.
 
 Made with rollfem 0.1.0 at commit 1256cd3 (the groove of 10.02 mm by the hybrid at f20b36b), some ten seconds of processor time each:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Slip that gentle curvature adds to frictionless Hertz contact, to first order, in closed form up to one integral.
 
 The surface z = h = (x^2/R_x + y^2/R_y)/2 of a body above it is moved to z = 0: there the half-space's stresses leave

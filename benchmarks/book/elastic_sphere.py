@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """An elastic sphere between two opposite Hertz pressures, by Lur'e's series: what curvature adds to the half-space.
 
 A. I. Lur'e, Three-Dimensional Problems of the Theory of Elasticity (1964), chapter 6. Inside a sphere, for every n,

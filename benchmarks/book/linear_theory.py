@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Kalker's creepage coefficients by a series: no grid, no table of others.
 
 Without slip, a pair of half-spaces that rolls with the creepages xi, eta and the spin phi has in its patch

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """One process at a time makes a folder: the lock beside it, as the program takes it for its results."""
 import contextlib
 import fcntl

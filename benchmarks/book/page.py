@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The book as Markdown, with every number also in book.json."""
 import json
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers of others, each with its source. Units mm, N, MPa, rad; signs are rollfem's."""
 
 # CONTACT rev 2707 run for this project on case a: p0 by elements across.

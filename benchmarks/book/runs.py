@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs of the program and of its tests, for the chapters; kept, so that a second call takes them up."""
 import ctypes
 import json

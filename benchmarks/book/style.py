@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The look of the program's figures (styles.py) for those that are drawn with matplotlib, which only the
 verification book is: text as outlines so that it looks the same everywhere."""
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the tolerances come from: the errors that are expected of both sides, and what the closest rows spend theirs on."""
 
 # Chapter: what the reference is uncertain by, and what the grid, the cells or the step of the program cost there.

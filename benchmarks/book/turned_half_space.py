@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Conformal contact on a half-space that is bent with the surface, apart from the program: what CONTACT does, step by step.
 
 Elements lie along the arc of the common circle of both bodies. Their influence is that of the half-space rolled out flat;

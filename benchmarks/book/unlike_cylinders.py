@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tractive rolling of unlike cylinders by Gauss-Chebyshev quadrature, apart from the program's elements.
 
 The problem is that of Bentall and Johnson (Int. J. Mech. Sci. 9 (1967) 389) and of Nowell and Hills (Int. J. Mech. Sci.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Cases a and f of the 2012 study by CalculiX, without friction: what the curvature of the patch changes.
 
 usage: benchmarks/calculix/curved_patch.py [--cell 0.95] [--program build/app/rollfem] [-o FOLDER] [--store FILE]

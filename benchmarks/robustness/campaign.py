@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Damages files and kills the program, and looks at what it makes of that.
 
     campaign.py damage --program build/app/rollfem --kind results --count 500

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: LGPL-2.1-or-later */
 /* rollfem for multibody programs: a wheel and a rail are prepared once, then solved for position, velocities and load
    as often as wanted. Each call finds the patches of the true profiles, their loads and creepages, and the
    tractions by half-spaces after Kalker; docs/c_interface.md says how long it takes and how far it is off.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes hollow_s1002.csv: the profile S1002 with a hollow tread, from a formula.
 
 The new profile is that of profiles.md's zones A to D and the flange (docs/profiles.md names the

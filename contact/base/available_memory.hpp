@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Memory still available on this machine, so that a run that does
 // not fit reports it instead of being killed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The control groups (v1 and v2) of this process: what a container or job may use of its machine.
 #pragma once
 

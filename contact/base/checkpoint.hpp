@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Finished load points that outlive the run. The models only keep and find records here; the
 // program decides where they are (postprocess/files/checkpoint_folder.hpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Enumerations shared by the case file and by the solvers and theories below
 // it, so that neither needs to include the other.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Converts a count of elements, steps or points that was computed from lengths to an int, with
 // an error if it does not fit: lengths come from the user.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Materials of wheel and rail, their combined constants, and the speed of their surface waves,
 // which limits how fast a load may move over an elastic body.
 #pragma once

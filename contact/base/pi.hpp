@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The constant pi, which C++17 lacks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The drop of a circle below its tangent, without cancellation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Progress events of a running model: stage, load point, iteration. Models only send
 // them; the program decides whether and how to show them.
 #pragma once

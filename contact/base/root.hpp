@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bracketed roots of functions of one variable.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // One of several parts of a long piece of work that independent calls do.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Delimited text: lines, fields and numbers, independent of the locale.
 #pragma once
 

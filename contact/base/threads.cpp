@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/threads.hpp"
 
 #include "contact/base/cgroups.hpp"

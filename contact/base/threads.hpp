@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs two halves of a computation in parallel where machine and user allow it. Nothing is summed
 // across threads: results are bitwise the same with one thread and with two.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A case as the user describes it: bodies, load, friction, rolling, grids. Values in, no behaviour;
 // read from TOML by case_reader.hpp. Units: mm, N, MPa, rad.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a case file says, said back: `check`, `new-case` and the reference page.
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Changes single keys of a case file, as in `--set friction.coefficient=0.3`. The text itself is
 // edited, so that the case stored with the results is the one that was solved.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/case/case_text.hpp"
 
 #include "contact/base/text_fields.hpp"

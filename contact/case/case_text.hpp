@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Keys and values of a case file as text: for messages, `check`, `new-case` and the reference.
 #pragma once
 

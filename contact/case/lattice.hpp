@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Fields read from a file of values on a regular lattice of points and interpolated by cubics
 // through the four nearest points in each direction (exact for polynomials of degree 3).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What single models are asked for: a section of the case file each, which no other model reads.
 #pragma once
 

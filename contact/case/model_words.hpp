@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The names of models allowed in a case file, supplied by the caller.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Accelerates Newton's method at the ends of adhesion zones. Where it has put the border of a row
 // too far upstream, it moves it back by one element a step, because with slipping tractions at
 // their bounds only the first element has the wrong direction of slip. A few such rows then cost as

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients on the contact set C = {p > 0}, which give up elements whose pressure would
 // turn negative and take in those that penetrate, in memory that is kept from one problem to the
 // next. The operator has apply(pressure, displacement) and precondition(residual, result), which

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Elasticity as the contact solvers see it: linear maps from tractions on the
 // contact grid to displacement differences (wheel minus rail) on the same
 // grid, from half-spaces or finite elements alike.

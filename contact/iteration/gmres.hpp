@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Restarted GMRES with right preconditioning for matrix-free linear systems (Saad & Schultz 1986),
 // in memory that is kept from one system to the next.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Interpolates fields from one contact grid to another: first guesses from a coarser level.
 #pragma once
 

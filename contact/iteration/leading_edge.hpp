@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Second-order upwind differences that know where the patch begins. Material enters with a traction
 // like sqrt(d), d the distance behind the leading edge, and u ahead of the edge is a straight line
 // plus c d^(3/2). The usual difference across the edge therefore acts as if the patch began at the

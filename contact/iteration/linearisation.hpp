@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The linearised friction problem at a Newton iterate, and an approximate inverse of its
 // Jacobian that remains effective as the grid is refined.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Frictionless normal contact: p >= 0, gap = h + A_nn p - approach >= 0, p gap = 0, by
 // bound-constrained conjugate gradients with a preconditioner (Polonsky & Keer 1999; Vollebregt
 // 2014, "The bound-constrained conjugate gradient method for non-negative matrices").

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Rotates displacement and stress from x, y, z to three unit vectors and back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The error statement of every value that leaves the program: its bar, that it is exact, or
 // why it has none. Error bars are explained in docs/results.md.
 #pragma once

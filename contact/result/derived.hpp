@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Quantities derived from a solution without solving again: elastic energy, frictional power. Signs
 // as everywhere: tractions and forces on the wheel, slip of the wheel relative to the rail.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/result/patch_size.hpp"
 
 #include "contact/result/result.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Size of the contact patch below the element size, from the pressure: at the edge of a smooth
 // contact p^2 falls linearly to zero.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The scalars of a load point, each declared once. Files, checkpoints, `accuracy_of`, comparisons,
 // figures and docs/results.md take them from here; how to add one: docs/developing.md.
 #pragma once

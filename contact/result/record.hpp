@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Serialises results to bytes and back, bit for bit, for checkpoints. One description
 // serves both directions, so they cannot drift apart. The bytes are specific to this
 // machine and program version; the exchange format is results.h5.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Decides when to stop halving cells: estimates the error of the
 // requested quantities from the sequence of levels.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The result record that every model fills and every output reads. Signs: tractions and forces act
 // on the wheel; traction_coefficient = -F_x / F_z so that creep curves rise with xi.
 #pragma once

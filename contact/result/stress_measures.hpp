@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Scalar measures of a stress state: hydrostatic, von Mises, Tresca, principal and orthogonal shear
 // stress. For any model and either body. Tension is positive; units MPa.
 #pragma once

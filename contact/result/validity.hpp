@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The checks that every result passes before it leaves a model (ModelRegistry::run): conditions
 // that hold at every load point in any model, and warnings for the reader.
 #pragma once

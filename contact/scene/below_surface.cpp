@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/below_surface.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheel or rail of a curved contact in coordinates that follow the common
 // surface, in which the body is a half-space up to its curvature: positions
 // below the surface and directions of tractions there.

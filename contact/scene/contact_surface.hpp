@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The common surface of wheel and rail across a curved patch: the mean of both profiles, which are
 // circles or the sections of a PatchGeometry. Local normals and tangents, and undeformed distance
 // of the true shapes (docs/theory.md, "Curved contact").

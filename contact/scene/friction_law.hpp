@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A friction law: the largest tangential traction of an element as a function of pressure
 // and slip, with both derivatives. Each law is a class; the solvers know only this
 // interface.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/geometry.hpp"
 
 #include "contact/case/lattice.hpp"

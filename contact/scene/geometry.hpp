@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The geometry of a contact, independent of the solver: undeformed distance, rigid slip, and the
 // shape of the surface on which the contact grid lies. Covers radii, true profiles, quadratic
 // forms and values from files; conventions: docs/theory.md.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A smooth curve z(y) through knots with given slopes: the section of a rail or
 // wheel in some frame, or the wheel's radius along its axle. Jumps of curvature
 // stay sharp, because every piece is its own cubic.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheel and rail as they meet at one contact, in the frame of the patch: origin at the contact
 // reference point on the rail, x along the rail (the rolling direction), z along the normal of the
 // contact's plane into the wheel, y = z cross x. Undeformed distance and rigid slip

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The driver of every model that solves the contact problem: one resolution of a scene, all its
 // load points, on any elasticity. Load points and histories, prescribed forces, the leading edge,
 // the sharing of the load with friction, progress and checkpoints are implemented here only.

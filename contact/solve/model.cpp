@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What problems ask for that not every model has: how it is seen in them, and how it is called.
 #include "contact/solve/model.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/solve/point_motion.hpp"
 
 #include "contact/base/errors.hpp"

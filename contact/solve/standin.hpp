@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Solves one contact problem on the stand-in of an elasticity: pressure, then
 // tractions, alternating where both carry the load. The difference between elasticity
 // and stand-in enters as a defect (defect_correction.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A solved load point with the state from which the next one starts, for checkpoints.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws frames.svg, leading_edge.svg and profile_points.svg beside this file; with --png also as PNG.
 
 Call: /usr/bin/python3 docs/figures/draw.py PROGRAM [--png]; PROGRAM is rollfem, for the points of the profiles.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Reads a case, changes it, solves it by two models and prints a curve with error bars; then a case
 // from text whose answer is known: case a's largest pressure after Hertz is 578.967 MPa. Call:
 // case_in_cpp CASE.toml

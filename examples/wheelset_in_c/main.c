@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 /* A wheelset rolls through an S-curve. Both wheels are solved at every step, and the wheelset turns as their rolling
    radii make it (Klingel's kinematics); what comes out are its way, patches and creep forces.
    Call: wheelset_in_c [STEPS], of half a metre; a line every ten: s, shift, yaw, and of each wheel patches, force along and across. */

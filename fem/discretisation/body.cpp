@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Degrees of freedom, constraints and boundary conditions on the mesh of a body.
 #include "fem/discretisation/body.hpp"
 

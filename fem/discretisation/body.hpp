@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A wheel or rail segment as a finite-element body: mesh on the true surface, refined towards the
 // patch, degrees of freedom, boundary conditions.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/body_points.hpp"
 
 #include "contact/scene/scene.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Arbitrary points of a finite-element body: the cell that contains each, and nodal fields there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/case_bodies.hpp"
 
 #include "contact/base/errors.hpp"

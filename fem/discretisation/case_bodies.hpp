@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheel and rail of a case as finite-element bodies: meshed by the program, or on the user's
 // meshes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Terms of a cell's stiffness beyond pointwise Hooke's law: projected dilatation of nearly
 // incompressible materials, inertia of material flowing through the mesh. Shared by the assembly,
 // the matrix-free operator and everything that computes stresses.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/elastic_problem.hpp"
 
 #include <deal.II/dofs/dof_tools.h>

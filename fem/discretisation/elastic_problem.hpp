@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Linear elasticity of one discretised body: unknowns, constraints, material; vectors of its
 // unknowns.
 #pragma once

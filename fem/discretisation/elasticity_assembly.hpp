@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Stiffness of linear isotropic elasticity: one cell's matrix, and the assembled matrix of the free
 // unknowns (constraints eliminated) in compressed columns. One process only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The product of element stiffness matrices of linear elasticity with a vector, without forming
 // them: sum factorisation on tensor-product hexahedra, several cells at a time in the lanes of
 // SIMD registers. deal.II's own kernels are as wide as the library was compiled for, which in

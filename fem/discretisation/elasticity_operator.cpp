@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/elasticity_operator.hpp"
 
 #include "fem/discretisation/cell_terms.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The stiffness of one level of a body as an operator: K u without a matrix, hanging nodes and
 // boundary conditions included, on the locally owned part of the unknowns of every process.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Collects what the matrix-free operator needs from deal.II: local numbers, constraints, geometry.
 #include "contact/base/errors.hpp"
 #include "fem/discretisation/cell_terms.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The unknowns of one process and what holds them: hanging nodes, boundary conditions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/material_motion.hpp"
 
 #include "fem/mesh/profile_shape.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The rigid flow of material through a mesh that stands still in the frame of the contact.
 #pragma once
 

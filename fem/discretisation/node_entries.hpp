@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The local vectors of the elasticity kernel, four entries a node: from and to vectors with three,
 // and what hangs there.
 #pragma once

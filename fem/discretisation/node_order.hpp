@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The elimination order of the unknowns of a stiffness: nested dissection of the nodes,
 // whose graph has a ninth of the entries of the matrix.
 #pragma once

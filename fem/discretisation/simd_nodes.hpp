@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The nodes of a batch of cells between memory, four entries a node, and rows of lanes, one
 // component a row.
 #pragma once

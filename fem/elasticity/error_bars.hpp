@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Error bars of finite elements. The error of their contact grid is that of half-spaces on the same
 // grid, which are cheap to solve on finer ones; the error of the cells shows in how the difference
 // between finite elements and half-spaces changes from level to level.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The elasticity of one level of the finite-element model: bodies, linear solvers and compliance on
 // the contact grid, with the half-space that preconditions them, and the stresses of load points.
 #pragma once

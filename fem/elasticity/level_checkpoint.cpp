@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/elasticity/level_checkpoint.hpp"
 
 #include "contact/solve/state_record.hpp"

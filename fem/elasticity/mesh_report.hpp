@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The meshes of a case with their quality, without solving. Free of deal.II, like model.hpp.
 #pragma once
 

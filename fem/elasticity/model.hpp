@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The model "fem": wheel and rail segments in 3D finite elements. This header is free of deal.II;
 // the program opens the library at run time through rollfem_fem_entry.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The elasticity of several processes for a contact problem that the first one solves: what the
 // contact problem asks of it, all do together.
 #pragma once

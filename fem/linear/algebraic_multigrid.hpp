@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients with algebraic multigrid (Trilinos ML, smoothed aggregation) on the assembled
 // stiffness: for imported meshes, whose coarsest level is itself too large for the direct solution
 // that geometric multigrid rests on.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Sparse Cholesky factors by CHOLMOD: supernodal, ordered by nested dissection of the nodes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/coarse_cells.hpp"
 
 #include <deal.II/base/mpi.h>

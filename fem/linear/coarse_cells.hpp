@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The cells of a coarse multigrid level that the fine cells of a process lie in, told by the
 // processes that own them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/coarse_solver.hpp"
 
 #include "fem/linear/first_process.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Direct solution on the coarsest level: its matrix is gathered and factorised on the first
 // process, because iterations fail on the stretched cells of a graded coarse mesh.
 #pragma once

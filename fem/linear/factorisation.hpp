@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Sparse Cholesky factorisation (CHOLMOD, supernodal, nested dissection) of
 // the assembled stiffness: the fastest solver up to some 400 000 unknowns
 // when one geometry serves many right-hand sides.

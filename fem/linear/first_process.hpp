@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What one process does for all, as solving the contact problem: the others sleep until it calls
 // them for what all do together.
 #pragma once

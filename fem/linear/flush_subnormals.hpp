@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Numbers below the normal range of single precision count as zero while one of these exists.
 #pragma once
 

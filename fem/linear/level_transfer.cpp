@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/level_transfer.hpp"
 
 #include "fem/discretisation/elasticity_operator.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Transfer between two multigrid levels: displacements from coarse cells to
 // the fine ones in them, forces the other way.
 #pragma once

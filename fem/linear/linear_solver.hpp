@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Linear elasticity K u = b on one body, solved many times with the same K. The interface of the
 // solvers; factorisation.hpp and multigrid.hpp implement it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/memory.hpp"
 
 #include "contact/base/available_memory.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Memory that a level of the finite-element model needs, and the memory available, so that a
 // run that does not fit reports it instead of being killed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/mirrored_halves.hpp"
 
 #include <deal.II/base/quadrature.h>

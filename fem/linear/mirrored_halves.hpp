@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies symmetric about the plane x = 0, as segments of rails and wheels are: every displacement
 // is the sum of an even and an odd one, each a separate problem on the half at x > 0. Two factors
 // of half the size take half the work and four fifths of the memory.

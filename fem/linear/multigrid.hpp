@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients with matrix-free geometric multigrid (global coarsening, Chebyshev
 // smoothing, direct coarse solve): for sizes beyond a factorisation and for several processes.
 #pragma once

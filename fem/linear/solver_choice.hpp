@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Chooses the linear solver of a level by size, number of solves, memory
 // and processes, and creates it for both bodies; refuses levels that do not fit into memory.
 #pragma once

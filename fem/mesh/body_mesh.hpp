@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The mesh of a body: a coarse mesh (a graded box in chart coordinates, or one that is given) and
 // octree refinement towards the patch.
 #pragma once

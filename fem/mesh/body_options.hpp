@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What decides the mesh of a body, and the numbers by which it names its boundaries.
 #pragma once
 

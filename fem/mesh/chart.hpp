@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Chart coordinates (s, t, depth) of a body: the manifold on which every mesh node lies, and the
 // box that a cell occupies there. Internal to fem/.
 #pragma once

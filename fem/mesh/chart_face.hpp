@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A finite-element face of the contact surface in chart coordinates (s, t): which part of a contact
 // element lies on it, and quadrature over that part. Internal to fem/.
 #pragma once

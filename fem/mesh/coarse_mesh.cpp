@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/mesh/coarse_mesh.hpp"
 
 #include "contact/base/errors.hpp"

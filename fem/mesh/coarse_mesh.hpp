@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Coarse meshes of bodies: generated with gmsh or read from a user's file, checked,
 // and turned into a triangulation. Internal to fem/.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The chart of a body with a true profile, the counterpart of SurfaceShape for the section of a
 // PatchGeometry. A wheel's section is turned about its axle, which may be tilted in the plane x =
 // 0; for a yawed axle the trace of its contact is used (the yaw itself, below 25 mrad, is in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/mesh/run_layout.hpp"
 
 #include "contact/base/count.hpp"

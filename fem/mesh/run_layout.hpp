@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The layout of one level of the model fem before anything is meshed: expected patch, contact grid,
 // options of the bodies.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Coarse meshes of true sections: the block under the patch as large as fits, swept along the rail
 // or about the axle.
 #include "contact/base/count.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Surfaces of wheel and rail: chart coordinates to places and back, local frames, the manifold.
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/profile_shape.hpp"

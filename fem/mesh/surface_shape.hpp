@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The surface of a body: chart coordinates and places in space.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/stress/body_nodes.hpp"
 
 #include <deal.II/base/mpi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The nodes of a body as points of hexahedra for output: found once, so that displacement
 // and stress of every load point only need to be gathered.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The stresses that a case requests of finite elements: at its [[subsurface.*]] points, the largest
 // ones of each body, and those of all nodes where the load point keeps them.
 #pragma once

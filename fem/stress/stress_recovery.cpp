@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Superconvergent patch recovery, one patch of cells per cell rather than per vertex: cells at the
 // surface then have the same rule as all others, and hanging nodes need no exception.
 #include "fem/stress/stress_recovery.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Stress of a finite-element body as a continuous nodal field, of higher order than the stress of
 // the elements themselves: a polynomial through the superconvergent points of each cell and its
 // neighbours, averaged at the nodes (docs/subsurface.md).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/stress/surface_stress.hpp"
 
 #include "fem/trace/surface_tractions.hpp"

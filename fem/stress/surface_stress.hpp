@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Stress at the contact surface of a finite-element body: the tractions are known there, so only
 // the strain within the surface has to come from the elements.
 #pragma once

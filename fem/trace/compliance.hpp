@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The finite-element compliance A = sum over bodies of S^-1 B K^-1 B^T + M, S the true areas of the
 // contact elements: piecewise constant tractions are loaded consistently on the FE faces (B^T,
 // exact), displacement is averaged over the contact element (S^-1 B), and M makes it that of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/trace/far_error.hpp"
 
 #include "contact/base/pi.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The choice of the far boundary of a case, and the error of the approach due to it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The far boundary of a segment of wheel or rail, which replaces the body it is cut from: it is
 // moved like that of a half-space under the force on the patch as a point load. Linear in the
 // force: three elastic fields, solved once and together. Derivation: docs/theory.md, "Far

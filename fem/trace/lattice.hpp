@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Finite elements on a regular lattice of cells as deep as a half-space, under tractions constant
 // on every contact element: the error of their mean displacement of the elements against the
 // elastic half-space. A lattice answers a wave of tractions with a wave (Bloch), so one column of

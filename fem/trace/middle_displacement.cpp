@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/trace/middle_displacement.hpp"
 
 #include "halfspace/elasticity/influence.hpp"

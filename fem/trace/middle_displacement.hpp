@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement at the middles of the contact elements, as the contact solvers need it, from the
 // element means that finite elements give. The difference is confined to an element or two of where
 // tractions bend, such as the leading edge of a patch: without this correction the mean moves the

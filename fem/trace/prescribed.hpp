@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A displacement prescribed on the far boundary, for a solver whose own conditions are homogeneous.
 #pragma once
 

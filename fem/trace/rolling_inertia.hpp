@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Inertia of steady rolling: the flow of material of wheel and rail through the contact's frame,
 // and the effect of spinning on the wheel. Derivation: docs/theory.md, "Inertia".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact grid and FE surface: integrals of the shape functions over the overlap of contact
 // elements and FE faces (chart_face.hpp), the same for loading and sampling.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Tractions anywhere on the contact surface, interpolated from the contact elements, with
 // the edge of the patch resolved below the element size.
 #pragma once

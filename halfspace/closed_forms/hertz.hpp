@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Hertz's elliptic contact in closed form (Johnson 1985, chapter 4), any aspect ratio.
 #pragma once
 

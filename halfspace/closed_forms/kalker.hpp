@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Creepage coefficients of Kalker's linear theory of rolling contact for every aspect ratio and
 // Poisson's ratio, and the resulting forces: the limit of every creep curve at small creepage.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Point loads on the elastic half-space (Boussinesq, Cerruti; Johnson 1985, sections 3.2 and 3.6).
 // One body, z >= 0 into it, loads and displacements positive along the axes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The model error of the half-space, estimated by solving the contact once more on bodies with
 // their true curvature (curved_compliance.hpp), across rolling on their common surface.
 #pragma once

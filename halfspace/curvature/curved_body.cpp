@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/curvature/curved_body.hpp"
 
 #include "contact/base/count.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The difference between a gently curved body and a half-space, to first order in its height over
 // the tangent plane. The half-space field leaves tractions on the true surface; one more half-space
 // solution removes them (docs/theory.md, "Bodies that curve gently").

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The half-space's compliance with the first-order curvature correction of
 // both bodies (curved_body.hpp), without a mesh.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/curvature/far_surface.hpp"
 
 #include "contact/base/pi.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of CurvedBody that comes from the surface beyond a rectangle around the contact: there
 // the strain of the half-space is that of a few point loads, and the integral over the rest of the
 // plane is a small symmetric matrix.

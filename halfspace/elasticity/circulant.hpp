@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Fourier symbols of the influence coefficients on a periodic plane, and their inverses frequency
 // by frequency: the preconditioners of the contact solvers.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The half-space as a compliance: FFT convolution with the influence coefficients, plans kept.
 // Normal, tangential and steady-rolling blocks for the contact solvers, and the whole map.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Inner loops of few_elements.hpp, compiled for each width of vector registers; the widest that the
 // processor has is taken at run time.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The half-space on few elements, for which sums over the elements are quicker than transforms: the
 // rolling block that the contact solvers apply without taking memory, from influence coefficients
 // that are computed once (influence_tables.hpp).

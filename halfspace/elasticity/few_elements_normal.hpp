@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The normal blocks of one or several patches of few elements that carry a load together.
 #pragma once
 

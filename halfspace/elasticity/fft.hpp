@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Two-dimensional real Fourier transforms of fields on a contact grid, zero-padded so that products
 // of spectra are convolutions on the infinite plane. FFTW plans are made once for each size and
 // kept in the process.

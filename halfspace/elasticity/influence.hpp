@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Influence coefficients of the elastic half-space: displacement difference at an element centre
 // under unit traction on another element, in closed form (Boussinesq and Cerruti's point loads,
 // Johnson 1985 eq. 3.18 and section 3.6, integrated over the rectangle with corner functions).

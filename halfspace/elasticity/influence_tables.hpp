@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Influence coefficients of half-spaces that are computed once for a pair: they are proportional to
 // the size of the elements, so that a ladder of ratios of the sides serves every patch.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 
 #include "contact/base/pi.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The elasticity of bodies close to half-spaces: any compliance, with the half-space on the same
 // grid as its stand-in, and the displacement due to other contacts of the wheel.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a row of elements along rolling under a semi-elliptic pressure deflects beside itself.
 #pragma once
 

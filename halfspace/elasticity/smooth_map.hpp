@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The smooth part of the difference between a curved, finite body and its half-space, as a map
 // between polynomials over the patch: tractions enter by their moments, displacement is a
 // polynomial. It is the same on every contact grid and costs next to nothing.

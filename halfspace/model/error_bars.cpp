@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/model/error_bars.hpp"
 
 #include "contact/result/patch_size.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a solution shows of the errors of its grid: its largest value beside the neighbours, how
 // rough its rows of elements are, the elements along its front, and how many there are across.
 #pragma once

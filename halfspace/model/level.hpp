@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // One resolution of the model "halfspace": the contact run on the half-space's elasticity. Levels
 // start from each other: the next coarser one gives the first guess and the error estimate.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The model "halfspace": Kalker's problem on the case's contact grid for every load point.
 #pragma once
 

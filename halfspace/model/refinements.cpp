@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/model/refinements.hpp"
 
 #include "contact/result/validity.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Steady rolling of a Hertzian ellipse at many creepages, as tables of vehicle dynamics need it.
 // Everything is scaled, so that one value covers contacts of any size, load and stiffness.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Waves of rough profiles that are too short for the elements of a grid: what they cost, found on
 // elements a quarter as wide, and a sentence for the reader.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The scene for which the smooth parts of wheel and rail (elasticity/smooth_map.hpp) are computed:
 // the bodies of a scene under a rounded load. Scenes that differ little in load, or only in
 // creepages, friction and grids, share it and hence the smooth parts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/patch/coverage.hpp"
 
 #include "contact/base/count.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks that a solved grid holds all of a contact: wheel and rail must not overlap beyond it, nor
 // press on each other up to where another contact of the wheel begins.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Shares the load of a wheel among its separate contacts: the wheel sinks vertically, each contact
 // approaches by the component along its own normal less the displacement due to the others.
 #pragma once

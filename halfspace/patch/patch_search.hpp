@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Finds out where the bodies of a scene touch under load before any grid or mesh exists: from Hertz
 // for radii, from coarse half-space solutions of a few milliseconds for true profiles.
 #pragma once

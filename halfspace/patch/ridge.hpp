@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The line across a patch along which wheel and rail are closest: x = 0 unless there is yaw. Used
 // by the strip model and by the search for the extent of a patch.
 #pragma once

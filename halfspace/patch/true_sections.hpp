@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How wheel and rail with true profiles are meshed, and how far their profiles are gentle beside
 // the patch: questions that others than finite elements ask before these are chosen.
 #pragma once

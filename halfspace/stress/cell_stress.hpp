@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement and stress inside an elastic half-space under uniform tractions on a rectangle of
 // its surface, as closed integrals of the Boussinesq-Cerruti fields. Love (1929) gave the part of
 // the pressure, Kalker (1990, appendix C) that of the tangential tractions; here both come from one

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The smooth part of the difference in displacement and stress below the surface between a curved,
 // finite body and its half-space, the counterpart of elasticity/smooth_map.hpp below the surface:
 // moments of the tractions in, polynomials in x, y and depth out.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Largest stresses of wheel and rail as half-spaces, with their places.
 #pragma once
 

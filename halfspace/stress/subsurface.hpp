@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement and stress below the contact grid, in the wheel or in the rail, from the tractions
 // of a solved (or given) contact: at points, on lines, on planes of constant depth and in boxes.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The two ways to sum the fields of all contact elements (subsurface.hpp chooses): directly, and by
 // Fourier transform on a lattice. In the local frame of cell_stress.hpp.
 #pragma once

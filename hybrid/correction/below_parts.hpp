@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The difference between wheel or rail and half-spaces below the surface, found by finite elements
 // as smooth_parts.hpp finds it on the surface: body minus flattened twin at the same Gauss points
 // of the same cells. Those points lie apart in coordinates that follow the surface (cells are laid

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The C entry through which the program reaches this library after opening it at run time.
 #include "fem/elasticity/model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/correction/flat_body.hpp"
 
 #include "fem/trace/far_error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The correction of a flat body in the frame of the common surface, without a mesh: the
 // body is a half-space itself, but loaded and evaluated along the local tangents and
 // normals of a surface that is curved where the other body is.

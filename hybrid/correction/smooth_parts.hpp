@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The corrections of wheel and rail to their half-spaces, found by finite elements: each body minus
 // its flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over
 // the patch. Discretisation errors cancel up to the curvature, so that coarse cells suffice. The

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem from C++, in one header: read or parse a case, solve it with any model, look at the
 // results or write them as the program does. Units, signs and frames are those of the case file and
 // of results (docs/c_interface.md). What this header includes is what is installed and kept the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The folder in which corrections of the model hybrid are kept after a run, so that another load,
 // creepage or friction on the same bodies needs no finite elements.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The smooth parts of wheel and rail (halfspace/elasticity/smooth_map.hpp) as
 // named values, for files and for other processes.
 #pragma once

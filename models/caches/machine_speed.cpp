@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/caches/machine_speed.hpp"
 
 #include "models/caches/correction_cache.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The speed of this machine relative to the one that run times are predicted for, as measured
 // by `rollfem bench` and stored in the user's cache folder.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The time that a run takes where nobody has named an accuracy: shared by all scenes of a case,
 // counted in predicted seconds, so that the same case makes the same choices. The clock counts
 // only where a prediction was grossly wrong.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The choice among models: finds the cheapest whose total error meets an accuracy, by
 // solving the most promising, measuring the error reached and updating the forecast. States
 // in one sentence what was chosen, what was not, and why.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Forecasts error and cost of models on successively finer grids and picks the cheapest that
 // suffices. Pure functions of values; no model is known here.
 #pragma once

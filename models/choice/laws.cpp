@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/choice/laws.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The accuracy a result reached in the requested quantities, by its own error estimates.
 #pragma once
 

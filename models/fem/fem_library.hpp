@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The finite-element library, opened at run time: loading deal.II, Trilinos and PETSc takes longer
 // than a whole half-space run.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Registration of the model "fem", whose library is opened when it runs.
 #pragma once
 

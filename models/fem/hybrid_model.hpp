@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Registration of the model "hybrid". Its finite-element part is
 // in a library that is opened when it runs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Provenance of a result: who made it, where and when.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Version of the program and the commit it was built from.
 #pragma once
 

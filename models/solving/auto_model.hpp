@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // `auto`: the cheapest of half-space, hybrid and finite elements that meets the accuracy of the
 // case (choice/choice.hpp).
 #pragma once

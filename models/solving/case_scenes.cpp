@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/solving/case_scenes.hpp"
 
 #include "track/motion/placed_scenes.hpp"

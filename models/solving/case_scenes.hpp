@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The scenes of a case: the case itself or, with profiles, one scene for each
 // patch in balance; and the figures and text about them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/solving/expected_choice.hpp"
 
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The expected choice of `auto`: for `check` from geometry
 // alone, for `study` from the levels solved.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The checkpoint of one scene of a case with profiles: record names begin with the patch,
 // so that patches do not pick up each other's load points.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Solves the models of a case on all its scenes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Results of several models side by side: every number with its error bar and its difference
 // from a reference model, over one or several cases. Built from the summaries of result
 // folders, so that stored results take part like new ones.

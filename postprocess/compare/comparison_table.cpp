@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A comparison for the terminal: a table for each case, and one line on all of them.
 #include "contact/case/case_text.hpp"
 #include "postprocess/compare/comparison.hpp"

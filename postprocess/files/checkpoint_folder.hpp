@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Finished load points on disk, in DIR.unfinished beside the future results. Every record appears
 // whole or not at all; the folder is removed when the results are written.
 #pragma once

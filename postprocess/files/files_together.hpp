@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Files that appear whole or not at all, in a folder that may hold other files: written and flushed
 // under other names first, then renamed.
 #pragma once

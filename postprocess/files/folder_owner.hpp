@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Ensures that only one process at a time produces a result: it owns the folder from
 // before the first model runs until everything is written.
 #pragma once

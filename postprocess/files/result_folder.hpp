@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A result folder that appears whole or not at all: files are written to a folder beside it,
 // flushed to disk and moved in together. An earlier result stays intact until then.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Checksums by which a damaged result is told before anything in it is used. They tell damage, not
 // malice.
 //

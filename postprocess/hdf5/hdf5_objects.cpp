@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/hdf5/hdf5_objects.hpp"
 
 #include "postprocess/files/seal.hpp"

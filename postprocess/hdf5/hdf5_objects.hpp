@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The few HDF5 calls needed to write and read results.h5, with handles
 // that close themselves and errors as exceptions.
 #pragma once

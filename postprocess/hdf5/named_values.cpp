@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/hdf5/named_values.hpp"
 
 #include "postprocess/files/files_together.hpp"

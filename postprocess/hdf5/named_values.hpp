@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Named strings, numbers and matrices in one HDF5 file with a checksum (seal.hpp): data that
 // the program stores for itself and that anyone can read.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement and stress at any place of a stored finite-element body: the hexahedron that holds
 // the place is found in a tree of boxes, its trilinear map is inverted, and the values of its nodes
 // are interpolated. Between the nodes this is as accurate as they are dense: the recovered stress

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Reads results.h5 back into the record it was written from, for commands that continue from
 // stored results (rollfem stress). Layout: docs/results.md.
 #pragma once

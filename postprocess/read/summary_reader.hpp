@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Reads summary.json back: the record of every model without its fields.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads rollfem results and draws them.
 
     from rollfem_figures import read_result

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """python3 -m rollfem_figures PATH: draws what rollfem has written there.
 
 A result folder gets figures/*.svg and report.html; the folder of a comparison, a study or a table compare.html,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """compare.html: several models on one or several cases, side by side."""
 import os
 from html import escape

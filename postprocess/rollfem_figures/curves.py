@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Curves: traction coefficient against creepage, tractions along the middle lines, forces of strips."""
 import math
 

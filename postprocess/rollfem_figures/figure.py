@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A figure: panels beside each other under one legend, as a file (SVG) and as part of a page, where
 the panels flow into the room there is."""
 from html import escape

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Files: written completely or not at all, and told by their checksums when they are damaged
 (postprocess/files/seal.hpp); one without a checksum is of an earlier version."""
 import contextlib

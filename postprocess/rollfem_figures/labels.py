@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels of figures: plain text with symbols between dollars, as $p_n$ or $\\xi$, for SVG, for HTML and
 for whoever hears it read."""
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Load points: what tells them apart and how that is worded, which to draw when there are more than fit, and which
 model the others are compared with there."""
 

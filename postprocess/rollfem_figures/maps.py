@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures over the patch: outlines of all models, zones of adhesion and slip of each, oblique views of tractions."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Lines on which a field on a grid has a value (marching squares); with them the edge of the patch and the border
 between its zones below the element size."""
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The frame of every report: one file with everything in it, for the screen, the phone and the printer,
 on light and on dark ground, read by eye or by ear. And the drawing of its figures."""
 import os

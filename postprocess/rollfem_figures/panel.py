@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A panel of a figure: axes and what is drawn in them, written as SVG with classes for colours, so
 that the page that holds it decides on light or dark ground (styles.css)."""
 import functools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """With profiles: where the wheels touch the rails, and how that goes along a row of positions. And a wheelset over its
 lateral shift: the difference of its rolling radii, its contact angles and its equivalent conicity, from the table that
 `rollfem wheelset` wrote (wheelset.csv) or a run of a row of shifts (wheelset_rigid.csv; its own wheelset.csv has the

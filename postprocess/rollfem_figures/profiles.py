@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Profiles: one of wheel or rail with its curvature over y below it; and a wheel on its rail with the distance between
 them."""
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Published values for a case (published.json), shown beside our own."""
 import json
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """report.html: the problem, the patch, forces, tractions and stresses of every model."""
 import os
 import re

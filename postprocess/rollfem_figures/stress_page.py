@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """stress.html: what `rollfem stress` found, at all load points that were asked for: depth profiles, lines, planes and the
 shakedown map."""
 import math

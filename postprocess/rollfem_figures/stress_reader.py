@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What `rollfem stress` wrote, as numpy arrays.
 
 Units mm, N, MPa. Global frame: x along rolling, y lateral, z into the wheel. Tension is positive.

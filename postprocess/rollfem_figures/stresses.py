@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Stress in the bodies: measures, curves along lines and the table of the largest values, of a run as of
 `rollfem stress`."""
 from html import escape

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """study.html: errors of one case on ever finer grids, against unknowns and seconds."""
 import os
 from html import escape

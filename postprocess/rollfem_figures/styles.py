@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """One look for all figures: colours that colour-blind readers can tell apart (Okabe and Ito), on white
 and on black paper, a marker and a dash for each model. How a model is called comes with the results,
 from the program's registry."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """table.html: a table of creep forces that `rollfem table` wrote, as numpy arrays, as surfaces and curves, and how far off
 it is between its points."""
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/stress/ellipse_shear.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>

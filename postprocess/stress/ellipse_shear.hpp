@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The shakedown limit of an elliptic contact, between those of circle and
 // line (postprocess/stress/shakedown.hpp): the largest shear on planes
 // parallel to the surface below a sliding Hertz ellipse.

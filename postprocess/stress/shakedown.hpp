@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The shakedown map of rolling and sliding contact as engineers draw it (Johnson 1985, section 9.2;
 // Johnson 1989): load factor p0/k, k the yield stress in shear, against traction coefficient T/N.
 // Below the lower boundary nothing yields. Below the upper one residual stresses let every further

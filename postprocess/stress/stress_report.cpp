@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/stress/stress_report.hpp"
 
 #include "contact/result/bars.hpp"

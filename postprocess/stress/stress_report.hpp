@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The output of `rollfem stress`: stresses at the requested places, the largest stresses, and the
 // points of the shakedown map, as tables for spreadsheets, scripts and the screen.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Convergence of a sequence of values on successively finer levels: the observed order,
 // Richardson's limit and the reliability of both. P. J. Roache, Verification and Validation in
 // Computational Science and Engineering (1998); L. Eca, M. Hoekstra, J. Comput. Phys. 262 (2014),

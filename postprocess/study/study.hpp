@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A refinement study as a record and as files: values level by level, their errors against a
 // reference, observed orders and limits. Layout of the files: docs/commands.md.
 #pragma once

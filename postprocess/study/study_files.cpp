@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // study.json and study.csv.
 #include "postprocess/study/study.hpp"
 #include "postprocess/write/json_head.hpp"

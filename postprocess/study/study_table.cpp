@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A study for the terminal: a table for each series, and one line on all of them.
 #include "contact/result/quantities.hpp"
 #include "postprocess/study/study.hpp"

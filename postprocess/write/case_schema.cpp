@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/case_schema.hpp"
 
 #include "contact/case/case_text.hpp"

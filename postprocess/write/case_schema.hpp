@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The keys of a case file as a JSON schema (draft 7), for completion and checks of TOML in editors.
 #pragma once
 

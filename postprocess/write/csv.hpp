@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables for spreadsheets: creep curves and path plots of all models, one
 // file each, with units in the column headers.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/json_head.hpp"
 
 #include "postprocess/files/seal.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The common head of compare.json and study.json: the kind of file and its provenance.
 #pragma once
 

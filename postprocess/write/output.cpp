@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/output.hpp"
 
 #include "postprocess/files/result_folder.hpp"

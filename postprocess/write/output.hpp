@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A run written to a folder, whole or not at all: summary.json, results.h5, CSV, ParaView files.
 // Layout and meaning of every field: docs/results.md.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The fields of a load point and the numbers of its place with units, meanings and signs, declared
 // once for all files. Its scalars: contact/result/quantities.hpp.
 #pragma once

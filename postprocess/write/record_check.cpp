@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/record_check.hpp"
 
 #include "contact/result/quantities.hpp"

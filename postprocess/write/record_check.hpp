@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks that every writer relies on: sizes that fit the grid, names usable as paths, no NaN.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs the plotting program (Python) on a result folder.
 #include "postprocess/write/output.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // results.h5: grid, fields per load point, scalars and provenance, self-describing (units, signs
 // and descriptions are attributes and comments). Layout: docs/results.md.
 #pragma once

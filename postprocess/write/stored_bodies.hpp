@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheel and rail in results.h5: nodes and cells once per model, displacement and stress of the
 // nodes at every load point that keeps them. Layout: docs/results.md.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // summary.json: the numbers of a run without fields, for scripts and tests. Layout:
 // docs/results.md.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/vtu.hpp"
 
 #include "contact/result/stress_measures.hpp"

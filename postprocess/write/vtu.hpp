@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Files for ParaView (VTK XML unstructured grid, zlib-compressed base64): bodies, the contact
 // surface, and either of all load points as a time series.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/wheelset_rows.hpp"
 
 #include "contact/result/quantities.hpp"

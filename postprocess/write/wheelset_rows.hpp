@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A row of positions of a wheelset: the totals of each wheel's patches at each position.
 #pragma once
 

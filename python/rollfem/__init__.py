@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rolling contact of wheel and rail, with an error bar on every number.
 
     import rollfem

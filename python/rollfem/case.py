@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Cases: the contents of a case file as values in Python."""
 import copy
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Figures of results; each returns matplotlib axes, created here unless given."""
 import numpy as np
 

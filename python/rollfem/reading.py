@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads stored results into the same types as solved ones."""
 import importlib
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Results: load points of models, as numbers and numpy arrays.
 
 Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx], x the rolling direction.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Solves one case at every combination of given values."""
 import itertools
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of the creep force law that `rollfem table` has written."""
 import os
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Interpolation along one axis of a table: cubic between two nodes with the slopes of parabolas
 // through three, so that first derivatives are continuous where values pass 0 smoothly.
 #pragma once

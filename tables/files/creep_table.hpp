@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Creep forces as a table over scaled creepages and, of Hertzian contacts, the ratio of the
 // ellipse's axes, as Kalker's (1996) and USETAB's tables have it, or, of a wheel on its rail, the
 // lateral shift of the wheelset; and what it says between its points. Python and C read it through

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // table.h5 and table.csv: what `rollfem table` writes, and the table from its HDF5 file again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Solving the points of a table on all cores; finished parts outlive a run that is ended.
 #pragma once
 

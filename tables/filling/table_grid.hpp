@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The axes of a table, from the section [table] of a case.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tables/filling/table_parts.hpp"
 
 #include "contact/base/threads.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Points of a table solved in parts on all cores; finished parts outlive a call that is ended.
 #pragma once
 

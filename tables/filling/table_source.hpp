@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What solves the points of a table: ellipses, or a wheel that is shifted.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/errors.hpp"
 #include "tables/filling/table_grid.hpp"
 #include "tables/filling/table_source.hpp"

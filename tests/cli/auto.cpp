@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The model auto through the program: what it takes at 5, 1 and 0.2 %, and where that is said.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

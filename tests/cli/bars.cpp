@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Of every scalar that leaves the program it is said what its error is: a bar, or why it has none.
 // All models, and problems of every kind.
 #include "contact/result/bars.hpp"

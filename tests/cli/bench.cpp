@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem bench: errors and seconds of the models, and the machine's speed that check predicts by.
 #include <gtest/gtest.h>
 

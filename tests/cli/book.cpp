@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The verification book: what `./rollfem book` calls once the program is built.
 #include <nlohmann/json.hpp>
 

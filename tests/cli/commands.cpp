@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // check, new-case, docs, --version, wrong calls and hostile files: exit status and message.
 #include <gtest/gtest.h>
 

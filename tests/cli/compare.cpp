@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command compare: several models and cases, what is left out and what failed, taking up again.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // convert: from an input file of CONTACT to a result, which a closed form knows.
 #include "halfspace/closed_forms/hertz.hpp"
 

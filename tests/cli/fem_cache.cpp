@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The corrections that the model hybrid keeps for other runs: found again for what has the same
 // ones, never for other bodies, whole or not at all, listed and cleared.
 #include "support/program.hpp"

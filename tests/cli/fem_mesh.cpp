@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `mesh`: its files, that a case takes them again, and what it refuses.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The finite-element model through the program: several processes and another linear solver give
 // the same numbers, and errors keep their exit status under mpirun.
 #include "support/case_examples.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // compare and study on several processes: the numbers of one process, files of the first alone, and
 // a failure that ends the call with nothing half-written.
 #include "support/case_examples.hpp"

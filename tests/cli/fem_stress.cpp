@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command stress on stored finite-element bodies: any load point of a creep curve, without
 // solving, is what a run with that creepage alone gives.
 #include "support/case_examples.hpp"

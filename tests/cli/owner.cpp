@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // One owner of a result at a time, from the start of a command to its end, and what is said when a
 // signal ends it or nobody reads what it prints.
 #include "support/case_examples.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Work divided among calls (--part, --merge): the merged result is that of one call to the last
 // bit, what is missing is named, and what cannot be divided is refused.
 #include "support/case_examples.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command profile: what it prints, writes and draws, and how it refuses.
 #include <gtest/gtest.h>
 

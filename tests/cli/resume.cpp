@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command run after a kill: finished load points are taken up and the result is the same to the
 // last bit; what belongs to another case, is damaged, or cannot be written is told and does no
 // harm.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command line made easier: keys changed by --set, completion, the manual page.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command stress on stored results: closed forms and CONTACT's values from the file of a run,
 // interpolation in stored bodies, patches, wrong calls.
 #include "postprocess/write/results_hdf5.hpp"

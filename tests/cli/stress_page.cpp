@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The page of the command stress, and several load points in one call.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command study: levels, orders, references, what it refuses.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command study on true profiles: every patch is a series of its own, with the forces of one
 // balance on all levels; what makes no sense for patches is refused.
 #include <gtest/gtest.h>

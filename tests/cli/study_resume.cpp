@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command study after a kill: finished levels are taken up and the numbers are the same to the
 // last bit; what belongs to another case is refused.
 #include "support/case_examples.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The command table: what it writes, that an ended call is taken up, and what it refuses.
 #include "tables/files/table_files.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A model registered by one line (tests/support/toy_program.cpp) is there in every command, in
 // help, messages, tables and reports.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What may not leave the program as a result, and what leaves it with a warning.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Cases with profiles from the command line: check tells where the wheels touch, run solves every
 // patch of a row of positions, and an ended run is taken up patch by patch.
 #include "support/csv_rows.hpp"

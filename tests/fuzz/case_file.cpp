@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A case file: read, checked, said back, and the arithmetic that `rollfem check` does with it.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // libFuzzer's entry: every refusal is one line, printable, that says what to do.
 #include "fuzz/target.hpp"
 #include <cstdio>

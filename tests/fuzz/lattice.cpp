@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A lattice of points: undeformed distance, or, when the first byte is `2`, the two columns of
 // slip.
 #include "contact/case/lattice.hpp"

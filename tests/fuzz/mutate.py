@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Mutates case files, profiles, lattices and input files of CONTACT and looks for what must not happen: a signal, a
 hang, an 'internal error', an exit status other than 0, 1 and 2, a result that cannot be.
 

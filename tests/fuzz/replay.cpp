@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The targets without libFuzzer. Files or folders as arguments: each file is one input, as in the
 // corpus that CTest replays. `--records`: inputs come on stdin, each after its length in bytes
 // (four, little-endian); for each a line goes to stdout, "ok" or the refusal. mutate.py drives

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Lets libFuzzer look for inputs that break a target: search.sh [SECONDS [TARGET ...]], 20 s for each
 # of case_file, profile, lattice and contact_input; FUZZ_SEED is libFuzzer's, another every time without it. Needs
 # clang with libFuzzer. Begins with the corpus and the cases of the source; what it finds goes to

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What must hold of every result at status 0, of the numbers in its files alone: an answer of its own to the
 question that the program's gate (contact/result/validity.cpp) asks before it writes them."""
 import json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a fuzz target does with bytes, with libFuzzer or without it (replay.cpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The error bars of the model halfspace hold in 100 random scenes, each against a grid four times
 // finer. benchmarks/bar_coverage.cpp has the same for 1000.
 #include "support/bar_coverage.hpp"

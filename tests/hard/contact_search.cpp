@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact search where it is hard: two points at the flange, the conformal gauge corner, worn
 // treads; and wheels that have left the rail, profiles that end too early.
 #include "track/search/contact_search.hpp"

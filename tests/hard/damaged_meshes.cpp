@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Damaged mesh files: each is read as some mesh or refused with one message, soon, whatever is in
 // it. ROLLFEM_DAMAGED=10000 tries as many.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Damaged results and records: none of them is used. ROLLFEM_DAMAGED=10000 tries as many of each.
 #include "contact/base/errors.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The normal solver where half-space codes use to fail: each case has a right answer.
 #include "contact/base/errors.hpp"
 #include "contact/iteration/normal.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Prescribed forces, unlike materials, histories and shapes where half-space codes use to fail:
 // each case has a right answer.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Patches that are hard: conforming gauge corners, two regions that become one, profiles that end.
 #include "support/profile_patches.hpp"
 

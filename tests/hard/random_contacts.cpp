@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Random contacts of half-spaces (support/random_contact.hpp): the tangential solver has to solve
 // them all, in few steps. benchmarks/random_contacts.cpp runs thousands.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Installs the build into an empty folder, moves it (an installed tree must not care), builds the
 # examples against it and runs them, the installed program and the installed Python module.
 function(step)

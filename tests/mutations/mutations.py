@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of mutations: one wrong line each, that some test must find. run.py applies them.
 
 `find` occurs exactly once in `file` (structure.mutations holds it), and `put` stands in its place.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Breaks the program on purpose, one line at a time, and looks whether the tests notice.
 
     tests/mutations/run.py --build /tmp/mutations                      the half-space's mutations

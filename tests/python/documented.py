@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs the Python blocks of a page of docs, one after the other in one session, as a reader would, in a folder of its own
 beside a copy of the cases. Call: documented.py PAGE SOURCE_FOLDER; rollfem is found by PYTHONPATH."""
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The Python module against closed forms, the program's own files, and its promises about errors, threads and Ctrl-C.
 Call: module.py SOURCE_FOLDER PROGRAM; rollfem is found by PYTHONPATH."""
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks the verification book: that every test it names is there, and that docs/book holds every chapter
 with no number beyond what is allowed. Call: book.py SOURCE_DIR"""
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Holds README, changelog and docs to the tree: tests that are named exist, links lead to a file and a
 heading, and a section with a table of measured numbers says how to get them again: by a command, a test,
 the book, or where they are from.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Checks the C++ files against .clang-format. Status 77 (skipped) without clang-format.
 # Call: format.sh SOURCE_DIR
 cd "$1" || exit 1

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that includes between modules, and between the rooms of a module, run one way.
 
 contact <- halfspace <- fem; theories stand on halfspace; hybrid knows halfspace and is given what fem finds; convert knows cases and closed forms; profiles and meshes know cases and

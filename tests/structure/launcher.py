@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that a build keeps its lock when the launcher that began it is killed (the next call waits, and only then
 builds), and that tests run on all cores, with one thread each. ninja and ctest are stand-ins. Call: launcher.py SOURCE_DIR"""
 

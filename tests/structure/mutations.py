@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every mutation of tests/mutations finds its text exactly once, and its suspects are test programs.
 
     mutations.py ROOT

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks benchmarks/pins.py: a file of numbers agrees with itself; one number changed is named, and is without a
 reason until a pattern has one. Call: pins.py SOURCE_DIR"""
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that what is installed of the headers (interface/public_headers.txt) is just what rollfem/rollfem.hpp includes, by
 itself or through others. Call: public.py SOURCE_DIR"""
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every case file of the tree follows the JSON schema that `rollfem docs schema` prints, and damaged ones do not.
 
 The validator below knows what the schema uses of draft 7. Call: schema.py SOURCE_DIR PROGRAM

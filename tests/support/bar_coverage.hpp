@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How often error bars hold and how large they are: random scenes (random_scenes.hpp) solved on a
 // grid and on one four times finer.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A small valid case file for the tests, and variations of it.
 #pragma once
 

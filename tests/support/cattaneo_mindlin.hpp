@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Tangential force on a circular Hertz contact at constant normal force (Cattaneo 1938; Mindlin
 // 1949; Mindlin and Deresiewicz 1953; Johnson 1985, sections 7.2 and 7.4). Exact for nu = 0, else
 // up to a small lateral traction.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // State inside the half-space under one loaded rectangle or one point force, from the potentials
 // that the program sums.
 #pragma once

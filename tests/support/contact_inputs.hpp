@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Small input files in CONTACT's format, made for the tests.
 #pragma once
 

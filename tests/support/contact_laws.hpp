@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The conditions of contact element by element, where fields come from an iteration that ends when
 // the displacement changes by less than 1e-4 of itself.
 #pragma once

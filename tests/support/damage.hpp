@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Damage to files, the same in every run of a seed: bits turned, cut short, blocks zeroed, moved or
 // doubled, numbers of a text replaced by impossible ones.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A folder that Debian's Python draws, and questions to the package rollfem_figures. Skipped with a
 // message where numpy or h5py is not installed.
 #pragma once

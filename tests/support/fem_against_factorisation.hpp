@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // An iterative solver on any number of processes beside the factorisation of the same block on one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A concave wheel on a rail, unlike materials, whole and as halves, with their factorisations: made
 // once for all tests of a program.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A block of elastic material on an octree mesh with hanging nodes, for tests of the linear
 // solvers.
 #pragma once

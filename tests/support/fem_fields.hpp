@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Loads of given stresses and errors of displacements, by quadrature over the cells of this
 // process.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A flat rail of finite elements under Hertz's pressure on a circle, with friction, and the stress
 // recovered in it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A smooth displacement on curved bodies whose load is known: for orders of convergence.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A quarter of a thick ring between two planes that keep plane strain, axis z, for closed forms of
 // axisymmetric displacement.
 #pragma once

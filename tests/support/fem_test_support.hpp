@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What the tests of finite-element bodies share: MPI, small bodies, random tractions.
 #pragma once
 

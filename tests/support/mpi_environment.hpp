@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Initialises MPI for a test program that is linked with gtest_main, and limits deal.II to one
 // thread. Include it in exactly one source of the program; that is all there is to do.
 // Under mpirun every process runs the same tests; the others than the first print failures only.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Meshes in the formats of .msh files that the program reads but does not write.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A folder of its own for a test of output, and where the figures' Python package is.
 #pragma once
 

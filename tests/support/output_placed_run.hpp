@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A run of several patches on profiles, for the tests of output, figures and report.
 #pragma once
 

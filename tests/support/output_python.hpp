@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs a Python script on a file: the independent reader of the output tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A run with realistic fields that needs no solver: Hertz's pressure of thesis case a, and strip by
 // strip Carter's traction, for the tests of output, figures and report.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A case with the geometry of one patch put in by hand, as tests of single patches want it: what
 // the program makes of true profiles on a track comes as a contact::Scene from track/motion.
 #pragma once

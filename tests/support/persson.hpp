@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Persson's conformal contact in closed form: a disc in the hole of an infinite plate, plane
 // strain, no friction, like materials, where Hertz's theory is off by up to 17 %.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Patches of known bodies in the patch frame: spheres and tori whose contact the radii give too,
 // and S1002 on the Manchester benchmark's UIC60 from their published arcs and polynomial.
 #pragma once

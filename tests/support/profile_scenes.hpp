@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes of S1002 on UIC60: the study's left wheel, and a wheel at its flange.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Built-in profiles as text in files, and what is read from them.
 #pragma once
 

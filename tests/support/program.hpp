@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs the real program as a user does: arguments in; exit status, stdout and stderr out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Random contact problems of half-spaces, each from a seed and its number, so that any of them can
 // be made again: the tangential solver has to solve them all.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Draws from a seed that are the same on every machine, for the makers of random contacts.
 #pragma once
 

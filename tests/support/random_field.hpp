@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Random tractions, and the product of two fields.
 #pragma once
 

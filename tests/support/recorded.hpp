@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 // Numbers that a test hands to the verification book (benchmarks/book), which quotes them beside
 // their closed form.

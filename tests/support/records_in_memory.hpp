@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A checkpoint that keeps its records in memory.
 #pragma once
 

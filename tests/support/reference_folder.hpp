@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The folder of reference files that are not part of the repository, for tests that read them where
 // they are at hand.
 #pragma once

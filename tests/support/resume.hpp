@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What the tests of --resume share: a run that is killed at a chosen moment, and the comparison of
 // two results.
 #pragma once

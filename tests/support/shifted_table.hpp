@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A table over lateral shifts made of a formula: contact jumps between 1 and 2 mm.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A folder that is removed at the end, what is in a file, and what a text says.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The thesis's cases a, b, c and benchmark 9 (reference/benchmarks.md) as values, for tests of the
 // half-space that do not read case files.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheels and rails for tests of placement and contact search: built-in pairs, profiles from
 // formulas, and the distance of wheel and rail found by brute force.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Worn wheels on worn rails, each from a seed and its number: S1002 and 60E1 as a profile gauge
 // lists them, with waves, scatter and the steps of rounded heights. Spacings, decimals and
 // pressures of the waves are those of three measured pairs.

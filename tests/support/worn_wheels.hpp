@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheels of tangent arcs that touch their rails at two places: on a hollow tread, whose rims lie in
 // nearly one plane, at tread and flange, whose normals differ by 67 degrees, and at tread and root,
 // whose normals differ by 20.

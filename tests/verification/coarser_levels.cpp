@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Coarser grids that only help the one asked for must not refuse what that one can have.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"

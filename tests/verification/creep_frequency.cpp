@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Frequency response of transient creep (Knothe and Gross-Thebing 1986) where it has a closed form:
 // line contact, full adhesion, creepage xi e^(i w t). Material that adheres has
 // du/dx - i k u = xi, k = w/V = 2 pi/L, so that u = -xi/(i k) + C e^(i k x); of the tractions that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Curved contact of the model halfspace ([halfspace] surface = "curved"). References: the plane
 // limit, rigid-body velocities of the wheel, planar contact with extra slip within its order,
 // CONTACT's extra slip and Persson's conforming cylinder.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The outer contact iteration: whatever preconditions it, its fixed point is the solution with the
 // compliance it was given, and it says so when it does not get there.
 #include "contact/solve/defect_correction.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // First-order differences on CONTACT's elements give the numbers that CONTACT prints, digit by
 // digit. Printed: the results shipped with the examples of CONTACT (E. A. H. Vollebregt, user
 // guide, chapter on examples; open version r2707): FASTSIM (given there beside the full solution),

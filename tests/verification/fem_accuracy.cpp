@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The accuracy that a case asks for, by finite elements on case a without friction: reached with an
 // estimate of the right size, or said not to be reached.
 #include "contact/result/refinement.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Manufactured solution on curved bodies: error of order degree + 1 in displacement and degree in
 // stress.
 #include "fem/linear/factorisation.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A large flat body under a small loaded rectangle is a half-space: displacement differences
 // against the closed forms of Love and Cerruti behind halfspace::HalfspaceCompliance.
 #include "contact/scene/geometry.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Circular contact in finite elements: the largest shear stress of Hertz's theory and its place,
 // and how far the recovered stress at the surface is from the tractions.
 #include "contact/case/case_reader.hpp"

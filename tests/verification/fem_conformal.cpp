@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The hybrid where patches embrace: a wheel in a groove, whose normals turn by 33 degrees.
 #include "halfspace/model/model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The hybrid: nothing where bodies are half-spaces, the strain of a loaded wheel where it is one,
 // and the finite elements' pressure and forces where the surfaces are steep.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Stresses below the surface by the hybrid: Hertz's where bodies are half-spaces, and those of
 // finite elements where they are not.
 #include "contact/result/stress_measures.hpp"

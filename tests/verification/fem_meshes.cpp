@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The same contact under different meshes: the program's two families, segments of two sizes, and
 // meshes of a user whose lines follow neither rolling nor the lateral direction.
 #include "fem/elasticity/run_level.hpp"

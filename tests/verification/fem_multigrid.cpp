@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Multigrid against a direct solver and a closed form; its convergence. The same program runs on
 // one process and under mpirun on two.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Patch test: a linear displacement is in equilibrium on skew cells with hanging nodes, its strain
 // energy is exact, and recovered stress is the constant one.
 #include "fem/discretisation/elasticity_assembly.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Persson's conformal contact, benchmark 10: a disc in the hole of a large plate, plane strain
 // between two planes. Own meshes of both bodies go through the library's elasticity, factorisation
 // and normal contact solver.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Every problem of the half-space by finite elements, on bodies that curve gently: both models pose
 // one problem, so that they differ by elasticity alone; the cells are coarse, a fifth of the patch,
 // and finite elements then transmit some per cent more at the same creepage.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The model fem on patches of true profiles: circles given as profiles against radii, a sphere
 // about a tilted axle, S1002 on UIC60 against the half-space on the same grid.
 #include "contact/scene/contact_surface.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Slip of a loaded wheel on a rail at xi = 0, which half-spaces do not have: finite elements
 // against a first-order perturbation of the half-space by the curvature of the bodies.
 #include "fem/elasticity/run_level.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Recovered stress on curved bodies with hanging nodes: its order by a manufactured solution, and
 // the same numbers on any number of processes.
 #include "fem/discretisation/body_points.hpp"

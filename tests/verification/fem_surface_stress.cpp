@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Stress at the surface of a finite-element body from the tractions and the strain within the
 // surface: against Hertz's closed forms inside and outside of a circle, and better than the
 // recovered stress alone.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Steady rolling in three dimensions: prescribed forces against creep curves, Kalker's coefficients
 // over aspect ratio and Poisson's ratio, extra rigid slip against CONTACT, given pressure.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Shifts and transient rolling against Cattaneo and Mindlin, Spence's datum and the steady solution
 // (reference/benchmarks.md, 3 and 4).
 #include "contact/result/patch_size.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The normal solver on the half-space against Hertz, a punch, CONTACT and invariants.
 #include "contact/base/errors.hpp"
 #include "contact/iteration/normal.hpp"

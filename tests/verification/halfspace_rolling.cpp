@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Steady rolling on the half-space against CONTACT, converged values and invariants.
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Everything the driver can do holds for the hybrid: without anything to add it is the curved
 // half-space in every kind of problem, and what is added that has a closed form comes out.
 #include "contact/result/quantities.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Several patches of one wheel share its load by equilibrium and press on each other through the
 // bodies: on one grid, where forces stay continuous while patches come, join, part and go, and in
 // different planes. References: Hertz with a point load at the distance of the other patch, the

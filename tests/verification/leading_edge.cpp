@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The leading edge below the element: order of the forces, smooth tractions across rolling.
 #include "contact/iteration/leading_edge.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Line contact as a shape of the models halfspace, hertz and carter, from case file to result:
 // Hertz and Carter in closed form, antiplane shear, Bentall and Johnson's and Spence's unlike
 // bodies (reference/benchmarks.md, 2, 4 and 5), Nowell and Hills's rollers by quadrature, and what

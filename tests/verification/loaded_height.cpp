@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Two patches in one plane share their load by the distances at the height at which the wheel
 // stands under load. Reference: the wheel of the Manchester benchmark A-2.2 (S1002 on UIC60, 10 kN,
 // right wheel) lowered vertically as a surface of revolution, its gap along the plane's normal

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact positions, angles and creepages of CONTACT (open version r2707) for the Manchester
 // benchmark, left wheel: S1002 on the benchmark's UIC60, radius 460, gauge 1435 at 14 mm,
 // flange backs 1360, rails 1:40, 10 kN, wheelset shifted to the right and yawed

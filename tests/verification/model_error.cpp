@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a half-space leaves out of thesis cases a to f, by the first-order correction of curved
 // bodies: against finite elements less half-space and against a derivation by hand.
 #include "contact/base/errors.hpp"

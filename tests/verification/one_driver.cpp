@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // One driver for every elasticity: with the half-space's compliance behind the iteration that
 // finite elements take, every problem gives the half-space's numbers, so that what two models
 // disagree about is elasticity and nothing else.

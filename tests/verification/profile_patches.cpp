@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Models of the half-space family on true profiles. References: the same bodies by radii, Hertz,
 // and CONTACT on S1002 over UIC60 (reference/wheelrail_left_*.csv).
 #include "support/profile_patches.hpp"

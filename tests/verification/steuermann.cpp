@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies that are flatter than paraboloids, h = A r^(2n): Steuermann (1939), for a frictionless
 // axisymmetric contact also from Sneddon's integrals, with f = h:
 //   approach = a int_0^a f'(r)/sqrt(a^2 - r^2) dr,  P = 2 E* int_0^a r^2 f'(r)/sqrt(a^2 - r^2) dr.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Stress below Hertzian contact: CONTACT's values of case a, the closed forms of the circle and of
 // the line, with the order at which the grid converges to them.
 #include "contact/base/pi.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The theories against CONTACT (its FASTSIM and its converged half-space solutions of the cases a,
 // c and e) and against the study of 2012.
 #include "contact/base/errors.hpp"

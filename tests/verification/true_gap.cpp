@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Gap, slip and tractions as they are reported against the conditions of contact, with distance and
 // displacement computed again: influence coefficients summed element by element, without the
 // transforms, differences and solvers that found the solution.

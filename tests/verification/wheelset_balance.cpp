@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A wheelset in balance, checked by what it must satisfy: vertical forces with friction add up to
 // the load on every wheel, free rolling has no torque or no force, patches of one wheel share its
 // load; and where there is no balance, that is said.

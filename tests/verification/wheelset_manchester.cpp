@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The Manchester benchmark A-2.2 (Shackleton and Iwnicki 2008): a wheelset of 20 kN, shifted and
 // yawed, rolling without torque, at every half millimetre of shift. Against CONTACT's shipped
 // results (user guide, section 5.7; github.com/eve70a/CONTACT, examples/mbench_a22_left.ref_out of

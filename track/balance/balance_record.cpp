@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/balance/balance_record.hpp"
 
 #include "contact/result/record.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What the balance of one position has found, as a record that outlives the run.
 #pragma once
 

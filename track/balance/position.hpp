@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Balance of one position of the wheelset: the loads of its patches and its rotation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // One wheel on its rail, pressed without friction: where it touches, and its creep forces under
 // normal forces that stay as they are. What tables over lateral shifts are filled with.
 #pragma once

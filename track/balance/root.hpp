@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Roots of several functions of one variable each that are evaluated together: one
 // half-space run gives the forces of all load points.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/motion/loaded_height.hpp"
 
 #include "halfspace/patch/load_sharing.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The scenes of a case with profiles: one for each patch of each wheel at each position, with the
 // geometry in the frame of the patch, its load and its creepages, ready for any model.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/motion/wheelset_motion.hpp"
 
 #include "contact/base/pi.hpp"

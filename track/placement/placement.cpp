@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/placement/placement.hpp"
 
 #include "contact/base/count.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Positions of rails and wheels on the track. Everything is done in the *side frame* of one wheel:
 // x along the track, Y from the middle of the track outward to the field side, z down, so that
 // profile y and Y point the same way on both sides and the left side is the mirror image of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/placement/vertical_gap.hpp"
 
 #include "contact/base/errors.hpp"

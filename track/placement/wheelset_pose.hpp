@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Height and roll of a wheelset on its rails; rejects wheels that have left their rails.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Finds where the wheels of a placed wheelset touch their rails: its height and roll, points of
 // first contact, near misses, and which of them form one patch under load (docs/track.md).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How far a wheel sinks under a load, and what each of its patches carries, estimated without
 // solving the contact problem: the patch is where the bodies would overlap at 0.57 of the approach,
 // the pressure over it semi-elliptic along rolling. W. Kik and J. Piotrowski, A fast, approximate

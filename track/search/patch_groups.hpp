@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Groups minima of the gap into contacts, each with its reference point and plane.
 #pragma once
 

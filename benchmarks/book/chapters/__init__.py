@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The chapters in the order of the book."""
 from .bodies import elements, incompressible, inertia, persson
 from .conformal import conformal_contact

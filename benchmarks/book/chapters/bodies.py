@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Finite elements: elements, incompressibility, inertia, and contact of bodies that are no half-spaces."""
 import numpy as np
 

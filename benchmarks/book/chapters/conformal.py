@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Conformal contact: what CONTACT prints and why, curved half-spaces, the hybrid, and how far each theory goes."""
 import numpy as np
 from matplotlib import pyplot as plt

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Slip that curvature makes without creepage: the sphere's series, a first-order theory, finite elements."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The finite-element model against Hertz: what refining its cells brings; the hybrid against CalculiX."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Friction without steady rolling: pushed, pressed, and rolled from rest."""
 import numpy as np
 from matplotlib import pyplot as plt

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The hybrid against the limit of finite elements, and what half-space, hybrid and finite elements cost for their error."""
 import json
 import os

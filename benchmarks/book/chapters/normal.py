@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Normal contact of half-spaces: Hertz's ellipses, flatter bodies, and the order of the discretisation."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """True profiles: S1002 on UIC60, and the Manchester benchmark."""
 import json
 import os

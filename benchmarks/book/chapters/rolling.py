@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Steady rolling of half-spaces and the theories."""
 import numpy as np
 from matplotlib import pyplot as plt

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The 2012 study's cases a to f by every model, and what half-spaces miss in e and f."""
 import os
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks of a case file beyond the bounds of each key, and the wording of its errors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles in a case file: one shape for each body, and only such keys as that kind of profile
 // reads.
 #include "contact/case/checks/case_checks.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/case/checks/case_rules.hpp"
 
 namespace rollfem::contact {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What the keys of a case need and exclude, declared in tables: which keys have no meaning where,
 // which decide the same thing, and of which one must be there.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks of values against each other, where every key for itself is allowed; and what follows
 // from what is given.
 #include "contact/base/material.hpp"

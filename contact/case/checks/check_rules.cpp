@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Holds a case against the tables of case_rules.cpp.
 #include "contact/case/checks/case_rules.hpp"
 

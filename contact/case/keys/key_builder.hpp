@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How a key is declared, in named parts that end with the member of the case it fills:
 //
 //   Keys<Load> keys("load", "How hard the bodies are pressed together", &Case::load);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Keys before the first section.
 #include "contact/base/accuracy.hpp"
 #include "contact/case/keys/key_builder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles of wheel and rail: what they are, and what may be mended of those from files.
 #include "contact/case/keys/key_builder.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // [[subsurface.*]]: points below the surface, of which there may be any number.
 #include "contact/case/keys/key_builder.hpp"
 

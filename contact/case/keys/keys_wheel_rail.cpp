@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheel and rail: their radii, materials, profiles and meshes.
 #include "contact/case/keys/key_builder.hpp"
 

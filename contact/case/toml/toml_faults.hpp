@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What is wrong with a text that is no TOML, in words; private to contact/case.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // toml++, so that no text of a case file ends the program; private to contact/case, whose units
 // include the library by this header only.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Turns TOML into keys and values of a case file; private to contact/case.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The text of a case file, for messages that quote it; private to contact/case.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Values of keys from TOML, checked against the declarations of the keys; private to
 // contact/case.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The limits that `rollfem bench` measures errors by, solved for anew.
 #include "app/run/bench_cases.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The line of progress: how long it has taken, and what is left where load points tell it.
 #include "app/frame/progress_display.hpp"
 

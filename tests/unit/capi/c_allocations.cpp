@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How often rollfem_solve takes memory after its first call. The heap of this program counts.
 #include <gtest/gtest.h>
 

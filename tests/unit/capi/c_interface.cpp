@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem.h against Hertz, full sliding, the model halfspace on a fine grid, and itself: units,
 // sides, threads, refusals.
 #include "contact/case/case_reader.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables through rollfem.h: the numbers of the C++ reader, and refusals.
 #include "tables/files/table_files.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Reading CONTACT's input files: the layout of lines, what a case keeps of those before it, and
 // messages.
 #include "contact/base/errors.hpp"

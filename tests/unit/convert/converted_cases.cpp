@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What becomes of CONTACT's cases: load points, signs, grids, bodies, and what is refused.
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"

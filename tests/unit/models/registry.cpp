@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The models of the program: what each refuses, in one message that names those that can.
 #include "models/registry.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles of arcs and polynomials, and what a case makes of a profile.
 #include "contact/base/errors.hpp"
 #include "profiles/profiles.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Every fault of a profile's file is refused with one message that names the line and the key that
 // mends it, and mended when told.
 #include "contact/base/errors.hpp"

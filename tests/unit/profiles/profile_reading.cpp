@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles as instruments and programs write them: comments, headings, what is refused, and wheels
 // that are measured from the back of the flange.
 #include "profiles/profiles.hpp"

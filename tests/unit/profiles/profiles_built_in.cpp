@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The built-in profiles against their formulas, against points of the Manchester benchmark's lists
 // and, where those files are at hand, against all of them.
 #include "profiles/formula_profiles.hpp"

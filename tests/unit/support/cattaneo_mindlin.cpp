@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Cattaneo-Mindlin: benchmark 3, equilibrium, and the loss as the area of the loop.
 #include "support/cattaneo_mindlin.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Persson's conformal contact in closed form against the table of reference/benchmarks.md (which an
 // independent Fourier solution gave) and against its limits.
 #include "support/persson.hpp"

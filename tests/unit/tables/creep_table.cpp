@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables of creep forces: between their points, under reversal and in the mirror, beyond their end,
 // and through their files.
 #include "tables/files/creep_table.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables over lateral shifts: at and between their points, at a jump of the contact, in physical
 // units, and through their files.
 #include "support/shifted_table.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Filled tables against single solutions, the symmetries of rolling, Kalker's coefficients and full
 // sliding; and taken up after an end.
 #include "tables/filling/table_filling.hpp"

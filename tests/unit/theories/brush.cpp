@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Brushes along strips and FASTSIM: linear theory, closed forms, order, symmetry.
 #include "theories/brush.hpp"
 

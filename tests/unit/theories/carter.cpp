@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Carter's closed form against benchmark numbers, quadrature, and its limits.
 #include "theories/carter.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The ellipse that theories of elliptic patches are given for a patch of profiles.
 #include "contact/base/errors.hpp"
 #include "contact/result/patch_size.hpp"

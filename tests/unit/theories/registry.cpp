@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Models by name, and what the case's sections do to them: options of the theories, a given
 // pressure, a quadratic distance, points below the surface.
 #include "theories/registry.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The strip model: Hertz and Vermeulen-Johnson as its exact limits, profiles beyond the parabola.
 #include "theories/strip.hpp"
 

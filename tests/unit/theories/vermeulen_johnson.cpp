@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Vermeulen and Johnson's theory against benchmark 8 and its own tractions.
 #include "theories/vermeulen_johnson.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Counts that do not fit are refused by name; those that do are the number.
 #include "contact/base/count.hpp"
 

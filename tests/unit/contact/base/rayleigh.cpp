@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Rayleigh's wave speed against the ratios to the shear wave speed that have a closed form.
 #include "contact/base/material.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Roots between two arguments: known ones, in either order, at a jump, and what has none.
 #include "contact/base/root.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Lines, fields and numbers of delimited text.
 #include "contact/base/text_fields.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A key is declared once: reader, checks of bounds, `check`, `new-case` and the reference page take
 // it from there.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Keys of a case file changed in its text: the edited text reads as what was asked for.
 #include "contact/case/case_edit.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Every way in which a case file can be wrong gives one message with file, line, key, value, what
 // is allowed and what to do; none crashes.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Case files of shifts, transients, prescribed forces, given pressures and points below the
 // surface: what they become, and what each contradiction says.
 #include "contact/base/errors.hpp"

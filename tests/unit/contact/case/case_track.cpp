@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Case files with profiles: track, wheelset and vertical force, and what each contradiction says.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"

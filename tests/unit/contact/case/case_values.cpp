@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a valid case file becomes: values, defaults, broadcasting, and the texts derived from the
 // declarations.
 #include "contact/case/case_reader.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Files of values on a lattice: what is read, how it is interpolated, and every way to be wrong.
 #include "contact/case/lattice.hpp"
 

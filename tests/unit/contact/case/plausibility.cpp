@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Slips of units are told, and nothing that is meant.
 #include "contact/case/checks/plausibility.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The keys of profiles in a case file: what they set, and which combinations are refused.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What is TOML 1.0 is read, with letters beyond ASCII where it allows them; what is not is refused
 // where it departs, in one message, and never ends the program.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Energy and power against values known in closed form.
 #include "contact/result/derived.hpp"
 

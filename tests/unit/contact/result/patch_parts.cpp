@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Regions of a contact: two semi-ellipsoids of pressure, whose forces and extents are known.
 #include "contact/base/pi.hpp"
 #include "contact/result/patch_size.hpp"

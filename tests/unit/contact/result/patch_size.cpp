@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Patch size from sampled pressures, and the sums over the tractions.
 #include "contact/result/patch_size.hpp"
 

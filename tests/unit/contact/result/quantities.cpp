@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The table of scalars: every row reaches a member of its own, and what it says of errors.
 #include "contact/result/quantities.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Results as bytes and back: everything that results.h5 and summary.json show comes out the same,
 // and a record that is cut short is an error, not a crash.
 #include "contact/result/record.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The error estimated from a sequence of levels, against sequences whose limit is known, and what
 // of a case's load points decides about its accuracy.
 #include "contact/result/refinement.hpp"

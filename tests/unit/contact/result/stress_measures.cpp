@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Scalar measures of a stress tensor against states whose values are known by hand.
 #include "contact/result/stress_measures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Force of tractions on a tilted surface against vectors turned by hand.
 #include "contact/result/result.hpp"
 

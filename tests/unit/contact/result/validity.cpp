@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The gate that every result passes: what it refuses, what it says, and what it warns of.
 #include "contact/result/validity.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Coordinates that follow a curved surface: there and back, and those of circles in closed form.
 #include "contact/scene/below_surface.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The curved contact surface: normals, undeformed distance of circles in closed form, rigid slip
 // against velocities of rotating bodies, resultants.
 #include "contact/scene/contact_surface.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The common surface of true profiles: spheres and circles in closed form about tilted and yawed
 // axles, the case of radii given as curves, rigid slip against velocities of a turning body.
 #include "contact/scene/geometry.hpp"

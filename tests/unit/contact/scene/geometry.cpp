@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Combined constants, relative curvatures, undeformed distance and rigid slip.
 #include "contact/scene/geometry.hpp"
 

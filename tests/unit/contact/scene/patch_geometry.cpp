@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The frame of a patch: heights of curves through knots, and the wheel as a surface of revolution
 // about an axle that is tilted and turned against the patch.
 #include "contact/scene/patch_geometry.hpp"

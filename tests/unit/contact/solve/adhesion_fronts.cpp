@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Which elements are made to adhere behind a border of adhesion that moves downstream.
 #include "contact/iteration/adhesion_fronts.hpp"
 

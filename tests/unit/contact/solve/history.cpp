@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a step inherits: upstream interpolation, and slip of steps against a displacement known as a
 // function.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The registry of models: order, names that are refused, and what it says of models that cannot.
 #include "contact/base/errors.hpp"
 #include "contact/solve/model.hpp"

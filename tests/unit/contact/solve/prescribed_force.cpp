@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The search for the creepage of a force, on force laws that are known in closed form.
 #include "contact/solve/prescribed_force.hpp"
 

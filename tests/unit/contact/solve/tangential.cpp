@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The tangential solver and GMRES on problems small enough to know the answer.
 #include "contact/iteration/tangential.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies lie on the true surface, have sound cells, and refuse what cannot be meshed.
 #include "contact/base/errors.hpp"
 #include "fem/mesh/chart.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Points of finite-element bodies: found by inverse mapping, moved onto the surface, mirrored,
 // refused.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The matrix-free stiffness: rigid motions, strain energy, symmetry, diagonal and the two
 // precisions, on skew cells with hanging nodes; on any number of processes.
 #include "fem/discretisation/elasticity_operator.hpp"

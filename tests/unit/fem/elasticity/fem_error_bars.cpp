@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The bar of a number of finite elements from what half-spaces on the same contact grids say,
 // against numbers worked out by hand.
 #include "fem/elasticity/error_bars.hpp"

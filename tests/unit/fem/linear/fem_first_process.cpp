@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // One process works for all: the others obey its orders, sleep between them, and end as it ends.
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"

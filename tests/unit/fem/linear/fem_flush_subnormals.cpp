@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Numbers below the normal range: zero within the scope, themselves again after it.
 #include "fem/linear/flush_subnormals.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacements between two levels of a block with hanging nodes: quadratic fields stay as they
 // are, and forces go back by the transpose.
 #include "fem/linear/level_transfer.hpp"

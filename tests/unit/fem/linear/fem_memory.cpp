@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a run that does not fit is told, and the count of unknowns before there is a mesh.
 #include "contact/base/errors.hpp"
 #include "fem/discretisation/body.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Even and odd displacements of bodies that are their own mirror images: together the solution of
 // the whole body, whose stiffness is applied here by the matrix-free operator.
 #include "fem/discretisation/body.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // gmsh cross-sections and sweeps, mesh files read and written, and every mesh that is refused.
 #include "contact/base/errors.hpp"
 #include "meshes/cell_quality.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Files that gmsh itself writes in every format are read as gmsh reads them; each way in which a
 // file can be wrong has a message with its place.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Finite-element bodies of true profiles: the chart about a tilted axle, boxes and true sections on
 // the true surface, meshes at the root of the flange.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How far segments reach where a case does not say.
 #include "contact/case/case_reader.hpp"
 #include "fem/mesh/run_layout.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Coupling and compliance: resultants, transpose consistency, symmetry, the mirrored half body.
 #include "contact/base/errors.hpp"
 #include "contact/scene/geometry.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The far boundary that moves as a half-space under a point load: prescribed displacement, signs on
 // wheel and rail, linearity, symmetry, and that surface and body show the same displacement.
 #include "contact/case/case_reader.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a lattice of finite elements lacks of the half-space, and the displacement at the middles of
 // contact elements that comes of it.
 #include "contact/base/pi.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Hertz's closed forms against published digits, each other and limits.
 #include "halfspace/closed_forms/hertz.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Displacement by point loads on the half-space: that of the potentials whose stress is tested in
 // stress/cell_stress.cpp, and known values on the surface.
 #include "halfspace/closed_forms/point_loads.hpp"

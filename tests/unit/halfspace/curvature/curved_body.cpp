@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The first-order correction of a curved body: symmetric, linear in the height, nothing for a flat
 // one, and on a sphere the strain at the pole that Lur'e's exact series has in the limit of a small
 // cap.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The contact solvers with sums over few elements, as the C interface uses them, against the same
 // with the half-space's transforms, on the same grids.
 #include "halfspace/elasticity/few_elements.hpp"

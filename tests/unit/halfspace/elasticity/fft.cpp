@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // FFT products of the half-space compliance against direct summation, symmetry, definiteness.
 #include "halfspace/elasticity/fft.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Influence coefficients of the half-space against quadrature, point loads and closed values.
 #include "halfspace/elasticity/influence.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The half-space on one row of elements without ends across against half-planes as dense matrices,
 // and against very long elements.
 #include "halfspace/elasticity/compliance.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Polynomials of a smooth map: what goes in comes out, on any grid.
 #include "halfspace/elasticity/smooth_map.hpp"
 

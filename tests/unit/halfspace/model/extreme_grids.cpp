@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Grids that cannot hold or resolve the patch are refused by arithmetic, with the key, before a
 // solver is lost in them.
 #include "contact/base/errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // An ellipse that rolls at many creepages: every one is what it is alone, and full sliding and
 // small creepage are what theory says.
 #include "halfspace/model/rolling_ellipse.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What waves cost that are too short for the elements: found where profiles have them, and as large
 // as the model itself finds on elements a quarter as wide.
 #include "halfspace/model/wave_errors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Several patches of one wheel share its load by one vertical sinking. References: symmetry and the
 // closed form of Hertz's law N = C approach^(3/2).
 #include "halfspace/patch/load_sharing.hpp"

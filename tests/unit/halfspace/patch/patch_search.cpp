@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The extent of a patch found before any grid is laid. References: Hertz for bodies that the radii
 // describe too, and mirror images.
 #include "halfspace/patch/patch_search.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Fields of a uniformly loaded rectangle: against quadrature of the textbook point loads, the
 // equations of elasticity, boundary values, resultants and limits.
 #include "halfspace/stress/cell_stress.hpp"

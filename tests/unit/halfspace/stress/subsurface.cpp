@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Sums over the contact grid: FFT against direct, wheel against rail, the surface against the
 // influence coefficients of the contact solvers.
 #include "halfspace/stress/subsurface.hpp"

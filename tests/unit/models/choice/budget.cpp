@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // How the seconds of a run without an accuracy are shared among its scenes.
 #include "models/choice/budget.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The choice among toy models whose errors are given: which are solved, on which grids, and what is
 // said of it.
 #include "models/choice/choice.hpp"

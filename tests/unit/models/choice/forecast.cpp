@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The cheapest of what is expected to do, and what a solved grid says of the others.
 #include "models/choice/forecast.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Errors of a result as parts of what each quantity is measured by.
 #include "models/choice/reached.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Differences, scales and error bars of a comparison, against numbers worked out by hand.
 #include "postprocess/compare/comparison.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Interpolation in stored hexahedra: fields that the cells hold exactly come out exactly, also in
 // skew cells of different size; places outside are moved or refused.
 #include "postprocess/read/body_sampler.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // results.h5 read back in C++: every scalar and field to the last bit, and one clear message for
 // each way in which a file is not a whole result.
 #include "postprocess/read/results_reader.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The pages of compare and study, made by Debian's Python from written data: self-contained, with
 // every case, model and figure.
 #include "postprocess/compare/comparison.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Figures and report are made from a written result by Debian's Python, whatever the result holds.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Orders, limits and uncertainties against sequences whose limit and order are known, and what a
 // study makes of them.
 #include "postprocess/study/study.hpp"

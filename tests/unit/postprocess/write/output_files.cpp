@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The files of a result hold the numbers of the record, all digits, and no NaN.
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/csv.hpp"

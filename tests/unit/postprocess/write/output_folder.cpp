@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A result appears whole or not at all, and nobody's files are lost.
 #include "contact/base/errors.hpp"
 #include "postprocess/files/result_folder.hpp"

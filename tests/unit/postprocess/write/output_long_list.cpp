@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Of a long list of load points the fields on the contact grid are those of some.
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/output.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Results of several patches: each has its own group, rows and figures, and all say where it is.
 #include "postprocess/write/output.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Every row of the table of scalars is in every file, comes back from it, and stands in the book of
 // results. Nothing is named here: a new row is looked for as soon as it is there.
 #include "contact/result/quantities.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // VTU files decoded by hand (base64, zlib blocks) and, where it is installed, by VTK's own reader.
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/vtu.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A wheel that is pressed without friction: creep forces under its normal forces, of one contact as
 // the model halfspace has them and of two in other planes as sums on the track.
 #include "track/balance/pressed_wheel.hpp"

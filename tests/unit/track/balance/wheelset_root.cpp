@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Roots of several falling functions at once: found to the tolerance, and refused without a change
 // of sign.
 #include "contact/base/errors.hpp"

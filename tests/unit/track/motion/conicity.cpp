@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Equivalent conicity of radius differences whose waves are known in closed form.
 #include "track/motion/wheelset_motion.hpp"
 

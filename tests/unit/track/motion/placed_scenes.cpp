@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes: one case for each patch, with load, creepages and geometry of its own.
 #include "track/motion/placed_scenes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Rolling radii over the lateral shift against the conicity of circular profiles in closed form.
 #include "track/motion/rigid_touch.hpp"
 

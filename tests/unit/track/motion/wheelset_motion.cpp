@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Slip of wheel over rail from the motion of the wheelset, and the way of the forces back.
 #include "track/motion/wheelset_motion.hpp"
 

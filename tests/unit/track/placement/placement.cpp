@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Rails by gauge and inclination, axles by flange backs, shift, yaw and roll.
 #include "track/placement/placement.hpp"
 

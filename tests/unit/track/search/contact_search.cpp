@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact search against closed forms: spheres on cylinders, humps of known height, mirror images.
 #include "track/search/contact_search.hpp"
 
