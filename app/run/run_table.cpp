@@ -65,14 +65,24 @@ std::string patch_table(const std::vector<ModelResult>& models) {
   return text;
 }
 
-/// Columns are wide enough for the name over them.
+/// Columns are wide enough for the name over them and for the model's own error.
 std::size_t width_of(const ModelResult& model) {
-  return std::max<std::size_t>(22, model.name.size() + 2);
+  const bool with_error =
+      std::any_of(model.points.begin(), model.points.end(),
+                  [](const PointResult& point) { return !point.model_error.empty(); });
+  return std::max<std::size_t>(with_error ? 35 : 22, model.name.size() + 2);
 }
 
-/// "0.21601 +- 0.0012"; rounding must not print as -0.00000.
-std::string barred(double value, const std::string& bar) {
-  return fmt::format("{:.5f} {:<10}", std::abs(value) < 5e-6 ? 0.0 : value, bar);
+/// "0.21601 +- 0.0012", with the error of the model where it is known: "0.20970 +- 1.7e-05, model
+/// 0.0062". The quantity is divided by `scale`; rounding must not print as -0.00000.
+std::string barred(double value, const PointResult& point, const char* quantity, double scale) {
+  const auto bar = point.error_estimate.find(quantity);
+  std::string text = bar == point.error_estimate.end()
+                         ? contact::bar_text(point, quantity)
+                         : fmt::format("+- {:.2g}", bar->second / scale);
+  if (const auto error = point.model_error.find(quantity); error != point.model_error.end())
+    text += fmt::format(", model {:.2g}", error->second / scale);
+  return fmt::format("{:.5f} {:<10}", std::abs(value) < 5e-6 ? 0.0 : value, text);
 }
 
 /// One row a load point, one column a model.
@@ -104,15 +114,6 @@ std::string curve_table(const std::vector<const ModelResult*>& models, const std
   return text + "\n";
 }
 
-/// -F_y/F_z with the bar of the force.
-std::string lateral_coefficient(const PointResult& point) {
-  const auto bar = point.error_estimate.find("lateral_force");
-  return barred(-point.lateral_force / point.normal_force,
-                bar != point.error_estimate.end()
-                    ? fmt::format("+- {:.2g}", bar->second / point.normal_force)
-                    : contact::bar_text(point, "lateral_force"));
-}
-
 /// Everything about one patch.
 std::string scene_table(const std::vector<ModelResult>& models) {
   std::string text = patch_table(models);
@@ -120,16 +121,19 @@ std::string scene_table(const std::vector<ModelResult>& models) {
   for (const ModelResult& model : models)
     if (has_friction(model)) with_friction.push_back(&model);
   if (with_friction.empty()) return text;
-  text += curve_table(with_friction, "traction coefficient -F_x/F_z (forces on the wheel)",
-                      [](const PointResult& point) {
-                        return barred(point.traction_coefficient,
-                                      contact::bar_text(point, "traction_coefficient"));
-                      });
+  text +=
+      curve_table(with_friction, "traction coefficient -F_x/F_z (forces on the wheel)",
+                  [](const PointResult& point) {
+                    return barred(point.traction_coefficient, point, "traction_coefficient", 1.0);
+                  });
   const auto& points = with_friction.front()->points;
   if (any_creepage(points, &contact::Creepage::lateral) ||
       any_creepage(points, &contact::Creepage::spin))
     text += curve_table(with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",
-                        [](const PointResult& point) { return lateral_coefficient(point); });
+                        [](const PointResult& point) {
+                          return barred(-point.lateral_force / point.normal_force, point,
+                                        "lateral_force", point.normal_force);
+                        });
   return text;
 }
 

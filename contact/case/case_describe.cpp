@@ -2,6 +2,7 @@
 // What a case file says, said back: `check`, `new-case` and the reference page.
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
+#include "contact/case/toml/toml_library.hpp"
 
 #include <fmt/format.h>
 
@@ -17,16 +18,18 @@ Case defaults(const ModelWords& models) {
   return input;
 }
 
-/// A section without its head. Of keys that are alternatives only the given ones are worth a line.
-std::string describe_keys(const Section& section, const Case& input, const Case& by_default) {
+/// A section without its head. Of keys that are alternatives only the given ones are worth a line;
+/// a value that the file itself gives is no default, even where it equals one.
+std::string describe_keys(const Section& section, const Case& input, const Case& by_default,
+                          const toml::table& file) {
   std::string text;
   for (const Key& key : section) {
     const KeyValue value = key.get(input);
     const bool given = !std::holds_alternative<std::monostate>(value);
     if (key.path() == "title") continue;
     if (!given && (section.alternatives || key.when_absent.empty())) continue;
-    const bool is_default =
-        given && !key.required && key.when_absent.empty() && value == key.get(by_default);
+    const bool is_default = given && !key.required && key.when_absent.empty() &&
+                            value == key.get(by_default) && !file.at_path(key.path());
     text += fmt::format("  {:<22} {}{}{}\n", key.name, given ? toml_text(value) : key.when_absent,
                         given && !key.unit.empty() ? " " + key.unit : "",
                         is_default ? "  (default)" : "");
@@ -58,6 +61,7 @@ std::string template_key(const Key& key, const ModelWords& models, bool commente
 
 std::string describe(const Case& input, const ModelWords& models) {
   const Case by_default = defaults(models);
+  const toml::table file = toml::parse(input.text + "\n");  // the reader has accepted it
   std::string text = fmt::format("{}\n", input.title);
   if (!input.file.empty()) text += fmt::format("  {:<22} {}\n", "file", input.file);
   const auto add = [&](const std::string& head, const std::string& keys) {
@@ -67,13 +71,13 @@ std::string describe(const Case& input, const ModelWords& models) {
     if (section.of_profiles && !input.has_profiles()) continue;
     if (!section.repeated) {
       const std::string head = section.name.empty() ? "" : "[" + section.name + "]\n";
-      add(head, describe_keys(section, input, by_default));
+      add(head, describe_keys(section, input, by_default, file));
       continue;
     }
     Case one = input;
     for (const SubsurfaceRequest& request : input.subsurface) {
       one.subsurface = {request};
-      add("[[" + section.name + "]]\n", describe_keys(section, one, by_default));
+      add("[[" + section.name + "]]\n", describe_keys(section, one, by_default, file));
     }
   }
   return text;

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Conformal contact: what CONTACT prints and why, curved half-spaces, the hybrid, and how far each theory goes."""
+import json
+import os
+
 import numpy as np
 from matplotlib import pyplot as plt
 
@@ -71,6 +74,20 @@ def _truth_rows():
     return rows
 
 
+def _calculix_rows():
+    """The groove over its equivalent on a flat rail, on equal meshes of another program (benchmarks/calculix)."""
+    with open(os.path.join(os.path.dirname(os.path.dirname(__file__)), "calculix.json"), encoding="utf-8") as file:
+        lines = {line["by"]: line for line in json.load(file) if "groove" in line}
+    finest = lines[min((by for by in lines if by.startswith("CalculiX")), key=lambda by: float(by.split()[1]))]
+
+    def ratio(line, key):
+        return line["groove"].get(f"{key}_of_fit", line["groove"][key]) / line["flat"].get(f"{key}_of_fit", line["flat"][key])
+    words = "groove of 10.05 mm, no friction, over the same ellipse on a flat rail: "
+    return [Row(words + what, "", ratio(finest, key), ratio(lines[name], key), allowed, by=f"{by}, against CalculiX (records)")
+            for name, by, permitted in (("hybrid", "hybrid", (4e-3, 1e-2)), ("halfspace", "half-space, curved", (2e-2, 5e-2)))
+            for (key, what), allowed in zip((("p0", "p0 by the fit of p²"), ("b", "b by the same fit")), permitted)]
+
+
 def _groove_table(bench, cost):
     """Theories against the hybrid at given force; (Table, [(ratio, {theory: {quantity: difference}})])."""
     lines, sweep = [], []
@@ -127,7 +144,7 @@ def conformal_contact(bench):
     cost = []
     rows = _contact_rows(bench, cost)
     steps, part = _step_rows()
-    rows += steps + _truth_rows()
+    rows += steps + _truth_rows() + _calculix_rows()
     table, sweep = _groove_table(bench, cost)
     return Chapter(
         "conformal-contact", "Conformal contact: grooves and corners",
@@ -138,7 +155,8 @@ def conformal_contact(bench):
         "a half-space of the book's own that does what CONTACT does and nothing else "
         "(`benchmarks/book/turned_half_space.py`); "
         "records of the hybrid and of finite elements with the commands that made them "
-        "(`benchmarks/book/conformal_records.py`).",
+        "(`benchmarks/book/conformal_records.py`); CalculiX, whose elements, contact and solver share nothing with this "
+        "program (`benchmarks/calculix/curved_patch.py --pair groove`).",
         rows, tables=[table, *_corner_tables()],
         figures=[(_figure(bench, sweep), "Hertz and the curved half-space less the hybrid in the grooves at 10 kN; "
                                          "grey: 1 %")],

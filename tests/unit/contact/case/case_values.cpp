@@ -176,6 +176,12 @@ TEST(CaseValues, DescriptionTellsValuesUnitsDefaultsAndWhatFollows) {
   EXPECT_FALSE(says(text, "approach"));
 }
 
+TEST(CaseValues, AGivenValueIsNoDefaultEvenWhereItEqualsOne) {
+  const std::string text = with("[wheel]", "[wheel]\nyoung_modulus = 210000");
+  EXPECT_TRUE(says(contact::describe(parse_case(text, "small.toml")),
+                   "young_modulus          210000 MPa\n"));
+}
+
 TEST(CaseValues, CommittedCasesAreValidAndHaveTheEllipsesOfTheStudy) {
   const std::string folder = std::string(ROLLFEM_SOURCE_DIR) + "/cases/thesis_";
   for (const char name : std::string("abcdef")) {
