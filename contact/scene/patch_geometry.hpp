@@ -2,7 +2,7 @@
 // Wheel and rail as they meet at one contact, in the frame of the patch: origin at the contact
 // reference point on the rail, x along the rail (the rolling direction), z along the normal of the
 // contact's plane into the wheel, y = z cross x. Undeformed distance and rigid slip
-// of the true profiles follow from it (docs/profiles.md).
+// of the true profiles follow from it (docs/track.md).
 #pragma once
 
 #include "contact/scene/height_curve.hpp"

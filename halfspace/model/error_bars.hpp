@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Error bars of the model halfspace: how far each number of a load point may be from that of an
 // infinitely fine grid, from the changes between grids of h, 2h and 4h and from the solution where
-// the number is formed. Their reliability: docs/accuracy.md, "Error bars".
+// the number is formed. Their reliability: docs/accuracy.md, "Bars of the half-space".
 #pragma once
 
 #include "contact/result/result.hpp"

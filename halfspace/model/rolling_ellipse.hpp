@@ -38,7 +38,7 @@ struct EllipseForces {
 struct EllipseAccuracy {
   /// Grids are doubled from 10 across on until the correction of the forces is at most this of
   /// mu F_n and that of the moment four times as much of mu F_n c. 0.003: forces within 0.2 %, the
-  /// moment within 1 % (docs/benchmarks.md).
+  /// moment within 1 % (docs/tables.md).
   double largest_correction = 0.003;
   int most_across = 80;  ///< where that ends: 20, 40, 80 or 160
 };

@@ -43,7 +43,7 @@ struct Plan {
 };
 
 /// With cells of 1/n errors fall at least by n to this power; what a half-space shows is 1.5 to 1.9
-/// (docs/choice.md).
+/// (verification.LeadingEdge.*).
 constexpr double assumed_order = 1.5;
 
 /// The cheapest grid whose errors together are no more than `accuracy`; none where there is none.

@@ -84,7 +84,7 @@ constexpr int usual_elements = 32, few_elements = 20;
 /// Where that is a sixth of the accuracy.
 constexpr double accuracy_of_few = 0.025;
 
-/// Of 50 scenes none had more than 1.2 times what is expected (docs/choice.md).
+/// Of 50 scenes none had more than 1.2 times what is expected.
 constexpr double at_most = 2.0;
 
 /// Of the patch; a line contact has one row of them.

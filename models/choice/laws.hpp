@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Expected errors and costs of half-space, hybrid and finite elements from the size of the contact
-// alone. The constants are measured; method and reliability: docs/choice.md.
+// alone. The constants are measured; method and reliability: docs/choice.md, docs/accuracy.md.
 #pragma once
 
 #include "models/choice/forecast.hpp"
