@@ -152,7 +152,7 @@ def hybrid(bench):
         "Segments reach eight times the larger semi-axis; neither model includes what lies beyond. The difference "
         "between finite elements and half-spaces on bodies a hundred times larger, where there should be none, is "
         "subtracted (up to 0.024 % of p0). Largest pressures are those of the "
-        f"middle one of {ACROSS} elements: the references are reduced by the 0.016 % that a half-space on this grid "
+        f"middle one of {ACROSS} elements: the references are reduced by the 0.014 % that a half-space on this grid "
         "is too low.",
         _rows(record, found) + _conformal_rows(record, conformal), tables=[_limits_table(record)],
         figures=[(_figure(bench, record, series), "Case f from nothing: root mean square error at the three "
