@@ -42,8 +42,9 @@ BASIS = {
     "curvature-slip": "the series is exact; segments of 8 and 16 a cost 1 to 2 % of the slip, cells of a/5 1 to 2 %; first "
                       "order in a/R leaves out some 3 a/R.",
     "conformal-contact": "CONTACT prints four digits and stops its iteration at some 0.1 %; distances along two normals "
-                         "differ by 0.2 to 1 %. CalculiX's p0 is 0.7 % low on cells of 0.6 mm in both shapes, which cancels "
-                         "to some 0.3 %; the hybrid's bar is 0.15 %; half-spaces miss what the chapter measures, 2 and 5 %.",
+                         "differ by 0.2 to 1 %. CalculiX's p0 is 0.7 % low on cells of 0.6 mm on a flat rail, which cancels "
+                         "to some 0.3 %, and b is known to 0.03 mm of a fit, 0.5 % in either shape; the hybrid's bar is 0.15 %; "
+                         "half-spaces miss what the chapter measures, 2 and 5 %.",
     "wheel-on-rail": "CONTACT on 0.05 mm; the patch is compared to one of its 0.2 mm elements in size; finite elements of "
                      "0.5 mm 0.5 %.",
     "manchester": "CONTACT prints four digits, on elements of 0.2 mm. The reference point follows an estimate of the approach "
