@@ -99,9 +99,9 @@ constexpr int quadrature_points = 2000;
 
 RadiusDifference::RadiusDifference(std::vector<double> shift, std::vector<double> difference)
     : shift_(std::move(shift)), difference_(std::move(difference)), integral_(shift_.size(), 0.0) {
-  if (shift_.size() < 2 || shift_.size() != difference_.size() || shift_.front() != 0.0 ||
+  if (shift_.size() < 2 || shift_.size() != difference_.size() || shift_.front() > 0.0 ||
       !std::is_sorted(shift_.begin(), shift_.end()))
-    throw std::invalid_argument("lateral shifts of rolling radii must rise from 0");
+    throw std::invalid_argument("lateral shifts of rolling radii must rise from 0 or less");
   for (std::size_t k = 1; k < shift_.size(); ++k)
     integral_[k] = integral_[k - 1] +
                    0.5 * (difference_[k] + difference_[k - 1]) * (shift_[k] - shift_[k - 1]);
@@ -120,8 +120,22 @@ double RadiusDifference::at(double shift) const {
 }
 
 double RadiusDifference::integral(double shift) const {
+  if (shift < shift_.front()) shift = -shift;  // odd
   const std::size_t k = piece(shift);
   return integral_[k] + 0.5 * (difference_[k] + at(shift)) * (shift - shift_[k]);
+}
+
+double RadiusDifference::middle(double amplitude) const {
+  if (shift_.front() == 0.0) return 0.0;
+  // Equal work on both sides; the difference of both rises with the middle where the radii do.
+  double low = shift_.front() + amplitude, high = shift_.back() - amplitude;
+  if (low > high) return std::nan("");
+  while (high - low > 1e-12 * amplitude) {
+    const double at = 0.5 * (low + high);
+    if (at == low || at == high) break;
+    (integral(at + amplitude) > integral(at - amplitude) ? high : low) = at;
+  }
+  return 0.5 * (low + high);
 }
 
 double RadiusDifference::harmonic_conicity(double amplitude) const {
@@ -144,16 +158,17 @@ double RadiusDifference::harmonic_conicity(double amplitude) const {
 std::optional<double> RadiusDifference::wave_length(double amplitude, double contact_distance,
                                                     double rolling_radius) const {
   // y'^2 = 2 (integral(A) - integral(y)) / (e r); y = A sin t takes the root's end away.
-  const double stiffness = contact_distance * rolling_radius;
-  const double energy = integral(amplitude);
-  double quarter = 0.0;
-  for (int k = 0; k < quadrature_points; ++k) {
-    const double t = 0.5 * pi * (k + 0.5) / quadrature_points;
-    const double left = energy - integral(amplitude * std::sin(t));
-    if (!(left > 0.0)) return {};
-    quarter += amplitude * std::cos(t) / std::sqrt(2.0 * left / stiffness);
-  }
-  return 4.0 * quarter * 0.5 * pi / quadrature_points;
+  const double stiffness = contact_distance * rolling_radius, centre = middle(amplitude);
+  const double energy = integral(centre + amplitude);
+  double half = 0.0;
+  for (const double side : {amplitude, -amplitude})
+    for (int k = 0; k < quadrature_points; ++k) {
+      const double t = 0.5 * pi * (k + 0.5) / quadrature_points;
+      const double left = energy - integral(centre + side * std::sin(t));
+      if (!(left > 0.0)) return {};
+      half += amplitude * std::cos(t) / std::sqrt(2.0 * left / stiffness);
+    }
+  return 2.0 * half * 0.5 * pi / quadrature_points;
 }
 
 double conicity_of_wave(double wave_length, double contact_distance, double rolling_radius) {

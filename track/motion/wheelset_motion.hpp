@@ -62,31 +62,35 @@ double vertical_force(double normal, double lateral, const contact::ContactPlace
 // Equivalent conicity of a wheelset from the difference of its rolling radii over the lateral
 // shift: the angle of the cones that would have the same lateral motion.
 
-/// Radius of the right wheel less that of the left one over the lateral shift, for a wheelset and
-/// track that are the same on both sides: odd, linear between the given shifts.
+/// Radius of the right wheel less that of the left one over the lateral shift, linear between the
+/// given shifts; odd for a wheelset and track that are the same on both sides.
 class RadiusDifference {
  public:
-  /// Shifts rise from 0, where the difference is 0; both in mm.
+  /// Shifts rise; both in mm. From 0 on, where the difference is 0: odd. From a negative shift on:
+  /// left and right differ.
   RadiusDifference(std::vector<double> shift, std::vector<double> difference);
 
   double largest_shift() const { return shift_.back(); }  ///< mm
-  /// mm, at a shift from 0 to the largest.
+  /// mm, at one of the given shifts or between them.
   double at(double shift) const;
-  /// Its integral from 0, mm^2.
+  /// Its integral from the first shift, mm^2; even where the difference is odd.
   double integral(double shift) const;
 
   /// By harmonic linearisation: half the slope of the straight line whose work over a sine of this
-  /// amplitude (mm) is the same, 1/(2 pi A) int difference(A sin t) sin t dt.
+  /// amplitude (mm) is the same, 1/(2 pi A) int difference(A sin t) sin t dt. Of an odd difference.
   double harmonic_conicity(double amplitude) const;
 
   /// Wave length (mm) of the free rolling wheelset without creepage, e r y'' + difference(y) = 0
-  /// with the distance e of the contacts and the rolling radius r, at this amplitude; nothing where
-  /// it does not swing back. (Klingel's equation with the real radii: UIC 519, EN 15302.)
+  /// with the distance e of the contacts and the rolling radius r, at this amplitude: half the way
+  /// between its turning points. Nothing where it does not swing back. (Klingel's equation with the
+  /// real radii: UIC 519, EN 15302.)
   std::optional<double> wave_length(double amplitude, double contact_distance,
                                     double rolling_radius) const;
 
  private:
   std::size_t piece(double shift) const;
+  /// Middle between the turning points at an amplitude; NaN where they are beyond the given shifts.
+  double middle(double amplitude) const;
 
   std::vector<double> shift_, difference_, integral_;
 };
