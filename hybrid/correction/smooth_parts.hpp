@@ -11,13 +11,14 @@
 
 namespace rollfem::fem {
 
-/// Of the scene's correction scene (halfspace/patch/correction_scene.hpp), by the process that
-/// calls it alone: the bodies are small. Throws contact::InputError where bodies are not known
-/// (undeformed distances) and for stresses in bodies that are no boxes, contact::SolveError.
+/// Correction of the scene's correction scene (halfspace/patch/correction_scene.hpp), computed by
+/// the calling process alone because the bodies are small. Throws contact::InputError for scenes
+/// without bodies (undeformed distances) and for stresses in bodies other than boxes, and
+/// contact::SolveError.
 halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,
                                          const contact::Progress& progress);
 
-/// The same with so many cells in the smaller semi-axis of the patch in place of three.
+/// The same with the given number of cells in the smaller semi-axis of the patch instead of three.
 halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis,
                                               const contact::Scene& scene,
                                               const contact::Progress& progress);
