@@ -86,8 +86,8 @@ struct Correction {
   }
 };
 
-/// What the zone is off at one of its ends. Zone C alone is moved at its ends; elsewhere both meet
-/// in the middle.
+/// Mismatch of the zone at one of its ends. Only zone C is moved at its ends; other neighbours meet
+/// halfway.
 Height to_neighbour(std::size_t zone, bool right, bool move_c) {
   const std::size_t other = right ? zone + 1 : zone - 1;
   const double y = right ? zones[zone].to : zones[zone].from;
@@ -108,8 +108,8 @@ Correction correction(std::size_t zone, bool move_c) {
   return result;
 }
 
-/// Between two points of the Manchester list, the step at an end of zone C is blended: from the
-/// formula on the left to that on the right, curvature continuous.
+/// Between two points of the Manchester list, the step at an end of zone C is blended from the left
+/// formula to the right one with continuous curvature.
 struct Blend {
   double from = 0.0, to = 0.0;
   std::size_t left = 0;
@@ -133,7 +133,8 @@ Height blended(const Blend& blend, double y) {
           left.slope + step * (right.slope - left.slope) + rate * (right.z - left.z)};
 }
 
-/// Part of a zone, circles by their angle (the back of the flange is vertical at its end).
+/// Part of a zone; circles are parametrised by angle (the back of the flange is vertical at its
+/// end).
 void append_zone(ProfileKnots& knots, std::size_t index, double from, double to, bool move_c) {
   const Zone& zone = zones[index];
   if (zone.radius == 0.0) {
