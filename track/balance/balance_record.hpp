@@ -13,7 +13,7 @@ namespace rollfem::track {
 std::string record_of_balance(const std::vector<PlacedScene>& placed,
                               std::vector<contact::Scene> balanced);
 
-/// The same scenes again, to the last bit. Throws std::runtime_error for a record of other patches.
+/// Restores the same scenes, bit for bit. Throws std::runtime_error for a record of other patches.
 std::vector<contact::Scene> balance_of_record(const std::vector<PlacedScene>& placed,
                                               const std::string& record);
 

@@ -10,10 +10,10 @@
 
 namespace rollfem::track {
 
-/// Takes the distances of the contacts of one wheel at one position to that height, of those of
-/// which several humps overlap the rail: a patch alone keeps the distances of first touch. (To it
-/// the way sideways, microns, is that much of another lateral shift.) The height is that of the
-/// half-space under the largest load, without friction.
+/// Moves the undeformed distances of one wheel's contacts at one position to the loaded height, for
+/// contacts in which several humps overlap the rail; a single patch keeps the distances of first
+/// touch. (For a single patch the lateral displacement, microns, is equivalent to a lateral shift
+/// of that size.) The height comes from the half-space under the largest load, without friction.
 void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& wheel);
 
 }  // namespace rollfem::track

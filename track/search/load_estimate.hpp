@@ -17,7 +17,7 @@ namespace rollfem::track {
 /// A stretch of the gap that is one potential contact.
 struct Stretch {
   GapMinimum deepest;              ///< its lowest minimum, the reference point
-  std::array<double, 2> limits{};  ///< mm, side frame: nothing beyond belongs to it
+  std::array<double, 2> limits{};  ///< mm, side frame: limits of the stretch
   double rolling_radius = 0.0;     ///< mm, at the reference point
 };
 
