@@ -6,8 +6,8 @@
 
 namespace rollfem::contact {
 
-/// Part `part` (from 0) of `of`: every so many-th item, so that neighbours, which cost alike, are
-/// spread.
+/// Part `part` (from 0) of `of`: every `of`-th item, so that neighbours, which have similar cost,
+/// are distributed.
 struct Share {
   int part = 0;
   int of = 1;

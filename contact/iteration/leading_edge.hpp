@@ -13,10 +13,10 @@
 namespace rollfem::contact {
 
 /// kappa per element: D u_i = (1 + kappa) d_i - kappa d_{i+1} with d_i = (u_i - u_{i+1}) / dx. It
-/// is 1/2, the usual second order, but for the leading element of every run of contact elements
-/// (pressure > 0, on any scale) of a row that falls to an edge as sqrt(d).
+/// is 1/2, the usual second order, except in the leading element of every run of contact elements
+/// (pressure > 0, on any scale) of a row whose pressure falls to an edge like sqrt(d).
 Field upwind_weights(const ContactGrid& grid, const Field& pressure);
-/// The same into a field that is kept.
+/// The same into an existing field.
 void set_upwind_weights(const ContactGrid& grid, const Field& pressure, Field& weights);
 
 /// The weight of a leading element whose edge lies `beyond_border` elements ahead of the element's
@@ -31,8 +31,8 @@ TangentialField fitted_difference(const ContactGrid& grid, const TangentialField
 /// T = D A_tt with these weights.
 class EdgeFittedRolling : public TangentialOperator {
  public:
-  /// `first` and `second` are D A_tt of these orders: the one is applied, the other preconditions.
-  /// Both must outlive this.
+  /// `first` and `second` are D A_tt of these orders: one is applied, the other preconditions. Both
+  /// must outlive this object.
   EdgeFittedRolling(const TangentialOperator& first, const TangentialOperator& second,
                     Field weights);
 

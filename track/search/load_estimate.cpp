@@ -86,7 +86,7 @@ double approach_per_deflection(const Rows& rows, std::size_t every) {
 /// 1e-3 of the force.
 constexpr std::size_t every_third = 3, few_rows = 15;
 
-/// Sinkings between which approach and force are fitted by a power law.
+/// Approach that carries the force, and the local exponent of its power law.
 struct PowerLaw {
   double approach = 0.05;  ///< mm
   double exponent = 1.5;   ///< Hertz's

@@ -5,7 +5,7 @@ namespace rollfem::contact {
 
 namespace {
 
-// What a rule asks of the case.
+// Conditions of the rules.
 
 bool has(const GivenCase& given, const char* section, const char* name) {
   return given.find(section, name) != nullptr;
@@ -200,12 +200,12 @@ const std::vector<Exclusion>& exclusions_of_problems() {
        "names no file",
        "`file` with extra_slip_file",
        "add `extra_slip_file = \"slip.csv\"` under [rolling]"},
-      // A given mesh is held where its group `fixed` says, which need not enclose it.
+      // A given mesh is clamped at its group `fixed`, which need not enclose it.
       {own_mesh,
        {"fem.far_boundary"},
-       "applies to segments meshed by the program, but this case names a mesh of its own",
+       "applies to segments meshed by rollfem, but this case provides a mesh",
        "\"clamped\"",
-       "leave fem.far_boundary out, or the mesh"}};
+       "remove fem.far_boundary, or the mesh"}};
   return all;
 }
 

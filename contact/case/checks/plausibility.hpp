@@ -10,7 +10,7 @@
 
 namespace rollfem::contact {
 
-/// One sentence for each value that looks like a slip of units: file, key, value, why, what to do.
+/// One sentence for each value that looks like a unit mistake: file, key, value, reason, remedy.
 /// The limits and their reasons are in docs/troubleshooting.md.
 std::vector<std::string> implausible_values(const Case& input);
 

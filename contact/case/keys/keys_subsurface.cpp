@@ -12,7 +12,7 @@ using Request = SubsurfaceRequest;
 using RequestKeys = Keys<Request>;
 using Corner = std::array<double, 3> Request::*;
 
-/// The last request of that kind, nullptr when there is none.
+/// The last request of that kind, nullptr if none.
 const Request* last_of(const Case& input, Request::Kind kind) {
   const auto& all = input.subsurface;
   const auto found = std::find_if(all.rbegin(), all.rend(),
@@ -51,7 +51,7 @@ void add_corner(RequestKeys& keys, const std::string& name, const std::string& s
   keys.triple(name).unit("mm").within(1e6).required("[0.0, 0.0, 3.0]").says(sentence).into(corner);
 }
 
-/// An end of a line on the surface, which gives x and y only.
+/// An end of a line on the surface, with x and y only.
 void add_end(RequestKeys& keys, const std::string& name, const std::string& sentence,
              Corner corner) {
   keys.pair(name)

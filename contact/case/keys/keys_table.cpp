@@ -5,7 +5,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// A list in place of `points` and `largest`.
+/// A list instead of `points` and `largest`.
 void add_list(Keys<TableOptions>& keys, const std::string& name, const std::string& symbol,
               const std::string& sentence, std::vector<double> TableOptions::*list) {
   keys.reals(name)

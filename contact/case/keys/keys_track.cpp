@@ -10,7 +10,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// A tangent as the file would have it: "none", "1:40" where that is what it is, else the angle.
+/// A tangent as written in a file: "none", "1:40" where it is such a ratio, otherwise the angle.
 KeyValue lean_of(double tangent) {
   if (tangent == 0.0) return std::string("none");
   const std::string ratio = fmt::format("1:{:g}", 1.0 / tangent);

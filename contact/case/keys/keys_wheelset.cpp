@@ -7,7 +7,7 @@ namespace {
 
 using WheelsetKeys = Keys<Wheelset>;
 
-/// Lists over the positions of the wheelset, made one length by complete_track.
+/// Lists over the positions of the wheelset, extended to one length by complete_track.
 void add_positions(WheelsetKeys& keys) {
   keys.reals("lateral_shift")
       .unit("mm")

@@ -5,15 +5,15 @@
 
 #include <cstdint>
 
-// Version 3.3 asserts that a key or a value begins as one does and later reports in words what does
-// not: without its asserts (with NDEBUG clang would take them for granted) the report is reached.
+// Version 3.3 asserts that a key or a value begins correctly before it reports the fault in words:
+// without its asserts (with NDEBUG clang would assume them) the report is reached.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
 #define TOML_MAX_NESTED_VALUES 65  // a value and 64 within each other
 
-// Whether a character beyond ASCII is a blank is answered by "cannot be" for those that are none,
-// which is undefined behaviour outside quotes and comments: they are none.
+// For characters beyond ASCII that are not blanks, the library's test of blanks is declared
+// unreachable, which is undefined behaviour outside quotes and comments; here it returns false.
 #include <toml++/impl/preprocessor.h>
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE

@@ -9,9 +9,8 @@
 
 namespace rollfem::contact {
 
-/// Every key is known and its value allowed; whether they fit each other is not looked at. `file`
-/// stands in messages; `models` are those that may be named, any where it is empty. Throws
-/// InputError.
+/// Checks that every key is known and its value allowed, not their consistency. `file` is used in
+/// messages; `models` lists the allowed model names, empty for any. Throws InputError.
 GivenCase read_toml(const std::string& text, const std::string& file,
                     const std::vector<std::string>& models = {});
 
