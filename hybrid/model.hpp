@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The model "hybrid": the half-space on a fine contact grid plus a smooth correction for wheel and
-// rail as curved, finite bodies. It lies between the half-space, which lacks that correction, and
-// finite elements, whose contact grid is as coarse as their cells.
+// rail as curved, finite bodies. It lies between the half-space without this correction and finite
+// elements, whose contact grid is as coarse as their cells.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

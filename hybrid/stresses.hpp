@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Displacement and stress below the surface by the hybrid: the half-space's integrals in
+// Displacement and stress below the surface by the model hybrid: the half-space's integrals in
 // coordinates that follow the surface of the body, plus the smooth correction.
 #pragma once
 

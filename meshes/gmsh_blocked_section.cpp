@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The mesh of a true section: a block of equal cells under the patch that follows the profile
-// exactly, and free quadrilaterals in the polygon that is left around it.
+// exactly, and free quadrilaterals in the remaining polygon around it.
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "meshes/true_section.hpp"

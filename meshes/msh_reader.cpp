@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading a .msh file. Not through gmsh's library: that runs NAME.msh.opt beside a mesh as a
-// script, and trusts the numbers in it.
+// Reads a .msh file without gmsh's library, which would run NAME.msh.opt beside a mesh as a script
+// and trust the numbers in the mesh.
 #include "contact/base/text_fields.hpp"
 #include "meshes/msh_elements.hpp"
 #include "meshes/msh_file.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The true section of a rail or a wheel rim in the frame of a patch, for finite-element bodies: the
-// profile and what lies below it. Rails get the underside of the head, web and foot of 60E1 (EN
+// profile and the outline below it. Rails get the underside of the head, web and foot of 60E1 (EN
 // 13674-1: height 172, web 16.5, foot 150 mm) as straight lines, wheels a rim with an inner side.
 #pragma once
 

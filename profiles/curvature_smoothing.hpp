@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Moves points near a profile across it until its curvature changes little and at few places: wheel
+// Moves points near a profile across it until its curvature changes little and at few points: wheel
 // and rail profiles consist of arcs and slow transitions between joints.
 #pragma once
 

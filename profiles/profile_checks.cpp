@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What can be wrong with the points of a profile, in the order in which a user can do something
-// about it: size, side, order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Nothing is
-// mended unless told.
+// Checks of the points of a profile, in the order in which a user can fix defects: size, side,
+// order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Repairs happen only on request.
 #include "contact/base/errors.hpp"
 #include "profiles/profile_points.hpp"
 

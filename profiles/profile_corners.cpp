@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Corners of a profile's points: kinks, at which the curve turns once, and steps, there and back.
-// What is refused comes with the least that would mend it.
+// Error messages name the smallest repair that would help.
 #include "contact/base/errors.hpp"
 #include "profiles/profile_points.hpp"
 

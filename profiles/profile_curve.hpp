@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A wheel or rail profile as one smooth parametric curve in its profile coordinates: y towards the
 // field side (the flange or the gauge face is at smaller y), z down for the rail, outward from the
-// axle for the wheel (which is down too at the contact). Cubic pieces, so that curvature may jump
-// where the profile's does and nowhere else.
+// axle for the wheel (which is down too at the contact). Cubic pieces, so that the curvature jumps
+// only where the profile's curvature does.
 #pragma once
 
 #include "contact/scene/height_curve.hpp"

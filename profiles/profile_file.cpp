@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading of profile files, as instruments and programs write them. Separators are blanks, comma or
-// semicolon; with semicolons a comma is a decimal point. What stands behind a mark of a comment is
-// not read, in whichever format.
+// Reads profile files written by instruments and programs. Separators are blanks, comma or
+// semicolon; with semicolons a comma is the decimal mark. Comments are ignored in every format.
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "profiles/profile_points.hpp"

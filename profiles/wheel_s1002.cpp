@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheel S1002. Its zones H to A are printed with ten digits. In zone C the large coefficients leave
-// up to 2e-4 mm open, so that its ends miss the zones beside it by 1.2e-4 mm (y = -35) and 3.7e-5
-// mm (y = -26); everywhere else the ends meet within 6e-7 mm. A step left as it is would be a kink
-// for the contact, so every zone gets a cubic, added to its formula, that makes value and slope
-// continuous at its ends: no curvature worth the name (5e-6 /mm in zone C).
+// an uncertainty of up to 2e-4 mm, so that its ends differ from the neighbouring zones by 1.2e-4 mm
+// (y = -35) and 3.7e-5 mm (y = -26); all other ends agree within 6e-7 mm. A step would be a kink
+// for the contact, so a cubic is added to the formula of every zone to make value and slope
+// continuous at its ends; its curvature is negligible (5e-6 /mm in zone C).
 #include "profiles/wheel_s1002.hpp"
 
 #include "profiles/formula_profiles.hpp"

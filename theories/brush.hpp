@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Kalker's simplified theory on strips along the rolling direction: the surface is a layer of
-// brushes, u = L p, with friction bounded along each strip. FASTSIM and the strip model are this
-// with different bounds (Kalker 1982, Vehicle System Dynamics 11, 1-13).
+// brushes, u = L p, with friction bounded along each strip. FASTSIM and the strip model use it with
+// different bounds (Kalker 1982, Vehicle System Dynamics 11, 1-13).
 #pragma once
 
 #include "contact/result/result.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Theories of an elliptic patch on true profiles: they use the ellipse with the area and ratio of
-// extents of the half-space patch, about its centre of pressure.
+// extents of the half-space patch, centred at its centre of pressure.
 #pragma once
 
 #include "contact/result/result.hpp"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The strip model: the normal problem strip by strip after Hertz from the penetration of the
 // profiles, and friction by brushes with Kalker's stiffness and a parabolic bound along each strip.
-// What the 2012 study's WheelsetContact does; it takes any undeformed distance across the patch.
+// The method of WheelsetContact in the 2012 study; works for any undeformed distance across the
+// patch.
 #pragma once
 
 #include "theories/brush.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The two ways in which a run fails: the input is wrong (exit status 2) or the solution failed
-// (exit status 1). Everything else is a defect of the program.
+// (exit status 1). Everything else is a defect of rollfem.
 #pragma once
 
 #include <stdexcept>

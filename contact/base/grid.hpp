@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The contact grid: a rectangle of equal rectangular elements in the contact plane (the potential
-// contact area), on which every model has its tractions, and the fields that live on it.
+// contact area), on which every model has its tractions, and the fields on it.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One of several parts of a long piece of work that independent calls do.
+// One of several parts of a long task shared by independent calls.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs two halves of a computation in parallel where machine and user allow it. Nothing is summed
-// across threads: results are bitwise the same with one thread and with two.
+// across threads: results are bitwise identical with one and two threads.
 #pragma once
 
 #include <future>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a case file says, said back: `check`, `new-case` and the reference page.
+// Descriptions of a case: `check`, `new-case` and the reference page.
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
 #include "contact/case/toml/toml_library.hpp"

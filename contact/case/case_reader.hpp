@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// TOML case files: reading with checks, printing what was understood, a commented template, and
+// TOML case files: reading with checks, printing how the case is read, a commented template, and
 // the reference page, all from one declaration of the keys.
 #pragma once
 

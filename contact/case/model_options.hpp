@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What single models are asked for: a section of the case file each, which no other model reads.
+// Options of individual models: one section of the case file each, ignored by all other models.
 #pragma once
 
 #include "contact/base/choices.hpp"

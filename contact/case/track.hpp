@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheels with true profiles on a track: profiles, gauge, inclination, wheelset, motion. Plain
-// values; meshes/ turns them into scenes. Track frame: x along the track, y to the right, z
-// down.
+// values; track/ turns them into scenes. Track frame: x along the track, y to the right, z down.
 #pragma once
 
 #include <array>

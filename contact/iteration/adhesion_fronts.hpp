@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Accelerates Newton's method at the ends of adhesion zones. Where it has put the border of a row
-// too far upstream, it moves it back by one element a step, because with slipping tractions at
-// their bounds only the first element has the wrong direction of slip. A few such rows then cost as
-// many steps as they have elements to go. This class watches the adhesion areas of successive steps
-// and moves such borders further at once.
+// Accelerates Newton's method at the ends of adhesion zones. Where the border of a row is too far
+// upstream, Newton's method moves it back by only one element a step, because with slipping
+// tractions at their bounds only the first element has the wrong direction of slip. A few such rows
+// then cost as many steps as the border has elements to move. This class watches the adhesion areas
+// of successive steps and moves such borders further at once.
 #pragma once
 
 #include "contact/base/grid.hpp"

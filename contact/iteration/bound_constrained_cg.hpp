@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Conjugate gradients on the contact set C = {p > 0}, which give up elements whose pressure would
-// turn negative and take in those that penetrate, in memory that is kept from one problem to the
-// next. The operator has apply(pressure, displacement) and precondition(residual, result), which
-// set their second field.
+// Conjugate gradients on the contact set C = {p > 0}, releasing elements whose pressure would turn
+// negative and adding those that penetrate, in memory reused from one problem to the next. The
+// operator has apply(pressure, displacement) and precondition(residual, result), which set their
+// second field.
 #pragma once
 
 #include "contact/base/errors.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Elasticity as the contact solvers see it: linear maps from tractions on the
-// contact grid to displacement differences (wheel minus rail) on the same
-// grid, from half-spaces or finite elements alike.
+// The interface of elasticity for the contact solvers: linear maps from tractions on the contact
+// grid to displacement differences (wheel minus rail) on the same grid, from half-spaces or finite
+// elements alike.
 #pragma once
 
 #include "contact/base/choices.hpp"

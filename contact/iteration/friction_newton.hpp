@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The semi-smooth Newton method of the friction problem (tangential.hpp) on the elements in
-// contact, in memory that is kept from one problem to the next.
+// contact, in memory reused from one problem to the next.
 #pragma once
 
 #include "contact/iteration/adhesion_fronts.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Restarted GMRES with right preconditioning for matrix-free linear systems (Saad & Schultz 1986),
-// in memory that is kept from one system to the next.
+// in memory reused from one system to the next.
 #pragma once
 
 #include <Eigen/Core>

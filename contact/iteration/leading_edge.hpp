@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Second-order upwind differences that know where the patch begins. Material enters with a traction
-// like sqrt(d), d the distance behind the leading edge, and u ahead of the edge is a straight line
-// plus c d^(3/2). The usual difference across the edge therefore acts as if the patch began at the
-// border of its first element less 0.18 elements, wherever the edge lies in the element: a shift of
-// O(dx) that differs from row to row. In adhesion it is carried along the whole row, so that
-// tractions zigzag from row to row by O(sqrt(dx)) (docs/theory.md). One weight for each
-// leading element, calibrated on that local problem once and for all, puts the edge where it is.
+// Second-order upwind differences that account for the position of the leading edge. Material
+// enters with a traction like sqrt(d), d the distance behind the leading edge, and ahead of the
+// edge u is a straight line plus c d^(3/2). The usual difference across the edge therefore acts as
+// if the patch began at the border of its first element less 0.18 elements, wherever the edge lies
+// in the element: a shift of O(dx) that differs from row to row. In adhesion it is carried along
+// the whole row, so that tractions zigzag from row to row by O(sqrt(dx)) (docs/theory.md). One
+// weight for each leading element, calibrated once on that local problem, puts the edge at its true
+// position.
 #pragma once
 
 #include "contact/iteration/compliance.hpp"

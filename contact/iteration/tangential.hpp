@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Friction on a known pressure: find tractions with |p_t| <= g and slip w = s + T p such that
-// p_t = -g w/|w| where it slips, g(p_n, |w|) the bound of the friction law, by a semi-smooth Newton
-// method on p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves, and behind it one
-// with drag, w + c (p - p'), p' the traction before: steps of a rolling that settles.
+// Friction on a known pressure: find tractions with |p_t| <= g and slip w = s + T p such that p_t =
+// -g w/|w| where it slips, g(p_n, |w|) the bound of the friction law, by a semi-smooth Newton
+// method on p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves; if it fails, the
+// same with drag, w + c (p - p') with the previous traction p', which resembles time steps of
+// rolling towards the steady state.
 #pragma once
 
 #include "contact/iteration/compliance.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The error statement of every value that leaves the program: its bar, that it is exact, or
-// why it has none. Error bars are explained in docs/results.md.
+// The error statement of every reported value: its error bar, or why it has none (exact,
+// prescribed, ...). Error bars are explained in docs/results.md.
 #pragma once
 
 #include "contact/result/quantities.hpp"

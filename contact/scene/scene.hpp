@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The problem to be solved: the geometry of one contact, its materials and its load
-// points. A case is the document; a scene is the problem resolved from it, with
-// nothing left to look up. Models never change scenes.
+// The problem to be solved: the geometry of one contact, its materials and its load points. A case
+// is the document; a scene is the fully resolved problem. Models never change scenes.
 #pragma once
 
 #include "contact/base/accuracy.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The complete contact problem on one grid: normal contact, friction, the sharing of the load
 // between pressure and friction where surface or load are tilted, and defect correction where the
-// elasticity goes beyond its solvable stand-in (unlike materials, finite elements). Successive
+// elasticity differs from its solvable stand-in (unlike materials, finite elements). Successive
 // loads reuse the same operators.
 #pragma once
 

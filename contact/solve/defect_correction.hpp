@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact on any compliance A by defect correction on the half-space A_half: solve with A_half, put
-// (A - A_half) p in as an extra gap and displacement, repeat with Anderson acceleration. The fixed
+// Contact on any compliance A by defect correction on the half-space A_half: solve with A_half, add
+// (A - A_half) p as an extra gap and displacement, repeat with Anderson acceleration. The fixed
 // point is the solution with A; A_half only preconditions. One outer iteration is one A.apply(),
 // also with a prescribed force: the stand-in is solved for that force with the defect held fixed.
 #pragma once

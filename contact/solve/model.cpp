@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What problems ask for that not every model has: how it is seen in them, and how it is called.
+// Features of problems that not every model supports: detection and names.
 #include "contact/solve/model.hpp"
 
 #include "contact/base/errors.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The common interface of all models, from Hertz to finite elements: a function of one signature
-// with a name, its capabilities and whatever else is needed to run it.
+// with a name, its capabilities and further data needed to run it.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Motion of the surfaces at a load point: the rigid slip of steady rolling, or
-// of a step of a shift or of transient rolling including what it inherits from
-// earlier steps; and its description in results.
+// Motion of the surfaces at a load point: the rigid slip of steady rolling, or of a step of a shift
+// or of transient rolling including the state inherited from earlier steps; and its description in
+// results.
 #pragma once
 
 #include "contact/iteration/compliance.hpp"

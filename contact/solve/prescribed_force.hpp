@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Creepage (or shift) at which the contact transmits a prescribed tangential force: a bracketed
 // secant method for one component, Broyden's method for two, on forces made nearly linear by the
-// inverse of Vermeulen and Johnson's law (1964), |F| = mu F_z (1 - (1 - tau/3)^3). It saves most of
-// the trouble near sliding, where the force hardly grows any more.
+// inverse of Vermeulen and Johnson's law (1964), |F| = mu F_z (1 - (1 - tau/3)^3). This removes
+// most of the difficulty near full sliding, where the force hardly grows.
 #pragma once
 
 #include "contact/scene/scene.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The difference between wheel or rail and half-spaces below the surface, found by finite elements
-// as smooth_parts.hpp finds it on the surface: body minus flattened twin at the same Gauss points
-// of the same cells. Those points lie apart in coordinates that follow the surface (cells are laid
-// along z, which is not the normal of a steep surface); the exact change of the half-space in
-// between is subtracted.
+// The difference between wheel or rail and half-spaces below the surface, computed by finite
+// elements like the surface part in smooth_parts.hpp: body minus flattened twin at the same Gauss
+// points of the same cells. Those points lie apart in coordinates that follow the surface (cells
+// are laid along z, which is not the normal of a steep surface); the exact change of the half-space
+// in between is subtracted.
 #pragma once
 
 #include "contact/scene/below_surface.hpp"

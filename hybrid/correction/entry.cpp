@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The C entry through which the program reaches this library after opening it at run time.
+// The C entry point of this library, which rollfem opens at run time.
 #include "fem/elasticity/model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The flattened twin of a body: the same mesh with the contact surface unrolled into a
-// plane. Its exact compliance is the half-space's, so that the error of finite elements
-// on the twin is that on the body, up to the curvature.
+// The flattened twin of a body: the same mesh with the contact surface unrolled into a plane. Its
+// exact compliance is the half-space's, so that the error of finite elements on the twin equals
+// that on the body, up to the curvature.
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"

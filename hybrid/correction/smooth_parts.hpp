@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The corrections of wheel and rail to their half-spaces, found by finite elements: each body minus
-// its flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over
-// the patch. Discretisation errors cancel up to the curvature, so that coarse cells suffice. The
-// twin of a true section or of a mesh of one's own is a box with the same cells under the patch.
+// The corrections of wheel and rail to their half-spaces by finite elements: each body minus its
+// flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over the
+// patch. Discretisation errors cancel up to the curvature, so that coarse cells suffice. The twin
+// of a true section or of a user's mesh is a box with the same cells under the patch.
 #pragma once
 
 #include "contact/base/progress.hpp"

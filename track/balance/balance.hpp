@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Balances wheels with true profiles: the share of the vertical load of every patch, friction
-// included, and the creepages of the wheelset's motion, solved for in free rolling. The results
-// are scenes for any model; the balance itself is found with half-space solutions on a coarse
-// grid.
+// Balances wheels with true profiles: the share of the vertical load of every patch including
+// friction, and the creepages of the wheelset's motion, which are unknowns in free rolling. The
+// results are scenes for any model; the balance itself is found with half-space solutions on a
+// coarse grid.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the balance of one position has found, as a record that outlives the run.
+// The result of the balance of one position, as a record for later runs.
 #pragma once
 
 #include "track/motion/placed_scenes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One wheel on its rail, pressed without friction: where it touches, and its creep forces under
-// normal forces that stay as they are. What tables over lateral shifts are filled with.
+// One wheel pressed on its rail without friction: its contacts, and their creep forces under fixed
+// normal forces. Used to fill tables over lateral shifts.
 #pragma once
 
 #include "contact/case/case.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The height at which a wheel stands under its load. Contacts are found where it first touches the
-// rail; from there it sinks vertically, and distances of several patches in one plane change by
-// microns beside the approach along the plane's normal (docs/track.md).
+// The height of a wheel under its load. Contacts are found at first touch with the rail; from there
+// the wheel sinks vertically, and distances of several patches in one plane change by microns in
+// addition to the approach along the plane's normal (docs/track.md).
 #pragma once
 
 #include "track/motion/placed_scenes.hpp"

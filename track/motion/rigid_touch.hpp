@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact points of the rigid, unloaded wheels of a wheelset as it moves sideways: the rolling
-// radii and contact angles that conicity is computed from (conicity.hpp).
+// radii and contact angles for the conicity (conicity.hpp).
 #pragma once
 
 #include "contact/case/case.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Slip of wheel over rail from the motion of the wheelset, and the forces on the
-// wheelset from those of the patches. Motion is relative to the forward speed V of the
-// middle of the axle: V = 1. Frames and signs: docs/track.md.
+// Slip of wheel over rail from the motion of the wheelset, and the forces on the wheelset from the
+// forces of the patches. Motion is relative to the forward speed V of the middle of the axle: V
+// = 1. Frames and signs: docs/track.md.
 #pragma once
 
 #include "contact/case/case.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The wheel seen along the rail. A straight rail is the same at every x, so wheel and rail touch
-// where the rail touches the outline of the wheel as seen along x: for every point of the wheel's
-// profile the point of its circle whose normal has no x component. With yaw that point lies ahead
+// where the rail touches the outline of the wheel seen along x: for every point of the wheel's
+// profile, the point of its circle whose normal has no x component. With yaw that point lies ahead
 // of or behind the axle; without yaw the outline is the profile itself.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The gap between the outline of a wheel and the rail under it, measured along the vertical, and
-// where it is smallest. Sinking of the wheelset changes this gap by one constant, so its minima are
-// the points of first contact whatever the height: their tangents are parallel.
+// The vertical gap between the outline of a wheel and the rail under it, and its minima. Sinking of
+// the wheelset changes this gap by a constant, so its minima are the points of first contact for
+// any height: their tangents are parallel.
 #pragma once
 
 #include "track/placement/placement.hpp"

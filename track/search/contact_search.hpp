@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Finds where the wheels of a placed wheelset touch their rails: its height and roll, points of
-// first contact, near misses, and which of them form one patch under load (docs/track.md).
+// Finds the contacts of a placed wheelset with its rails: its height and roll, points of first
+// contact, near misses, and which of them form one patch under load (docs/track.md).
 #pragma once
 
 #include "contact/case/case.hpp"

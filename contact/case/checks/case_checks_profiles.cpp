@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Profiles in a case file: one shape for each body, and only such keys as that kind of profile
-// reads.
+// Profiles in a case file: one shape for each body, and only keys used by its kind of profile.
 #include "contact/case/checks/case_checks.hpp"
 
 #include <fmt/format.h>

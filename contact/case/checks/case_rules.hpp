@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the keys of a case need and exclude, declared in tables: which keys have no meaning where,
-// which decide the same thing, and of which one must be there.
+// Dependencies between the keys of a case, declared in tables: keys without meaning in some cases,
+// mutually exclusive alternatives, and groups with one required key.
 #pragma once
 
 #include "contact/case/checks/case_checks.hpp"

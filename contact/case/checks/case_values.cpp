@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Checks of values against each other, where every key for itself is allowed; and what follows
-// from what is given.
+// Consistency checks of values whose keys are valid individually, and derived values.
 #include "contact/base/material.hpp"
 #include "contact/base/profile_drop.hpp"
 #include "contact/case/checks/case_checks.hpp"

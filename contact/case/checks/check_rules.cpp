@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holds a case against the tables of case_rules.cpp.
+// Checks a case against the tables of case_rules.cpp.
 #include "contact/case/checks/case_rules.hpp"
 
 #include <fmt/format.h>

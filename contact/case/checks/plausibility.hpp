@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Warnings about values that are allowed but probably unintended: lengths in m, loads in kN,
-// creepages in percent, spins in rad/m. The case is solved as it stands.
+// creepages in percent, spins in rad/m. The case is solved unchanged.
 #pragma once
 
 #include "contact/case/case.hpp"

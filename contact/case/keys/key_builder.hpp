@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How a key is declared, in named parts that end with the member of the case it fills:
+// Declaration of a key in named parts, ending with the member of the case that it sets:
 //
 //   Keys<Load> keys("load", "How hard the bodies are pressed together", &Case::load);
 //   keys.real("normal_force").symbol("F_z").unit("N").between(1e-6, 1e12)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Profiles of wheel and rail: what they are, and what may be mended of those from files.
+// Profiles of wheel and rail: their definition, and repairs of profile files.
 #include "contact/case/keys/key_builder.hpp"
 
 namespace rollfem::contact {

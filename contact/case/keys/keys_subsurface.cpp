@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// [[subsurface.*]]: points below the surface, of which there may be any number.
+// [[subsurface.*]]: any number of subsurface points.
 #include "contact/case/keys/key_builder.hpp"
 
 #include <algorithm>

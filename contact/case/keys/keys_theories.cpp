@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The theories that take options, a section each: [fastsim], [strip], [carter].
+// Theories with options, one section each: [fastsim], [strip], [carter].
 #include "contact/case/keys/key_builder.hpp"
 
 namespace rollfem::contact {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is wrong with a text that is no TOML, in words; private to contact/case.
+// Faults of invalid TOML, in words; private to contact/case.
 #pragma once
 
 #include "contact/case/toml/toml_source.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// toml++, so that no text of a case file ends the program; private to contact/case, whose units
-// include the library by this header only.
+// toml++, configured so that no case file can crash rollfem; private to contact/case, which
+// includes the library only through this header.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Turns TOML into keys and values of a case file; private to contact/case.
+// Converts TOML into keys and values of a case file; private to contact/case.
 #pragma once
 
 #include "contact/case/checks/case_checks.hpp"
