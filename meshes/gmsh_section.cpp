@@ -178,8 +178,7 @@ class SectionGeometry {
     geo::mesh::setRecombine(2, surface(around));
   }
 
-  /// Points from one place to another, about `step` apart; given end points are used, 0 creates new
-  /// ones.
+  /// Points between two ends, about `step` apart; given end points are used, 0 creates new ones.
   std::vector<int> spaced(double y0, double v0, double y1, double v1, double step, int first,
                           int last) {
     const int count =

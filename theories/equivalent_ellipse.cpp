@@ -217,7 +217,7 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
   local.geometry.quadratic = {curvatures.A, curvatures.B};
   ModelResult result = run_hertz(local, progress);
   result.notes.back() =
-      "patch, pressure, approach and area are those of the curvatures at the contact point; the "
+      "patch, pressure, approach and area follow from the curvatures at the contact point; the "
       "fields are sampled at element centres";
   const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   const auto differs = [](double a, double b) { return std::abs(a / b - 1.0) > worth_a_note; };

@@ -62,7 +62,7 @@ contact::Field strip_pressure(const StripContact& contact, const contact::Contac
   return pressure;
 }
 
-/// The squares of the half lengths are taken as linear between the strips and up to the edges.
+/// The squares of the half lengths are linear between the strips and up to the edges.
 double contact_area(const StripContact& contact) {
   double area = 0.0;
   const auto add = [&area](double width, double a, double b) {

@@ -64,7 +64,7 @@ struct Load {
 /// Rigid slip caused by the shape of the contact surface rather than by the creepages.
 enum class ExtraSlip {
   automatic,  ///< that of the true rolling radii of the wheel's surface
-  none,       ///< creepages alone, as if the surface were flat
+  none,       ///< only creepages, as if the surface were flat
   file,       ///< s_x, s_y on a lattice of points, Rolling::extra_slip_values
 };
 
@@ -88,15 +88,15 @@ struct Creepage {
   double spin = 0.0;          ///< phi, rad/mm
 };
 
-/// Tangential force on the wheel (N) given in place of the creepage (shift) of that direction,
-/// which then is unknown and 0 in `Creepage` (`HistoryStep`).
+/// Tangential force on the wheel (N) given instead of the creepage (shift) in that direction, which
+/// is then unknown and 0 in `Creepage` (`HistoryStep`).
 struct PrescribedForce {
   std::optional<double> longitudinal;  ///< F_x, negative when braking (xi > 0)
   std::optional<double> lateral;       ///< F_y
   bool any() const { return longitudinal.has_value() || lateral.has_value(); }
 };
 
-/// Which creepages the case file gives; with profiles the others follow from the motion.
+/// Creepages given in the case file; with profiles the others follow from the motion.
 struct GivenCreepages {
   bool longitudinal = false;
   bool lateral = false;
@@ -116,7 +116,7 @@ struct Rolling {
   std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
 };
 
-/// What is special to one step of the problems `shift` and `transient`. Shifts are rigid
+/// Data specific to one step of the problems `shift` and `transient`. Shifts are rigid
 /// displacements of the wheel relative to the rail during this step, not since the beginning.
 struct HistoryStep {
   std::optional<double> normal_force;  ///< N; neither: that of the whole case

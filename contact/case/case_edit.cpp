@@ -70,7 +70,7 @@ Change read_change(const std::string& text, const ModelWords& models) {
   return change;
 }
 
-/// Where a line begins, from 1; the end of the text beyond the last.
+/// Start of a line, counted from 1; the end of the text for lines beyond the last.
 std::size_t begin_of(const std::string& text, unsigned line) {
   std::size_t at = 0;
   for (unsigned k = 1; k < line && at < text.size(); ++k)

@@ -31,8 +31,8 @@ class ContactElements {
   std::vector<Eigen::Index> places_;
 };
 
-/// How the Jacobian J = (I - B) + B r T treats an element: B = I in adhesion, in slip B = (g / |q|)
-/// (I - m n^T) with n = q / |q| and m = p / max(g, |p|) instead of n, which is the same at the
+/// Treatment of an element in the Jacobian J = (I - B) + B r T: B = I in adhesion, in slip B = (g /
+/// |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) instead of n, which is the same at the
 /// solution and converges much better (Hueeber, Stadler & Wohlmuth 2008). A slip-dependent law adds
 /// -n g' (w/|w|)^T T.
 struct Linearisation {

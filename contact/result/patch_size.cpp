@@ -152,7 +152,7 @@ struct Extent {
   double unsure = 0.0;   ///< in elements, of last - first
 };
 
-/// Of `count` lines of `length` elements; `value(line, element)`.
+/// For `count` lines of `length` elements; `value(line, element)`.
 template <class Value>
 Extent extent_of(int count, int length, Lists& lists, Value&& value) {
   constexpr double nowhere = -std::numeric_limits<double>::infinity();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a level of the finite-element model stores for a later run: the
-// frictionless solution, and every load point with the state from which the next
-// one starts, so that numbers are bitwise the same.
+// Data stored by a level of the finite-element model for a later run: the frictionless solution,
+// and every load point with the state from which the next one starts, so that numbers are bitwise
+// the same.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

@@ -160,7 +160,7 @@ CellTransfer<degree>::CellTransfer(const ElasticProblem& fine, const ElasticProb
     add_cells(cells, fine.dofs, untaken);
     add_constraints(cells);
   }
-  if (!untaken.empty()) throw std::logic_error("a fine cell is in no coarse one");
+  if (!untaken.empty()) throw std::logic_error("a fine cell has no coarse cell");
   coarse_.shrink_to_fit();
   fine_.shrink_to_fit();
   same_.shrink_to_fit();

@@ -45,8 +45,8 @@ constexpr double multigrid_iterations = 10.0;
 /// Largest memory of a factor, bytes; multigrid needs a tenth.
 constexpr double largest_factor = 5e9;
 
-/// FE solves of a body per load point and for the normal problem alone: case a takes 30 for its
-/// seven points and 4.
+/// FE solves of a body per load point and for the normal problem: case a takes 30 for its seven
+/// points and 4.
 constexpr double solves_per_point = 4.5;
 constexpr double solves_for_normal = 4.0;
 

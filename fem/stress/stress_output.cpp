@@ -74,7 +74,7 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
                   place[1], place[2], wheel ? "wheel" : "rail", where, reach,
                   above ? "move the points into the body, or follow its surface with "
                           "[[subsurface.surface]]"
-                        : "move the points nearer, or give a larger [fem] extent"));
+                        : "request closer points, or give a larger [fem] extent"));
 }
 
 }  // namespace

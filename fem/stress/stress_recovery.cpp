@@ -82,8 +82,8 @@ struct StressRecovery::Implementation {
   struct CellData {
     dealii::DoFHandler<3>::active_cell_iterator cell;
     std::vector<GlobalIndex> dofs;
-    std::vector<Point<3>> samples;      ///< places of the superconvergent points
-    std::vector<Tensor<2, 3>> inverse;  ///< d reference / d place there
+    std::vector<Point<3>> samples;      ///< positions of the superconvergent points
+    std::vector<Tensor<2, 3>> inverse;  ///< d reference / d position there
     bool at_plane = false;              ///< has a face on the symmetry plane
   };
   /// A cell of this process: its nodes for the stress, and the cells of its patch.

@@ -16,8 +16,8 @@ namespace {
 
 using contact::pi;
 
-/// Of a half-space in depth under a point load at a distance L, on the axis (Boussinesq: P (3 - 2
-/// nu) / (4 pi G L)); the surface moves less at that distance. mm.
+/// Displacement of a half-space on the axis under a point load, at depth L (Boussinesq: P (3 - 2
+/// nu) / (4 pi G L)), mm; the surface moves less at that distance.
 double displacement_at(const contact::Material& material, double force, double distance) {
   return force * (3.0 - 2.0 * material.poisson_ratio) /
          (4.0 * pi * contact::shear_modulus(material) * distance);

@@ -50,8 +50,8 @@ struct KalkerEntry {
 
 using KalkerTable = std::array<KalkerEntry, 25>;
 
-/// By increasing a/b: 0.01, 0.02, 0.05, 0.1, 0.2, ... 1 and the reciprocals to 100; six digits are
-/// kept, of which five are certain (four beyond 0.02 and 20).
+/// By increasing a/b: 0.01, 0.02, 0.05, 0.1, 0.2, ... 1 and the reciprocals to 100; six digits,
+/// five of them certain (four beyond 0.02 and 20).
 const KalkerTable& kalker_table();
 
 }  // namespace rollfem::halfspace

@@ -59,12 +59,12 @@ struct CurvedBody::Implementation {
   ContactGrid grid;
   ContactGrid wide;
   Corners corners;
-  HalfspaceCompliance half;  ///< of this body alone
+  HalfspaceCompliance half;  ///< of this body
   FarSurface far;
   double shear;
   double nu;
   Plane corner_height;  ///< mm, at the corners of `wide`
-  Plane low;            ///< mm, at its elements, limited as height_in_elements says
+  Plane low;            ///< mm, at its elements, limited by height_in_elements
   Plane corner_rest;    ///< mm, the remainder of corner_height
   Plane slope_x;
   Plane slope_y;

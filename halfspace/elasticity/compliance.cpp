@@ -145,7 +145,7 @@ double mean_diagonal(const ContactGrid& grid, const InfluenceQuadrant& quadrant,
 
 }  // namespace
 
-/// Symbols are created at first use: a search for the patch wants those of the pressure alone.
+/// Symbols are created at first use: a search for the patch needs only the symbol of the pressure.
 struct HalfspaceCompliance::Implementation {
   ContactGrid grid;
   bool couples;

@@ -57,7 +57,7 @@ struct SmoothDepthMap {
   bool empty() const { return coefficients.size() == 0; }
 };
 
-/// Of both bodies.
+/// Maps of both bodies.
 struct SmoothParts {
   SmoothMap wheel;
   SmoothMap rail;

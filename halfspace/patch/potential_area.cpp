@@ -120,7 +120,7 @@ void PatchSearch::check_shape_of_cells(double dx, double dy) const {
   const double nx = extent.length / dx, ny = extent.width / dy;
   if (std::max(nx, ny) <= most_times * std::min(nx, ny)) return;
   throw contact::InputError(
-      fmt::format("{}: contact_grid.cell_size = [{:g}, {:g}] mm makes {:.4g} by {:.4g} elements of "
+      fmt::format("{}: contact_grid.cell_size = [{:g}, {:g}] mm gives {:.4g} by {:.4g} elements in "
                   "the box of {:.4g} by {:.4g} mm around the patch; allowed: up to {:g} times as "
                   "many in one direction as in the other; do: choose cells in the shape of the "
                   "patch, or give contact_grid.elements_across",

@@ -31,7 +31,7 @@ struct Box {
   double x_lower = 0.0, x_upper = 0.0, y_lower = 0.0, y_upper = 0.0;  ///< mm
 };
 
-/// Where the ridge is below a level.
+/// The ranges in which the ridge is below a level.
 struct Overlap {
   std::vector<RidgeRegion> regions;  ///< by increasing y
   Box box;                           ///< that contains them

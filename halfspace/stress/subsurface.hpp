@@ -52,7 +52,7 @@ struct SubsurfaceLayer {
   SubsurfaceState at(int index) const;
 };
 
-/// How the sum over contact elements is done.
+/// Method of summation over contact elements.
 enum class Summation {
   automatic,  ///< the cheaper possible method
   direct,     ///< every point with every loaded element

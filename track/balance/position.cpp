@@ -45,7 +45,7 @@ std::vector<PatchForce> patch_forces(const contact::Scene& scene, int elements_a
 
 struct Patch {
   PlacedScene placed;
-  std::vector<PatchForce> force;  ///< per load point, at the scene as it is
+  std::vector<PatchForce> force;  ///< per load point, for the current scene
   double sideways = 0.0;          ///< of the pressure without friction: lateral over normal force
 };
 

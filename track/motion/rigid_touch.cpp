@@ -62,7 +62,7 @@ double contact_distance(const contact::Track& track) {
 
 namespace {
 
-/// Nothing for fewer than two rows.
+/// Empty for fewer than two rows.
 std::optional<RadiusDifference> radii_of(const std::vector<WheelsetRow>& rows) {
   std::vector<double> at, difference;
   for (const WheelsetRow& row : rows) {

@@ -86,7 +86,7 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
                                      const PatchAxes& axes, const Axle& axle_of_side, bool left,
                                      const OutlinePoint& touch, double sink, double reach) {
   const double at_touch = parameter_near(scene.rail, axes.y0, axes.z0);
-  // Shifted to the touching point, then turned.
+  // Shifted to the touching point, then rotated.
   const double cosine = axes.cosine, sine = axes.sine;
   const profiles::ProfileCurve rail =
       scene.rail.part(at_touch - reach, at_touch + reach)

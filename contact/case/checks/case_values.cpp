@@ -158,9 +158,9 @@ void check_places(const GivenCase& given, const Case& input, bool bodies) {
     points += static_cast<long>(request.points[0]) * request.points[1];
     constexpr long most_points = 1000000;
     if (points > most_points)
-      fail_here("points", fmt::format("makes {} points in all", points),
+      fail_here("points", fmt::format("gives {} points in total", points),
                 fmt::format("at most {} points below the surface", most_points),
-                "take fewer points");
+                "use fewer points");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Declaration of a key in named parts, ending with the member of the case that it sets:
 //
-//   Keys<Load> keys("load", "How hard the bodies are pressed together", &Case::load);
+//   Keys<Load> keys("load", "Load that presses the bodies together", &Case::load);
 //   keys.real("normal_force").symbol("F_z").unit("N").between(1e-6, 1e12)
 //       .says("Force that presses the wheel on the rail.").into(&Load::normal_force);
 //

@@ -122,8 +122,8 @@ SectionWithKeys subsurface_surface_section() {
       .example("0.0")
       .otherwise("0, on the surface")
       .says(
-          "How far below the surface of the body the line runs: along z on the rail, towards the "
-          "axle on the wheel.")
+          "Depth of the line below the surface of the body: along z in the rail, towards the axle "
+          "in the wheel.")
       .into(&Request::depth);
   add_number_of_points(keys, "Points equally spaced in x and y, both ends included.");
   return keys;

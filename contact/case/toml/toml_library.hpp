@@ -10,7 +10,7 @@
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
-#define TOML_MAX_NESTED_VALUES 65  // a value and 64 within each other
+#define TOML_MAX_NESTED_VALUES 65  // a value and 64 nested in it
 
 // For characters beyond ASCII that are not blanks, the library's test of blanks is declared
 // unreachable, which is undefined behaviour outside quotes and comments; here it returns false.
