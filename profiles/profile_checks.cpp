@@ -208,7 +208,7 @@ void thin(ProfilePoints& points, double length) {
   points.list = std::move(means);
 }
 
-/// Smoothing more points at once takes seconds and loses digits.
+/// Rejects smoothing of too many points at once, which takes seconds and loses digits.
 void check_smoothing(const ProfilePoints& points, double smoothing, bool wheel) {
   constexpr std::size_t most = 20000;
   if (smoothing == 0.0 || points.list.size() <= most) return;

@@ -266,7 +266,7 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
   result.end = curve.at(curve.last());
   std::size_t top = 0, bottom = 0, level = 0;
   const auto sharper = [&](const ProfilePoint& place) {
-    // The first point of an arc, whose curvature is constant to rounding.
+    // Takes the first point of an arc, whose curvature is constant to rounding.
     constexpr double clearly = 1.0 + 1e-4;
     if (place.curvature > clearly * result.sharpest_up.curvature) result.sharpest_up = place;
     if (place.curvature < clearly * result.sharpest_down.curvature) result.sharpest_down = place;

@@ -80,7 +80,7 @@ ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& p
   return result;
 }
 
-/// Keys that a theory does not support.
+/// Effects that a theory neglects.
 struct Leaves {
   bool spin = false;
   bool extra_slip = false;

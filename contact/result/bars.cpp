@@ -10,7 +10,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Relative tolerance above the tolerance of balances.
+/// Relative difference of equal forces; balances are more accurate.
 constexpr double same_force = 1e-6;
 
 bool has_bar(const PointResult& point, const std::string& name) {
@@ -96,7 +96,7 @@ std::string word_of(const Scene& scene, const BarRules& rules, const ModelResult
   const bool exact = rules.hertzian && !scene.has_profiles();
   if (rules.hertzian && is_of_normal_problem(quantity))
     return exact ? no_bar::exact : no_bar::theory;
-  // Quantities that a frictionless model does not have.
+  // Without tangential tractions these are exact.
   if (exact && result.points[k].max_traction == 0.0 &&
       (quantity.of_friction() || name == "adhesion_area"))
     return no_bar::exact;

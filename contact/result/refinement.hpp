@@ -45,7 +45,7 @@ std::string shortfall_text(const AccuracyRequest& asked, const WorstError& worst
 struct Rung {
   std::string cells;          ///< "40 elements across"
   std::string no_finer;       ///< why it is the finest possible, and remedy; empty: it is not
-  bool enough_levels = true;  ///< levels needed for reliable error bars
+  bool enough_levels = true;  ///< for reliable error bars
 };
 
 /// Whether the accuracy of the case needs another level. Otherwise, or if none is possible, records

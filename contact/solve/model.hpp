@@ -73,7 +73,7 @@ struct Refinement {
   std::string parameter;  ///< heading of the labels: "contact grid"
   double ratio = 0.0;     ///< ratio of cells from level to level; 0: not applicable
   int levels = 0;         ///< default number of levels
-  bool fixed = false;     ///< largest number of levels
+  bool fixed = false;     ///< `levels` is also the largest number
   /// Level k of n, coarsest first. Throws InputError when a starting value is missing.
   RefinedInput (*level)(ModelInput input, int k, int n) = nullptr;
 };

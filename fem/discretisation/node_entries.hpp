@@ -53,7 +53,7 @@ void expand(const LocalDofs& dofs, Number* entries) {
   }
 }
 
-/// The transpose of expand() for the first `count` constraints.
+/// The transpose of expand() for the first `hanging` hanging nodes and `fixed` fixed dofs.
 template <typename Number>
 void contract(const LocalDofs& dofs, std::size_t hanging, std::size_t fixed, Number* entries) {
   using Node = typename NodeEntries<Number>::type;

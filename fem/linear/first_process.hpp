@@ -26,7 +26,7 @@ class FirstProcess {
   /// or on none.
   void call(const Order& order, const std::function<void()>& own);
 
-  /// The cores of this process.
+  /// Whether this is the first process.
   bool here() const { return rank_ == 0; }
 
  private:

@@ -25,7 +25,7 @@ constexpr double lattice_tolerance = 1e-6;
 /// Tolerance for faces on the lattice of the elements: on a wheel they are slightly longer or
 /// shorter beside the running circle.
 constexpr double lattice_misfit = 0.03;
-/// Allowed excess of faces without lattice over the contact elements.
+/// Relative excess over the contact elements allowed for faces without lattice.
 constexpr double size_tolerance = 2e-3;
 
 /// Number of an unknown of the body and int N_i e_k dA over one contact element, e_k the local

@@ -30,7 +30,7 @@ std::optional<ModelErrors> model_errors(const contact::Scene& scene,
 inline constexpr int elements_of_model_error = 32;
 
 /// Sets PointResult::model_error (absolute values) and the source of the half-space's result of the
-/// scene, from solutions on `across` elements; without a solution the source states the reason.
+/// scene, from solutions with `elements_across`; without a solution the source states the reason.
 /// Throws contact::InputError for unknown bodies.
 void add_model_error(const contact::Scene& scene, const contact::Progress& progress,
                      contact::ModelResult& result, int elements_across = elements_of_model_error);

@@ -56,7 +56,7 @@ class FewElementsRolling : public contact::ElementOperator {
   double diagonal_ = 1.0;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix_;
   std::vector<Index> places_;
-  std::vector<Row> rows_;  ///< number in use
+  std::vector<Row> rows_;  ///< the first rows_in_use_ are in use
   std::size_t rows_in_use_ = 0;
   Block block_;
 };

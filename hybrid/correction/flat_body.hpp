@@ -13,7 +13,7 @@
 
 namespace rollfem::fem {
 
-/// A body with a plane surface, large enough to have no far boundary.
+/// Whether a body has a plane surface and is so large that it has no far boundary.
 bool is_half_space(const contact::Scene& scene, bool wheel);
 
 /// Contribution of the body to u_wheel - u_rail, mm: the displacement of its plane less that of the

@@ -94,7 +94,7 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
   const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, y);
   const auto k = static_cast<std::size_t>(above - knots.begin()) - 1;
   const double h = knots[k + 1] - knots[k];
-  // Extrapolates along the tangent.
+  // Beyond the ends, along the tangent.
   const double t = std::clamp((y - knots[k]) / h, 0.0, 1.0);
   const double chord = (values[k + 1] - values[k]) / h;
   const double left = slope(k) - chord, right = slope(k + 1) - chord;
