@@ -320,7 +320,7 @@ void check(const Scene& scene) {
   const auto refuse = [&](bool asked, const char* what, const char* allowed) {
     if (!asked) return;
     throw contact::InputError(
-        fmt::format("{}: model hybrid: does not support {}; allowed: {}; do: run with --model fem",
+        fmt::format("{}: model hybrid: it cannot handle {}; allowed: {}; do: run with --model fem",
                     scene.file, what, allowed));
   };
   refuse(!scene.geometry.has_surfaces(), "undeformed_distance, which describes no bodies",
