@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The hybrid's compliance on a contact grid along the common surface: that of the
-// half-space plus the correction for wheel and rail.
+// The hybrid's compliance on a contact grid along the common surface: the half-space's compliance
+// plus the correction for wheel and rail.
 #pragma once
 
 #include "contact/iteration/compliance.hpp"

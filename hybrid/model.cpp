@@ -24,11 +24,11 @@ using contact::Scene;
 
 namespace {
 
-/// What cells, polynomials and segments leave uncertain of the correction, as a part of it: from
-/// three cells in the semi-axis to five it changes by 2 to 6 %.
+/// Relative uncertainty of the correction from cells, polynomials and segments: between three and
+/// five cells in the semi-axis it changes by 2 to 6 %.
 constexpr double uncertain_part = 0.1;
 
-/// On which the difference to the half-space is taken: it is as smooth as the correction.
+/// Grid for the difference to the half-space, which is as smooth as the correction.
 constexpr int elements_of_difference = 10;
 
 halfspace::GridElasticity elasticity_of(const halfspace::SmoothParts& parts) {
@@ -42,7 +42,7 @@ halfspace::GridElasticity elasticity_of(const halfspace::SmoothParts& parts) {
   return elasticity;
 }
 
-/// Adds to the error estimates what is uncertain of the difference to the half-space.
+/// Adds the uncertainty of the difference to the half-space to the error estimates.
 void widen(PointResult& point, const PointResult& hybrid, const PointResult& half) {
   for (auto& [name, error] : point.error_estimate) {
     if (contact::find_quantity(name) == nullptr) continue;  // stresses widen their own
@@ -51,8 +51,8 @@ void widen(PointResult& point, const PointResult& hybrid, const PointResult& hal
   }
 }
 
-/// The same of all load points. Where so few elements have no solution the half-space on the grid
-/// of the result says what the difference is.
+/// The same for all load points. Where the coarse grid has no solution, the half-space on the grid
+/// of the result gives the difference.
 void widen(const Scene& scene, const halfspace::GridElasticity& elasticity,
            const Stresses* stresses, ModelResult& result) {
   ModelResult corrected, half;
@@ -100,10 +100,10 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
   result.seconds["correction"] = seconds;
   result.seconds["total"] = watch.seconds();
   result.notes.insert(result.notes.end(), parts.notes.begin(), parts.notes.end());
-  result.notes.push_back(
-      fmt::format("the correction for wheel and rail as curved, finite bodies comes from {} "
-                  "finite-element unknowns; the error estimates include a tenth of what it changes",
-                  parts.unknowns));
+  result.notes.push_back(fmt::format(
+      "the correction for wheel and rail as curved, finite bodies comes from {} finite-element "
+      "unknowns; the error estimates include a tenth of the change it causes",
+      parts.unknowns));
   return result;
 }
 

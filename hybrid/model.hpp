@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The model "hybrid": the half-space on a fine contact grid plus a smooth correction for wheel and
-// rail as curved, finite bodies. It lies between the half-space, which lacks that correction, and
-// finite elements, whose contact grid is as coarse as their cells.
+// rail as curved, finite bodies. It lies between the half-space without this correction and finite
+// elements, whose contact grid is as coarse as their cells.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -12,13 +12,14 @@
 
 namespace rollfem::hybrid {
 
-/// Finds what the bodies of a scene add: by finite elements (hybrid/correction/smooth_parts.hpp).
+/// Finds the correction for the bodies of a scene by finite elements
+/// (hybrid/correction/smooth_parts.hpp).
 using FindParts =
     std::function<halfspace::SmoothParts(const contact::Scene&, const contact::Progress&)>;
 
-/// As run_halfspace, on the common surface of the bodies. Error estimates hold what the grid leaves
-/// uncertain and a tenth of what the correction changes. Throws contact::InputError where a body is
-/// not known by its surface, contact::SolveError.
+/// As run_halfspace, on the common surface of the bodies. Error estimates cover the discretisation
+/// error of the grid and a tenth of the change by the correction. Throws contact::InputError where
+/// a body is not given by its surface, and contact::SolveError.
 contact::ModelResult run_hybrid(const contact::Scene& scene, const contact::Progress& progress,
                                 contact::Checkpoint* checkpoint, const FindParts& find);
 

@@ -28,10 +28,11 @@ using halfspace::SubsurfaceState;
 
 namespace {
 
-/// Of the smaller semi-axis: as finite elements take them onto their surface.
+/// Fraction of the smaller semi-axis within which a point is moved onto the surface, as in the
+/// finite-element model.
 constexpr double reach_above = 0.125;
 
-/// Depth of a place on the surface, mm: rounding.
+/// Points shallower than this count as on the surface (rounding), mm.
 constexpr double on_surface = 1e-9;
 
 /// From the axes of the surface to x, y, z.
@@ -53,9 +54,9 @@ contact::Geometry following(const contact::Scene& scene) {
   return geometry;
 }
 
-/// Half-space and what is beyond it, in coordinates along the surface. On the surface the steps of
-/// the tractions make the stress along it infinite at the edges of elements: places there have the
-/// mean of the middles of the four around them.
+/// Half-space stress plus correction, in coordinates along the surface. On the surface the steps of
+/// the tractions make the stress along it infinite at element edges; points there get the mean of
+/// the four surrounding element centres.
 std::vector<SubsurfaceState> half_space_at(const halfspace::LoadedBody& body,
                                            const std::vector<SubsurfacePoint>& points) {
   std::vector<SubsurfacePoint> all = points;
@@ -92,7 +93,7 @@ std::vector<SubsurfaceState> half_space_at(const halfspace::LoadedBody& body,
 
 struct Stresses::LoadedBody {
   halfspace::LoadedBody half;
-  std::optional<SmoothStressOnGrid> beyond;  ///< none: as a half-space
+  std::optional<SmoothStressOnGrid> beyond;  ///< none: a half-space
 
   void add_beyond(const SubsurfacePoint& at, SubsurfaceState& state) const {
     if (beyond) beyond->add(at, state);
@@ -135,15 +136,15 @@ Stresses::Lists Stresses::lists(const SubsurfaceRequest& request, std::size_t nu
     };
     if (!(at.spread > BelowSurface::least_spread))
       refuse(
-          fmt::format("so deep in the {} that the normals of its surface, which the hybrid "
-                      "follows, meet there; allowed: depths of up to 0.7 of the radius of the "
-                      "surface; do: request points nearer to it, or run with --model fem",
+          fmt::format("so deep in the {} that the normals of its surface, which the hybrid model "
+                      "follows, intersect there; allowed: depths of up to 0.7 of the radius of the "
+                      "surface; do: request shallower points, or run with --model fem",
                       name));
     if (!(at.depth >= -reach_))
       refuse(
-          fmt::format("not in the {}, but {:.4g} mm above its surface; allowed: {:.3g} mm, which "
-                      "are moved onto it; do: move the points into the body, or follow its "
-                      "surface with [[subsurface.surface]]",
+          fmt::format("not in the {}, but {:.4g} mm above its surface; allowed: up to {:.3g} mm "
+                      "above (moved onto the surface); do: move the points into the body, or "
+                      "follow its surface with [[subsurface.surface]]",
                       name, -at.depth, reach_));
     lists.places.push_back(at.depth < 0.0 ? body.place(at.x, at.y, 0.0) : place);
     lists.points.push_back({at.x, at.y, std::max(0.0, at.depth)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Displacement and stress below the surface by the hybrid: the half-space's integrals in
+// Displacement and stress below the surface by the model hybrid: the half-space's integrals in
 // coordinates that follow the surface of the body, plus the smooth correction.
 #pragma once
 
@@ -14,21 +14,21 @@ namespace rollfem::hybrid {
 
 class Stresses {
  public:
-  /// What the scene asks for. Both must outlive this; of the parts those below the surface are
-  /// empty for bodies that are half-spaces.
+  /// Stresses requested by the scene. Both arguments must outlive this object; the subsurface parts
+  /// are empty for bodies that are half-spaces.
   Stresses(const contact::Scene& scene, const halfspace::SmoothParts& parts);
 
-  /// `subsurface` and `stress_maxima` of a load point solved on the grid; the latter with their
-  /// places rolled out (x, arc length, depth above 0 in the wheel). Throws contact::InputError for
-  /// places outside of their body by more than an eighth of the smaller semi-axis (nearer ones are
-  /// moved onto its surface), and so deep below a steep surface that its normals meet.
+  /// `subsurface` and `stress_maxima` of a load point solved on the grid; the latter at rolled-out
+  /// positions (x, arc length, depth, positive in the wheel). Throws contact::InputError for points
+  /// outside their body by more than an eighth of the smaller semi-axis (closer ones are moved onto
+  /// the surface), and for points so deep below a steep surface that its normals intersect.
   void add(const contact::ContactGrid& grid, contact::PointResult& point) const;
-  /// Places of the largest stresses in space, and their bars, if there are any, with a part of what
-  /// the bodies have beyond half-spaces: `part` of that, and of `relative` (what that changes of
-  /// the tractions, as a part of them).
+  /// Moves the largest stresses to their positions in space and widens their error bars, if there
+  /// are any, by the fraction `part` of the correction to the half-space and of `relative` (the
+  /// relative change of the tractions by the correction).
   void finish(const contact::ContactGrid& grid, double part, double relative,
               contact::PointResult& point) const;
-  /// The place `depth` mm below the surface of a body at (x, y) of the contact grid.
+  /// The point `depth` mm below the surface of a body at (x, y) of the contact grid.
   contact::Vector3 place(bool wheel, double x, double y, double depth) const {
     return (wheel ? wheel_ : rail_).place(x, y, depth);
   }

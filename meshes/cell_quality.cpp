@@ -23,7 +23,7 @@ double determinant(const Vector& a, const Vector& b, const Vector& c) {
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Corners that each corner is joined to, right-handed.
+/// Neighbours of each corner, right-handed.
 constexpr int neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
                                   {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
 /// Opposite faces.

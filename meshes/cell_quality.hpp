@@ -7,12 +7,14 @@
 namespace rollfem::meshes {
 
 struct CellQuality {
-  /// Smallest over the corners of the Jacobian over the product of the three edge lengths there: 1
-  /// for a box, 0 for a cell that is flat at a corner, negative inside out.
+  /// Scaled Jacobian: minimum over the corners of the Jacobian divided by the product of the three
+  /// edge lengths there; 1 for a box, 0 for a cell that is flat at a corner, negative for an
+  /// inverted one.
   double scaled_jacobian = 1.0;
   double shortest_edge = 0.0;  ///< mm
   double longest_edge = 0.0;   ///< mm
-  /// Lengths of the three lines that join the middles of opposite faces: longest over shortest.
+  /// Aspect ratio: longest over shortest of the three lines that join the centres of opposite
+  /// faces.
   double aspect_ratio = 1.0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The mesh of a true section: a block of equal cells under the patch that follows the profile
-// exactly, and free quadrilaterals in the polygon that is left around it.
+// exactly, and free quadrilaterals in the remaining polygon around it.
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "meshes/true_section.hpp"
@@ -14,11 +14,11 @@ namespace rollfem::meshes {
 
 namespace {
 
-/// Lines of the polygon grow by this part of their distance from the block, up to `longest`: a web
-/// of 16.5 mm has two cells then.
+/// Lines of the polygon grow by this fraction of their distance from the block, up to `longest`; a
+/// web of 16.5 mm then has two cells.
 constexpr double growth = 0.5;
 constexpr double longest = 16.0;  // mm
-/// A line may turn by this angle, rad.
+/// Largest turn of a line, rad.
 constexpr double largest_turn = 0.6;
 
 double distance(const SectionPoint& a, const SectionPoint& b) {
@@ -53,7 +53,8 @@ class BlockMesh {
     return result;
   }
 
-  /// Nodes around the block but on top, from the left end of its top down, along and up again.
+  /// Nodes around the block except on top: from the left end of its top down, along the bottom and
+  /// up again.
   std::vector<int> side_nodes() const {
     std::vector<int> nodes;
     for (int row = 0; row <= block_.rows; ++row) nodes.push_back(node(0, row));
@@ -67,8 +68,8 @@ class BlockMesh {
   double inwards_;
 };
 
-/// Places along a way at about the wanted distances: both ends, and between them as many as the sum
-/// of ds / length and of the turning asks for.
+/// Points along a path at about the requested spacing: both ends, and between them as many as the
+/// sum of ds / length plus the turning requires.
 std::vector<SectionPoint> spaced(const std::vector<SectionPoint>& way,
                                  const std::function<double(const SectionPoint&)>& length) {
   std::vector<SectionPoint> fine{way.front()};
@@ -105,7 +106,7 @@ std::vector<SectionPoint> spaced(const std::vector<SectionPoint>& way,
 std::vector<SectionPoint> profile_part(const TrueSection& outline, const BlockMesh& block,
                                        bool left) {
   const SectionPoint corner = block.point(left ? 0 : block.columns(), 0);
-  // The nearest point of the profile: it may fold under itself at a flange.
+  // The nearest point of the profile, which may be undercut at a flange.
   std::size_t nearest = 0;
   for (std::size_t k = 0; k < outline.profile.size(); ++k)
     if (distance(outline.profile[k], corner) < distance(outline.profile[nearest], corner))
@@ -122,7 +123,7 @@ std::vector<SectionPoint> profile_part(const TrueSection& outline, const BlockMe
   }
   if (part.size() < 2)
     throw contact::InputError(
-        fmt::format("the finely meshed region reaches from y = {:.4g} to {:.4g} mm, beyond the "
+        fmt::format("the finely meshed region from y = {:.4g} to {:.4g} mm extends beyond the "
                     "profile: use a smaller [fem] fine_extent or cell_size",
                     block.lower(), block.upper()));
   return part;
@@ -144,8 +145,8 @@ BlockedSection mesh_true_section(const TrueSection& outline, const SectionBlock&
                     2.0 * given.cell_size + growth * nearest);
   };
 
-  // Round the polygon: profile, block, profile, what is below. Every second node of the block, as
-  // gmsh splits each line in two.
+  // The closed polygon: profile, block, profile, lower outline. Only every second node of the
+  // block, because gmsh splits each line in two.
   std::vector<SectionPoint> polygon = spaced(profile_part(outline, block, true), length);
   polygon.pop_back();
   const std::size_t block_begin = polygon.size();
@@ -165,7 +166,7 @@ BlockedSection mesh_true_section(const TrueSection& outline, const SectionBlock&
   }
   const PlaneMesh rest = mesh_polygon(polygon);
 
-  // Nodes on the sides of the block become those of the block.
+  // Merges nodes on the sides of the block with the block's nodes.
   std::vector<int> number(rest.points.size(), -1);
   for (std::size_t e = 0; e < rest.edges.size(); ++e) {
     if (rest.line[e] < block_begin || rest.line[e] >= block_end) continue;

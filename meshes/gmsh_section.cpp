@@ -58,7 +58,7 @@ ProfileNodes profile_nodes(const SectionOptions& options) {
 
 constexpr const char* of_section = "cells of a cross-section (fem.cell_size, fem.extent)";
 
-/// Points and lines of the section, and which lines mean what.
+/// Points and lines of the section, with the meaning of the lines.
 class SectionGeometry {
  public:
   explicit SectionGeometry(const SectionOptions& options)
@@ -79,7 +79,8 @@ class SectionGeometry {
 
   const std::map<int, Side>& sides() const { return sides_; }
 
-  /// Splitting puts the new nodes of the block on chords: back to their depth below the profile.
+  /// Splitting puts the new nodes of the block on chords; they are moved back to their depth below
+  /// the profile.
   void straighten_block(Section& section) const {
     const double end = nodes_.y[nodes_.fine] * (1.0 + 1e-9);
     for (auto& [y, v] : section.points) {
@@ -177,7 +178,7 @@ class SectionGeometry {
     geo::mesh::setRecombine(2, surface(around));
   }
 
-  /// Points from one place to another, about `step` apart; given end points are used, 0 makes new.
+  /// Points between two ends, about `step` apart; given end points are used, 0 creates new ones.
   std::vector<int> spaced(double y0, double v0, double y1, double v1, double step, int first,
                           int last) {
     const int count =
@@ -195,7 +196,7 @@ class SectionGeometry {
     return points;
   }
 
-  /// On the symmetry line from the bottom up to the block, finer upwards.
+  /// Points on the symmetry line from the bottom up to the block, finer upwards.
   std::vector<int> graded_upwards(int block_corner) {
     const double way = bottom_ - block_depth_;
     const auto steps = outward_steps(2.6 * options_.cell_size, 0.0, way);
@@ -237,7 +238,7 @@ Section collect(const SectionOptions& options, const SectionGeometry& geometry) 
   Section section{std::move(mesh.points), std::move(mesh.quads), {}};
   for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
     section.edges.push_back({mesh.edges[k], sides[mesh.line[k]]});
-    // Splitting puts nodes on the chord.
+    // Splitting has put nodes on the chord.
     if (section.edges.back().side == Side::contact)
       for (const int end : mesh.edges[k])
         section.points[end][1] = options.drop(section.points[end][0]);

@@ -10,7 +10,7 @@
 namespace rollfem::meshes {
 
 GmshSession::GmshSession() {
-  // No configuration files of the user: the same mesh everywhere.
+  // User configuration files are ignored, so that meshes are the same everywhere.
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.NumThreads", 1);

@@ -9,7 +9,7 @@
 
 namespace rollfem::meshes {
 
-/// One at a time in a process: gmsh has one global state.
+/// One session at a time in a process, because gmsh has global state.
 class GmshSession {
  public:
   GmshSession();
@@ -18,18 +18,17 @@ class GmshSession {
   GmshSession& operator=(const GmshSession&) = delete;
 };
 
-/// What gmsh complained about last; "unknown error" when it did not say.
+/// Last error message of gmsh; "unknown error" if there is none.
 std::string gmsh_complaint();
 
-/// How cross-sections are meshed: in quadrilaterals whose sizes follow the lines of the boundary,
-/// which are given.
+/// Settings for meshing cross-sections: quadrilaterals whose sizes follow the given boundary lines.
 void set_quadrilaterals();
 
-/// Meshes the plane surfaces of the model. Throws contact::InputError, which advises to change
+/// Meshes the plane surfaces of the model. Throws contact::InputError with the advice to change
 /// `what`.
 void mesh_plane(const std::string& what);
 
-/// What mesh_plane has made: nodes and quadrilaterals, and the edges on some lines of the boundary.
+/// Result of mesh_plane: nodes and quadrilaterals, and the edges on the given boundary lines.
 struct PlaneMesh {
   std::vector<std::array<double, 2>> points;
   std::vector<std::array<int, 4>> quads;

@@ -18,7 +18,7 @@ std::vector<double> outward_steps(double first, double fine, double extent, doub
   std::vector<double> growing;
   double sum = 0.0;
   for (double step = first * growth; sum < rest; step *= growth) {
-    // A last step that would have to shrink by half is left out and the others are stretched.
+    // A last step that would shrink by half is dropped and the others are stretched.
     if (!growing.empty() && sum + 0.5 * step > rest) break;
     growing.push_back(step);
     sum += step;

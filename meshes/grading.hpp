@@ -6,11 +6,11 @@
 
 namespace rollfem::meshes {
 
-/// Steps from 0 outwards that together make `extent` (never less than what the equal ones need):
-/// equal ones of size `first` until `fine` is covered, then growing by the factor `growth`.
+/// Steps from 0 outwards that add up to `extent` (at least the length of the equal steps): equal
+/// steps of size `first` until `fine` is covered, then growing by the factor `growth`.
 std::vector<double> outward_steps(double first, double fine, double extent, double growth = 1.5);
 
-/// Points -..., 0, ...+ of the steps taken both ways.
+/// Points -..., 0, ...+ with the steps in both directions.
 std::vector<double> points_both_ways(const std::vector<double>& outward);
 
 }  // namespace rollfem::meshes

@@ -18,7 +18,7 @@ namespace {
 using Point = std::array<double, 3>;
 using Face = std::array<int, 4>;
 
-/// Nodes closer than this part of the shortest edge are one place.
+/// Nodes closer than this fraction of the shortest edge coincide.
 constexpr double same_place = 1e-4;
 
 [[noreturn]] void fail(const std::string& name, const std::string& wrong,
@@ -58,20 +58,21 @@ double check_cells(const HexMesh& mesh, const std::string& name) {
   }
   if (inverted > 0)
     fail(name,
-         fmt::format("{} of {} hexahedra are inverted or flat at a corner, the first at {}",
+         fmt::format("{} of {} hexahedra are inverted or flat at a corner; the first is at {}",
                      inverted, mesh.cells.size(), place(where)),
          "smooth the mesh there, or reverse the orientation of the cells");
   return shortest;
 }
 
-/// How often a face is there, of which cell, and how often more one way round than the other.
+/// Number of occurrences of a face, one of its cells, and the excess of one orientation over the
+/// other.
 struct FaceUse {
   int count = 0;
   int cell = 0;
   int turns = 0;
 };
 
-/// +1 or -1 for the two ways round the same corners.
+/// +1 or -1 for the two orientations of the same corners.
 int turn_of(const Face& face) {
   const auto least = std::min_element(face.begin(), face.end()) - face.begin();
   return face[(least + 1) % 4] < face[(least + 3) % 4] ? 1 : -1;
@@ -113,13 +114,13 @@ void check_connected(const HexMesh& mesh, const std::string& name) {
   const auto smallest = std::min_element(
       sizes.begin(), sizes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   fail(name,
-       fmt::format("it consists of {} parts that share no face, the smallest of {} cells at {}",
-                   sizes.size(), smallest->second,
-                   place(mesh.points[mesh.cells[smallest->first][0]])),
+       fmt::format(
+           "it consists of {} parts that share no face; the smallest has {} cells and is at {}",
+           sizes.size(), smallest->second, place(mesh.points[mesh.cells[smallest->first][0]])),
        "join them (in gmsh `Coherence Mesh` merges coincident nodes), or remove the loose parts");
 }
 
-/// Nodes of outside faces, by x, to look for others near by.
+/// Nodes of outside faces, sorted by x for neighbour searches.
 class OutsideNodes {
  public:
   OutsideNodes(const HexMesh& mesh, const std::map<Face, FaceUse>& faces) : mesh_(mesh) {
@@ -175,7 +176,7 @@ void check_conforming(const HexMesh& mesh, const std::map<Face, FaceUse>& faces,
   const OutsideNodes nodes(mesh, faces);
   for (const auto& [face, use] : faces) {
     if (use.count > 1) continue;
-    // The corners are sorted: edges are those that the cell has.
+    // The corners are sorted; only pairs that are edges of the cell count.
     for (const auto& corners : hex_faces) {
       Face own{};
       for (int k = 0; k < 4; ++k) own[k] = mesh.cells[use.cell][corners[k]];
@@ -187,8 +188,8 @@ void check_conforming(const HexMesh& mesh, const std::map<Face, FaceUse>& faces,
              fmt::format("cells do not match at {}: a node lies on the edge of a cell that does "
                          "not contain it",
                          place(mesh.points[found])),
-             "join the parts with matching nodes (in gmsh `Coherence Mesh`); refinement is done "
-             "by the program");
+             "join the parts with matching nodes (in gmsh `Coherence Mesh`); rollfem does the "
+             "refinement");
       }
     }
   }

@@ -9,7 +9,7 @@
 
 namespace rollfem::meshes {
 
-/// Surfaces that mean something; in a gmsh file they are physical groups of these names.
+/// Surfaces with a meaning; in a gmsh file they are physical groups of these names.
 enum class Side { contact, fixed, symmetry };
 inline constexpr std::array<const char*, 3> side_names{"contact", "fixed", "symmetry"};
 
@@ -28,9 +28,9 @@ struct HexMesh {
 inline constexpr std::array<std::array<int, 4>, 6> hex_faces{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
-/// What a finite-element mesh must be: cells right side out, joined by whole faces into one piece,
-/// sides that are faces of cells on the outside, `contact` and `fixed` both there. `name` heads the
-/// message. Throws contact::InputError.
+/// Checks a finite-element mesh: cells with positive volume, joined by whole faces into one piece,
+/// sides made of outside faces, `contact` and `fixed` both present. `name` begins the message.
+/// Throws contact::InputError.
 void check_mesh(const HexMesh& mesh, const std::string& name);
 
 }  // namespace rollfem::meshes

@@ -120,7 +120,7 @@ std::int64_t MshBytes::large(const char* what, std::int64_t least, std::int64_t 
 
 std::size_t MshBytes::count(const char* what, std::size_t text_bytes, std::size_t binary_bytes) {
   std::int64_t number = 0;
-  if (format_.old) {  // a line of text also where binary numbers follow
+  if (format_.old) {  // also a line of text before binary numbers
     number = checked(from_text(what), what, 0, INT64_MAX);
     const std::size_t begin = place_;
     line();
@@ -129,7 +129,7 @@ std::size_t MshBytes::count(const char* what, std::size_t text_bytes, std::size_
     number = large(what, 0, INT64_MAX);
   }
   const std::size_t each = format_.binary ? binary_bytes : text_bytes;
-  // The last number of a text may end with the file instead of a blank.
+  // The last number of a text may be followed by the end of the file instead of a blank.
   const std::size_t most = (bytes_.size() - next_ + 1) / each;
   if (static_cast<std::uint64_t>(number) > most)
     fail(fmt::format("{} is {}, but the rest of the file has room for at most {}", what, number,
@@ -147,7 +147,7 @@ double MshBytes::real(const char* what) {
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (stop != end || error == std::errc::invalid_argument)
     fail(fmt::format("`{}` is not {}, a number", contact::printable(text), what), save_msh_again);
-  // Beyond the range of a double: too small is 0, too large fails as infinite does.
+  // Out of range of a double: underflow gives 0, overflow fails like infinity.
   if (error == std::errc::result_out_of_range)
     return text.find("e-") == text.npos && text.find("E-") == text.npos ? HUGE_VAL : 0.0;
   return number;

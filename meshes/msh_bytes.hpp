@@ -10,45 +10,46 @@
 
 namespace rollfem::meshes {
 
-/// What to do about a file that is damaged.
+/// Advice for a damaged file.
 inline constexpr const char* save_msh_again = "save the mesh again (gmsh -format msh41)";
 
-/// How a .msh file is written, as its section $MeshFormat says.
+/// Format of a .msh file from its section $MeshFormat.
 struct MshFormat {
   bool old = false;              ///< 2.2 instead of 4.1
-  bool binary = false;           ///< numbers are those of this machine's memory
+  bool binary = false;           ///< numbers are in this machine's binary format
   std::size_t count_bytes = 8U;  ///< a count or tag in the binary format 4.1: 4 or 8 bytes
 };
 
 /// Every reading function throws contact::InputError naming the file and the line (text) or byte
-/// (binary) when the file ends before, or holds something else. `what` says what should be there:
-/// "the number of nodes".
+/// (binary) when the file ends early or holds something else. `what` names the expected value: "the
+/// number of nodes".
 class MshBytes {
  public:
-  /// Reads the file. `name` stands in messages. Throws contact::InputError when it cannot be read.
+  /// Reads the file. `name` is used in messages. Throws contact::InputError when the file cannot be
+  /// read.
   MshBytes(const std::string& path, std::string name);
 
   void set_format(const MshFormat& format) { format_ = format; }
   const MshFormat& format() const { return format_; }
 
-  /// Whether nothing but white space follows, which is passed over.
+  /// Skips white space; true at the end of the file.
   bool at_end();
   /// The rest of the line without blanks at its ends.
   std::string_view line();
-  /// Passes over everything up to the line that is `text`; false when there is none.
+  /// Skips to the line equal to `text`; false when there is none.
   bool pass(std::string_view text);
 
   /// A whole number; an int in a binary file.
   std::int64_t integer(const char* what, std::int64_t least, std::int64_t most);
   /// A whole number; in a binary file of 4.1 one of count_bytes.
   std::int64_t large(const char* what, std::int64_t least, std::int64_t most);
-  /// How many of something follow, each of at least `text_bytes` or `binary_bytes`: no more than
-  /// the rest of the file can hold. In 2.2 a line of text.
+  /// Number of items that follow, each of at least `text_bytes` or `binary_bytes`; limited to what
+  /// the rest of the file can hold. A line of text in 2.2.
   std::size_t count(const char* what, std::size_t text_bytes, std::size_t binary_bytes);
   /// May be infinite or NaN.
   double real(const char* what);
 
-  /// Byte of the last thing read.
+  /// Byte of the last item read.
   std::size_t place() const { return place_; }
   [[noreturn]] void fail(const std::string& wrong, const std::string& action) const {
     fail_at(place_, wrong, action);
@@ -70,7 +71,7 @@ class MshBytes {
   std::string name_;
   MshFormat format_;
   std::size_t next_ = 0;   ///< first byte that was not read
-  std::size_t place_ = 0;  ///< where the last thing read begins
+  std::size_t place_ = 0;  ///< where the last item read begins
 };
 
 }  // namespace rollfem::meshes

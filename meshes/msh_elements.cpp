@@ -12,7 +12,7 @@ namespace {
 
 constexpr int quadrilateral_corners = 4;
 constexpr int hexahedron_corners = 8;
-/// mm: a mesh in micrometres or of garbage reaches beyond.
+/// mm: exceeded by meshes in micrometres or with garbage.
 constexpr double farthest = 1e9;
 
 /// gmsh's names and numbers.
@@ -67,7 +67,7 @@ void MshElements::add(std::int64_t number, const MshKind& kind, int group,
     if (found == index_.end())
       bytes_.fail(
           fmt::format(
-              "element {} refers to node {}, which does not exist; allowed: those of $Nodes",
+              "element {} refers to node {}, which does not exist; allowed: nodes listed in $Nodes",
               number, nodes[k]),
           save_msh_again);
     if (k < corners.size()) corners[k] = found->second;
@@ -75,7 +75,7 @@ void MshElements::add(std::int64_t number, const MshKind& kind, int group,
   if (kind.dimension == 2)
     faces_[group].push_back(
         {bytes_.place(), kind.nodes, {corners[0], corners[1], corners[2], corners[3]}});
-  // In 2.2 a cell is there once for each physical group that it belongs to, with other numbers.
+  // In 2.2 a cell is repeated with another number for each physical group that it belongs to.
   if (kind.dimension == 3 && (!bytes_.format().old || once_.insert(corners).second))
     cells_.push_back(corners);
 }

@@ -29,16 +29,16 @@ class MshElements {
   /// Throws contact::InputError for a number that is not one of gmsh's kinds.
   const MshKind& kind(std::int64_t type) const;
 
-  /// The node is at the place last read in the file. Throws contact::InputError when the number is
-  /// there already or a coordinate is not finite.
+  /// Adds the node at the last position read. Throws contact::InputError when the number exists
+  /// already or a coordinate is not finite.
   void add_node(std::int64_t number, const std::array<double, 3>& coordinates);
-  /// The element at the place last read in the file: its nodes, and its group of faces (4.1: the
+  /// Adds the element at the last position read: its nodes, and its group of faces (4.1: the
   /// surface, 2.2: the physical group). Throws contact::InputError when there is no such node.
   void add(std::int64_t number, const MshKind& kind, int group,
            const std::vector<std::int64_t>& nodes);
 
-  /// The hexahedra with their nodes, and of the faces those for which `side_of` has a side. Throws
-  /// contact::InputError when they are no quadrilaterals, or no faces of the hexahedra.
+  /// The hexahedra with their nodes, and the faces for which `side_of` gives a side. Throws
+  /// contact::InputError when these are not quadrilaterals or not faces of the hexahedra.
   HexMesh mesh(const std::function<std::vector<Side>(int group)>& side_of) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading a .msh file. Not through gmsh's library: that runs NAME.msh.opt beside a mesh as a
-// script, and trusts the numbers in it.
+// Reads a .msh file without gmsh's library, which would run NAME.msh.opt beside a mesh as a script
+// and trust the numbers in the mesh.
 #include "contact/base/text_fields.hpp"
 #include "meshes/msh_elements.hpp"
 #include "meshes/msh_file.hpp"
@@ -68,7 +68,7 @@ void MshReader::read_format() {
     bytes_.fail(fmt::format("the byte-order mark is {}; allowed: 1", one), save_msh_again);
 }
 
-/// Text also in a binary file: how many, then lines `dimension number "name"`.
+/// Text even in a binary file: the count, then lines `dimension number "name"`.
 void MshReader::read_names() {
   const auto count = contact::whole_number_of(bytes_.line());
   if (!count || *count < 0) bytes_.fail("the number of physical names is missing", save_msh_again);
@@ -94,7 +94,7 @@ void MshReader::read_names() {
   }
 }
 
-/// Its physical groups are all that counts.
+/// Only its physical groups are used.
 void MshReader::read_entity(int dimension) {
   const int entity = static_cast<int>(bytes_.integer("the number of an entity", INT_MIN, INT_MAX));
   for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k)
@@ -102,7 +102,7 @@ void MshReader::read_entity(int dimension) {
   const std::size_t groups = bytes_.count("the number of physical groups", 2, 4);
   for (std::size_t k = 0; k < groups; ++k) {
     const auto group = bytes_.integer("a physical group", -INT_MAX, INT_MAX);
-    // Negative: the group has the surface the other way round.
+    // Negative: the surface has the opposite orientation in the group.
     if (dimension == 2) groups_of_[entity].push_back(static_cast<int>(std::abs(group)));
   }
   if (dimension == 0) return;
@@ -189,7 +189,8 @@ void MshReader::read_elements() {
   check_sum("elements", "$Elements", read, all);
 }
 
-/// One element of a text, or all that share a header in a binary file; how many they were.
+/// Reads one element of a text file or all elements that share a header in a binary file; returns
+/// their number.
 std::size_t MshReader::read_old_block(std::size_t left) {
   const bool binary = bytes_.format().binary;
   std::int64_t number = binary ? 0 : bytes_.integer("an element", INT_MIN, INT_MAX);

@@ -11,7 +11,7 @@ namespace rollfem::meshes {
 
 namespace {
 
-/// Lower and upper corner of all points, as entities are described by.
+/// Lower and upper corner of all points, which describe an entity.
 std::string bounding_box(const HexMesh& mesh) {
   std::array<double, 3> lower{}, upper{};
   if (!mesh.points.empty()) lower = upper = mesh.points.front();
@@ -41,7 +41,8 @@ std::string msh_text(const HexMesh& mesh) {
     fmt::format_to(out, "2 {} \"{}\"\n", side + 1, side_names[side]);
   fmt::format_to(out, "3 10 \"body\"\n$EndPhysicalNames\n");
 
-  // One entity a side and one for the volume, described by their boxes; no curves, no points.
+  // One entity for each side and one for the volume, described by their boxes; no curves, no
+  // points.
   const std::string box = bounding_box(mesh);
   fmt::format_to(out, "$Entities\n0 0 {} 1\n", present.size());
   for (const std::size_t side : present)

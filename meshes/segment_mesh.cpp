@@ -26,7 +26,7 @@ HexMesh sweep(const Section& section, std::size_t steps,
         cell[c + 4] = below + count + quad[c];
       }
       for (int c = 0; c < 8; ++c) corners[c] = mesh.points[cell[c]];
-      // Whether y, v and the sweep are right-handed depends on the body and on the quadrilateral.
+      // The handedness of y, v and the sweep depends on the body and on the quadrilateral.
       if (cell_quality(corners).scaled_jacobian < 0)
         for (int c = 0; c < 4; ++c) std::swap(cell[c], cell[c + 4]);
       mesh.cells.push_back(cell);

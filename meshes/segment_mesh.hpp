@@ -11,13 +11,14 @@
 
 namespace rollfem::meshes {
 
-/// What decides a cross-section. Coordinates are y and v, v the way from z = 0 into the body.
+/// Parameters of a cross-section. Coordinates are y and v, where v is the distance from z = 0 into
+/// the body.
 struct SectionOptions {
   std::function<double(double)> drop;  ///< v of the surface at y, mm; 0 at y = 0
   double half_width = 60;              ///< mm, reaches to |y| = half_width
   double depth = 60;                   ///< mm, v at the far side, more where the profile drops far
-  double fine_half_width = 5;  ///< mm, cells are cell_size at least so far along the profile
-  double fine_depth = 2;       ///< mm, and so deep
+  double fine_half_width = 5;  ///< mm, smallest extent of cells of cell_size along the profile
+  double fine_depth = 2;       ///< mm, their smallest depth
   double cell_size = 1;        ///< mm, of the coarse cells in that fine block
   bool half = false;           ///< only y >= 0
 };
@@ -34,7 +35,7 @@ struct Section {
 };
 
 /// A block of equal cells under the patch, quadrilaterals that grow from there to the outside.
-/// Nodes of the profile lie on it exactly. Throws contact::InputError when the block does not fit
+/// Surface nodes lie exactly on the profile. Throws contact::InputError when the block does not fit
 /// into the section or gmsh fails.
 Section mesh_section(const SectionOptions& options);
 

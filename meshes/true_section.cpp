@@ -14,10 +14,10 @@ namespace rollfem::meshes {
 
 namespace {
 
-/// Distance of the points of a dense profile, mm.
+/// Spacing of the points of a dense profile, mm.
 constexpr double profile_step = 0.1;
 
-/// The axle in the plane x = 0: direction, and where it is above y = 0 (of a yawed one its trace).
+/// The axle in the plane x = 0 (the trace of a yawed axle): direction, and position above y = 0.
 struct Trace {
   double cosine, sine;  ///< direction
   double height;        ///< z at y = 0
@@ -31,8 +31,9 @@ Trace axle_trace(const contact::Axle& axle) {
           axle.point[2] + way * axle.direction[2], way};
 }
 
-/// Right half of a rail 60E1 below its head's side: p from the middle of the web, q below the top.
-/// Fillets are two lines each; slopes of the underside 1:2.75, of the foot 1:2.75 and 1:14.
+/// Right half of a rail 60E1 below the side of its head: p from the middle of the web, q below the
+/// top. Each fillet consists of two lines; slopes of the underside 1:2.75, of the foot 1:2.75 and
+/// 1:14.
 constexpr std::array<SectionPoint, 12> below_head{{{20.0, 43.7},
                                                    {12.5, 47.9},
                                                    {9.3, 55.0},
@@ -47,9 +48,10 @@ constexpr std::array<SectionPoint, 12> below_head{{{20.0, 43.7},
                                                    {0.0, 172.0}}};
 constexpr double underside = 37.5;   // mm, where the side of the head ends
 constexpr double head_half = 36.6;   // mm, half width of the head at mid height
-constexpr double steep_side = 0.97;  // cosine between the side of a head and the upright
+constexpr double steep_side = 0.97;  // cosine between the side of a head and the vertical
 
-/// Below one end (p, q) of the profile down to the cut, without that end; `side` is +1 or -1.
+/// Outline from one end (p, q) of the profile down to the cut, without that end; `side` is +1 or
+/// -1.
 std::vector<SectionPoint> side_below(const SectionPoint& end, double middle, double side,
                                      double cut) {
   std::vector<SectionPoint> points;
@@ -65,7 +67,7 @@ std::vector<SectionPoint> side_below(const SectionPoint& end, double middle, dou
     last = p;
   };
   const double half = side * (end[0] - middle);
-  // A profile that ends about there needs no sliver of a side more.
+  // Avoids a sliver where the profile ends close to this point.
   if (end[1] < underside - 1.5) add({end[0], underside});
   for (const SectionPoint& p : below_head) {
     const bool under_narrow_head = p[1] < 60.0 && p[0] > half - 2.0;
@@ -80,7 +82,7 @@ std::vector<SectionPoint> side_below(const SectionPoint& end, double middle, dou
 TrueSection rail_section(const contact::PatchGeometry& geometry, const RailStand& stand) {
   const Trace axle = axle_trace(geometry.axle());
   const double lean = std::atan(stand.inclination) * (stand.field_at_left ? -1.0 : 1.0);
-  // A right angle to the axle, turned so that the foot goes to the field side.
+  // The normal of the axle, leaned so that the foot moves to the field side.
   const SectionPoint down{std::cos(lean) * axle.sine + std::sin(lean) * axle.cosine,
                           -std::cos(lean) * axle.cosine + std::sin(lean) * axle.sine};
   const SectionPoint across{-down[1], down[0]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The true section of a rail or a wheel rim in the frame of a patch, for finite-element bodies: the
-// profile and what lies below it. Rails get the underside of the head, web and foot of 60E1 (EN
+// profile and the outline below it. Rails get the underside of the head, web and foot of 60E1 (EN
 // 13674-1: height 172, web 16.5, foot 150 mm) as straight lines, wheels a rim with an inner side.
 #pragma once
 
@@ -19,23 +19,25 @@ using SectionPoint = std::array<double, 2>;
 
 struct TrueSection {
   std::vector<SectionPoint> profile;  ///< dense, y and z from the left end to the right one
-  /// From the right end of the profile round to the left one: straight lines, both ends included.
+  /// Outline from the right end of the profile around to the left end: straight lines, both ends
+  /// included.
   std::vector<SectionPoint> around;
   std::size_t held = 0;  ///< the line around[held] - around[held + 1] is fixed
   double inwards = 1.0;  ///< sign of z into the material: +1 wheel, -1 rail
 };
 
-/// How rails stand: the direction "up" is a right angle to the axle, leaned by the inclination.
+/// Orientation of the rail: "up" is the normal of the axle, leaned by the inclination.
 struct RailStand {
   double inclination = 0.0;    ///< tangent, towards the middle of the track
   bool field_at_left = false;  ///< the field side is at smaller y of the patch frame (right wheel)
-  double cut_depth = 172.0;    ///< mm below the top of the rail: the section ends there and is held
+  double cut_depth = 172.0;    ///< mm below the top of the rail: the section is clamped there
 };
 
 /// Throws contact::InputError when the cut is above the underside of the head.
 TrueSection rail_section(const contact::PatchGeometry& geometry, const RailStand& stand);
 
-/// The rim as far as the profile is known, `rim_thickness` (mm) below the origin to its inner side.
+/// The rim over the known extent of the profile, with its inner side `rim_thickness` (mm) from the
+/// origin.
 TrueSection wheel_section(const contact::PatchGeometry& geometry, double rim_thickness);
 
 /// The block of equal cells under the patch: columns on a lattice of y, rows at equal z below the
@@ -49,7 +51,7 @@ struct SectionBlock {
 };
 
 /// Quadrilaterals of the block (first, row by row) and around it, coarser with the distance. Edges:
-/// `contact` on top of the block, `fixed` on the held line; others are free.
+/// `contact` on top of the block, `fixed` on the clamped line; all others are free.
 struct BlockedSection {
   Section section;  ///< its points are y and z
   std::size_t block_quads = 0;
@@ -57,8 +59,8 @@ struct BlockedSection {
 /// Throws contact::InputError when gmsh fails or the block does not fit.
 BlockedSection mesh_true_section(const TrueSection& outline, const SectionBlock& block);
 
-/// A closed polygon in quadrilaterals by gmsh: each of its lines becomes two edges. Edge k of the
-/// result belongs to line `line[k]`.
+/// Meshes a closed polygon with quadrilaterals by gmsh: each of its lines becomes two edges. Edge k
+/// of the result belongs to line `line[k]`.
 PlaneMesh mesh_polygon(const std::vector<SectionPoint>& corners);
 
 }  // namespace rollfem::meshes

@@ -12,13 +12,14 @@ namespace rollfem::profiles {
 namespace {
 
 using Values = std::vector<double>;
-// The condition is the sixth power of the points over which is smoothed: 1e18 with 1000.
+// The condition number grows with the sixth power of the number of points smoothed together: 1e18
+// with 1000.
 using Long = long double;
 
-/// A row of points as a polygon: what bends where.
+/// A row of points as a polygon, with its curvature.
 struct Polygon {
   Values step;       ///< mm, between points
-  Values curvature;  ///< 1/mm at the points, the ends like their neighbours
+  Values curvature;  ///< 1/mm at the points; the ends copy their neighbours
   Values normal_y, normal_z;
 };
 
@@ -37,7 +38,7 @@ Polygon polygon_of(const PointRow& row) {
     const double a = result.step[j - 1], b = result.step[j];
     const double bend = 2.0 * (angle[j] - angle[j - 1]) / (a + b);
     result.curvature[k] = bend;
-    // The chord's direction is that of the curve at its middle.
+    // The chord is parallel to the curve at its middle.
     const double direction = k == 0       ? angle[0] - 0.5 * a * bend
                              : k == n - 1 ? angle[n - 2] + 0.5 * b * bend
                                           : angle[j] - 0.5 * b * bend;
@@ -83,9 +84,9 @@ class Offsets {
     }
   }
 
-  /// Minus twice the logarithm of the likelihood of the points, but for a constant, when their
-  /// scatter is normal and the changes of curvature are so with the variance
-  /// softness * scatter^2 / weight: g + R d is the sum of both. Infinite when it cannot be told.
+  /// Minus twice the log-likelihood of the points, up to a constant, for normal scatter and normal
+  /// changes of curvature with the variance softness * scatter^2 / weight: g + R d is the sum of
+  /// both. Infinite when undetermined.
   double solve(const Values& weight, double softness, double scatter) {
     factorise(weight, softness);
     const std::size_t n = rows_.size();
@@ -111,7 +112,7 @@ class Offsets {
   const Values& changes() const { return change_; }
   double offset(std::size_t k) const { return static_cast<double>(distance_[k] - off_[k]); }
 
-  /// Their variances where the points are as they are, over scatter^2.
+  /// Their posterior variances given the points, over scatter^2.
   Values variances(const Values& weight, double softness) const {
     const std::size_t n = rows_.size();
     // Inverse near its diagonal (Takahashi): inverse[k][j] is at (k, k + j).
@@ -136,11 +137,11 @@ class Offsets {
   }
 
  private:
-  /// L D L^T; in [0] the diagonal, in [j] what is j columns to its left.
+  /// L D L^T; [0] holds the diagonal, [j] the band j columns to its left.
   void factorise(const Values& weight, double softness) {
     const std::size_t n = rows_.size();
     factor_ = product_;
-    // Keeps the matrix from being singular to rounding where points are dense.
+    // Keeps the matrix from becoming numerically singular where points are dense.
     constexpr Long least = 1e-16L;
     for (std::size_t k = 0; k < n; ++k) {
       factor_[k][0] += std::max(static_cast<Long>(softness) / weight[k], least * product_[k][0]);
@@ -164,7 +165,8 @@ class Offsets {
   Values change_;
 };
 
-/// Searches the softness (its logarithm) of the highest likelihood, in steps from where it was.
+/// Searches the (logarithm of the) softness with the highest likelihood, in steps from its previous
+/// value.
 void find_most_likely(Offsets& offsets, const Values& weight, double scatter, double& softness) {
   constexpr double extreme = 90.0;
   const auto at = [&](double place) { return offsets.solve(weight, std::exp(place), scatter); };
@@ -217,11 +219,11 @@ std::vector<double> distances_across(const PointRow& points, const PointRow& smo
 
 PointRow smooth_curvature(const PointRow& points, const PointRow& start, double stated) {
   // The most likely curve follows a part of the noise, which looks like small changes of curvature.
-  // Twice the scatter halved what was left of it in the contact on S1002 and 60E1;
+  // Assuming twice the scatter halved the remaining noise in the contact of S1002 on 60E1;
   // docs/profiles.md.
   const double scatter = 2.0 * stated;
-  constexpr int rounds = 3, passes = 8;  // more change the pressures by less than the noise does
-  constexpr double slight = 3e-5;        // 1/mm^2: rates of curvature below are one
+  constexpr int rounds = 3, passes = 8;  // further ones change the pressures less than the noise
+  constexpr double slight = 3e-5;        // 1/mm^2: smaller rates count as this one
   PointRow row = start;
   double softness = 0.0;
   Values square(row.y.size() - 3,

@@ -20,7 +20,7 @@ namespace {
 using contact::InputError;
 using contact::ProfileSource;
 
-/// A place with the sine of the tangent's angle, which is linear in y along an arc.
+/// A point with the sine of the tangent's angle, which is linear in y along an arc.
 struct Station {
   double y = 0.0, z = 0.0, sine = 0.0;
 };
@@ -32,7 +32,7 @@ double cosine(double sine) {
 /// Along an arc of this signed curvature (1/mm, > 0 turns towards +z) to another y.
 Station along(const Station& from, double curvature, double y) {
   const double sine = from.sine + curvature * (y - from.y);
-  // z changes by (cos a - cos b) / k, written so that k = 0 is no exception.
+  // z changes by (cos a - cos b) / k, written so that k = 0 needs no special case.
   const double z = from.z + (y - from.y) * (from.sine + sine) / (cosine(from.sine) + cosine(sine));
   return {y, z, sine};
 }
@@ -78,10 +78,10 @@ void check_arcs(const ProfileSource& source, const std::string& name) {
 
 Station checked(const Station& station, double radius, const std::string& name) {
   if (std::abs(station.sine) <= 1.0 + 1e-9) return station;
-  throw InputError(fmt::format(
-      "{}: the arc of radius {} ends at y = {}, beyond its vertical tangent; allowed: ends that it "
-      "can reach from the arcs before it; do: move the end towards the middle",
-      name, radius, station.y));
+  throw InputError(
+      fmt::format("{}: the arc of radius {} ends at y = {}, beyond its vertical tangent; allowed: "
+                  "an end before the vertical tangent; do: move the end towards the middle",
+                  name, radius, station.y));
 }
 
 void append(ProfileKnots& knots, const Station& from, const Station& to, double curvature) {
@@ -130,7 +130,8 @@ void check_joint(const double* left, std::size_t count, double y, const std::str
 ProfileCurve arc_profile_curve(const ProfileSource& source, bool wheel, const std::string& name) {
   check_arcs(source, name);
   const Arcs arcs = whole(source);
-  // Convex is towards +z for the rail, whose inside is below, and towards -z for the wheel.
+  // Convex means curved towards +z for the rail, whose material is below, and towards -z for the
+  // wheel.
   std::vector<double> curvature;
   for (const double radius : arcs.radii) curvature.push_back((wheel ? -1.0 : 1.0) / radius);
   const auto above = std::upper_bound(arcs.ends.begin(), arcs.ends.end(), 0.0);
@@ -214,8 +215,8 @@ ProfileCurve rail_60e1() {
   return uic_head(first, std::asin((0.5 * 52.053 - y80) / middle_radius));
 }
 
-/// Band of 21 mm at the top and the head 72 mm wide where the side begins: fits the benchmark's
-/// list of points within 4.4e-5 mm.
+/// A 21 mm band at the top and a head 72 mm wide where the side begins fit the benchmark's list of
+/// points within 4.4e-5 mm.
 ProfileCurve rail_uic60_manchester() {
   const double first = std::asin(0.5 * 21.0 / top_radius);
   const double y80 = (top_radius - middle_radius) * std::sin(first);

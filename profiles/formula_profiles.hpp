@@ -12,7 +12,7 @@
 namespace rollfem::profiles {
 
 /// Arcs tangent to each other, through (0, 0); `name`: file and section for messages. Throws
-/// contact::InputError for lists that do not fit or an arc that ends beyond its vertical tangent.
+/// contact::InputError for lists of wrong length or an arc that ends beyond its vertical tangent.
 ProfileCurve arc_profile_curve(const contact::ProfileSource& source, bool wheel,
                                const std::string& name);
 
@@ -32,27 +32,27 @@ struct BuiltInProfile {
 
 const std::vector<BuiltInProfile>& built_in_profiles();
 
-/// nullptr when there is none of that name.
+/// nullptr for an unknown name.
 const BuiltInProfile* find_built_in_profile(const std::string& name);
 
-/// Height of S1002 by the formulas of its zones, mm, for -70 <= y <= 60, steps at the zone limits
-/// included: what the curve is checked against. Throws std::out_of_range elsewhere.
+/// Height of S1002 by the formulas of its zones, mm, for -70 <= y <= 60, including the steps at the
+/// zone limits: reference for checking the curve. Throws std::out_of_range outside.
 double s1002_height(double y);
 
-// Builds profiles from exact pieces (arcs, lines, polynomials), with knots by arc length so
-// dense that the cubics between them represent the formula.
+// Builds profiles from exact pieces (arcs, lines, polynomials), with knots dense enough along the
+// arc for the cubics between them to represent the formula.
 
-/// Point of a piece at a parameter of its own, with derivatives by it.
+/// Point of a piece at its local parameter, with derivatives by that parameter.
 struct PiecePoint {
   double y = 0.0, z = 0.0;
   double dy = 0.0, dz = 0.0;
 };
 
-/// Distance of knots along the profile, mm: a circle of 10 mm is met within 1e-11 mm and its
+/// Spacing of knots along the profile, mm: a circle of 10 mm is represented within 1e-11 mm and its
 /// curvature within 2e-6.
 constexpr double knot_distance = 0.05;
 
-/// Adds a piece between two of its parameters; its start is the end of what is there already.
+/// Adds a piece between two of its parameters, starting at the end of the previous piece.
 void append_piece(ProfileKnots& knots, const std::function<PiecePoint(double)>& piece, double from,
                   double to, double distance = knot_distance);
 

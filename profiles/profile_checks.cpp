@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What can be wrong with the points of a profile, in the order in which a user can do something
-// about it: size, side, order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Nothing is
-// mended unless told.
+// Checks of the points of a profile, in the order in which a user can fix defects: size, side,
+// order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Repairs happen only on request.
 #include "contact/base/errors.hpp"
 #include "profiles/profile_points.hpp"
 
@@ -47,8 +46,8 @@ double distance(const ListedPoint& a, const ListedPoint& b) {
 void check_count(const ProfilePoints& points) {
   if (points.list.size() >= fewest_points) return;
   throw InputError(
-      fmt::format("{}: has {} points; allowed: at least {}, better some hundred for a meaningful "
-                  "curvature; do: give more",
+      fmt::format("{}: has {} points; allowed: at least {} (some hundred for a meaningful "
+                  "curvature); do: give more points",
                   points.file, points.list.size(), fewest_points));
 }
 
@@ -64,12 +63,13 @@ void check_size(const ProfilePoints& points, bool wheel) {
   else if (width < narrowest && width > 1.0)
     action = fmt::format("are the lengths in inches? do: put `unit = \"inch\"` under {}",
                          section_of_profile(wheel));
-  throw InputError(fmt::format(
-      "{}: the points reach over {:.4g} mm in y and {:.4g} mm in z; allowed: {} to {} mm; {}",
-      points.file, width, height, narrowest, widest, action));
+  throw InputError(
+      fmt::format("{}: the points span {:.4g} mm in y and {:.4g} mm in z; allowed: {} to {} mm; {}",
+                  points.file, width, height, narrowest, widest, action));
 }
 
-/// Height z of the curve at the middle of every step of y, so that dense places count no more.
+/// Height z of the curve at the middle of every step of y, so that dense points get no extra
+/// weight.
 std::vector<double> heights_by_width(const ProfilePoints& points) {
   const auto [low, high] = range(points, &ListedPoint::y);
   constexpr std::size_t bins = 64;
@@ -87,15 +87,15 @@ std::vector<double> heights_by_width(const ProfilePoints& points) {
   return heights;
 }
 
-/// The wheel's flange and the sides of the rail's head stand out from the tread to one side, which
-/// has to be +z; the flange is at small y.
+/// The wheel's flange and the sides of the rail's head must point from the tread towards +z; the
+/// flange is at small y.
 void check_side(const ProfilePoints& points, bool wheel) {
   const std::vector<double> heights = heights_by_width(points);
   const double level = median(heights);
   const auto [lowest, highest] = range(points, &ListedPoint::z);
   const double below = highest - level;
   const double above = level - lowest;
-  constexpr double clear = 2.0;  // mm, less may be a measured tread without flange
+  constexpr double clear = 2.0;  // mm; a lower one may be a measured tread without flange
   if (above > clear && above > 1.5 * below)
     throw InputError(
         fmt::format("{}: z seems to point upward: {}; allowed: z down, on the wheel outward from "
@@ -106,15 +106,15 @@ void check_side(const ProfilePoints& points, bool wheel) {
                     section_of_profile(wheel)));
   constexpr double flange = 8.0;  // mm
   if (!wheel || below < flange) return;
-  // Of several as high, the last.
+  // The last of several equal heights.
   const auto tip =
       std::find_if(points.list.rbegin(), points.list.rend(),
                    [top = highest](const ListedPoint& point) { return point.z == top; });
   const auto [left, right] = range(points, &ListedPoint::y);
   if (tip->y <= 0.5 * (left + right)) return;
   throw InputError(fmt::format(
-      "{}: the flange is on the wrong side, at y = {:.4g} mm where the points reach from {:.4g} to "
-      "{:.4g} mm; allowed: the flange at the smaller y; do: put `mirror = true` under {}",
+      "{}: the flange is on the wrong side, at y = {:.4g} mm (the points span {:.4g} to {:.4g} "
+      "mm); allowed: the flange at the smaller y; do: put `mirror = true` under {}",
       points.file, tip->y, left, right, section_of_profile(wheel)));
 }
 
@@ -124,7 +124,7 @@ void check_direction(ProfilePoints& points, bool free, bool wheel) {
     reverse(points);
     return;
   }
-  // A list without any order also may end where it should begin; then it is no use to reverse it.
+  // An unordered list may also end where it should begin; reversing does not help then.
   std::size_t falling = 0;
   for (std::size_t k = 1; k < points.list.size(); ++k)
     falling += points.list[k].y < points.list[k - 1].y;
@@ -151,7 +151,7 @@ void treat_duplicates(ProfilePoints& points, bool drop, bool wheel) {
   points.list = std::move(kept);
 }
 
-/// A point goes back when the curve turns there by more than a right angle and y falls.
+/// The curve turns back at a point when it turns by more than a right angle and y falls.
 bool goes_back(const ListedPoint& a, const ListedPoint& b, const ListedPoint& c) {
   const double y1 = b.y - a.y, z1 = b.z - a.z;
   const double y2 = c.y - b.y, z2 = c.z - b.z;
@@ -187,13 +187,14 @@ void drop_zigzag(ProfilePoints& points) {
   points.list = std::move(kept);
 }
 
-/// Every stretch of this length becomes the mean of its points; the last, shorter one too.
+/// Replaces the points of every stretch of this length, including the shorter last one, by their
+/// mean.
 void thin(ProfilePoints& points, double length) {
   std::vector<ListedPoint> means;
   for (auto first = points.list.begin(); first != points.list.end();) {
     auto end = first;
     ListedPoint mean{0.0, 0.0, first->line};
-    // As the crow flies: the way along noisy points is much longer than the profile.
+    // Straight distance, because the path along noisy points is much longer than the profile.
     for (; end != points.list.end() && distance(*first, *end) < length; ++end) {
       mean.y += end->y;
       mean.z += end->z;
@@ -207,7 +208,7 @@ void thin(ProfilePoints& points, double length) {
   points.list = std::move(means);
 }
 
-/// Smoothing so many points at once takes seconds and loses digits.
+/// Rejects smoothing of too many points at once, which takes seconds and loses digits.
 void check_smoothing(const ProfilePoints& points, double smoothing, bool wheel) {
   constexpr std::size_t most = 20000;
   if (smoothing == 0.0 || points.list.size() <= most) return;
@@ -252,13 +253,13 @@ void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool whe
   check_side(points, wheel);
   if (source.reverse) reverse(points);
   if (source.sort) sort(points);
-  // Mirroring turns the direction around, so that neither way is wrong then.
+  // Mirroring reverses the direction, so either direction is right then.
   check_direction(points, points.any_direction || source.mirror, wheel);
   if (source.thinning > 0.0) thin(points, source.thinning);
   treat_duplicates(points, source.drop_duplicates, wheel);
   if (source.drop_zigzag) {
     drop_zigzag(points);
-    // What was between two equal points is gone.
+    // The neighbours of a removed point may now be equal.
     treat_duplicates(points, true, wheel);
   }
   check_order(points, wheel);

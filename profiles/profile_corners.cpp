@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Corners of a profile's points: kinks, at which the curve turns once, and steps, there and back.
-// What is refused comes with the least that would mend it.
+// Error messages name the smallest repair that would help.
 #include "contact/base/errors.hpp"
 #include "profiles/profile_points.hpp"
 
@@ -29,12 +29,12 @@ double turn(const ProfilePoints& p, std::size_t a, std::size_t b, std::size_t c)
   return std::atan2(y1 * z2 - z1 * y2, y1 * y2 + z1 * z2);
 }
 
-/// Turn at a point that scatter (mm, standard deviation across the profile) makes, rad: five
-/// standard deviations of (n2 - n1) / b - (n1 - n0) / a, with the chords a and b that meet there. A
-/// chord turns by an arc tangent, two of them by twice that of half as much.
+/// Largest turn at a point explained by scatter (mm, standard deviation across the profile), rad:
+/// five standard deviations of (n2 - n1) / b - (n1 - n0) / a, with the chords a and b that meet
+/// there. A chord turns by an arc tangent, two chords by twice the arc tangent of half as much.
 double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
   if (scatter == 0.0) return 0.0;
-  // Scatter makes the chords themselves longer than the points are apart along the profile.
+  // Scatter makes the chords longer than the spacing of the points along the profile.
   const std::size_t from = k < 3 ? 0 : k - 3, to = std::min(k + 3, p.list.size() - 1);
   const double y = p.list[to].y - p.list[from].y, z = p.list[to].z - p.list[from].z;
   const auto along = [&](std::size_t i) {
@@ -49,7 +49,7 @@ double turn_by_scatter(const ProfilePoints& p, std::size_t k, double scatter) {
 }
 
 /// Points at which the profile has a kink (one turn) or a step (there and back), marked 1 and 2,
-/// beyond what the scatter of the points makes.
+/// beyond the effect of the scatter of the points.
 std::vector<char> corners(const ProfilePoints& points, double largest_kink, double scatter) {
   const std::size_t n = points.list.size();
   std::vector<double> turns(n, 0.0), sizes;
@@ -58,7 +58,7 @@ std::vector<char> corners(const ProfilePoints& points, double largest_kink, doub
     turns[k] = turn(points, k - 1, k, k + 1);
     sizes.push_back(std::abs(turns[k]));
   }
-  // A step smaller than the kinks allowed still stands out from what the points do elsewhere.
+  // A step smaller than the allowed kinks still stands out from the turns of the other points.
   const double least_step =
       std::min(largest_kink * degree, std::max(5.0 * degree, 10.0 * median(sizes)));
   const auto size = [&](std::size_t k) { return k < n ? std::abs(turns[k]) : 0.0; };
@@ -66,7 +66,7 @@ std::vector<char> corners(const ProfilePoints& points, double largest_kink, doub
   for (std::size_t k = 1; k + 1 < n; ++k) noise[k] = turn_by_scatter(points, k, scatter);
   std::vector<char> found(n, 0);
   for (std::size_t k = 1; k + 1 < n; ++k) {
-    // The profile's own turn and that by scatter are independent.
+    // The profile's own turn and the turn by scatter are independent.
     const double largest = std::hypot(largest_kink * degree, noise[k]);
     if (size(k) > largest && found[k] == 0) found[k] = kink;
     if (k + 2 >= n) continue;
@@ -83,7 +83,7 @@ std::vector<char> corners(const ProfilePoints& points, double largest_kink, doub
   return found;
 }
 
-/// The points without those up to `rounding` (mm along the profile) to both sides of a corner.
+/// Removes the points within `rounding` (mm along the profile) on both sides of a corner.
 ProfilePoints rounded(const ProfilePoints& points, const std::vector<char>& found,
                       double rounding) {
   std::vector<double> length(points.list.size(), 0.0);
@@ -107,7 +107,8 @@ bool has(const std::vector<char>& found, char mark) {
   return std::find(found.begin(), found.end(), mark) != found.end();
 }
 
-/// The least of these that leaves no step; a kink's turn stays, over the points that are left out.
+/// The smallest of these that leaves no step; the turn of a kink remains, spread over the removed
+/// points.
 std::optional<double> least_rounding(const ProfilePoints& points, const std::vector<char>& found,
                                      const ProfileSource& source) {
   for (const double rounding : {0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0}) {
@@ -118,7 +119,7 @@ std::optional<double> least_rounding(const ProfilePoints& points, const std::vec
   return {};
 }
 
-/// The least of these that explains all corners, where they are so many that they are scatter.
+/// The smallest of these that explains all corners, where their number suggests scatter.
 std::optional<double> least_smoothing(const ProfilePoints& points, const std::vector<char>& found,
                                       const ProfileSource& source) {
   const auto places = std::count_if(found.begin(), found.end(), [](char c) { return c != 0; });
@@ -140,7 +141,7 @@ std::optional<double> least_smoothing(const ProfilePoints& points, const std::ve
   const auto turn_at = [&](std::size_t i) { return turn(points, i - 1, i, i + 1); };
   const bool shared = k + 2 < found.size() && found[k + 1] == kink;
   const double whole = turn_at(k) + (shared && !is_step ? turn_at(k + 1) : 0.0);
-  // Of two points that share a kink, the one at which the curve turns more.
+  // The point with the larger turn of two that share a kink.
   if (shared && !is_step && std::abs(turn_at(k + 1)) > std::abs(turn_at(k))) ++k;
   const double chord =
       std::hypot(points.list[k + 1].y - points.list[k].y, points.list[k + 1].z - points.list[k].z);

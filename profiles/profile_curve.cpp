@@ -21,7 +21,7 @@ struct Cubic {
 };
 
 Cubic hermite(double h, double t, double a, double b, double da, double db) {
-  // Newton's form: chord, then what the derivatives at both ends say beyond it.
+  // Newton's form: the chord, then corrections from the derivatives at both ends.
   const double chord = (b - a) / h;
   const double left = da - chord;
   const double right = db - chord;
@@ -40,8 +40,8 @@ bool usable(const ProfilePoint& point, double steepest) {
   return point.tangent_y > 0.0 && std::abs(point.tangent_z) <= steepest * point.tangent_y;
 }
 
-/// Where between `good` (usable) and `bad` (not) the curve gets too steep. By halving: it is a
-/// property that ends there, not a value that vanishes, and the usable side of it is wanted.
+/// Point between `good` (usable) and `bad` (not) at which the curve becomes too steep, on the
+/// usable side. By bisection, because a property changes there and no value vanishes.
 double steep_place(const ProfileCurve& curve, double good, double bad, double steepest) {
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (good + bad);
@@ -50,8 +50,8 @@ double steep_place(const ProfileCurve& curve, double good, double bad, double st
   return good;
 }
 
-/// Steps in y that keep the cubic of z over y as good as that of the curve: z'' of a circle changes
-/// by its own size over 1 / (3 s sqrt(1 + s^2) k), with the slope s and the curvature k.
+/// Steps in y that keep the cubic of z over y as accurate as the curve's own: z'' of a circle
+/// changes by its own size over 1 / (3 s sqrt(1 + s^2) k), with the slope s and the curvature k.
 int subdivisions(const ProfilePoint& a, const ProfilePoint& b) {
   double rate = 0.0;
   for (const ProfilePoint* point : {&a, &b}) {
@@ -68,10 +68,10 @@ ProfileCurve::ProfileCurve(ProfileKnots knots) : knots_(std::move(knots)) {
   const std::size_t n = knots_.parameter.size();
   if (n < 2 || knots_.y.size() != n || knots_.z.size() != n || knots_.dy.size() != n ||
       knots_.dz.size() != n)
-    throw std::invalid_argument("a profile curve needs two knots at least, each with a tangent");
+    throw std::invalid_argument("a profile curve needs at least two knots, each with a tangent");
   for (std::size_t k = 1; k < n; ++k)
     if (!(knots_.parameter[k] > knots_.parameter[k - 1]))
-      throw std::invalid_argument("the parameters of a profile curve must rise");
+      throw std::invalid_argument("the parameters of a profile curve must increase");
   highest_y_.resize(n);
   lowest_y_.resize(n);
   highest_y_[0] = lowest_y_[0] = knots_.y[0];
@@ -165,7 +165,7 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter, 
   if (!usable(curve.at(middle), steepest))
     throw std::invalid_argument("the profile is too steep here to be a height over y");
   const auto& knots = curve.knots().parameter;
-  // Knots of the usable part, found outwards from the place asked for.
+  // Knots of the usable part, searched outwards from the requested parameter.
   std::vector<double> places{middle};
   places.reserve(knots.size() + 3);
   for (auto k = std::upper_bound(knots.begin(), knots.end(), middle); k != knots.end(); ++k) {
@@ -189,7 +189,7 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter, 
   std::vector<double> y, z, slope;
   for (auto* list : {&y, &z, &slope}) list->reserve(2 * places.size());
   const auto add = [&](const ProfilePoint& point) {
-    // Two places may be one to rounding, where the profile gets too steep just at a knot.
+    // Two points may coincide to rounding where the profile becomes too steep exactly at a knot.
     if (!y.empty() && !(point.y > y.back() + 1e-12 * (1.0 + std::abs(point.y)))) return;
     y.push_back(point.y);
     z.push_back(point.z);
@@ -231,7 +231,7 @@ ProfilePoint before(const ProfileCurve& curve, std::size_t k) {
   return curve.at(p[k] - 1e-9 * (p[k] - p[k - 1]));
 }
 
-/// Place of the extreme height that the knot is nearest to.
+/// Parameter of the extreme height nearest to the knot.
 ProfilePoint extreme(const ProfileCurve& curve, std::size_t knot) {
   const auto& p = curve.knots().parameter;
   const double low = p[knot > 0 ? knot - 1 : 0];
@@ -242,7 +242,7 @@ ProfilePoint extreme(const ProfileCurve& curve, std::size_t knot) {
                                           high, last_digits, "extreme height of the profile"));
 }
 
-/// y where z passes a height, going from the place `from` to smaller parameters.
+/// y at which z crosses a height, searching from parameter `from` towards smaller ones.
 std::optional<double> face(const ProfileCurve& curve, std::size_t from, double height) {
   const ProfileKnots& knots = curve.knots();
   for (std::size_t k = from; k > 0; --k) {
@@ -266,7 +266,7 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
   result.end = curve.at(curve.last());
   std::size_t top = 0, bottom = 0, level = 0;
   const auto sharper = [&](const ProfilePoint& place) {
-    // The first place of an arc, whose curvature is the same to rounding all along.
+    // Takes the first point of an arc, whose curvature is constant to rounding.
     constexpr double clearly = 1.0 + 1e-4;
     if (place.curvature > clearly * result.sharpest_up.curvature) result.sharpest_up = place;
     if (place.curvature < clearly * result.sharpest_down.curvature) result.sharpest_down = place;
@@ -281,7 +281,7 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
     if (k == 0 || k + 1 == n) continue;
     const ProfilePoint left = before(curve, k);
     sharper(left);
-    // Cubics of one formula meet within 1e-4 of their curvature; a joint is well beyond that.
+    // Cubics of one formula agree within 1e-4 of their curvature; a joint differs much more.
     const double larger = std::max(std::abs(left.curvature), std::abs(right.curvature));
     if (std::abs(right.curvature - left.curvature) > 1e-4 + 0.05 * larger)
       result.joints.push_back({knots.parameter[k], right, left.curvature});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A wheel or rail profile as one smooth parametric curve in its profile coordinates: y towards the
 // field side (the flange or the gauge face is at smaller y), z down for the rail, outward from the
-// axle for the wheel (which is down too at the contact). Cubic pieces, so that curvature may jump
-// where the profile's does and nowhere else.
+// axle for the wheel (which is down too at the contact). Cubic pieces, so that the curvature jumps
+// only where the profile's curvature does.
 #pragma once
 
 #include "contact/scene/height_curve.hpp"
@@ -12,42 +12,42 @@
 
 namespace rollfem::profiles {
 
-/// A place on a profile.
+/// A point on a profile.
 struct ProfilePoint {
   double y = 0.0;          ///< mm
   double z = 0.0;          ///< mm
-  double tangent_y = 1.0;  ///< unit tangent, in the direction of rising parameter
+  double tangent_y = 1.0;  ///< unit tangent, in the direction of increasing parameter
   double tangent_z = 0.0;
   double curvature = 0.0;  ///< 1/mm, > 0 where the curve turns towards +z (y rising): a rail head
 };
 
-/// Knots with derivatives by the parameter, which rises from the gauge or flange side to the field
-/// side; it is close to the arc length, in mm.
+/// Knots with derivatives by the parameter, which increases from the gauge or flange side to the
+/// field side and is close to the arc length, in mm.
 struct ProfileKnots {
   std::vector<double> parameter;
   std::vector<double> y, z;    ///< mm
-  std::vector<double> dy, dz;  ///< by the parameter, on the right of a knot where they jump
+  std::vector<double> dy, dz;  ///< by the parameter; right limits at jumps
 };
 
 class ProfileCurve {
  public:
   ProfileCurve() = default;
-  /// Lists of one length, at least 2, parameters rising. Throws std::invalid_argument.
+  /// Lists of equal length, at least 2, parameters increasing. Throws std::invalid_argument.
   explicit ProfileCurve(ProfileKnots knots);
 
   ProfilePoint at(double parameter) const;
   double first() const { return knots_.parameter.front(); }
   double last() const { return knots_.parameter.back(); }
   const ProfileKnots& knots() const { return knots_; }
-  /// Parameter of the point with this y, or of the end that is nearer; the lowest where there are
-  /// several (an undercut profile).
+  /// Parameter of the point with this y, or of the nearer end; the lowest if several (an undercut
+  /// profile).
   double parameter_at(double y) const;
 
-  /// Turned about (0, 0) by the angle (rad, from y to z) and then shifted by (y, z).
+  /// The profile rotated about (0, 0) by the angle (rad, from y to z) and then shifted by (y, z).
   ProfileCurve moved(double angle, double y, double z) const;
   /// The knots with parameters between these, and one beyond each end.
   ProfileCurve part(double from, double to) const;
-  /// Mirrored at y = 0; parameters still rise from small to large y.
+  /// Mirrored at y = 0; parameters still increase from small to large y.
   ProfileCurve mirrored() const;
 
  private:
@@ -55,7 +55,7 @@ class ProfileCurve {
   std::vector<double> highest_y_, lowest_y_;  ///< mm, of the knots up to each
 };
 
-/// Parameter of the knot nearest to a place.
+/// Parameter of the knot nearest to a point.
 double parameter_near(const ProfileCurve& curve, double y, double z);
 
 /// Height z over y of the part of the curve about `parameter` that is single valued and not steeper
@@ -65,7 +65,7 @@ contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter,
 
 // Features of a profile: ends, length, extreme points, radii, joints of its curvature.
 
-/// A place at which the curvature jumps.
+/// A point at which the curvature jumps.
 struct ProfileJoint {
   double parameter = 0.0;
   ProfilePoint place;             ///< with the curvature on the right

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading of profile files, as instruments and programs write them. Separators are blanks, comma or
-// semicolon; with semicolons a comma is a decimal point. What stands behind a mark of a comment is
-// not read, in whichever format.
+// Reads profile files written by instruments and programs. Separators are blanks, comma or
+// semicolon; with semicolons a comma is the decimal mark. Comments are ignored in every format.
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "profiles/profile_points.hpp"
@@ -22,10 +21,10 @@ using contact::InputError;
 using contact::TextLines;
 using contact::trimmed;
 
-/// Numbers of a line that count; columns beyond are not read.
+/// Numbers read from a line; further columns are ignored.
 constexpr std::size_t most_columns = 16;
 
-/// The marks with which programs begin comments; "//" beside them.
+/// Characters that begin comments, in addition to "//".
 constexpr std::string_view comment_marks = "#!%\"";
 
 std::string_view before_comment(std::string_view line) {
@@ -37,7 +36,7 @@ struct Row {
   std::array<double, most_columns> values{};
   std::size_t count = 0;
   std::string wrong;  ///< the first field that is no number
-  /// Words that may stand above a list, and no number among them that is spoilt.
+  /// Whether the words may be a heading: none of them looks like a misspelt number.
   bool is_heading() const {
     const bool spoilt =
         std::string_view("+-.0123456789").find(wrong[0]) != std::string_view::npos &&
@@ -75,7 +74,7 @@ void add(ProfilePoints& points, double y, double z, const TextLines& at) {
 
 [[noreturn]] void too_few_numbers(const std::string& file, const TextLines& at) {
   throw InputError(
-      fmt::format("{}:{}: has one number; allowed: two columns, y and z; do: complete the line",
+      fmt::format("{}:{}: only one number; allowed: two columns, y and z; do: complete the line",
                   file, at.number()));
 }
 
@@ -86,7 +85,7 @@ std::optional<std::array<std::size_t, 2>> named_columns(std::string_view header)
   std::size_t column = 0;
   for (const std::string_view part : contact::parts_of(header, listed ? ",;\t" : " ")) {
     const std::string_view field = trimmed(part);
-    // Between blanks, units stand on their own.
+    // In blank-separated headers, units are separate words.
     if (!listed && (field.empty() || field.front() == '[' || field.front() == '(')) continue;
     const std::string_view name = field.substr(0, field.find_first_of(" [(_/"));
     if (name == "y" || name == "Y") found[0] = column;
@@ -97,12 +96,13 @@ std::optional<std::array<std::size_t, 2>> named_columns(std::string_view header)
   return found;
 }
 
-/// A file may begin with how many points it has.
+/// A file may begin with its number of points.
 bool is_count(const Row& row) {
   return row.count == 1 && row.values[0] == std::floor(row.values[0]);
 }
 
-/// Headings may fill several lines before the first point; of a text alone the last is refused.
+/// Headings may fill several lines before the first point; in a text without points the last line
+/// is rejected.
 ProfilePoints read_columns(std::string_view text, const std::string& name) {
   ProfilePoints points;
   std::optional<std::array<std::size_t, 2>> columns;
@@ -150,8 +150,8 @@ bool key_and_value(std::string_view line, std::string& key, std::string& value) 
   return true;
 }
 
-/// What the section `spline` of a SIMPACK file says; applied in the order in which SIMPACK numbers
-/// them (comments of the file).
+/// Settings of the section `spline` of a SIMPACK file, applied in SIMPACK's numbered order
+/// (comments of the file).
 struct SimpackData {
   double type = -1.0;
   double point_dist_min = 0.0;
@@ -245,8 +245,8 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
         name));
   if (data.type >= 0.0 && (data.type == 1.0) != wheel)
     throw InputError(fmt::format(
-        "{}: is the profile of a {} (header, type = {}), but the case names it for the {}; "
-        "allowed: type = {}; do: name the other file",
+        "{}: is the profile of a {} (header, type = {}), but the case uses it for the {}; allowed: "
+        "type = {}; do: name the other file",
         name, wheel ? "rail" : "wheel", data.type, wheel ? "wheel" : "rail", wheel ? 1 : 0));
   ProfilePoints points = processed(listed, data);
   points.any_direction = true;
@@ -271,7 +271,7 @@ ProfilePoints read_miniprof(std::string_view text, const std::string& name) {
     }
     const Row row = numbers(line);
     if (!row.wrong.empty()) {
-      // Plain words stand in the header of old files only.
+      // Only the header of old files contains plain words.
       if (points.list.empty() && row.is_heading()) continue;
       not_numbers(name, lines, row.wrong);
     }
@@ -289,7 +289,7 @@ std::string ending(const std::string& path) {
   return result;
 }
 
-/// What is in a file that is no profile at all is nobody's business.
+/// Never quote the contents of files that hold no profile.
 void check_is_table(std::string_view text, const std::string& name) {
   std::size_t last = 0;
   for (TextLines lines(text); lines.next();)
@@ -333,10 +333,10 @@ ProfilePoints parse_profile_points(std::string_view text, const std::string& nam
                         : unit == contact::LengthUnit::inch ? 25.4
                                                             : 1.0;
   if ((kind == "prw" || kind == "prr") && factor != 1.0)
-    throw InputError(fmt::format(
-        "{}: unit cannot be set for a SIMPACK file, which names its own (units.len.f); do: remove "
-        "`unit`",
-        name));
+    throw InputError(
+        fmt::format("{}: unit cannot be set for a SIMPACK file, which specifies its unit "
+                    "(units.len.f); do: remove `unit`",
+                    name));
   for (ListedPoint& point : points.list) {
     point.y *= factor;
     point.z *= factor;

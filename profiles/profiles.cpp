@@ -51,10 +51,10 @@ ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool whe
   try {
     return smoothing_spline(y, z, source.smoothing, &*report.smoothing);
   } catch (const std::invalid_argument&) {
-    throw InputError(
-        fmt::format("{}: smoothing = {} mm exceeds the height of the whole profile; allowed: about "
-                    "the scatter of the measured points, some 0.01 mm; do: give a smaller value",
-                    source.name, source.smoothing));
+    throw InputError(fmt::format(
+        "{}: smoothing = {} mm exceeds the height of the whole profile; allowed: about the scatter "
+        "of the measured points, typically 0.01 mm; do: give a smaller value",
+        source.name, source.smoothing));
   }
 }
 
@@ -65,7 +65,7 @@ ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::strin
   if (!std::filesystem::is_regular_file(path, error))
     throw InputError(fmt::format(
         "{}: profile = \"{}\" is neither a known profile nor an existing file; allowed: {}, arcs, "
-        "polynomial or a file, its path relative to the case file; do: correct the name",
+        "polynomial or a file path relative to the case file; do: correct the name",
         case_file, source.name, built_in_names(wheel)));
   return through(read_profile_points(path.string(), source.name, wheel, source.unit), source, wheel,
                  report);
@@ -86,8 +86,8 @@ ProfileCurve of_source(const ProfileSource& source, bool wheel, const std::strin
   return from_file(source, wheel, case_file, report);
 }
 
-/// The tip of the flange is behind its back: a profile measured from there has it where the tread
-/// should be, and rolls on it.
+/// The flange tip lies behind the flange back: a profile measured from the back has its tip where
+/// the tread should be, and would roll on it.
 void check_flange(const contact::Case& input, const ProfileCurve& curve) {
   constexpr double thickest = 45.0;  // mm, flanges are some 22 to 34 thick
   const std::optional<double> tip = flange_tip(curve);
@@ -116,7 +116,7 @@ std::optional<double> flange_tip(const ProfileCurve& curve) {
   for (std::size_t k = 0; k < samples; ++k)
     heights.push_back(curve.at(curve.first() + static_cast<double>(k) * step).z);
   std::nth_element(heights.begin(), heights.begin() + samples / 2, heights.end());
-  // Where the measured part ends on the way up is no tip.
+  // An end of the measured part on the rising flank is not a tip.
   const bool ends = std::abs(tip.y - curve.at(curve.first()).y) < 0.5;
   if (ends || tip.z < heights[samples / 2] + lowest_flange) return {};
   return tip.y;

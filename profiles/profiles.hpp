@@ -12,27 +12,27 @@
 
 namespace rollfem::profiles {
 
-/// How a profile came about.
+/// Origin of a profile.
 struct ProfileReport {
   std::string kind;                          ///< "built in", "arcs", "polynomial", "file", "radius"
-  std::size_t points = 0;                    ///< of a file, after mending
+  std::size_t points = 0;                    ///< of a file, after repairs
   std::optional<SmoothingReport> smoothing;  ///< of a file
 };
 
 /// `wheel`: else rail. Files are relative to the folder of `case_file`. Throws contact::InputError
-/// with the file, line and value of what is wrong.
+/// with file, line and value.
 ProfileCurve make_profile(const contact::ProfileSource& source, bool wheel,
                           const std::string& case_file, ProfileReport* report = nullptr);
 
-/// The same of the text of a file, which `source` names, as it lies: not turned or shifted.
+/// The same from the text of a file named by `source`, without rotation or shift.
 ProfileCurve profile_of_text(const std::string& text, const contact::ProfileSource& source,
                              bool wheel);
 
 /// y of the tip of the flange, mm; nothing where the profile has none.
 std::optional<double> flange_tip(const ProfileCurve& curve);
 
-/// The profile of a body of the case; of its transverse radius about (0, 0) when it has no profile.
-/// Throws also when the flange is not where the wheelset has its back.
+/// The profile of a body of the case; of an arc of its transverse radius through (0, 0) when it has
+/// no profile. Also throws when the flange contradicts the flange back of the wheelset.
 ProfileCurve profile_of_case(const contact::Case& input, bool wheel,
                              ProfileReport* report = nullptr);
 

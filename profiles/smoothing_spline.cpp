@@ -136,10 +136,10 @@ double lambda_for(const Smoother& smoother, const Values& y, const Values& z, do
   return std::exp(contact::bracketed_root(excess, low, high, 1e-6, "smoothing of the profile"));
 }
 
-/// Radius of curvature of the first pass, as the rms curvature within a window says, mm.
+/// Radius of curvature of the first pass, from the rms curvature within a window, mm.
 Values local_radius(const std::array<Fit, 2>& fit, const Values& step) {
   constexpr double window = 4.0;     // mm to both sides
-  constexpr double largest = 100.0;  // mm; beyond, curvature is slight against what it is beside
+  constexpr double largest = 100.0;  // mm; curvature of larger radii is negligible
   const std::size_t n = fit[0].value.size();
   Values place(n, 0.0), square(n, 0.0);
   for (std::size_t k = 1; k < n; ++k) {
@@ -162,8 +162,8 @@ Values local_radius(const std::array<Fit, 2>& fit, const Values& step) {
 }
 
 /// Standard deviation of the points from a smooth curve, across it: third differences along the
-/// normal are (1, -3, 3, -1) times independent errors, whose squares sum to 20; the median is not
-/// moved by corners.
+/// normal are (1, -3, 3, -1) times independent errors, whose squares sum to 20; the median is
+/// insensitive to corners.
 double scatter_of(const Values& y, const Values& z) {
   Values sizes;
   for (std::size_t k = 3; k < y.size(); ++k) {
@@ -184,7 +184,7 @@ double scatter_of(const Values& y, const Values& z) {
 ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<double>& z,
                               double scatter, SmoothingReport* report) {
   const std::size_t n = y.size();
-  if (n < 4 || z.size() != n) throw std::invalid_argument("a spline needs four points at least");
+  if (n < 4 || z.size() != n) throw std::invalid_argument("a spline needs at least four points");
   Values step(n - 1);
   for (std::size_t k = 0; k + 1 < n; ++k) step[k] = std::hypot(y[k + 1] - y[k], z[k + 1] - z[k]);
   const Smoother plain(step, Values(n - 1, 1.0));

@@ -12,7 +12,7 @@
 
 namespace rollfem::profiles {
 
-/// What smoothing did to the points.
+/// Effect of smoothing on the points.
 struct SmoothingReport {
   double rms = 0.0;      ///< mm, of the distances of the points from the curve, across it
   double largest = 0.0;  ///< mm
@@ -21,10 +21,10 @@ struct SmoothingReport {
 
 /// The first smoothing minimises the sum of squared distances + lambda * integral of (w |r''|)^2
 /// with lambda such that the rms distance is `scatter` (mm), the standard deviation of the points
-/// across the profile; w is the local radius of curvature, from a pass with w = 1. It only says
-/// where the profile is; what is returned goes through the points of smooth_curvature. scatter 0:
-/// natural cubic spline through all points. O(points). Throws std::invalid_argument when a straight
-/// line is nearer to the points than `scatter`.
+/// across the profile; w is the local radius of curvature, from a pass with w = 1. This pass only
+/// locates the profile; the returned curve passes through the points of smooth_curvature. scatter
+/// 0: natural cubic spline through all points. O(points). Throws std::invalid_argument when a
+/// straight line is closer to the points than `scatter`.
 ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<double>& z,
                               double scatter, SmoothingReport* report = nullptr);
 

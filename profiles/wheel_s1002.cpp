@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheel S1002. Its zones H to A are printed with ten digits. In zone C the large coefficients leave
-// up to 2e-4 mm open, so that its ends miss the zones beside it by 1.2e-4 mm (y = -35) and 3.7e-5
-// mm (y = -26); everywhere else the ends meet within 6e-7 mm. A step left as it is would be a kink
-// for the contact, so every zone gets a cubic, added to its formula, that makes value and slope
-// continuous at its ends: no curvature worth the name (5e-6 /mm in zone C).
+// an uncertainty of up to 2e-4 mm, so that its ends differ from the neighbouring zones by 1.2e-4 mm
+// (y = -35) and 3.7e-5 mm (y = -26); all other ends agree within 6e-7 mm. A step would be a kink
+// for the contact, so a cubic is added to the formula of every zone to make value and slope
+// continuous at its ends; its curvature is negligible (5e-6 /mm in zone C).
 #include "profiles/wheel_s1002.hpp"
 
 #include "profiles/formula_profiles.hpp"
@@ -86,8 +86,8 @@ struct Correction {
   }
 };
 
-/// What the zone is off at one of its ends. Zone C alone is moved at its ends; elsewhere both meet
-/// in the middle.
+/// Mismatch of the zone at one of its ends. Only zone C is moved at its ends; other neighbours meet
+/// halfway.
 Height to_neighbour(std::size_t zone, bool right, bool move_c) {
   const std::size_t other = right ? zone + 1 : zone - 1;
   const double y = right ? zones[zone].to : zones[zone].from;
@@ -108,8 +108,8 @@ Correction correction(std::size_t zone, bool move_c) {
   return result;
 }
 
-/// Between two points of the Manchester list, the step at an end of zone C is blended: from the
-/// formula on the left to that on the right, curvature continuous.
+/// Between two points of the Manchester list, the step at an end of zone C is blended from the left
+/// formula to the right one with continuous curvature.
 struct Blend {
   double from = 0.0, to = 0.0;
   std::size_t left = 0;
@@ -133,7 +133,8 @@ Height blended(const Blend& blend, double y) {
           left.slope + step * (right.slope - left.slope) + rate * (right.z - left.z)};
 }
 
-/// Part of a zone, circles by their angle (the back of the flange is vertical at its end).
+/// Part of a zone; circles are parametrised by angle (the back of the flange is vertical at its
+/// end).
 void append_zone(ProfileKnots& knots, std::size_t index, double from, double to, bool move_c) {
   const Zone& zone = zones[index];
   if (zone.radius == 0.0) {

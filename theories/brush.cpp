@@ -223,7 +223,7 @@ void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int or
   estimate("longitudinal_force", &halfspace::CreepForces::longitudinal);
   estimate("lateral_force", &halfspace::CreepForces::lateral);
   estimate("spin_moment", &halfspace::CreepForces::spin_moment);
-  // What ends at a border within an element has its whole change.
+  // Quantities that end at a boundary within an element keep the full change.
   const auto uneven = [&](const char* name, double BrushTotals::*member, double scale) {
     point.error_estimate[name] = scale * std::abs(totals.*member - coarse.*member);
   };

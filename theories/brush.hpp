@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Kalker's simplified theory on strips along the rolling direction: the surface is a layer of
-// brushes, u = L p, with friction bounded along each strip. FASTSIM and the strip model are this
-// with different bounds (Kalker 1982, Vehicle System Dynamics 11, 1-13).
+// brushes, u = L p, with friction bounded along each strip. FASTSIM and the strip model use it with
+// different bounds (Kalker 1982, Vehicle System Dynamics 11, 1-13).
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -20,7 +20,7 @@ struct BrushFlexibilities {
   double spin = 0.0;          ///< L3 = pi a^2 / (4 G c C23), c = sqrt(a b)
 };
 
-/// Flexibilities with which an ellipse without slip has the forces F_x, F_y of the linear theory.
+/// Flexibilities for which an ellipse without slip has the forces F_x, F_y of the linear theory.
 BrushFlexibilities kalker_flexibilities(double semi_axis_x, double semi_axis_y,
                                         double shear_modulus, double poisson_ratio);
 
@@ -37,7 +37,7 @@ struct BrushStrip {
   double half_length = 0.0;  ///< mm, 0 outside of the patch
   double bound = 0.0;        ///< MPa, largest traction bound of the strip; may be infinite
   BoundShape shape = BoundShape::parabolic;
-  double middle = 0.0;  ///< mm, x halfway between its ends; off 0 where the wheel has a yaw
+  double middle = 0.0;  ///< mm, x halfway between its ends; nonzero when the wheel is yawed
   double bound_at(double x) const;
 };
 
@@ -45,7 +45,7 @@ struct BrushStrip {
 BrushStrip ellipse_strip(const halfspace::HertzContact& ellipse, double y, double bound,
                          BoundShape shape);
 
-/// Elements of a strip in the order in which material meets them: the first at x_first, reached
+/// Elements of a strip in the order in which material passes them: the first at x_first, reached
 /// from the leading edge after `first_step`, the others `step` apart.
 struct StripElements {
   double x_first = 0.0;
@@ -57,7 +57,7 @@ struct StripElements {
 };
 
 /// `count` equal elements over the length of the strip. Adhesion is exact; where the direction of
-/// slip turns the tractions are of first order, as Kalker's algorithm is.
+/// slip turns, the tractions are first order, as in Kalker's algorithm.
 StripElements chord_elements(const BrushStrip& strip, int count);
 
 /// Tractions on the wheel (MPa) and slip at the elements of a strip.
@@ -108,11 +108,12 @@ struct StripPlace {
   double width = 0.0;
 };
 
-/// `count` strips between y = -half_width and half_width, equal in the angle of y = half_width sin
-/// t: forces that fall off like powers of an ellipse's length are summed to order four.
+/// `count` strips between y = -half_width and half_width, equally spaced in the angle t of y =
+/// half_width sin t: sums of forces proportional to powers of the ellipse's length are fourth
+/// order.
 std::vector<StripPlace> strip_places(double half_width, int count);
 
-/// Sum over `count` strips placed so.
+/// Sum over `count` strips with this spacing.
 BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, double half_width,
                        int count);
 
@@ -121,12 +122,12 @@ BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, dou
 void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
                        const StripAt& strip_at, contact::PointResult& point);
 
-/// Forces, adhesion area (as a share of the point's contact area) and largest tractions of a load
-/// point from the sum over strips.
+/// Forces, adhesion area (as a fraction of the contact area) and largest tractions of a load point
+/// from the sum over strips.
 void set_totals(const BrushTotals& totals, contact::PointResult& point);
 
 /// Error estimates "longitudinal_force", "lateral_force", "spin_moment" of a load point, by a
-/// method of the given order solved with all elements twice as large for `coarse`.
+/// method of the given order, with elements twice as large for `coarse`.
 void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int order,
                     contact::PointResult& point);
 

@@ -28,13 +28,13 @@ CarterContact strip_contact(const EllipticPatch& patch, double y) {
           patch.material.contact_modulus};
 }
 
-/// The strip at y, rolling at its own creepage.
+/// The strip at y, rolling at its local creepage.
 CarterSolution strip_solution(const EllipticPatch& patch, const contact::Creepage& creepage,
                               double y) {
   return {strip_contact(patch, y), strip_creepage(patch.geometry, creepage, y).longitudinal};
 }
 
-/// Of an ellipse; a line contact is one strip.
+/// Number of strips of an ellipse; a line contact is one strip.
 std::vector<StripPlace> carter_strips_of(const EllipticPatch& patch, int strips) {
   if (patch.geometry.geometry().line) return {{0.0, 2.0 * patch.hertz.semi_axis_y}};
   return strip_places(patch.hertz.semi_axis_y, strips);
@@ -72,7 +72,7 @@ void fill_fields(const EllipticPatch& patch, contact::PointResult& point) {
   }
 }
 
-/// Values that no grid or number of strips is behind.
+/// Values that depend on no grid or number of strips.
 void say_closed_form(const contact::Scene& scene, contact::PointResult& point) {
   namespace no_bar = contact::no_bar;
   for (const contact::Quantity& quantity : contact::quantities())
@@ -114,7 +114,8 @@ double CarterSolution::traction(double x) const {
   return -std::copysign(contact_.friction * contact_.max_pressure * value, creepage_);
 }
 
-/// In adhesion the traction only falls towards the leading edge, and infinitely fast at first.
+/// In adhesion the traction falls monotonically towards the leading edge, with infinite slope at
+/// first.
 double CarterSolution::largest_traction() const {
   return std::abs(traction(std::min(0.0, stick_middle() - stick_)));
 }
@@ -131,7 +132,7 @@ double CarterSolution::slip(double x) const {
   const double saturation = contact_.saturation_creepage();
   if (stick_ > 0.0) return std::copysign(saturation * unit_slip(x), creepage_);
   if (creepage_ == 0.0 || contact_.half_width == 0.0) return 0.0;
-  // All slips: the rigid slip less the slope of the displacement under mu p.
+  // Full slip: the rigid slip less the slope of the displacement under mu p.
   return creepage_ - std::copysign(saturation, creepage_) * x / contact_.half_width;
 }
 

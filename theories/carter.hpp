@@ -15,7 +15,7 @@ struct CarterContact {
   double contact_modulus = 0.0;  ///< E*, MPa; p0 = E* a / (2 R) ties it to the roller
 
   double force_per_length() const;     ///< P = pi a p0 / 2, N/mm
-  double saturation_creepage() const;  ///< 2 mu p0 / E* = mu a / R, beyond which all slips
+  double saturation_creepage() const;  ///< 2 mu p0 / E* = mu a / R: full slip beyond
 };
 
 /// Steady rolling at a longitudinal creepage. Tractions and forces are those on the wheel.
@@ -27,7 +27,7 @@ class CarterSolution {
   double stick_middle() const { return contact_.half_width - stick_; }  ///< touches x = +a
   double force() const;                                                 ///< F_x, N/mm
   double traction(double x) const;                                      ///< p_x, MPa
-  double largest_traction() const;  ///< |p_x|, MPa: where slip begins, or in the middle of it
+  double largest_traction() const;  ///< |p_x|, MPa: where slip begins, or in its middle
   double slip(double x) const;      ///< w_x in the contact, 0 in the stick zone
 
  private:
@@ -38,10 +38,10 @@ class CarterSolution {
   double stick_;
 };
 
-/// The model "carter": every strip of Hertz's ellipse rolls as a line contact of its own length and
-/// pressure, with the extra rigid slip of the case. The forces are exact integrals along x and
-/// `strips` strips across. Exact for a patch much wider than long; the initial slope is that of
-/// plane strain. Throws contact::InputError for lateral creepage or spin.
+/// The model "carter": every strip of Hertz's ellipse rolls as a line contact with the strip's
+/// length and pressure, with the extra rigid slip of the case. The forces are exact integrals along
+/// x and `strips` strips across. Exact for a patch much wider than long; the initial slope is that
+/// of plane strain. Throws contact::InputError for lateral creepage or spin.
 contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress,
                                 int strips = 200);
 

@@ -36,7 +36,7 @@ EllipticPatch elliptic_patch(const contact::Scene& scene) {
   patch.friction = scene.friction_coefficient();
   patch.grid = hertz.grid;
   patch.normal = std::move(hertz.points.front());
-  // Theories give no tangential displacement, and the record has all components or none.
+  // Theories give no tangential displacement, and the record holds either all components or none.
   patch.normal.fields.displacement = {};
   return patch;
 }
@@ -87,7 +87,7 @@ contact::ModelResult run_theory(const contact::Scene& scene, const contact::Cont
 }
 
 void set_forces(const halfspace::CreepForces& forces, contact::PointResult& point) {
-  // Adding 0 makes no -0 of a force that vanishes.
+  // Adding 0 turns -0 into 0.
   point.longitudinal_force = forces.longitudinal + 0.0;
   point.lateral_force = forces.lateral + 0.0;
   point.spin_moment = forces.spin_moment + 0.0;

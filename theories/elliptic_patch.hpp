@@ -27,12 +27,12 @@ struct EllipticPatch {
 /// elliptic contact.
 EllipticPatch elliptic_patch(const contact::Scene& scene);
 
-/// Adds tangential tractions, slip and whatever follows to a load point that has its creepage and
-/// its normal part.
+/// Adds tangential tractions, slip and derived quantities to a load point with its creepage and
+/// normal solution.
 using FillTangential = std::function<void(contact::PointResult&)>;
 
-/// Result record of a theory: every load point of the case, from `normal`, by `fill`. Throws
-/// contact::InputError when the model of that `name` cannot take the case.
+/// Result record of a theory: `fill` completes every load point of the case, starting from
+/// `normal`. Throws contact::InputError when the model `name` does not support the case.
 contact::ModelResult run_theory(const contact::Scene& scene, const contact::ContactGrid& grid,
                                 const contact::PointResult& normal, const std::string& name,
                                 const contact::Progress& progress, const FillTangential& fill);
@@ -43,11 +43,11 @@ void set_forces(const halfspace::CreepForces& forces, contact::PointResult& poin
 /// Largest tractions of a load point from its fields.
 void set_largest_tractions(contact::PointResult& point);
 
-/// Fields of size zero set to zero on all elements, state adhesion where there is pressure.
+/// Sets empty fields to zero on all elements, and the state to adhesion where there is pressure.
 contact::ContactFields resting_fields(const contact::ContactGrid& grid,
                                       const contact::Field& pressure, double friction);
 
-// The model "hertz": the closed form put into the result record that all models share.
+// The model "hertz": the closed form in the result record shared by all models.
 
 /// The model "hertz": patch, pressure and approach; no friction. Tractions are sampled on the
 /// case's contact grid.

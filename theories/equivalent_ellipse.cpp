@@ -31,12 +31,12 @@ namespace {
 
 using contact::pi;
 
-/// Extents or pressure that differ by more than this from the half-space are said.
+/// Relative difference from the half-space in extents or pressure above which a note is written.
 constexpr double worth_a_note = 0.02;
 
 constexpr const char* elements_of_ellipse = "elements across the equivalent ellipse (contact_grid)";
 
-/// A row of `count` elements from `first` on, made longer by whole elements to hold low to high.
+/// A row of `count` elements from `first` on, extended by whole elements to cover low to high.
 void widen(double low, double high, double cell, double& first, int& count) {
   const double lowest = first - 0.5 * cell;
   const double highest = lowest + count * cell;
@@ -47,11 +47,11 @@ void widen(double low, double high, double cell, double& first, int& count) {
            std::max(0, contact::count_of(std::ceil((high - highest) / cell), elements_of_ellipse));
 }
 
-/// The potential area of the case, which may end within the ellipse where the true patch is shorter
-/// on one side of its centre of pressure.
+/// The potential area of the case, extended where the ellipse reaches beyond it because the true
+/// patch is shorter on one side of its centre of pressure.
 ContactGrid area_around(const Scene& scene, const EquivalentEllipse& ellipse) {
   ContactGrid grid = halfspace::PatchSearch(scene).grid();
-  if (scene.contact_grid.extent) return grid;  // what the user wants to see
+  if (scene.contact_grid.extent) return grid;  // requested potential area
   const halfspace::ExpectedPatch& patch = ellipse.patch;
   widen(patch.x_centre - ellipse.semi_axis_x - grid.dx,
         patch.x_centre + ellipse.semi_axis_x + grid.dx, grid.dx, grid.x_first, grid.nx);
@@ -77,8 +77,7 @@ double largest_spin(const Scene& scene) {
   return spin;
 }
 
-/// The place of the patches at which the ellipse's row at `y` is: rows that carry nothing are left
-/// out.
+/// Position in the patches that corresponds to the ellipse's row at `y`: unloaded rows are skipped.
 double loaded_place(const EquivalentEllipse& ellipse, double y) {
   const halfspace::ExpectedPatch& patch = ellipse.patch;
   const double share = 0.5 * ((y - patch.y_centre) / ellipse.semi_axis_y + 1.0);
@@ -90,8 +89,8 @@ double loaded_place(const EquivalentEllipse& ellipse, double y) {
   return y;
 }
 
-/// Extra slip on the rows of the patches for those of the ellipse, which its own slip would take
-/// from the valley between them.
+/// Extra slip of the ellipse's rows, taken from the rows of the patches; at the ellipse's own
+/// positions it would come from the gap between the patches.
 contact::TangentialField slip_of_loaded_rows(const Scene& scene, const EquivalentEllipse& ellipse,
                                              const contact::ChartedGeometry& geometry,
                                              const ContactGrid& grid) {
@@ -218,7 +217,7 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
   local.geometry.quadratic = {curvatures.A, curvatures.B};
   ModelResult result = run_hertz(local, progress);
   result.notes.back() =
-      "patch, pressure, approach and area are those of the curvatures at the contact point; the "
+      "patch, pressure, approach and area follow from the curvatures at the contact point; the "
       "fields are sampled at element centres";
   const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   const auto differs = [](double a, double b) { return std::abs(a / b - 1.0) > worth_a_note; };
@@ -236,8 +235,8 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
 
 namespace {
 
-/// Friction on a tilted plane carries a part of the load. That of a theory without a bound may be
-/// many times mu F_n, and then no F_n has a meaning.
+/// Friction on a tilted plane carries a part of the load. In a theory without a traction bound it
+/// may be many times mu F_n, and then no F_n is meaningful.
 void check_lift(const Scene& scene, const ModelResult& result) {
   constexpr double most_beyond_bound = 0.05;  // of the load
   const contact::NormalLoad& wanted = scene.points.front().load;
@@ -246,17 +245,17 @@ void check_lift(const Scene& scene, const ModelResult& result) {
   const double beyond = std::abs(point.lateral_force) - bound;
   if (beyond * std::abs(wanted.direction[0]) <= most_beyond_bound * *wanted.force) return;
   throw contact::SolveError(
-      fmt::format("friction, which this theory does not bound, is {:.4g} N across the rail where "
-                  "mu F_n is {:.4g} N, and lifts a wheel on a plane tilted by {:.3g} rad: it would "
-                  "carry {:.3g} of the load of {:g} N; do: run with a model that bounds friction "
-                  "(fastsim, strip, halfspace), or give load.normal_force",
+      fmt::format("this theory has no traction bound: friction is {:.4g} N across the rail, mu F_n "
+                  "only {:.4g} N; on a plane tilted by {:.3g} rad this friction would carry {:.3g} "
+                  "of the load of {:g} N; do: run with a model that bounds friction (fastsim, "
+                  "strip, halfspace), or give load.normal_force",
                   std::abs(point.lateral_force), bound,
                   std::atan2(std::abs(wanted.direction[0]), wanted.direction[1]),
                   wanted.direction[0] * point.lateral_force / *wanted.force, *wanted.force));
 }
 
-/// A model at the one load point of a scene whose load has another direction than z: the force
-/// along z is a fixed point, for friction carries a part of the load.
+/// A model at the single load point of a scene whose load is not along z: the force along z is a
+/// fixed point, because friction carries a part of the load.
 ModelResult run_tilted_load(const contact::Model& model, const Scene& scene,
                             const contact::Progress& progress) {
   constexpr int most_steps = 40;
@@ -316,11 +315,11 @@ ModelResult run_each_load(const contact::Model& model, const Scene& scene,
 
 namespace {
 
-/// Some ten milliseconds a load point. With 20 what these few elements leave uncertain is often
-/// more than what a theory is off by.
+/// Some ten milliseconds a load point. With 20, the discretisation error is often larger than the
+/// error of a theory.
 constexpr int elements_of_theories = 32;
 
-/// The load point of a model that has one for all of them.
+/// The load point of a model that uses one solution for all load points.
 Scene at_largest_load(const Scene& scene) {
   const contact::NormalLoad largest = contact::largest_load(scene);
   for (std::size_t k = 0; k < scene.points.size(); ++k)
@@ -360,9 +359,9 @@ void add_errors(const PointResult& half, bool with_friction, PointResult& theory
     const auto word = half.no_bar.find(quantity.name);
     const bool given = word != half.no_bar.end() && word->second == contact::no_bar::given;
     if (!value || !other || given || !is_worth_it(quantity, with_friction)) continue;
-    // Without its bar a half-space of so few elements says nothing.
+    // Without its error bar a half-space solution on so few elements is no reference.
     if (bar == half.error_estimate.end()) continue;
-    // A bar holds nearly always; half of it does as a rule (docs/accuracy.md).
+    // An error bar holds nearly always, half of it usually (docs/accuracy.md).
     theory.model_error[quantity.name] = std::abs(*value - *other) + 0.5 * bar->second;
   }
 }
@@ -382,15 +381,15 @@ void estimate_model_error(const Scene& scene, bool with_friction, const contact:
     contact::explain_bars(rough, {}, half);
     for (std::size_t k = 0; k < theory.points.size() && k < half.points.size(); ++k)
       add_errors(half.points[k], with_friction, theory.points[k]);
-    theory.model_error_source =
-        fmt::format("difference from the half-space with {} elements across, plus half its bar",
-                    elements_of_theories);
-  } catch (const std::runtime_error& error) {  // InputError, SolveError and what they are made of
+    theory.model_error_source = fmt::format(
+        "difference from the half-space with {} elements across, plus half its error bar",
+        elements_of_theories);
+  } catch (const std::runtime_error& error) {  // InputError, SolveError and their base classes
     theory.model_error_source =
         fmt::format("not estimated: no result of the half-space with {} elements across ({})",
                     elements_of_theories, error.what());
   }
-  // Not of the total, which is what the theory costs.
+  // Not part of the total, which is the cost of the theory.
   theory.seconds["model error"] = watch.seconds();
 }
 

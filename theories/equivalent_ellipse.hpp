@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Theories of an elliptic patch on true profiles: they use the ellipse with the area and ratio of
-// extents of the half-space patch, about its centre of pressure.
+// extents of the half-space patch, centred at its centre of pressure.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -10,31 +10,31 @@
 
 namespace rollfem::theories {
 
-/// The ellipse, and the case of a given Hertz pressure on it in a frame at its middle.
+/// The ellipse, and the case with its Hertz pressure given in a frame at its centre.
 struct EquivalentEllipse {
   halfspace::ExpectedPatch patch;               ///< of the half-space
   double semi_axis_x = 0.0, semi_axis_y = 0.0;  ///< mm
-  contact::Scene scene;  ///< creepages are those at the middle: (xi - phi y, eta + phi x)
+  contact::Scene scene;  ///< creepages at the centre of the ellipse: (xi - phi y, eta + phi x)
 };
 EquivalentEllipse equivalent_ellipse(const contact::Scene& scene);
 
-/// Results of a case in the frame of the ellipse as those of the case with profiles: grid, spin
-/// moment, creepages and approach, with a note of what was taken.
+/// Converts results in the frame of the ellipse into results of the case with profiles: grid, spin
+/// moment, creepages and approach, with a note on the equivalent ellipse.
 void return_to_patch_frame(const contact::Scene& scene, const EquivalentEllipse& ellipse,
                            contact::ModelResult& result);
 
 /// Runs a theory of an elliptic patch on the equivalent ellipse of a case with `patch`. `no_spin`:
-/// the theory knows none; it is left out with a note.
+/// the theory has no spin; it is neglected with a note.
 contact::ModelResult run_on_ellipse(const contact::Model& model, const contact::Scene& scene,
                                     const contact::Progress& progress, bool no_spin);
 
 /// Hertz's theory with the relative curvatures at the contact point of the patch. Throws
-/// contact::InputError where they make no ellipse; notes what the half-space finds.
+/// contact::InputError where they define no ellipse; notes the half-space result.
 contact::ModelResult run_hertz_of_patch(const contact::Scene& scene,
                                         const contact::Progress& progress);
 
-/// Runs a model that knows one normal force for each load point of a case by itself where
-/// loads differ, on one grid, so that a force along another direction than z is met with friction.
+/// Runs a model that supports one normal force separately for each load point where loads differ,
+/// all on one grid, and iterates a load that is not along z together with friction.
 contact::ModelResult run_each_load(const contact::Model& model, const contact::Scene& scene,
                                    const contact::Progress& progress);
 
@@ -42,7 +42,8 @@ contact::ModelResult run_each_load(const contact::Model& model, const contact::S
 
 /// Sets PointResult::model_error of a theory's values from a half-space solution of the same scene
 /// with 32 elements across: the difference, and half of that solution's own bar. `with_friction`:
-/// the theory has forces, too. Where the half-space has no result model_error_source says why.
+/// the theory has forces, too. Where the half-space has no result, model_error_source states the
+/// reason.
 void estimate_model_error(const contact::Scene& scene, bool with_friction,
                           const contact::Progress& progress, contact::ModelResult& theory);
 

@@ -40,7 +40,8 @@ BrushTotals sum_grid_strips(const BrushProblem& problem, const halfspace::HertzC
   return totals;
 }
 
-/// Measured: 2; 1.5 with the elliptic bound, taken as 1; 1 where spin turns the direction of slip.
+/// Order of convergence, measured: 2; 1.5 with the elliptic bound, taken as 1; 1 where spin turns
+/// the direction of slip.
 int convergence_order(const FastsimOptions& options, const contact::Creepage& creepage) {
   const bool second = options.elements == FastsimElements::chord &&
                       options.bound == BoundShape::parabolic && creepage.spin == 0.0;
@@ -101,8 +102,8 @@ contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Pro
       run_theory(scene, patch.grid, patch.normal, "fastsim", progress, fill);
   result.unknowns = unknowns;
   result.notes.push_back(
-      "FASTSIM: error estimates cover the resolution only; model_error says what the theory "
-      "neglects");
+      "FASTSIM: error estimates cover the resolution only; see model_error for the error of the "
+      "theory itself");
   return result;
 }
 

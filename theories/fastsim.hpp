@@ -12,21 +12,21 @@ using contact::FastsimElements;
 using contact::Flexibilities;
 using FastsimOptions = contact::FastsimOptions;
 
-/// FastsimElements::grid: those of a box of `count` over 2 a whose middles lie in the strip, with
-/// the spin where CONTACT takes it.
+/// FastsimElements::grid: elements of a box with `count` over 2 a whose centres lie in the strip,
+/// with the spin taken at CONTACT's position.
 StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count);
 
 /// Forces and areas of one load point of the case; the extra rigid slip of the case is included.
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const FastsimOptions& options = {});
 
-/// The same with brushes of other flexibilities than the linear theory's.
+/// The same with given flexibilities instead of the linear theory's.
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const BrushFlexibilities& flexibilities, const FastsimOptions& options);
 
 /// The model "fastsim": forces by `options`, fields on the case's contact grid. The recorded
-/// traction bound is that of the theory, whose parabola exceeds mu p_n by a third in the middle.
-/// error_estimate is that of the resolution alone, not of the theory (10 to 15 % in the forces).
+/// traction bound is the parabola of the theory, which exceeds mu p_n by a third in the middle.
+/// error_estimate covers the resolution only, not the theory (10 to 15 % in the forces).
 contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress,
                                  const FastsimOptions& options = {});
 

@@ -59,13 +59,13 @@ RefinedInput strip_level(ModelInput input, int k, int /*n*/) {
   return strips_level(input.options.strip.strips, std::move(input));
 }
 
-/// How a study refines a theory: strips and their elements of the case are the third of five
+/// Refinement levels of a theory in a study: the case's strips and elements are the third of five
 /// levels.
 Refinement strips_of(RefinedInput (*level)(ModelInput, int, int)) {
   return {"grid", "", "strips", 2.0, 5, false, level};
 }
 
-/// Slip below this moves no force that a theory gives.
+/// Slip below this value changes no force of a theory.
 constexpr double smallest_slip_worth_a_note = 1e-7;
 
 ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
@@ -80,13 +80,13 @@ ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& p
   return result;
 }
 
-/// What a theory knows nothing of.
+/// Effects that a theory neglects.
 struct Leaves {
   bool spin = false;
   bool extra_slip = false;
 };
 
-/// The slip that the surface brings is left out by a theory that has none, and said.
+/// A theory without extra rigid slip neglects the slip of the surface, with a note.
 ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& scene,
                                    const Progress& progress) {
   Scene flat = scene;
@@ -124,7 +124,8 @@ ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
                     scene.options.strip.virtual_penetration});
 }
 
-/// Without a checkpoint: a theory takes no time. Its distance from the half-space goes with it.
+/// No checkpoint: a theory takes no time. Its model error (difference from the half-space) is
+/// added.
 contact::ModelRun theory(contact::Model model, bool with_friction = true) {
   return [model = std::move(model), with_friction](const Scene& c, const Progress& p,
                                                    contact::Checkpoint*) {
@@ -134,11 +135,11 @@ contact::ModelRun theory(contact::Model model, bool with_friction = true) {
   };
 }
 
-/// A theory on Hertz's ellipse: closed forms to the end, or strips with error estimates.
+/// A theory on Hertz's ellipse: closed forms throughout, or strips with error estimates.
 constexpr contact::BarRules closed_form{true, contact::no_bar::theory};
 constexpr contact::BarRules strips_on_ellipse{true, contact::no_bar::not_estimated};
 
-/// What every theory of an elliptic patch takes, and `more`.
+/// Keys that every theory of an elliptic patch supports, and `more`.
 Demands of_ellipse(const Demands& more) {
   Demands all{Demand::distance_quadratic, Demand::given_pressure, Demand::rigid_body,
               Demand::stress_in_rigid_body, Demand::beyond_half_space};
@@ -148,7 +149,7 @@ Demands of_ellipse(const Demands& more) {
 
 void add_theories(contact::ModelRegistry& models) {
   ModelInfo hertz{"hertz", "Hertz", "elliptic patch and pressure in closed form, without friction"};
-  // It knows no friction: it takes any problem, and gives the patch alone.
+  // Frictionless: accepts any problem and gives only the patch.
   hertz.takes = of_ellipse({Demand::line_contact, Demand::history, Demand::tangential_force,
                             Demand::profiles, Demand::lateral_creepage, Demand::spin,
                             Demand::extra_slip, Demand::extra_slip_on_profiles});
@@ -214,7 +215,8 @@ contact::ModelRegistry make_models() {
   halfspace.run = run_halfspace_with_model_error;
   halfspace.refinements = {halfspace::contact_grid()};
   halfspace.no_model_error =
-      "not requested: halfspace.model_error = true estimates what half-spaces leave out";
+      "not requested: halfspace.model_error = true estimates the error of the half-space "
+      "assumption";
   halfspace.choosable = contact::Choosable::half_spaces;
   halfspace.measures_others = halfspace.has_stress = halfspace.in_compare = halfspace.joins_planes =
       true;

@@ -47,8 +47,8 @@ StripPatch find_patch(const StripProfile& profile, int first, double level) {
   return patch;
 }
 
-/// Strips of one patch from Hertz's ellipse. The penetration of a parabola B y^2 to the depth g0
-/// has the volume 4/3 g0 sqrt(g0/B): the B of the ellipse is that of the same depth and volume.
+/// Strips of one patch from Hertz's ellipse. A parabola B y^2 penetrating to the depth g0 has the
+/// volume 4/3 g0 sqrt(g0/B); the ellipse's B gives the same depth and volume.
 void solve_as_hertz(const StripProfile& profile, double contact_modulus, double level,
                     StripPatch& patch, StripNormalSolution& solution) {
   const double depth = overlap(profile, patch.deepest, level);
@@ -77,11 +77,11 @@ void solve_as_hertz(const StripProfile& profile, double contact_modulus, double 
   }
 }
 
-/// Integral of sqrt(a^2 - x^2) / r over a strip of half length a whose middle is `distance` across
-/// from the place that r is counted from, mm^2; x_m = 0.
+/// Integral of sqrt(a^2 - x^2) / r over a strip of half length a whose middle is at lateral
+/// distance `distance` from the origin of r, mm^2; x_m = 0.
 double strip_potential(double a, double distance, double width) {
-  // x = a sin(pi/2 u^2): places are dense at x = 0, where 1/r of the strip of the place itself has
-  // a logarithm, and the root at the ends is smooth.
+  // x = a sin(pi/2 u^2): points are dense at x = 0, where the integral of 1/r over the origin's own
+  // strip is logarithmic, and the root at the ends becomes smooth.
   constexpr int places = 32;
   double sum = 0.0;
   for (int k = 0; k < places; ++k) {
@@ -130,7 +130,7 @@ void solve_patch(const StripProfile& profile, const StripLaw& law, double level,
     solve_as_hertz(profile, law.contact_modulus, level, patch, solution);
 }
 
-/// Penetration at which a growing function of the solution reaches `target`.
+/// Penetration at which an increasing function of the solution reaches `target`.
 template <class Function>
 StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw& law,
                                      double target, const char* quantity, Function&& value) {
@@ -142,7 +142,7 @@ StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw
         fmt::format("strip model: at a {} of {:g} the patch reaches the end of the profiles; give "
                     "profiles wider than the contact",
                     quantity, target));
-  // To the last digit: the force jumps where two patches become one.
+  // Bisected to the last digit, because the force jumps where two patches merge.
   const StripNormalSolution solution =
       solve(contact::bracketed_root([&](double g) { return value(solve(g)) / target - 1.0; }, 0.0,
                                     available, 0.0, "strip model: penetration"));

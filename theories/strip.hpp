@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The strip model: the normal problem strip by strip after Hertz from the penetration of the
 // profiles, and friction by brushes with Kalker's stiffness and a parabolic bound along each strip.
-// What the 2012 study's WheelsetContact does; it takes any undeformed distance across the patch.
+// The method of WheelsetContact in the 2012 study; works for any undeformed distance across the
+// patch.
 #pragma once
 
 #include "theories/brush.hpp"
@@ -24,13 +25,13 @@ struct StripProfile {
   double y(int j) const { return y_first + j * width; }
 };
 
-/// A run of strips in contact, and the ellipse that stands for it: as deep and as voluminous as the
-/// penetration, with the longitudinal curvature of the deepest strip.
+/// A run of strips in contact and its equivalent ellipse: same depth and volume as the penetration,
+/// with the longitudinal curvature of the deepest strip.
 struct StripPatch {
   int first = 0;  ///< strips first .. last
   int last = 0;
   int deepest = 0;
-  double y_lower = 0.0;       ///< mm, edges found between the strips
+  double y_lower = 0.0;       ///< mm, edges interpolated between the strips
   double y_upper = 0.0;       ///< mm
   double semi_axis_x = 0.0;   ///< mm, of the ellipse
   double semi_axis_y = 0.0;   ///< mm
@@ -42,29 +43,29 @@ struct StripNormalSolution {
   std::vector<double> half_length;   ///< a(y) per strip, mm, 0 out of contact
   std::vector<double> max_pressure;  ///< p0(y) per strip, MPa: elliptic along the strip
   std::vector<StripPatch> patches;
-  double penetration = 0.0;   ///< mm, of the undeformed profiles where they are deepest
+  double penetration = 0.0;   ///< mm, deepest penetration of the undeformed profiles
   double normal_force = 0.0;  ///< N
   double approach = 0.0;      ///< mm, of the patch with the deepest penetration
 };
 
-/// How the size of a patch follows from the penetration of the profiles.
+/// Relation between the size of a patch and the penetration of the profiles.
 struct StripLaw {
   double contact_modulus = 0.0;  ///< E*, MPa
-  /// Share of the approach by which the undeformed profiles penetrate; not given: Hertz's, of the
-  /// ellipse of the same depth and volume.
+  /// Ratio of virtual penetration to approach; unset: Hertz's ratio for the ellipse of the same
+  /// depth and volume.
   std::optional<double> virtual_penetration = {};
 };
 
 /// Half length of a strip a(y) = sqrt(g(y)/A'), its pressure p0(y) proportional to A(y) a(y), from
 /// the penetration g of the profiles. The penetration, A' and the factor of the pressure are
-/// Hertz's for the ellipse that stands for each patch, so that an elliptic contact comes out as
-/// Hertz's; a strip alone after line contact would be too soft. `penetration` mm.
+/// Hertz's for the equivalent ellipse of each patch, so that an elliptic contact agrees with Hertz;
+/// treating each strip as a line contact would be too soft. `penetration` mm.
 ///
 /// With a virtual penetration (Kik and Piotrowski 1996; Piotrowski and Chollet 2005) the approach
-/// is the penetration over its share, and the pressure kappa sqrt(a(y)^2 - x^2) that which moves
-/// the surfaces by as much where they are deepest: more strips touch than their own shape tells.
-/// The half lengths are scaled so that the extents are in the ratio of Hertz's ellipse of their
-/// width and depth.
+/// is the penetration divided by its ratio, and the pressure kappa sqrt(a(y)^2 - x^2) displaces the
+/// surfaces by the approach at the deepest point: more strips touch than by their own shape. The
+/// half lengths are scaled so that the extents have the ratio of Hertz's ellipse of the same width
+/// and depth.
 StripNormalSolution strips_at_penetration(const StripProfile& profile, const StripLaw& law,
                                           double penetration);
 
@@ -73,7 +74,7 @@ StripNormalSolution strips_at_penetration(const StripProfile& profile, const Str
 StripNormalSolution strips_for_force(const StripProfile& profile, const StripLaw& law,
                                      double normal_force);
 
-/// The same for an approach in mm, found as that of the patch with the deepest penetration.
+/// The same for an approach in mm, defined by the patch with the deepest penetration.
 StripNormalSolution strips_for_approach(const StripProfile& profile, const StripLaw& law,
                                         double approach);
 
@@ -86,8 +87,8 @@ struct StripSection {
 StripSection strip_section(const StripProfile& profile, const StripNormalSolution& solution,
                            double y);
 
-/// Profile of the radii or the patch of a case; with a patch over the y at which the distance is
-/// below the approach of expected_patch, beyond which nothing touches.
+/// Profile of the radii or the patch of a case; with a patch, over the y at which the distance is
+/// below the approach of expected_patch, beyond which there is no contact.
 StripProfile strip_profile(const contact::Scene& scene, int strips);
 
 struct StripOptions {
@@ -96,9 +97,9 @@ struct StripOptions {
   std::optional<double> virtual_penetration = {};
 };
 
-/// The model "strip": the bound of a strip is the parabola with the friction force of its pressure,
-/// 3 pi/8 mu p0(y) in the middle. Extra rigid slip is allowed. error_estimate is that of the
-/// resolution alone.
+/// The model "strip": the traction bound of a strip is the parabola with the friction force of its
+/// pressure, 3 pi/8 mu p0(y) in the middle. Extra rigid slip is allowed. error_estimate covers the
+/// resolution only.
 contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress,
                                const StripOptions& options = {});
 

@@ -18,7 +18,7 @@ namespace {
 
 using contact::pi;
 
-/// How far the strips reach, in semi-axes of Hertz's ellipse.
+/// Extent of the strips, in semi-axes of Hertz's ellipse.
 constexpr double reach = 1.25;
 
 struct StripContact {
@@ -62,7 +62,7 @@ contact::Field strip_pressure(const StripContact& contact, const contact::Contac
   return pressure;
 }
 
-/// The squares of the half lengths are taken as linear between the strips and up to the edges.
+/// The squares of the half lengths are linear between the strips and up to the edges.
 double contact_area(const StripContact& contact) {
   double area = 0.0;
   const auto add = [&area](double width, double a, double b) {
@@ -149,8 +149,7 @@ void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, 
   }
 }
 
-/// Strips over all y at which the profiles overlap when they have approached as far as in the
-/// half-space.
+/// Strips over all y at which the profiles overlap at the half-space's approach.
 StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
   const halfspace::PatchSearch search(scene);
   const halfspace::ExpectedPatch& expected = search.patch();
@@ -193,7 +192,8 @@ StripProfile strip_profile(const contact::Scene& scene, int strips) {
 
 namespace {
 
-/// From half as many strips. Sizes end at a border within a strip: they have their whole change.
+/// From half as many strips. Sizes end at a boundary within a strip, so their bar is the full
+/// change.
 void estimate_normal_errors(const contact::PointResult& coarse, contact::PointResult& normal) {
   const auto estimate = [&](const char* name, double part) {
     normal.error_estimate[name] =

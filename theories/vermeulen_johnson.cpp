@@ -29,7 +29,7 @@ bool adheres(const VermeulenJohnson& solution, double x, double y) {
   return solution.stick_ratio > 0.0 && std::hypot(t, y / solution.stick_ratio) < 1.0;
 }
 
-/// The tractions that are missing in the adhesion area, mu N s^3, are missing at x = (1 - s) a.
+/// The tractions subtracted in the adhesion area, mu N s^3, act at x = (1 - s) a.
 double spin_moment(const EllipticPatch& patch, const VermeulenJohnson& solution) {
   const double s = solution.stick_ratio;
   return -patch.friction * patch.hertz.normal_force * s * s * s * (1.0 - s) *

@@ -8,8 +8,8 @@
 
 namespace rollfem::theories {
 
-/// Solution at one pair of creepages. The adhesion area is an ellipse of the shape of the patch
-/// that touches it at the leading edge.
+/// Solution at one pair of creepages. The adhesion area is an ellipse similar to the patch that
+/// touches it at the leading edge.
 struct VermeulenJohnson {
   double load = 0.0;         ///< tau = G a b sqrt((C11 xi)^2 + (C22 eta)^2) / (mu N)
   double stick_ratio = 0.0;  ///< semi-axes of the adhesion area over those of the patch, 1 - tau/3
@@ -35,8 +35,8 @@ contact::ModelResult run_vermeulen_johnson(const contact::Scene& scene,
 // The model "linear": Kalker's linear theory of rolling contact
 // (halfspace/closed_forms/kalker.hpp). No slip, no friction bound.
 
-/// The model "linear". Its forces are those of the coefficients, without a bound; its tractions are
-/// those of the simplified theory without slip, which give the same F_x and F_y. Throws
+/// The model "linear". The forces follow from Kalker's coefficients, without a bound; the tractions
+/// are those of the simplified theory without slip, which have the same F_x and F_y. Throws
 /// contact::InputError for extra rigid slip.
 contact::ModelResult run_linear(const contact::Scene& scene, const contact::Progress& progress);
 

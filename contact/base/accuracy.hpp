@@ -9,11 +9,11 @@
 namespace rollfem::contact {
 
 struct AccuracyRequest {
-  std::optional<double> relative;  ///< largest estimated error; none: whatever the cells give
+  std::optional<double> relative;  ///< largest estimated error; none: no refinement
   std::vector<std::string> of;     ///< quantities by their names in summary.json
 };
 
-/// What may be asked: the quantities that are declared so (contact/result/quantities.cpp).
+/// Allowed names: the quantities declared for accuracy in contact/result/quantities.cpp.
 std::vector<std::string> accuracy_words();
 
 }  // namespace rollfem::contact

@@ -22,7 +22,7 @@ namespace {
 constexpr double gigabyte = 1e9;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The value of a line "name 123 ...", in its own unit.
+/// The value of a line "name 123 ...", in the unit of the line.
 double line_in(const std::string& file, const std::string& name) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
@@ -34,7 +34,7 @@ double line_in(const std::string& file, const std::string& name) {
   return unlimited;
 }
 
-/// What is below a limit; pages of files that the kernel can drop do not count as used.
+/// Memory left below a limit; file pages that the kernel can drop do not count as used.
 double left_below(double limit, double used, double droppable) {
   if (!std::isfinite(limit) || !std::isfinite(used)) return unlimited;
   if (!std::isfinite(droppable)) droppable = 0.0;

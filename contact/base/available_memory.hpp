@@ -7,13 +7,13 @@
 
 namespace rollfem::contact {
 
-/// What this machine still has for this process: MemAvailable of /proc/meminfo, what a cgroup (v1
-/// or v2) leaves, or the environment variable ROLLFEM_MEMORY_GB (GB of 1e9 bytes) in place of both.
-/// Infinite when none can be read. Throws InputError for a value that is not a number.
+/// Memory available to this process: the smaller of MemAvailable in /proc/meminfo and the remainder
+/// of its cgroup limit (v1 or v2); the environment variable ROLLFEM_MEMORY_GB (GB of 1e9 bytes)
+/// overrides both. Infinite when none can be read. Throws InputError for a value that is not a
+/// number.
 double available_bytes();
 
-/// The same from given places, for tests: a folder that stands for /proc and one for
-/// /sys/fs/cgroup.
+/// The same with folders that replace /proc and /sys/fs/cgroup, for tests.
 double available_bytes(const std::string& proc, const std::string& cgroup);
 
 /// "2.5 GB", of 1e9 bytes; "unknown memory" for infinity.

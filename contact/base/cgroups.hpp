@@ -7,14 +7,15 @@
 
 namespace rollfem::contact {
 
-/// Calls `visit` with the folder of each group that limits `controller` ("memory", "cpu"), from
-/// that of this process up, whose limits count as well; `unified` for version 2. `proc` stands for
-/// /proc, `root` for /sys/fs/cgroup. Folders need not exist: a container may hide them.
+/// Calls `visit` with the folder of each group that limits `controller` ("memory", "cpu"), from the
+/// group of this process up to the root, because all their limits apply; `unified` for version 2.
+/// `proc` replaces /proc, `root` replaces /sys/fs/cgroup. Folders need not exist: a container may
+/// hide them.
 void for_each_cgroup(const std::string& proc, const std::string& root,
                      const std::string& controller,
                      const std::function<void(const std::string& group, bool unified)>& visit);
 
-/// The first number in a file; infinite for "max" and where there is none.
+/// The first number in a file; infinite for "max" and without a number.
 double first_number(const std::string& file);
 
 }  // namespace rollfem::contact

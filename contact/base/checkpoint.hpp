@@ -11,10 +11,10 @@ namespace rollfem::contact {
 class Checkpoint {
  public:
   virtual ~Checkpoint() = default;
-  /// What an earlier run of the same case has kept under that name. Names are file names: letters,
+  /// Data stored under this name by an earlier run of the same case. Names are file names: letters,
   /// digits, '.', '-'.
   virtual std::optional<std::string> find(const std::string& name) = 0;
-  /// Never throws: a run does not fail because its checkpoint cannot be written.
+  /// Never throws: a run must not fail because its checkpoint cannot be written.
   virtual void keep(const std::string& name, const std::string& record) = 0;
 };
 

@@ -5,28 +5,27 @@
 
 namespace rollfem::contact {
 
-/// What is asked of friction.
+/// The friction problem to solve.
 enum class Problem {
-  steady,        ///< steady rolling, every load point on its own
-  shift,         ///< bodies pressed and pushed without rolling (Cattaneo); load points are steps
+  steady,        ///< steady rolling, every load point separately
+  shift,         ///< bodies pressed and shifted without rolling (Cattaneo); load points are steps
   transient,     ///< rolling in steps from the state before; load points are steps
-  frictionless,  ///< the normal problem alone, tangential tractions 0
+  frictionless,  ///< only the normal problem, tangential tractions 0
 };
 
 /// Order of the one-sided difference along the streamline.
 enum class UpwindOrder {
-  first,   ///< (u_i - u_i+1) / dx, the spin taken dx/6 upstream: what CONTACT does
+  first,   ///< (u_i - u_i+1) / dx, the spin taken dx/6 upstream, as in CONTACT
   second,  ///< (3 u_i - 4 u_i+1 + u_i+2) / (2 dx)
 };
 
-/// Where the second-order difference takes the leading edge of a patch to be
-/// (docs/theory.md).
+/// Assumed position of the leading edge in the second-order difference (docs/theory.md).
 enum class LeadingEdge {
-  fitted,  ///< where the pressure says, below the element size
-  plain,   ///< wherever the elements put it
+  fitted,  ///< from the pressure, finer than the element size
+  plain,   ///< at the border of the elements
 };
 
-/// How the traction bound of brushes falls off along a strip, t from -1 to 1 over its length.
+/// Shape of the traction bound of brushes along a strip, t from -1 to 1 over its length.
 enum class BoundShape {
   parabolic,  ///< 1 - t^2
   elliptic,   ///< sqrt(1 - t^2)
@@ -38,7 +37,7 @@ enum class Flexibilities {
   one,    ///< Kalker's weighted mean, as in the paper of 1982
 };
 
-/// Where the elements of FASTSIM's strips lie.
+/// Position of the elements in FASTSIM's strips.
 enum class FastsimElements {
   chord,  ///< every strip divided into equal elements: forces of order 2 for the parabolic bound
           ///< without spin, 1.5 for the elliptic one, 1 with spin, which turns the slip

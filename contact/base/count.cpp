@@ -8,7 +8,7 @@
 namespace rollfem::contact {
 
 int count_of(double number, const char* what) {
-  // Written so that NaN is refused as well.
+  // Written so that NaN is rejected, too.
   if (number >= -largest_count && number <= largest_count) return static_cast<int>(number);
   throw InputError(
       fmt::format("{}: {:.4g} would be needed; allowed: at most {:.0e}; do: give larger steps or "

@@ -5,12 +5,11 @@
 
 namespace rollfem::contact {
 
-/// More of anything is a mistake in the input; below it, sums of a few counts still fit into an
-/// int.
+/// Larger counts are a mistake in the input; up to this one, sums of a few counts fit into an int.
 inline constexpr double largest_count = 1e8;
 
 /// A whole number as an int. Throws InputError where it is not finite or beyond `largest_count` in
-/// magnitude; `what` says of what there are so many, and names the keys that make them.
+/// magnitude; `what` names the items and the keys that determine their number.
 int count_of(double number, const char* what);
 
 }  // namespace rollfem::contact

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The two ways in which a run fails: the input is wrong (exit status 2) or the solution failed
-// (exit status 1). Everything else is a defect of the program.
+// (exit status 1). Everything else is a defect of rollfem.
 #pragma once
 
 #include <stdexcept>
@@ -8,22 +8,22 @@
 
 namespace rollfem::contact {
 
-/// The case file or the call is wrong. The text names file, line, key, value, what is allowed and
-/// what to do.
+/// The case file or the call is wrong. The text names file, line, key, value, allowed values and
+/// remedy.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The problem was understood but has no solution or none was reached: no contact, infeasible
-/// force, an iteration that did not converge. The text says which and with what residual.
+/// The problem is valid but has no solution or none was found: no contact, infeasible force, an
+/// iteration that did not converge. The text states the cause and the residual.
 class SolveError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The grid is too coarse for its solution to mean anything, or too small for the patch: another
-/// one has a solution.
+/// The grid is too coarse for a meaningful solution, or too small for the patch; another grid has a
+/// solution.
 class UnfitGrid : public SolveError {
  public:
   using SolveError::SolveError;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The contact grid: a rectangle of equal rectangular elements in the contact plane (the potential
-// contact area), on which every model has its tractions, and the fields that live on it.
+// contact area), on which every model has its tractions, and the fields on it.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,8 +37,8 @@ struct PatchShape {
 /// Potential contact area of nx by ny elements of dx by dy mm. x is the rolling direction
 /// (material enters at large x), y is lateral; `x_first`, `y_first` is the centre of element (0,0).
 ///
-/// Of a line contact it is one row (ny = 1) whose elements have no ends across: dy is the width
-/// that forces are of.
+/// A line contact has one row (ny = 1) of laterally endless elements; dy is the width to which
+/// forces refer.
 struct ContactGrid {
   int nx = 0;
   int ny = 0;
@@ -46,8 +46,8 @@ struct ContactGrid {
   double dy = 0.0;
   double x_first = 0.0;
   double y_first = 0.0;
-  /// mm, > 0: a line contact, whose displacements are relative to what a line load causes on the
-  /// surface at this distance from it. Half-planes have no fixed point at infinity.
+  /// mm, > 0: a line contact, whose displacements are relative to the surface displacement at this
+  /// distance from a line load, because half-planes have no fixed point at infinity.
   double line_reference = 0.0;
 
   bool is_line() const { return line_reference > 0.0; }
@@ -63,7 +63,8 @@ struct ContactGrid {
     return {nx, ny, dx, dy, x_middle - 0.5 * (nx - 1) * dx, y_middle - 0.5 * (ny - 1) * dy};
   }
 
-  /// With that many more columns and rows of elements on each side; a line stays one row.
+  /// The grid extended by this many columns and rows of elements on each side; a line contact keeps
+  /// one row.
   ContactGrid widened(int columns, int rows) const {
     if (is_line()) rows = 0;
     return {nx + 2 * columns,    ny + 2 * rows, dx, dy, x_first - columns * dx,
@@ -77,7 +78,7 @@ struct ContactGrid {
     sample_into(values, function);
     return values;
   }
-  /// The same into a field that is kept.
+  /// The same into an existing field.
   template <class Function>
   void sample_into(Field& values, Function&& function) const {
     values.resize(size());
@@ -88,13 +89,13 @@ struct ContactGrid {
 
 // The output of a compliance.
 
-/// What tractions do to two bodies that roll over each other.
+/// Response of two rolling bodies to tractions.
 struct Response {
   SurfaceField displacement;
   /// Slip beyond the upwind difference of the displacement: on a streamline of radius R a
   /// displacement u_r towards the centre shortens the material by u_r / R along x; where the
-  /// surface is tilted across, the turning frame also brings a lateral part. Empty where
-  /// streamlines are straight.
+  /// surface is tilted across, the turning frame adds a lateral component. Empty for straight
+  /// streamlines.
   TangentialField curvature_slip;
 };
 

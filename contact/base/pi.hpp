@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The constant pi, which C++17 lacks.
+// The constant pi, which is not in C++17.
 #pragma once
 
 namespace rollfem::contact {

@@ -4,13 +4,13 @@
 
 namespace rollfem::contact {
 
-/// Part of its radius up to which a profile is a circle where the case does not say: 44.4 degrees.
+/// Default fraction of its radius up to which a profile is a circle: 44.4 degrees.
 inline constexpr double usual_round_to = 0.7;
 
-/// Depth at which a profile has dropped below its middle at lateral coordinate y (mm, towards the
-/// body's inside), and its slope: a circle arc of `transverse_radius`, continued by its tangent
-/// beyond `round_to` of that radius, where as a rule nothing touches any more and a steeper surface
-/// would only spoil the cells.
+/// Drop of a profile below its middle at lateral coordinate y (mm, towards the body's inside), and
+/// its slope: a circle arc of `transverse_radius`, continued by its tangent beyond `round_to` of
+/// that radius, where there is usually no contact and a steeper surface would only distort the
+/// cells.
 struct ProfileDrop {
   double value = 0.0;
   double slope = 0.0;

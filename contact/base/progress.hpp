@@ -13,11 +13,11 @@ namespace rollfem::contact {
 struct ProgressEvent {
   std::string model;               ///< "fem"
   std::string stage;               ///< "mesh", "factorise wheel", "normal", "rolling", "shift", ...
-  int point = 0;                   ///< 1-based load point, 0 when the stage belongs to none
+  int point = 0;                   ///< 1-based load point, 0 for stages outside load points
   int points = 0;                  ///< number of load points
   std::optional<double> creepage;  ///< longitudinal, where the bodies roll with friction
   int iteration = 0;               ///< outer (FE) or Newton (half-space) iteration
-  double residual = 0.0;           ///< relative residual of that iteration, 0 when it has none
+  double residual = 0.0;           ///< relative residual of that iteration, 0 if none
   int contact_elements = 0;        ///< active set
   int adhesion_elements = 0;
   bool finished = false;  ///< the stage has finished

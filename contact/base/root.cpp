@@ -35,7 +35,7 @@ double bracketed_root(const std::function<double(double)>& f, double a, double b
     return upper - lower <=
            std::max(tolerance, digits * std::max(std::abs(lower), std::abs(upper)));
   };
-  // TOMS 748 halves the bracket every third evaluation at the latest.
+  // TOMS 748 halves the bracket at least every third evaluation.
   std::uintmax_t evaluations = 400;
   const auto bracket =
       boost::math::tools::toms748_solve(value, a, b, at_a, at_b, close, evaluations);
@@ -47,7 +47,8 @@ double bracketed_root(const std::function<double(double)>& f, double a, double b
 
 namespace {
 
-/// Less than this is rounding: symmetric places must not be exchanged for ever.
+/// Smaller improvements are rounding; without this limit the search could alternate between
+/// symmetric points forever.
 constexpr double worth_moving = 1e-10;
 constexpr int most_moves = 60;
 

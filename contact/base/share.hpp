@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One of several parts of a long piece of work that independent calls do.
+// One of several parts of a long task shared by independent calls.
 #pragma once
 
 #include <cstddef>
 
 namespace rollfem::contact {
 
-/// Part `part` (from 0) of `of`: every so many-th item, so that neighbours, which cost alike, are
-/// spread.
+/// Part `part` (from 0) of `of`: every `of`-th item, so that neighbours, which have similar cost,
+/// are distributed.
 struct Share {
   int part = 0;
   int of = 1;

@@ -17,7 +17,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// The whole field as from_chars reads it, which knows no plus sign.
+/// The whole field by from_chars, which accepts no plus sign.
 template <class Number>
 std::optional<Number> parsed(std::string_view field) {
   if (field.size() > 1 && field.front() == '+' && field[1] != '-') field.remove_prefix(1);
@@ -156,7 +156,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
   std::string nearest;
-  // Half of the letters may be wrong, or else the guess would puzzle more than it helps.
+  // At most half of the letters may differ; a more distant guess would only confuse.
   std::size_t smallest = (std::min<std::size_t>(name.size(), 40) + 1) / 2 + 1;
   if (name.size() > 80) return nearest;
   for (const std::string& candidate : candidates) {

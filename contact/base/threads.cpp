@@ -22,7 +22,7 @@ int allowed_threads() {
   const char* wanted = std::getenv("OMP_NUM_THREADS");
   const int number = wanted != nullptr ? std::atoi(wanted) : 0;
   if (number > 0) return number;
-  // Affinity is in the first number already.
+  // The first number already includes affinity.
   return std::max(1, std::min(static_cast<int>(std::thread::hardware_concurrency()),
                               allowed_cores("/proc", "/sys/fs/cgroup")));
 }

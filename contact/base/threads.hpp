@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs two halves of a computation in parallel where machine and user allow it. Nothing is summed
-// across threads: results are bitwise the same with one thread and with two.
+// across threads: results are bitwise identical with one and two threads.
 #pragma once
 
 #include <future>
@@ -9,16 +9,16 @@
 
 namespace rollfem::contact {
 
-/// How many threads a single solution may use: what OMP_NUM_THREADS says, else the cores that this
-/// process may use by its affinity and its control groups; 1 under a SingleThread.
+/// Number of threads for a single solution: OMP_NUM_THREADS if set, otherwise the cores available
+/// by affinity and control groups; 1 under a SingleThread.
 int threads();
 
-/// The cores that control groups leave this process, at least 1; very many without a limit. The
-/// folders stand for /proc and /sys/fs/cgroup.
+/// Cores that control groups allow this process, at least 1; a very large number without a limit.
+/// The folders replace /proc and /sys/fs/cgroup.
 int allowed_cores(const std::string& proc, const std::string& cgroup);
 
-/// As long as one exists solutions of the thread that made it use no other thread: for callers
-/// that solve several at once.
+/// While one exists, solutions on the thread that created it use no other thread: for callers that
+/// solve several in parallel.
 class SingleThread {
  public:
   SingleThread();
@@ -27,8 +27,8 @@ class SingleThread {
   SingleThread& operator=(const SingleThread&) = delete;
 };
 
-/// As long as one exists the thread that made it may use so many threads, those of others that
-/// wait.
+/// While one exists, the thread that created it may use this many threads, taking over those of
+/// waiting threads.
 class LentThreads {
  public:
   explicit LentThreads(int count);
@@ -40,7 +40,8 @@ class LentThreads {
   int before_;
 };
 
-/// Both, at once where `at_once` and there are threads. Starting a thread takes some 0.03 ms.
+/// Runs both, in parallel if `at_once` and threads are available. Starting a thread takes about
+/// 0.03 ms.
 template <class First, class Second>
 void both(bool at_once, First&& first, Second&& second) {
   if (!at_once || threads() < 2) {

@@ -24,47 +24,47 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Wheel {
   double rolling_radius = 0.0;          ///< mm, radius at the running circle
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
-  double round_to = usual_round_to;     ///< part of that radius, see contact/base/profile_drop.hpp
+  double round_to = usual_round_to;  ///< fraction of that radius, see contact/base/profile_drop.hpp
   Material material;
-  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by the program
-  ProfileSource profile;  ///< in place of the transverse radius
+  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by rollfem
+  ProfileSource profile;  ///< instead of the transverse radius
 };
 
 /// Lower body (2): a straight extruded rail.
 struct Rail {
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
-  double round_to = usual_round_to;     ///< part of that radius, see contact/base/profile_drop.hpp
+  double round_to = usual_round_to;  ///< fraction of that radius, see contact/base/profile_drop.hpp
   Material material;
-  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by the program
-  ProfileSource profile;  ///< in place of the transverse radius
+  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by rollfem
+  ProfileSource profile;  ///< instead of the transverse radius
 };
 
 enum class ContactShape {
-  point,  ///< bodies with an extent across: radii, profiles, points
-  line,   ///< rollers without ends across
+  point,  ///< bodies of finite width: radii, profiles, points
+  line,   ///< endless rollers
 };
 
-/// The shape of the contact; the rest is of a line.
+/// The shape of the contact; the other members are for line contact.
 struct ContactShapeCase {
   ContactShape shape = ContactShape::point;
-  double width = 1.0;                        ///< mm across that all forces are of
+  double width = 1.0;                        ///< mm, width to which all forces refer
   std::optional<double> relative_radius;     ///< mm; not given: the wheel's rolling radius
   std::optional<double> reference_distance;  ///< mm; not given: the relative radius
 };
 
-/// Exactly one of the first three is given; vertical_force with profiles only. Where the load comes
-/// from elsewhere (a history, a given pressure) the reader puts the largest normal force or
-/// approach of that here, which is what grids are sized by.
+/// Exactly one of the first three is given; vertical_force only with profiles. Where the load comes
+/// from elsewhere (a history, a given pressure), the reader stores its largest normal force or
+/// approach here, which determines the size of grids.
 struct Load {
   std::optional<double> normal_force;    ///< N
   std::optional<double> approach;        ///< mm
   std::optional<double> vertical_force;  ///< N, on each wheel, friction included
 };
 
-/// Rigid slip that comes from the shape of the contact surface rather than from the creepages.
+/// Rigid slip caused by the shape of the contact surface rather than by the creepages.
 enum class ExtraSlip {
   automatic,  ///< that of the true rolling radii of the wheel's surface
-  none,       ///< creepages alone, as if the surface were flat
+  none,       ///< only creepages, as if the surface were flat
   file,       ///< s_x, s_y on a lattice of points, Rolling::extra_slip_values
 };
 
@@ -88,15 +88,15 @@ struct Creepage {
   double spin = 0.0;          ///< phi, rad/mm
 };
 
-/// Tangential force on the wheel (N) given in place of the creepage (shift) of that direction,
-/// which then is unknown and 0 in `Creepage` (`HistoryStep`).
+/// Tangential force on the wheel (N) given instead of the creepage (shift) in that direction, which
+/// is then unknown and 0 in `Creepage` (`HistoryStep`).
 struct PrescribedForce {
   std::optional<double> longitudinal;  ///< F_x, negative when braking (xi > 0)
   std::optional<double> lateral;       ///< F_y
   bool any() const { return longitudinal.has_value() || lateral.has_value(); }
 };
 
-/// Which creepages the case file gives; with profiles the others follow from the motion.
+/// Creepages given in the case file; with profiles the others follow from the motion.
 struct GivenCreepages {
   bool longitudinal = false;
   bool lateral = false;
@@ -116,7 +116,7 @@ struct Rolling {
   std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
 };
 
-/// What is special to one step of the problems `shift` and `transient`. Shifts are rigid
+/// Data specific to one step of the problems `shift` and `transient`. Shifts are rigid
 /// displacements of the wheel relative to the rail during this step, not since the beginning.
 struct HistoryStep {
   std::optional<double> normal_force;  ///< N; neither: that of the whole case
@@ -127,13 +127,14 @@ struct HistoryStep {
   double step_length = 0.0;            ///< mm rolled in this step, problem transient
 };
 
-/// Undeformed distance in place of that of the radii; at most one of the two.
+/// Undeformed distance instead of the radii; at most one of the two.
 struct DistanceOptions {
   std::optional<std::array<double, 2>> quadratic;  ///< A, B in 1/mm: h = A x^2 + B y^2
   std::optional<Lattice> values;                   ///< h in mm on a lattice of points
 };
 
-/// Hertzian pressure p0 sqrt(1 - (x/a)^2 - (y/b)^2) prescribed in place of the normal problem.
+/// Hertzian pressure p0 sqrt(1 - (x/a)^2 - (y/b)^2) prescribed instead of solving the normal
+/// problem.
 struct GivenPressure {
   double semi_axis_x = 0.0;   ///< a, mm
   double semi_axis_y = 0.0;   ///< b, mm
@@ -147,60 +148,59 @@ struct GridOptions {
   std::array<double, 2> middle{0.0, 0.0};          ///< mm, of the potential contact area
 };
 
-/// Points at which stress and displacement are asked for: a point (1 by 1), a line (n by 1) or a
-/// plane (n by m) of them, the parallelogram `from`, `to`, `across`; or a line (n by 1) that
-/// follows the contact surface of the body at one depth, of which `from` and `to` hold x and y
-/// only.
+/// Points at which stress and displacement are requested: a point (1 by 1), a line (n by 1) or a
+/// plane (n by m), the parallelogram `from`, `to`, `across`; or a line (n by 1) that follows the
+/// contact surface of the body at one depth, for which `from` and `to` hold only x and y.
 struct SubsurfaceRequest {
   enum class Kind { point, line, plane, surface };
   Kind kind = Kind::point;
-  bool wheel = true;  ///< else the rail
+  bool wheel = true;  ///< otherwise the rail
   std::array<double, 3>
       from{};  ///< mm, global frame: z >= 0 in the wheel, <= 0 in the rail unless that is concave
-  std::array<double, 3> to{};       ///< other end of the line; end of the first side
-  std::array<double, 3> across{};   ///< end of the second side, that begins at `from`
+  std::array<double, 3> to{};       ///< other end of the line, or of the first side
+  std::array<double, 3> across{};   ///< end of the second side, which begins at `from`
   double depth = 0.0;               ///< mm below the surface of the body, kind surface
   std::array<int, 2> points{1, 1};  ///< along the first and the second side
 };
 
-/// Of which load points displacement and stress of the whole bodies are kept.
+/// Load points for which displacement and stress of the whole bodies are stored.
 enum class BodyFields { all, last, none };
 
-/// Which load points keep the fields on the contact grid; `automatic`: all of a list of up to
-/// OutputOptions::most_whole, else some.
+/// Load points for which the fields on the contact grid are stored; `automatic`: all of up to
+/// OutputOptions::most_whole, otherwise some.
 enum class GridFields { automatic, all, some, none };
 
 struct OutputOptions {
   static constexpr std::size_t most_whole = 100;  ///< load points
   static constexpr std::size_t some_points = 25;
-  std::vector<std::string> paths{"x", "y"};   ///< middle lines written as path_x.csv, path_y.csv
-  bool fields = true;                         ///< ParaView files, and what body_fields says
+  std::vector<std::string> paths{"x", "y"};  ///< middle lines written as path_x.csv, path_y.csv
+  bool fields = true;  ///< ParaView files, with bodies according to body_fields
   BodyFields body_fields = BodyFields::none;  ///< only with `fields`
   GridFields grid_fields = GridFields::automatic;
   bool stress_maxima = false;
-  /// Whether load point k of `count` keeps its fields: of some the first, the last and those evenly
-  /// between them.
+  /// Whether the fields of load point k of `count` are stored; `some`: the first, the last and
+  /// evenly spaced ones between them.
   bool keeps_grid(std::size_t k, std::size_t count) const {
     if (grid_fields == GridFields::none) return false;
     const bool whole = grid_fields == GridFields::all ||
                        (grid_fields == GridFields::automatic && count <= most_whole);
     if (whole || count <= some_points) return true;
-    // Whether one of the places j (count - 1)/(some - 1), rounded down, is k.
+    // Whether k is one of the indices j (count - 1)/(some - 1), rounded down.
     const std::size_t parts = some_points - 1, last = count - 1;
     const std::size_t j = (k * parts + last - 1) / last;
     return j * last / parts == k;
   }
-  /// Whether load point k of `count` keeps displacement and stress of wheel and rail.
+  /// Whether displacement and stress of wheel and rail are stored for load point k of `count`.
   bool keeps_bodies(std::size_t k, std::size_t count) const {
     return fields &&
            (body_fields == BodyFields::all || (body_fields == BodyFields::last && k + 1 == count));
   }
 };
 
-/// What `rollfem table` fills: the creep force law of Hertzian contacts over scaled creepages and
-/// the ratio of their axes, or of a wheel on its rail over the lateral shift.
+/// Grid of `rollfem table`: the creep force law of Hertzian contacts over scaled creepages and the
+/// ratio of the semi-axes, or of a wheel on its rail over the lateral shift.
 struct TableOptions {
-  std::vector<double> axis_ratio;     ///< a/b; empty: that of the case's ellipse
+  std::vector<double> axis_ratio;     ///< a/b; empty: the case's ellipse
   std::vector<double> lateral_shift;  ///< mm, with profiles; empty: over ratios
   /// mm; lateral_shift then holds the first and the last shift.
   std::optional<double> lateral_shift_step;
@@ -215,7 +215,7 @@ struct Case : ModelOptions {
   std::string file;  ///< as given by the user
   std::string text;  ///< the whole case file, kept for provenance
   std::vector<std::string> models;
-  std::optional<double> accuracy;  ///< relative; cells are halved until it is reached
+  std::optional<double> accuracy;  ///< relative; cells are refined until it is reached
   std::vector<std::string> accuracy_of{"max_pressure", "semi_axis_x", "semi_axis_y",
                                        "traction_coefficient"};
   Load load;
@@ -234,11 +234,12 @@ struct Case : ModelOptions {
   std::vector<SubsurfaceRequest> subsurface;
   OutputOptions output;
   TableOptions table;
-  /// Wheel and rail are given by profiles: not to be solved as it is, but made into scenes.
+  /// Whether wheel and rail are given by profiles: the case is not solved directly but converted
+  /// into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
 };
 
-/// Whether wheel and rail resist being accelerated as they roll through the contact.
+/// Whether the inertia of wheel and rail rolling through the contact is included.
 inline bool feels_inertia(const Case& input) {
   return input.fem.inertia && input.rolling.speed > 0.0;
 }

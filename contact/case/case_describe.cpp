@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a case file says, said back: `check`, `new-case` and the reference page.
+// Descriptions of a case: `check`, `new-case` and the reference page.
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
 #include "contact/case/toml/toml_library.hpp"
@@ -18,8 +18,8 @@ Case defaults(const ModelWords& models) {
   return input;
 }
 
-/// A section without its head. Of keys that are alternatives only the given ones are worth a line;
-/// a value that the file itself gives is no default, even where it equals one.
+/// A section without its heading. Of alternative keys only the given ones get a line; a value given
+/// in the file is never marked as the default, even if it equals it.
 std::string describe_keys(const Section& section, const Case& input, const Case& by_default,
                           const toml::table& file) {
   std::string text;
@@ -43,7 +43,7 @@ std::string default_text(const Key& key, const Case& by_default) {
   return value.empty() || !key.when_absent.empty() ? key.when_absent : value;
 }
 
-/// One key of the template: its sentence, what is allowed, and the line itself.
+/// One key of the template: its sentence, the allowed values, and the line itself.
 std::string template_key(const Key& key, const ModelWords& models, bool commented_out) {
   const Case by_default = defaults(models);
   const std::string value = key.example.empty() ? toml_text(key.get(by_default)) : key.example;
@@ -86,7 +86,7 @@ std::string describe(const Case& input, const ModelWords& models) {
 std::string case_template(const ModelWords& models) {
   std::string text =
       "# A case of rolling contact for rollfem. Units: mm, N, MPa, rad. x is the rolling\n"
-      "# direction, y lateral, z normal. `rollfem check FILE` says what was understood,\n"
+      "# direction, y lateral, z normal. `rollfem check FILE` shows how a case is read,\n"
       "# `rollfem run FILE` computes it. Reference of all keys: docs/case-file.md\n";
   for (const Section& section : case_sections()) {
     if (section.repeated)

@@ -25,7 +25,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-/// `transient` is meant to be "transient", and where a key wants text `60E1` and `1:40` are, too.
+/// `transient` means "transient"; for keys that take text, so do `60E1` and `1:40`.
 bool is_bare_word(const std::string& value, const Key* key) {
   if (value.find_first_of("\"'\\") != std::string::npos) return false;
   if (key != nullptr && (key->kind == KeyKind::text || key->kind == KeyKind::word ||
@@ -38,8 +38,7 @@ bool is_bare_word(const std::string& value, const Key* key) {
 
 constexpr const char* example = "--set friction.coefficient=0.3";
 
-/// Read as a case file of its own, so that a mistake is reported for the option and not for the
-/// file.
+/// Read as a separate case file, so that errors are reported for the option and not for the file.
 Change read_change(const std::string& text, const ModelWords& models) {
   const std::size_t equals = text.find('=');
   const bool printable = std::all_of(text.begin(), text.end(), [](const char c) {
@@ -71,7 +70,7 @@ Change read_change(const std::string& text, const ModelWords& models) {
   return change;
 }
 
-/// Where a line begins, from 1; the end of the text beyond the last.
+/// Start of a line, counted from 1; the end of the text for lines beyond the last.
 std::size_t begin_of(const std::string& text, unsigned line) {
   std::size_t at = 0;
   for (unsigned k = 1; k < line && at < text.size(); ++k)
@@ -83,7 +82,7 @@ std::size_t offset(const std::string& text, const toml::source_position& place) 
   return std::min(begin_of(text, place.line) + place.column - 1, text.size());
 }
 
-/// Into a section that is there.
+/// Insertion into an existing section.
 void insert(const Change& change, const toml::table& section, const std::string& file,
             std::string& text) {
   if (section.is_inline())

@@ -10,10 +10,10 @@
 
 namespace rollfem::contact {
 
-/// The text of a case file with the changes made one after the other. Each is "KEY=VALUE": the key
-/// with its section, the value as in TOML, or a single word without quotes. A key that is not
-/// there is added. `file` stands in messages. Throws InputError when the text is no case file, or
-/// a change names no key or no value of that key.
+/// The text of a case file after all changes, in order. Each is "KEY=VALUE": the key with its
+/// section, the value as in TOML, or a single word without quotes. Missing keys are added. `file`
+/// is used in messages. Throws InputError when the text is not a case file, or a change has an
+/// unknown key or an invalid value.
 std::string with_changes(std::string text, const std::string& file,
                          const std::vector<std::string>& changes, const ModelWords& models = {});
 

@@ -24,7 +24,7 @@ void set_values(Case& input, const std::map<const Key*, GivenValue>& values) {
   }
 }
 
-/// Reads the files that the case names; their paths are relative to the case file.
+/// Reads the files named in the case; their paths are relative to the case file.
 void read_files(const GivenCase& given, Case& input) {
   const std::filesystem::path folder = std::filesystem::path(given.file).parent_path();
   const auto fill = [&](std::optional<Lattice>& values, int columns) {
@@ -32,7 +32,7 @@ void read_files(const GivenCase& given, Case& input) {
   };
   fill(input.undeformed_distance.values, 1);
   fill(input.rolling.extra_slip_values, 2);
-  // Meshes are read when the bodies are made; that they are there is said at once.
+  // Meshes are read when the bodies are built; missing files are reported at once.
   for (const char* body : {"wheel", "rail"}) {
     const GivenValue* mesh = given.find(body, "mesh");
     std::error_code error;
@@ -42,7 +42,7 @@ void read_files(const GivenCase& given, Case& input) {
     CaseProblem problem = problem_at(std::string(body) + ".mesh", *mesh);
     problem.wrong = "there is no such mesh file";
     problem.allowed = "a gmsh mesh (.msh), its path relative to the case file";
-    problem.action = "check the path, or leave the key out: the program then meshes the body";
+    problem.action = "check the path, or omit the key: rollfem then meshes the body";
     fail(given.file, problem);
   }
 }

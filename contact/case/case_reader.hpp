@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// TOML case files: reading with checks, printing what was understood, a commented template, and
+// TOML case files: reading with checks, printing how the case is read, a commented template, and
 // the reference page, all from one declaration of the keys.
 #pragma once
 
@@ -11,20 +11,19 @@
 
 namespace rollfem::contact {
 
-/// Reads and checks a case file. Throws InputError with one message:
-/// FILE:LINE:COLUMN, key, value, what is allowed, what to do.
-/// `changes`: as in case_edit.hpp; the case then has the changed text.
+/// Reads and checks a case file. Throws InputError with one message: FILE:LINE:COLUMN, key, value,
+/// allowed values, remedy. `changes`: as in case_edit.hpp; the case then holds the changed text.
 Case read_case(const std::string& path, const ModelWords& models = {},
                const std::vector<std::string>& changes = {});
 
-/// The same from text; `name` stands in messages for the file.
+/// The same from text; messages use `name` for the file.
 Case parse_case(const std::string& text, const std::string& name, const ModelWords& models = {});
 
-/// The points below the surface of a file that holds [[subsurface.*]], as a case file has them;
-/// what else it holds is not looked at. Throws InputError as read_case does.
+/// The subsurface points of a file with [[subsurface.*]] as in a case file; everything else is
+/// ignored. Throws InputError like read_case.
 std::vector<SubsurfaceRequest> read_places(const std::string& path);
 
-/// What was understood: every key with value, unit and whether it is the default. Multi-line text.
+/// How the case is read: every key with value, unit and whether it is the default. Multi-line text.
 std::string describe(const Case& input, const ModelWords& models = {});
 
 /// A commented case file with defaults, which parse_case accepts.

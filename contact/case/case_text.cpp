@@ -66,7 +66,7 @@ std::optional<double> ratio_of(const std::string& text) {
   return number && *number > 1.0 ? number : std::nullopt;
 }
 
-// Not fmt::join: gcc 12 takes its inlined format parser for a buffer overflow.
+// Not fmt::join: gcc 12 reports a false buffer overflow in its inlined format parser.
 std::string joined(const std::vector<std::string>& texts) {
   std::string all;
   for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;

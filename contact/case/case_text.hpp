@@ -10,17 +10,17 @@
 
 namespace rollfem::contact {
 
-/// The number N of a ratio "1:N", above 1; nothing when the text is none.
+/// The number N of a ratio "1:N", above 1; empty for other text.
 std::optional<double> ratio_of(const std::string& text);
 
-/// As it would stand in a case file: 0.55, "second", [0.0, 0.001]. Empty for no value.
+/// A value as written in a case file: 0.55, "second", [0.0, 0.001]. Empty for no value.
 std::string toml_text(const KeyValue& value);
 
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& texts);
 
-/// What a key accepts, in words: "a number from 0 to 1000", "one of first, second". `models`: the
-/// words of `models`, which its declaration does not know.
+/// The values that a key accepts, in words: "a number from 0 to 1000", "one of first, second".
+/// `models`: the words of the key `models`, which its declaration does not contain.
 std::string allowed_values(const Key& key, const std::vector<std::string>& models = {});
 
 }  // namespace rollfem::contact

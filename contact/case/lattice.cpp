@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t most_points = 4000000;
 constexpr int fewest_across = 4;
-/// Numbers in files are rounded: points this near (relative to the spacing) are on the lattice.
+/// Tolerance for rounded numbers in files: points this close (relative to the spacing) are on the
+/// lattice.
 constexpr double rounding = 1e-3;
 
 struct Row {
@@ -37,7 +38,7 @@ struct Row {
                             : fmt::format("{}: {}; do: {}", file, wrong, action));
 }
 
-/// A coordinate or value that makes sense.
+/// A plausible coordinate or value.
 std::optional<double> number_in(std::string_view field) {
   const std::optional<double> value = number_of(field);
   return value && std::abs(*value) < 1e12 ? value : std::nullopt;
@@ -63,7 +64,7 @@ Row row_of(const std::vector<std::string_view>& fields, const std::string& file,
 }
 
 std::vector<Row> rows_of(std::string_view text, const std::string& shown, int columns) {
-  // What is in a file that is no table at all is nobody's business.
+  // Never quote the contents of files that hold no table.
   if (!looks_like_table(text, "#"))
     fail_at(shown, 0, "has no points: most of its lines do not begin with a number",
             "name a file with lines of x, y and values");
@@ -72,7 +73,7 @@ std::vector<Row> rows_of(std::string_view text, const std::string& shown, int co
     const std::size_t line = lines.number();
     const auto fields = fields_of(without_comment(lines.line(), "#"), " ,;\t\r");
     if (fields.empty()) continue;
-    // A line of names may head the table.
+    // A line of names may precede the table.
     const bool heading = rows.empty() && !number_in(fields.front()) &&
                          std::isalpha(static_cast<unsigned char>(fields.front().front())) != 0;
     if (heading && line < 20) continue;
@@ -102,7 +103,7 @@ Axis axis_of(std::vector<double> at, const std::string& file, const char* name) 
   int count = 1;
   for (std::size_t k = 1; k < at.size(); ++k)
     if (at[k] - at[k - 1] > same) smallest = std::min(smallest, at[k] - at[k - 1]);
-  // Rounded copies of one coordinate are told from its neighbours by the median spacing below.
+  // The median spacing below separates rounded copies of one coordinate from its neighbours.
   for (std::size_t k = 1; k < at.size(); ++k)
     if (at[k] - at[k - 1] > 0.5 * smallest) ++count;
   if (count < fewest_across)
@@ -207,10 +208,8 @@ Field sample_lattice(const Lattice& lattice, int column, const ContactGrid& grid
   if (!covers(lattice, grid))
     throw InputError(fmt::format(
         "{} = \"{}\": its points cover x from {:.6g} to {:.6g}, y from {:.6g} to {:.6g} mm, but "
-        "the "
-        "contact grid reaches from {:.6g} to {:.6g} and from {:.6g} to {:.6g}; do: give points "
-        "over "
-        "a larger area, or make contact_grid.extent smaller",
+        "the contact grid extends from {:.6g} to {:.6g} and from {:.6g} to {:.6g}; do: give points "
+        "over a larger area, or make contact_grid.extent smaller",
         what, lattice.file, lattice.x_first, lattice.x_first + (lattice.nx - 1) * lattice.dx,
         lattice.y_first, lattice.y_first + (lattice.ny - 1) * lattice.dy, grid.x(0),
         grid.x(grid.nx - 1), grid.y(0), grid.y(grid.ny - 1)));

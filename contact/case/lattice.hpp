@@ -13,20 +13,20 @@ namespace rollfem::contact {
 
 /// Reads lines `x, y, value ...` (numbers separated by commas, semicolons or blanks; # begins a
 /// comment; one line of names is allowed before the numbers), in any order, one for every point of
-/// a regular lattice of at least 4 by 4 points. `columns`: how many values follow x and y.
-/// `shown_name` stands in messages and in Lattice::file. Throws InputError with file and line.
+/// a regular lattice of at least 4 by 4 points. `columns`: number of values after x and y.
+/// `shown_name` is used in messages and in Lattice::file. Throws InputError with file and line.
 Lattice read_lattice(const std::string& path, const std::string& shown_name, int columns);
 
-/// The same of the text of such a file.
+/// The same from the text of such a file.
 Lattice parse_lattice(std::string_view text, const std::string& shown_name, int columns);
 
-/// Value of a column at a point within the lattice; beyond it the outermost cubic goes on.
+/// Value of a column at a point within the lattice; outside, the outermost cubic is extrapolated.
 double lattice_value(const Lattice& lattice, int column, double x, double y);
 
 /// Whether all element centres lie within the lattice.
 bool covers(const Lattice& lattice, const ContactGrid& grid);
 
-/// Column at the element centres. Throws InputError when the grid reaches beyond the lattice;
+/// Column at the element centres. Throws InputError when the grid extends beyond the lattice;
 /// `what` names the key in the message.
 Field sample_lattice(const Lattice& lattice, int column, const ContactGrid& grid,
                      const std::string& what);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What single models are asked for: a section of the case file each, which no other model reads.
+// Options of individual models: one section of the case file each, ignored by all other models.
 #pragma once
 
 #include "contact/base/choices.hpp"
@@ -16,8 +16,8 @@ struct FastsimOptions {
   int strip_elements = 100;  ///< along each strip, for `grid` along the longest
 };
 
-/// Where the elements of the model halfspace lie: in the tangent plane, along the arc of the common
-/// surface across, or as the spread of the contact's normals asks for.
+/// Position of the elements of the model halfspace: in the tangent plane, along the common surface
+/// across, or chosen by the spread of the contact's normals.
 enum class SurfaceForm { automatic, planar, curved };
 
 struct HalfspaceOptions {
@@ -28,7 +28,7 @@ struct HalfspaceOptions {
 struct StripOptions {
   int strips = 100;
   int strip_elements = 100;
-  /// Share of the approach by which the profiles penetrate; not given: as Hertz's ellipse does.
+  /// Ratio of virtual penetration to approach; unset: Hertz's ellipse.
   std::optional<double> virtual_penetration;
 };
 
@@ -37,29 +37,29 @@ struct CarterOptions {
 };
 
 enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
-/// How the program meshes wheel and rail: a graded box laid on the surface, or a gmsh cross-section
-/// revolved and extruded, with profiles the true section of rail and rim.
+/// Meshing of wheel and rail: a graded box fitted to the surface, or a gmsh cross-section revolved
+/// and extruded (with profiles, the true section of rail and rim).
 enum class MeshFamily { structured, gmsh };
-/// How the far boundary of the segments is held: fixed, or displaced as a half-space under the
-/// force on the patch, taken as a point load.
+/// Far boundary of the segments: fixed, or displaced like a half-space under the force on the patch
+/// as a point load.
 enum class FarBoundary { clamped, point_load };
 
 struct FemOptions {
-  std::optional<double> cell_size;    ///< mm, FE cell and contact element in the patch
-  int degree = 2;                     ///< polynomial degree of the displacement
-  std::optional<double> extent;       ///< mm, how far the segments reach from the patch
-  std::optional<double> width;        ///< mm, of the segments across; else twice the extent
-  std::optional<double> depth;        ///< mm, of the segments; else the extent
-  std::optional<double> length;       ///< mm, of the segments along rolling; else twice the extent
-  std::optional<double> fine_extent;  ///< finest cells reach this many patch semi-axes
-  std::optional<MeshFamily> mesh;     ///< not given: structured where it fits
+  std::optional<double> cell_size;  ///< mm, FE cell and contact element in the patch
+  int degree = 2;                   ///< polynomial degree of the displacement
+  std::optional<double> extent;     ///< mm, extent of the segments from the patch
+  std::optional<double> width;      ///< mm, of the segments across; default twice the extent
+  std::optional<double> depth;      ///< mm, of the segments; default the extent
+  std::optional<double> length;     ///< mm, of the segments along rolling; default twice the extent
+  std::optional<double> fine_extent;        ///< extent of the finest cells, in patch semi-axes
+  std::optional<MeshFamily> mesh;           ///< unset: structured where possible
   std::optional<double> rim_thickness;      ///< mm, of the wheel's true section below the tread
-  std::optional<FarBoundary> far_boundary;  ///< not given: chosen by the kind of mesh
+  std::optional<FarBoundary> far_boundary;  ///< unset: chosen by the kind of mesh
   LinearSolver linear_solver = LinearSolver::automatic;
   bool inertia = false;  ///< of wheel and rail at Rolling::speed
 };
 
-/// Read by the models that they are named after; a scene carries them unread.
+/// Each is used only by the model of that name; a scene passes them on.
 struct ModelOptions {
   HalfspaceOptions halfspace;
   FastsimOptions fastsim;

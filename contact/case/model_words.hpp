@@ -8,8 +8,8 @@
 namespace rollfem::contact {
 
 struct ModelWords {
-  std::vector<std::string> known;       ///< empty: any name is taken
-  std::vector<std::string> by_default;  ///< where the case names none
+  std::vector<std::string> known;       ///< empty: any name is accepted
+  std::vector<std::string> by_default;  ///< if the case names none
 };
 
 }  // namespace rollfem::contact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Wheels with true profiles on a track: profiles, gauge, inclination, wheelset, motion. Plain
-// values; meshes/ turns them into scenes. Track frame: x along the track, y to the right, z
-// down.
+// values; track/ turns them into scenes. Track frame: x along the track, y to the right, z down.
 #pragma once
 
 #include <array>
@@ -13,36 +12,36 @@ namespace rollfem::contact {
 
 enum class LengthUnit { mm, m, inch };
 
-/// A profile as the case names it: [wheel] profile and [wheel_profile], or those of the rail. What
-/// a file has wrong is mended only where one of these says so.
+/// A profile as given in the case: [wheel] profile and [wheel_profile], or the same for the rail.
+/// Defects of a file are repaired only where one of these keys requests it.
 struct ProfileSource {
   std::string name;  ///< built in, "arcs", "polynomial" or a file; empty: the body has radii
   /// "arcs": radii in mm, > 0 convex (of the body), < 0 concave, inf straight, tangent to each
-  /// other; ends in mm of y. Symmetric: from the middle outwards, one end each; else from small to
-  /// large y, one end more than radii, about (0, 0), where dz/dy is `slope`.
+  /// other; ends in mm of y. Symmetric: from the middle outwards, one end each; otherwise from
+  /// small to large y, one end more than radii, around (0, 0), where dz/dy is `slope`.
   std::vector<double> radii;
   std::vector<double> ends;
   bool symmetric = false;
   double slope = 0.0;
-  /// "polynomial": z in mm over y in mm, lowest order first, every piece equally many; limits of
-  /// the pieces, one more than pieces.
+  /// "polynomial": z in mm over y in mm, lowest order first, the same number for every piece;
+  /// limits of the pieces, one more than pieces.
   std::vector<double> coefficients;
   std::vector<double> limits;
-  // Of all profiles.
+  // For all profiles.
   bool mirror = false;                ///< y -> -y
   double rotation = 0.0;              ///< rad, from y to z, about (0, 0), before the shift
   std::array<double, 2> shift{0, 0};  ///< mm, along y and z
-  // Of files.
+  // For files.
   LengthUnit unit = LengthUnit::mm;
   bool flip = false;             ///< z -> -z: the file's z is upward
   bool reverse = false;          ///< the file's last point first
-  bool sort = false;             ///< by rising y
-  bool drop_duplicates = false;  ///< points on the one before
-  double thinning = 0.0;         ///< mm; points within it become their mean; 0: all are kept
-  bool drop_zigzag = false;      ///< points that go back
+  bool sort = false;             ///< by increasing y
+  bool drop_duplicates = false;  ///< points that repeat the previous one
+  double thinning = 0.0;         ///< mm; closer points are merged; 0: keep all
+  bool drop_zigzag = false;      ///< points at which the curve turns back
   double longest_gap = 5.0;      ///< mm between two points
   double largest_kink = 20.0;    ///< degrees between two chords
-  double rounding = 0.0;         ///< mm to both sides of a kink or step that are left out
+  double rounding = 0.0;         ///< mm dropped on both sides of a kink or step
   double smoothing = 0.0;        ///< mm, scatter to be smoothed away; 0: through the points
 };
 
@@ -54,11 +53,11 @@ struct Track {
 
 enum class WheelSide { left, right, both };
 
-/// What decides how fast the wheelset turns, when no longitudinal creepage is given.
+/// Condition for the rotation of the wheelset, when no longitudinal creepage is given.
 enum class FreeRolling {
   none,    ///< Wheelset::rotation_change
-  force,   ///< F_x = 0 on each wheel by itself
-  torque,  ///< the two wheels' tractions make no torque about the axle
+  force,   ///< F_x = 0 on each wheel separately
+  torque,  ///< no torque of both wheels' tractions about the axle
 };
 
 struct Wheelset {

@@ -41,7 +41,7 @@ bool AdhesionFronts::extend(std::vector<char>& adheres) {
   return extended;
 }
 
-/// True when a border has moved.
+/// Whether a border has moved.
 bool AdhesionFronts::extend_row(int j, std::vector<char>& adheres) {
   constexpr int most_doublings = 8;
   const int moves = std::min(moves_[static_cast<std::size_t>(j)], most_doublings);

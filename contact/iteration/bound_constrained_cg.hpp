@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Conjugate gradients on the contact set C = {p > 0}, which give up elements whose pressure would
-// turn negative and take in those that penetrate, in memory that is kept from one problem to the
-// next. The operator has apply(pressure, displacement) and precondition(residual, result), which
-// set their second field.
+// Conjugate gradients on the contact set C = {p > 0}, releasing elements whose pressure would turn
+// negative and adding those that penetrate, in memory reused from one problem to the next. The
+// operator has apply(pressure, displacement) and precondition(residual, result), which set their
+// second field.
 #pragma once
 
 #include "contact/base/errors.hpp"
@@ -23,7 +23,7 @@ class BoundConstrainedCg {
     double residual = 0.0;
   };
 
-  /// The sum of all pressures is given. `start` may be empty. Throws SolveError.
+  /// With a prescribed sum of all pressures. `start` may be empty. Throws SolveError.
   template <class Operator>
   Effort solve_sum(const Operator& compliance, const Field& distance, double sum,
                    const NormalOptions& options, const Field& start) {
@@ -79,13 +79,13 @@ class BoundConstrainedCg {
     contact_ = p_.array() > 0.0;
   }
 
-  /// A pressure that is proportional to how far the bodies would overlap, with the overlap found
-  /// from the scale of the operator: only an active set of the right size is wanted.
+  /// A pressure proportional to the overlap of the bodies, estimated from the scale of the
+  /// operator: only an active set of the right size is needed.
   template <class Operator>
   void guess(const Operator& compliance, const Field& distance) {
     const double overlap = given_approach_ ? *given_approach_ - smallest_distance_
                                            : overlap_of_sum(compliance, distance);
-    // Half the overlap: a rounded body touches over half the area of its overlap.
+    // Half the overlap, because a rounded body touches over half the area of its overlap.
     p_ = (smallest_distance_ + 0.5 * overlap - distance.array()).cwiseMax(0.0);
     if (!given_approach_) return;
     compliance.apply(p_, displacement_);
@@ -93,7 +93,7 @@ class BoundConstrainedCg {
     if (peak > 0.0) p_ *= overlap / peak;
   }
 
-  /// Smallest overlap whose elements carry the force at the stiffness of that many elements loaded
+  /// Smallest overlap whose elements carry the force with the stiffness of as many elements loaded
   /// together, found by doubling.
   template <class Operator>
   double overlap_of_sum(const Operator& compliance, const Field& distance) {
@@ -170,7 +170,7 @@ class BoundConstrainedCg {
     restrict_to_contact(residual_);
     precondition(compliance);
     const double product = residual_.dot(z_);
-    // Polak and Ribiere's beta forgets a direction that a change of C has spoilt.
+    // The Polak-Ribiere beta discards a direction invalidated by a change of C.
     const double beta =
         old_product_ > 0.0 ? std::max(0.0, (product - old_residual_.dot(z_)) / old_product_) : 0.0;
     restrict_to_contact(direction_);

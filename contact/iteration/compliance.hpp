@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Elasticity as the contact solvers see it: linear maps from tractions on the
-// contact grid to displacement differences (wheel minus rail) on the same
-// grid, from half-spaces or finite elements alike.
+// The interface of elasticity for the contact solvers: linear maps from tractions on the contact
+// grid to displacement differences (wheel minus rail) on the same grid, from half-spaces or finite
+// elements alike.
 #pragma once
 
 #include "contact/base/choices.hpp"
@@ -20,7 +20,7 @@ class Compliance {
   virtual const ContactGrid& grid() const = 0;
   virtual SurfaceField apply(const SurfaceField& traction) const = 0;
 
-  /// The displacement and what else it does to the slip of steady rolling.
+  /// The displacement and its further effect on the slip of steady rolling.
   virtual Response respond(const SurfaceField& traction) const { return {apply(traction), {}}; }
 };
 
@@ -44,13 +44,14 @@ class TangentialOperator {
   virtual TangentialField apply(const TangentialField& traction) const = 0;
   /// Mean diagonal entry of T, the scale of the projection parameter r = 1 / diagonal.
   virtual double diagonal() const = 0;
-  /// Approximate inverse of (r T + shift I) as if every element were in adhesion; the solver
-  /// restricts it to the adhesion set.
+  /// Approximate inverse of (r T + shift I) with every element in adhesion; the solver restricts it
+  /// to the adhesion set.
   virtual TangentialField precondition(const TangentialField& residual, double r,
                                        double shift) const = 0;
 };
 
-/// A compliance whose blocks the contact solvers can solve with: half-space and half-plane.
+/// A compliance with blocks that the contact solvers can invert approximately: half-space and
+/// half-plane.
 class SolvableCompliance : public Compliance {
  public:
   virtual const NormalOperator& normal() const = 0;
@@ -61,14 +62,14 @@ class SolvableCompliance : public Compliance {
 };
 
 /// D u: the upwind difference along the streamline (upstream is +x) of a displacement difference
-/// known on the whole grid, approximating -du/dx. Elements without the needed upstream neighbours
-/// take the highest order that fits, the last column takes that of its neighbour.
+/// known on the whole grid, approximating -du/dx. Elements without enough upstream neighbours use
+/// the highest order that fits; the last column copies its neighbour.
 TangentialField upwind_difference(const ContactGrid& grid, const TangentialField& displacement,
                                   UpwindOrder order);
 
-/// How far upstream of an element's middle the spin turns it, mm, where the difference reaches over
-/// `step` mm. First order: a sixth of the step, which CONTACT takes unless told otherwise and which
-/// is there to have its numbers (docs/theory.md); second: 0.
+/// Distance upstream of an element's centre at which the spin is evaluated, mm, for a difference
+/// over `step` mm. First order: a sixth of the step, CONTACT's default, to reproduce its numbers
+/// (docs/theory.md); second order: 0.
 double upstream_of_spin(UpwindOrder order, double step);
 
 }  // namespace rollfem::contact

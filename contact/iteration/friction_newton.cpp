@@ -14,16 +14,19 @@ namespace rollfem::contact {
 
 namespace {
 
-/// The full-stick solution is only a start, but what its tractions lack from row to row puts the
-/// borders of adhesion wrong in single rows: 1e-2 cost up to 50 Newton steps where this costs 7.
+/// The full-stick solution is only a start, but errors of its tractions from row to row misplace
+/// the border of adhesion in individual rows: a tolerance of 1e-2 took up to 50 Newton steps, this
+/// one takes 7.
 constexpr double full_stick_tolerance = 1e-3;
 
-/// Drag (times r) at the first attempt, below which it is dropped, and from which it is given up.
+/// Drag (times r): value at the first attempt, value below which it is dropped, and value at which
+/// the solver gives up.
 constexpr double first_drag = 0.3;
 constexpr double least_drag = 3e-3;
 constexpr double largest_drag = 100.0;
 
-/// A problem with drag only makes a better start, relative to the creepage load.
+/// Tolerance of problems with drag, which only provide a better start; relative to the creepage
+/// load.
 constexpr double drag_tolerance = 1e-3;
 constexpr int patience_with_drag = 25;
 
@@ -59,10 +62,10 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
   } else {
     find_first_point(start);
     fronts_.begin(problem.grid, places);
-    // Relative to the creepage load; to the bound where that is smaller, so that a low friction
-    // coefficient does not make anything look converged.
+    // Relative to the creepage load, or to the bound if that is smaller, so that a low friction
+    // coefficient does not simulate convergence.
     iterate(std::min(creepage_load, bound_.norm()), options);
-    // The tolerance is of all elements together: one alone may be beyond its bound by more.
+    // The tolerance applies to all elements together: a single one may exceed its bound by more.
     project(point_->traction, point_->bound);
     evaluate_from_traction(*point_);
   }
@@ -137,7 +140,7 @@ void FrictionNewton::project(Vector& traction, const Vector& bound) const {
   }
 }
 
-/// What the law says of an element at a slip of the problem.
+/// Traction bound of an element at a slip of the problem.
 FrictionLaw::Bound FrictionNewton::law_at(Index e, double slip) const {
   const Index k = (*places_)[static_cast<std::size_t>(e)];
   FrictionLaw::Bound bound =
@@ -146,7 +149,7 @@ FrictionLaw::Bound FrictionNewton::law_at(Index e, double slip) const {
   return bound;
 }
 
-/// Goes on from the point with this drag, with none where it is small.
+/// Continues from the point with this drag, or without drag if it is small.
 void FrictionNewton::set_drag(double drag) {
   drag_ = r_ * drag < least_drag ? 0.0 : drag;
   dragged_from_ = point_->traction;
@@ -179,7 +182,7 @@ void FrictionNewton::evaluate_at_rest(Point& point) const {
   evaluate(point);
 }
 
-/// The projected full-stick solution or what the caller has, whichever is nearer.
+/// The projected full-stick solution or the caller's start, whichever has the smaller residual.
 void FrictionNewton::find_first_point(const TangentialField& start) {
   const Index size = problem_->pressure.size();
   if (start.x.size() != size || start.y.size() != size) {
@@ -263,16 +266,16 @@ void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result)
   }
 }
 
-/// How exactly the linear system is solved: loosely at first, more exactly as Newton's method
-/// converges fast (Eisenstat & Walker 1996, choice 2), never better than the tolerance needs.
+/// Tolerance of the linear system: loose at first, tighter as Newton's method converges (Eisenstat
+/// & Walker 1996, choice 2), never tighter than required.
 double FrictionNewton::forcing(double residual, double previous) const {
   const double ratio = previous < infinity ? residual / previous : 1.0;
   const double wanted = std::min(options_->krylov_tolerance, 0.5 * ratio * ratio);
   return std::max({wanted, 0.1 * options_->tolerance / residual, 1e-10});
 }
 
-/// J dp = -F. Where the bodies all but slide, the part across the slip may bring the preconditioned
-/// iteration to a standstill, which the identity in its place does not: slower, but it arrives.
+/// J dp = -F. Where the bodies nearly slide, the preconditioner's block across the slip may stall
+/// the iteration; replaced by the identity it converges more slowly, but it converges.
 void FrictionNewton::find_direction(double tolerance) {
   compliance_->linearise(at_, r_, r_ * drag_);
   right_ = -point_->value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The semi-smooth Newton method of the friction problem (tangential.hpp) on the elements in
-// contact, in memory that is kept from one problem to the next.
+// contact, in memory reused from one problem to the next.
 #pragma once
 
 #include "contact/iteration/adhesion_fronts.hpp"
@@ -14,7 +14,7 @@
 
 namespace rollfem::contact {
 
-/// The problem as tangential.hpp has it.
+/// The problem as in tangential.hpp.
 struct FrictionProblem {
   const ContactGrid& grid;
   const Field& pressure;
@@ -31,14 +31,14 @@ class FrictionNewton {
     double residual = 0.0;
   };
 
-  /// `places`: grid indices of the elements in contact. `start`: tractions to begin with, empty for
-  /// the projected full-stick solution. Throws SolveError when it does not converge.
+  /// `places`: grid indices of the elements in contact. `start`: initial tractions, empty for the
+  /// projected full-stick solution. Throws SolveError when it does not converge.
   Effort solve(ElementOperator& compliance, const FrictionProblem& problem,
                const std::vector<Eigen::Index>& places, const TangentialOptions& options,
                const TangentialField& start);
 
-  /// On the elements in contact, as it is, within the bound to the tolerance: projected it would
-  /// hide what is left.
+  /// Tractions of the elements in contact, within the bound to the tolerance; not projected,
+  /// because that would hide the remaining error.
   const Eigen::Map<Eigen::VectorXd>& traction() const { return point_->traction; }
   const std::vector<char>& adheres() const { return at_.adheres; }
 
@@ -46,13 +46,13 @@ class FrictionNewton {
   using Vector = Eigen::Map<Eigen::VectorXd>;
   using Index = Eigen::Index;
 
-  /// F(p) = p - Proj_{|.|<=g}(p - r w(p)) and what its generalised Jacobian needs.
+  /// F(p) = p - Proj_{|.|<=g}(p - r w(p)) and the data of its generalised Jacobian.
   struct Point {
     Vector traction{nullptr, 0};
     Vector slip{nullptr, 0};
     Vector value{nullptr, 0};  ///< F, MPa
     Vector trial{nullptr, 0};  ///< q = p - r w
-    Vector bound{nullptr, 0};  ///< g; that at rest where the law does not feel slip
+    Vector bound{nullptr, 0};  ///< g; at rest if the law is independent of slip
     double norm = 0.0;         ///< of F
   };
 
@@ -94,7 +94,7 @@ class FrictionNewton {
   AdhesionFronts fronts_;
   Gmres gmres_;
   Effort effort_;
-  bool stood_still_ = false;  ///< the full preconditioner has once
+  bool stood_still_ = false;  ///< the full preconditioner has failed once
 };
 
 }  // namespace rollfem::contact

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Restarted GMRES with right preconditioning for matrix-free linear systems (Saad & Schultz 1986),
-// in memory that is kept from one system to the next.
+// in memory reused from one system to the next.
 #pragma once
 
 #include <Eigen/Core>
@@ -84,8 +84,8 @@ class Gmres {
     rotations_.reserve(static_cast<std::size_t>(capacity));
   }
 
-  /// One Arnoldi cycle: an orthonormal basis of the Krylov space of A M, the Hessenberg matrix made
-  /// triangular by Givens rotations as it grows, and the residual that goes with it.
+  /// One Arnoldi cycle: an orthonormal basis of the Krylov space of A M, the Hessenberg matrix,
+  /// made triangular by Givens rotations as it grows, and the residual.
   void begin(const Given& residual) {
     size_ = 0;
     rotations_.clear();
@@ -96,7 +96,7 @@ class Gmres {
 
   double residual_norm() const { return std::abs(projected_[size_]); }
 
-  /// Takes in A M times the last basis vector, which is in the next column. False when the space is
+  /// Adds A M times the last basis vector, stored in the next column. False when the space is
   /// exhausted.
   bool extend() {
     const Eigen::Index k = size_++;
@@ -132,7 +132,7 @@ class Gmres {
     rotations_.push_back(rotation);
   }
 
-  /// The combination of the basis with the least residual, in the column behind it.
+  /// The combination of the basis with the smallest residual, in the column after the basis.
   void combine() {
     auto y = correction_.head(size_);
     y = projected_.head(size_);

@@ -12,11 +12,11 @@ namespace rollfem::contact {
 Field interpolated(const ContactGrid& from, const Field& values, const ContactGrid& to,
                    const Field& weights = {});
 
-/// Tractions over their bounds, between -1 and 1; 0 where the bound is.
+/// Tractions over their bounds, between -1 and 1; 0 where the bound is 0.
 TangentialField relative_to_bound(const TangentialField& traction, const Field& bound);
 
-/// Tractions that a finer grid begins with: those `relative` to the bounds of the coarser grid
-/// under `pressure`, times the bounds of the finer one.
+/// Initial tractions of a finer grid: `relative` (tractions over bounds of the coarser grid under
+/// `pressure`) times the bounds of the finer grid.
 TangentialField finer_tractions(const ContactGrid& coarse, const Field& pressure,
                                 const TangentialField& relative, const ContactGrid& fine,
                                 const Field& bound);

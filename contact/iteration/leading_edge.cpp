@@ -14,11 +14,12 @@ namespace {
 
 constexpr double usual_weight = 0.5;
 
-/// How far the edge may lie from the border of the first element, in elements: at most 0.5 where
-/// elements are in contact when their centres are; the pressure of a coarse grid is not that sure.
+/// Largest distance of the edge from the border of the first element, in elements: at most 0.5
+/// where elements are in contact when their centres are; a coarse grid locates the pressure less
+/// accurately.
 constexpr double farthest = 0.75;
 
-/// A run of contact elements in a row, and where its leading edge lies.
+/// A run of contact elements in a row, and the position of its leading edge.
 struct Run {
   int first;             ///< trailing element
   int last;              ///< leading element
@@ -27,10 +28,10 @@ struct Run {
 };
 
 /// The square of the bound falls linearly to zero at the edge: root of the parabola through the
-/// three elements behind the leading one, which may be partly covered and does not count; nor does
-/// the next where there are enough: pressures of constant elements err there by a part of
-/// themselves that refinement does not lessen, which puts the edge 0.05 of an element too far ahead
-/// (line contact), against 0.02 at most from the three behind. Elements ahead of the leading
+/// three elements behind the leading one, which may be partly covered and is skipped; the next one
+/// is skipped, too, if there are enough, because pressures of constant elements have a relative
+/// error there that does not decrease with refinement and puts the edge 0.05 of an element too far
+/// ahead (line contact), against at most 0.02 from the three behind. Elements ahead of the leading
 /// border; empty when the bound does not fall.
 std::optional<double> edge_of(const Field& bound, Eigen::Index leading, int elements) {
   constexpr int enough = 8;
@@ -47,7 +48,7 @@ std::optional<double> edge_of(const Field& bound, Eigen::Index leading, int elem
   return std::clamp(ahead_of_centre - 0.5, -farthest, farthest);
 }
 
-/// Those of one row among the runs of a grid.
+/// Runs of one row among the runs of a grid.
 struct Runs {
   const Run* first = nullptr;
   const Run* last = nullptr;
@@ -65,7 +66,7 @@ void add_runs_of_row(const ContactGrid& grid, const Field& bound, int j, std::ve
     }
     if (first < 0) first = i;
     if (bound[k + 1] > 0.0) continue;
-    constexpr int fewest = 4;  // too short a run does not tell where its edge is
+    constexpr int fewest = 4;  // a run too short to locate its edge
     const int elements = i - first + 1;
     const std::optional<double> edge =
         elements < fewest ? std::nullopt : edge_of(bound, k, elements);
@@ -73,7 +74,7 @@ void add_runs_of_row(const ContactGrid& grid, const Field& bound, int j, std::ve
   }
 }
 
-/// The run's neighbour in the next row: overlaps it, the leading edges nearest to each other.
+/// The run's neighbour in the next row: the overlapping run with the closest leading edge.
 double edge_beside(const Runs& row, const Run& run) {
   double edge = run.beyond_border;
   int nearest = -1;
@@ -87,10 +88,10 @@ double edge_beside(const Runs& row, const Run& run) {
   return edge;
 }
 
-/// A shift of the edge that alternates from row to row needs only a part G of the correction that a
-/// straight edge needs: G = 0.52, 0.61, 0.74, 0.88 for elements of dy/dx = 0.33, 1, 2, 5, from the
+/// A shift of the edge that alternates from row to row needs only a fraction G of the correction of
+/// a straight edge: G = 0.52, 0.61, 0.74, 0.88 for elements of dy/dx = 0.33, 1, 2, 5, from the
 /// local problem of alternating rows. A weight 1/4 (1 - G) of the second difference across rows
-/// leaves straight edges as they are and reduces alternating ones to G.
+/// leaves straight edges unchanged and reduces alternating ones to G.
 double smoothing_across_rows(const ContactGrid& grid) {
   return 0.25 * 0.49 / (1.0 + 0.25 * std::pow(grid.dy / grid.dx, 1.6));
 }
@@ -109,8 +110,9 @@ Field weighted(const ContactGrid& grid, const Field& differences, const Field& w
 }  // namespace
 
 double leading_weight(double beyond_border) {
-  // Least squares of the local problem's weights at 13 places, to 5e-4: a line of elements in
-  // adhesion under uniform creepage, 400 elements, edge from a fit of p^2 x at 20 to 80 elements.
+  // Least-squares fit of the local problem's weights at 13 positions, to 5e-4: a line of elements
+  // in adhesion under uniform creepage, 400 elements, edge from a fit of p^2 x at 20 to 80
+  // elements.
   const double e = std::clamp(beyond_border, -farthest, farthest);
   return usual_weight -
          (0.202677 + e * (1.024325 + e * (-0.379957 + e * (0.156733 - e * 0.059435))));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Second-order upwind differences that know where the patch begins. Material enters with a traction
-// like sqrt(d), d the distance behind the leading edge, and u ahead of the edge is a straight line
-// plus c d^(3/2). The usual difference across the edge therefore acts as if the patch began at the
-// border of its first element less 0.18 elements, wherever the edge lies in the element: a shift of
-// O(dx) that differs from row to row. In adhesion it is carried along the whole row, so that
-// tractions zigzag from row to row by O(sqrt(dx)) (docs/theory.md). One weight for each
-// leading element, calibrated on that local problem once and for all, puts the edge where it is.
+// Second-order upwind differences that account for the position of the leading edge. Material
+// enters with a traction like sqrt(d), d the distance behind the leading edge, and ahead of the
+// edge u is a straight line plus c d^(3/2). The usual difference across the edge therefore acts as
+// if the patch began at the border of its first element less 0.18 elements, wherever the edge lies
+// in the element: a shift of O(dx) that differs from row to row. In adhesion it is carried along
+// the whole row, so that tractions zigzag from row to row by O(sqrt(dx)) (docs/theory.md). One
+// weight for each leading element, calibrated once on that local problem, puts the edge at its true
+// position.
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
@@ -13,10 +14,10 @@
 namespace rollfem::contact {
 
 /// kappa per element: D u_i = (1 + kappa) d_i - kappa d_{i+1} with d_i = (u_i - u_{i+1}) / dx. It
-/// is 1/2, the usual second order, but for the leading element of every run of contact elements
-/// (pressure > 0, on any scale) of a row that falls to an edge as sqrt(d).
+/// is 1/2, the usual second order, except in the leading element of every run of contact elements
+/// (pressure > 0, on any scale) of a row whose pressure falls to an edge like sqrt(d).
 Field upwind_weights(const ContactGrid& grid, const Field& pressure);
-/// The same into a field that is kept.
+/// The same into an existing field.
 void set_upwind_weights(const ContactGrid& grid, const Field& pressure, Field& weights);
 
 /// The weight of a leading element whose edge lies `beyond_border` elements ahead of the element's
@@ -31,8 +32,8 @@ TangentialField fitted_difference(const ContactGrid& grid, const TangentialField
 /// T = D A_tt with these weights.
 class EdgeFittedRolling : public TangentialOperator {
  public:
-  /// `first` and `second` are D A_tt of these orders: the one is applied, the other preconditions.
-  /// Both must outlive this.
+  /// `first` and `second` are D A_tt of these orders: one is applied, the other preconditions. Both
+  /// must outlive this object.
   EdgeFittedRolling(const TangentialOperator& first, const TangentialOperator& second,
                     Field weights);
 

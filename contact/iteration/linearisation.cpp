@@ -11,8 +11,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Shift where elements adhere: what keeps the inverse bounded where T has next to no symbol, as
-/// for tractions that alternate from row to row.
+/// Shift in adhesion that keeps the inverse bounded where the symbol of T almost vanishes, as for
+/// tractions that alternate from row to row.
 constexpr double least_shift = 1e-3;
 
 }  // namespace
@@ -58,7 +58,7 @@ JacobianInverse::JacobianInverse(const TangentialOperator& compliance,
     scale_[e] = std::max(1.0 / at_.factor[e] - 1.0, least_shift);
     logarithms += std::log2(scale_[e]);
   }
-  // A power of two: the next step may have the same, and the inverse with it.
+  // A power of two, so that the next step may reuse the shift and its inverse.
   damping_ = std::exp2(std::round(logarithms / static_cast<double>(slipping_)));
   scale_ = ((1.0 + damping_) / (1.0 + scale_.array())).sqrt();
 }

@@ -14,7 +14,7 @@ namespace rollfem::contact {
 /// components.
 class ContactElements {
  public:
-  /// Where `bound` is positive.
+  /// Elements with positive `bound`.
   explicit ContactElements(const Field& bound);
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(places_.size()); }
@@ -31,10 +31,10 @@ class ContactElements {
   std::vector<Eigen::Index> places_;
 };
 
-/// How the Jacobian J = (I - B) + B r T treats an element: B = I in adhesion, in slip
-/// B = (g / |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) in place of n, which is the
-/// same at the solution and much better on the way (Hueeber, Stadler & Wohlmuth 2008). A law that
-/// feels slip adds -n g' (w/|w|)^T T.
+/// Treatment of an element in the Jacobian J = (I - B) + B r T: B = I in adhesion, in slip B = (g /
+/// |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) instead of n, which is the same at the
+/// solution and converges much better (Hueeber, Stadler & Wohlmuth 2008). A slip-dependent law adds
+/// -n g' (w/|w|)^T T.
 struct Linearisation {
   std::vector<char> adheres;
   Eigen::VectorXd normal;   ///< n of the slipping elements
@@ -43,12 +43,12 @@ struct Linearisation {
   Eigen::VectorXd by_slip;  ///< g' w / |w|; empty: 0
 };
 
-/// Approximate inverse of J, block by block: r T + drag where elements adhere, then
-/// r T + drag + (|q| / g - 1) across the slip where they slip, with the tractions of the first put
-/// in, the identity along the slip. Both blocks are inverted as if they were all of the grid.
+/// Approximate inverse of J, block by block: r T + drag where elements adhere, then r T + drag +
+/// (|q| / g - 1) across the slip where they slip, with the tractions of the first inserted, the
+/// identity along the slip. Both blocks are inverted as if they covered the whole grid.
 class JacobianInverse {
  public:
-  /// `drag`: r c. All must outlive this.
+  /// `drag`: r c. All arguments must outlive this object.
   JacobianInverse(const TangentialOperator& compliance, const ContactElements& elements, double r,
                   double drag, const Linearisation& at);
 
@@ -67,15 +67,15 @@ class JacobianInverse {
   double drag_;
   Eigen::Index slipping_;
   double damping_ = 0.0;   ///< geometric mean of |q| / g - 1 over the slipping elements
-  Eigen::VectorXd scale_;  ///< makes of every slipping element's own one that one, on both sides
+  Eigen::VectorXd scale_;  ///< symmetric scaling to the common damping of slipping elements
 };
 
 /// Approximate inverse of r T on all contact elements.
 Eigen::VectorXd full_adhesion(const TangentialOperator& compliance, const ContactElements& elements,
                               double r, const Eigen::VectorXd& p);
 
-// A tangential operator T restricted to the elements in contact, as Newton's method on the friction
-// problem applies it, into memory of the caller. Vectors hold the x components, then the y
+// A tangential operator T restricted to the elements in contact, as applied by Newton's method for
+// the friction problem, into the caller's memory. Vectors hold the x components, then the y
 // components.
 
 class ElementOperator {
@@ -92,7 +92,7 @@ class ElementOperator {
   virtual void linearise(const Linearisation& at, double r, double drag) = 0;
   /// result = J^-1 p, nearly.
   virtual void precondition(const Given& p, Vector result) = 0;
-  /// Slower, but sure where `precondition` brings the iteration to a standstill.
+  /// Slower, but safe where `precondition` stalls the iteration.
   virtual void precondition_surely(const Given& p, Vector result) { precondition(p, result); }
 };
 

@@ -39,7 +39,7 @@ void check_problem(const NormalOperator& compliance, const NormalProblem& proble
                     *problem.approach, smallest));
 }
 
-/// A normal block as the iteration applies it.
+/// Adapter of a normal block for the iteration.
 struct Applied {
   const NormalOperator& block;
   void apply(const Field& pressure, Field& displacement) const {

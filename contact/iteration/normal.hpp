@@ -23,7 +23,7 @@ struct NormalOptions {
 
 struct NormalSolution {
   Field pressure;  ///< MPa
-  Field gap;       ///< h + A p - approach as it is left, mm: 0 in contact to the tolerance
+  Field gap;       ///< remaining h + A p - approach, mm: 0 in contact to the tolerance
   double approach = 0.0;
   double normal_force = 0.0;
   int contact_elements = 0;
@@ -31,8 +31,8 @@ struct NormalSolution {
   double residual = 0.0;
 };
 
-/// Throws SolveError when nothing touches or the iteration does not converge. `start`: pressure to
-/// begin with, empty for none.
+/// Throws SolveError without contact or when the iteration does not converge. `start`: initial
+/// pressure, may be empty.
 NormalSolution solve_normal(const NormalOperator& compliance, const NormalProblem& problem,
                             const NormalOptions& options = {}, const Field& start = {});
 

@@ -24,8 +24,8 @@ void check_problem(const TangentialOperator& compliance, const TangentialProblem
     throw SolveError("tangential problem: the rigid slip is not finite everywhere");
 }
 
-/// A tangential operator of the whole grid, with the approximate inverse that stays good as the
-/// grid is refined.
+/// A tangential operator of the whole grid, with an approximate inverse whose quality does not
+/// depend on the grid.
 class GridElements : public ElementOperator {
  public:
   GridElements(const TangentialOperator& compliance, const ContactElements& elements)

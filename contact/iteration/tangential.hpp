@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Friction on a known pressure: find tractions with |p_t| <= g and slip w = s + T p such that
-// p_t = -g w/|w| where it slips, g(p_n, |w|) the bound of the friction law, by a semi-smooth Newton
-// method on p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves, and behind it one
-// with drag, w + c (p - p'), p' the traction before: steps of a rolling that settles.
+// Friction on a known pressure: find tractions with |p_t| <= g and slip w = s + T p such that p_t =
+// -g w/|w| where it slips, g(p_n, |w|) the bound of the friction law, by a semi-smooth Newton
+// method on p - Proj_{|.|<=g}(p - r w) = 0 with matrix-free Krylov inner solves; if it fails, the
+// same with drag, w + c (p - p') with the previous traction p', which resembles time steps of
+// rolling towards the steady state.
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
@@ -14,13 +15,13 @@ namespace rollfem::contact {
 struct TangentialProblem {
   Field pressure;              ///< p_n >= 0, MPa; 0 outside the contact area
   TangentialField rigid_slip;  ///< s, with any defect of the compliance added
-  Friction friction;           ///< null: frictionless; no default, so that none is forgotten
-  double slip_factor = 1.0;    ///< slip as the friction law takes it over w
+  Friction friction;           ///< null: frictionless; no default, so that it is never forgotten
+  double slip_factor = 1.0;    ///< slip of the friction law divided by w
 };
 
 struct TangentialOptions {
   double tolerance = 1e-6;        ///< relative to the creepage load, never to mu F
-  int max_newton_steps = 200;     ///< all in all
+  int max_newton_steps = 200;     ///< in total
   int patience = 25;              ///< Newton steps without drag before drag is tried
   double krylov_tolerance = 0.1;  ///< loosest; tightened as Newton's method converges
   int max_krylov_iterations = 400;
@@ -35,8 +36,8 @@ struct TangentialSolution {
   double residual = 0.0;
 };
 
-/// Throws SolveError when Newton's method does not converge. `start`: tractions to begin with,
-/// empty for the projected full-stick solution.
+/// Throws SolveError when Newton's method does not converge. `start`: initial tractions, empty for
+/// the projected full-stick solution.
 TangentialSolution solve_tangential(const TangentialOperator& compliance,
                                     const TangentialProblem& problem,
                                     const TangentialOptions& options = {},

@@ -8,14 +8,14 @@
 
 namespace rollfem::contact {
 
-/// Three unit vectors at right angles to each other.
+/// Three orthogonal unit vectors.
 using Axes = std::array<std::array<double, 3>, 3>;
 
-/// Components along the axes of what is given in x, y, z.
+/// Components along the axes from components in x, y, z.
 std::array<double, 3> into_axes(const Axes& axes, const std::array<double, 3>& vector);
 Stress into_axes(const Axes& axes, const Stress& stress);
 
-/// Components in x, y, z of what is given along the axes.
+/// Components in x, y, z from components along the axes.
 std::array<double, 3> out_of_axes(const Axes& axes, const std::array<double, 3>& vector);
 Stress out_of_axes(const Axes& axes, const Stress& stress);
 

@@ -10,7 +10,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Balances end at less than that, relative.
+/// Relative difference of equal forces; balances are more accurate.
 constexpr double same_force = 1e-6;
 
 bool has_bar(const PointResult& point, const std::string& name) {
@@ -22,7 +22,7 @@ double bar_or_zero(const PointResult& point, const std::string& name) {
   return found == point.error_estimate.end() ? 0.0 : found->second;
 }
 
-/// The load point that a result is of; a model that gives one point for all takes the largest load.
+/// The load point of a result; a model with one result for all load points uses the largest load.
 NormalLoad load_behind(const Scene& scene, const ModelResult& result, std::size_t k) {
   return result.points.size() == scene.points.size() ? scene.points[k].load : largest_load(scene);
 }
@@ -35,7 +35,7 @@ bool is_creepage(const std::string& name) {
   return name == "longitudinal_creepage" || name == "lateral_creepage" || name == "spin";
 }
 
-/// Of creepages that a balance has found.
+/// Error bars of creepages from a balance.
 void add_creepage_bars(const LoadPoint& load_point, PointResult& point) {
   if (!load_point.creepage_error) return;
   const Creepage& error = *load_point.creepage_error;
@@ -44,7 +44,7 @@ void add_creepage_bars(const LoadPoint& load_point, PointResult& point) {
   point.error_estimate.emplace("spin", error.spin);
 }
 
-/// What the case gives of this load point.
+/// Quantities prescribed by the case at this load point.
 bool is_given(const Scene& scene, const ModelResult& result, std::size_t k,
               const std::string& name) {
   if (scene.given_pressure) return false;
@@ -59,13 +59,13 @@ bool is_given(const Scene& scene, const ModelResult& result, std::size_t k,
   return name == "approach" && load.approach && !load.force;
 }
 
-/// What of a line contact is relative to the reference distance: displacements of half-planes are
-/// known up to a constant.
+/// Quantities of a line contact that depend on the reference distance, because displacements of
+/// half-planes are known up to a constant.
 bool is_relative(const Scene& scene, const std::string& name) {
   return scene.geometry.line && (name == "approach" || name == "elastic_energy");
 }
 
-/// Of the problem without friction.
+/// Quantities of the problem without friction.
 bool is_of_normal_problem(const Quantity& quantity) {
   const std::string name = quantity.name;
   for (const char* one :
@@ -75,7 +75,7 @@ bool is_of_normal_problem(const Quantity& quantity) {
   return false;
 }
 
-/// Found for a prescribed force: the creepage where it rolls, the shift where it does not.
+/// Quantities found for a prescribed force: the creepage in rolling, otherwise the shift.
 bool is_found(const Scene& scene, const PrescribedForce& force, const std::string& name) {
   const bool shifts = scene.problem == Problem::shift;
   return (force.longitudinal &&
@@ -83,7 +83,7 @@ bool is_found(const Scene& scene, const PrescribedForce& force, const std::strin
          (force.lateral && name == (shifts ? "lateral_shift" : "lateral_creepage"));
 }
 
-/// The word of a value without a bar.
+/// Reason why a value has no error bar.
 std::string word_of(const Scene& scene, const BarRules& rules, const ModelResult& result,
                     std::size_t k, const Quantity& quantity) {
   const std::string name = quantity.name;
@@ -92,11 +92,11 @@ std::string word_of(const Scene& scene, const BarRules& rules, const ModelResult
   if (*quantity.no_bar != '\0' && !is_found(scene, force_of(scene, result, k), name))
     return quantity.no_bar;
   if (is_given(scene, result, k, name)) return no_bar::given;
-  // Of true profiles an ellipse is made first, which is no longer their contact.
+  // True profiles are approximated by an ellipse, which is not their exact contact.
   const bool exact = rules.hertzian && !scene.has_profiles();
   if (rules.hertzian && is_of_normal_problem(quantity))
     return exact ? no_bar::exact : no_bar::theory;
-  // Forces that a model without friction does not have, and all that does not slip.
+  // Without tangential tractions these are exact.
   if (exact && result.points[k].max_traction == 0.0 &&
       (quantity.of_friction() || name == "adhesion_area"))
     return no_bar::exact;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The error statement of every value that leaves the program: its bar, that it is exact, or
-// why it has none. Error bars are explained in docs/results.md.
+// The error statement of every reported value: its error bar, or why it has none (exact,
+// prescribed, ...). Error bars are explained in docs/results.md.
 #pragma once
 
 #include "contact/result/quantities.hpp"
@@ -11,41 +11,41 @@
 
 namespace rollfem::contact {
 
-/// Why a value has no bar, as PointResult::no_bar and all files have it.
+/// Reason why a value has no error bar, as in PointResult::no_bar and all files.
 namespace no_bar {
 inline constexpr const char* exact = "exact";        ///< a closed form, computed to rounding
-inline constexpr const char* given = "given";        ///< by the case
-inline constexpr const char* counted = "counted";    ///< a number of things
-inline constexpr const char* measured = "measured";  ///< of the computation, not of the contact
-/// A closed form that is no exact solution: no grid, but a theory, whose error is model_error.
+inline constexpr const char* given = "given";        ///< prescribed by the case
+inline constexpr const char* counted = "counted";    ///< a count
+inline constexpr const char* measured = "measured";  ///< a figure of the computation
+/// A closed form of an approximate theory: no discretisation error; see model_error.
 inline constexpr const char* theory = "theory";
-inline constexpr const char* one_grid = "one grid";  ///< there is no second one to compare with
-/// Found by the balance of a wheelset, of which there is no other on a coarser grid.
+inline constexpr const char* one_grid = "one grid";  ///< no second solution to compare
+/// Found by the balance of a wheelset, for which there is no balance on a coarser grid.
 inline constexpr const char* balance = "balance";
-/// Of a line contact: relative to geometry.reference_distance, and without a meaning of its own.
+/// Depends on geometry.reference_distance (line contact), so it has no absolute meaning.
 inline constexpr const char* relative = "relative";
 inline constexpr const char* not_estimated = "not estimated";
 }  // namespace no_bar
 
-/// What a model says of values without a bar.
+/// A model's reasons for values without error bar.
 struct BarRules {
   /// Patch, pressure and approach are Hertz's closed form: exact where there are no true profiles,
   /// a theory of an ellipse where there are.
   bool hertzian = false;
-  /// Of its other values: a word of no_bar.
+  /// Reason for all other values, a word of no_bar.
   const char* otherwise = no_bar::not_estimated;
 };
 
-/// Bars that follow from others of the point: of the length and width of the patch from its
-/// semi-axes, of the work of the creepages from forces and creepages. Leaves those that are there.
+/// Error bars derived from others of the point: length and width of the patch from its semi-axes,
+/// work of the creepages from forces and creepages. Existing bars are kept.
 void derive_bars(PointResult& point);
 
-/// Gives creepages that the balance of a wheelset has found their bars, and every value without a
-/// bar its word in PointResult::no_bar, where the model has not. What the case gives (a force along
-/// z, an approach) has no bar but the word "given".
+/// Sets the error bars of creepages found by the balance of a wheelset, and the reason in
+/// PointResult::no_bar for every value without bar, unless the model has set it. Prescribed values
+/// (a force along z, an approach) have no bar but the word "given".
 void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result);
 
-/// "+- 0.58", or the word in place of it; empty where the point has neither.
+/// "+- 0.58", or the reason instead; empty if the point has neither.
 std::string bar_text(const PointResult& point, const std::string& quantity);
 
 }  // namespace rollfem::contact

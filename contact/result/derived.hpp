@@ -8,24 +8,24 @@
 namespace rollfem::contact {
 
 /// Elastic energy of both bodies, 1/2 sum (p_x u_x + p_y u_y + p_n u_n) dx dy in N mm, u the
-/// displacement difference that these tractions cause. Throws InputError when the fields
-/// do not fit the grid (a theory that gives no displacement has no energy).
+/// displacement difference caused by these tractions. Throws InputError when the fields do not
+/// match the grid (a theory without displacement has no energy).
 double elastic_energy(const ContactGrid& grid, const SurfaceField& traction,
                       const SurfaceField& displacement);
 
-/// Heat made by friction per time, -V sum (p_t . w) dx dy in N mm/s (mW), from tractions and slip
-/// at the same points; not negative for a solution of Coulomb's law. `speed`: V in mm/s.
+/// Frictional heat per time, -V sum (p_t . w) dx dy in N mm/s (mW), from tractions and slip at the
+/// same points; not negative for a solution of Coulomb's law. `speed`: V in mm/s.
 double frictional_power(const ContactGrid& grid, const SurfaceField& traction,
                         const TangentialField& slip, double speed);
 
-/// Power that the creep forces take from the rolling motion, -V (xi F_x + eta F_y + phi M_z) in
-/// N mm/s, M_z about the origin; by `extra_slip` (empty: none) also -V sum (p_t . s_extra) dx dy.
-/// Equals frictional_power in steady rolling of like half-spaces.
+/// Power dissipated by the creep forces in rolling, -V (xi F_x + eta F_y + phi M_z) in N mm/s, M_z
+/// about the origin; by `extra_slip` (empty: none) also -V sum (p_t . s_extra) dx dy. Equals
+/// frictional_power in steady rolling of like half-spaces.
 double creepage_power(const ContactGrid& grid, const SurfaceField& traction,
                       const Creepage& creepage, double speed,
                       const TangentialField& extra_slip = {});
 
-/// The two powers of a solved load point, and how far they are apart.
+/// The two powers of a solved load point, and their relative difference.
 struct PowerBalance {
   double friction = 0.0;    ///< N mm/s, frictional_power
   double creepage = 0.0;    ///< N mm/s, creepage_power

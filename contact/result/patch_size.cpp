@@ -19,7 +19,7 @@ namespace {
 /// Pressures along one line of elements, positions in elements.
 using Line = std::vector<double>;
 
-/// Where an edge is beyond the middle of the last element, and what that may be off, in elements.
+/// Distance of an edge beyond the centre of the last element, and its error, in elements.
 struct Edge {
   double at = 0.5;
   double unsure = 0.5;
@@ -33,14 +33,13 @@ struct Chord {
   double covered = 0.0;
 };
 
-/// Elements that a parabola goes through at most.
+/// Largest number of elements of a parabola.
 constexpr int most_for_parabola = 12;
 
 /// The first root, from the edge element outwards, of a parabola through p^2 of the elements
-/// `first` to `first` + count - 1 places in; none where p^2 does not fall towards the edge.
+/// `first` to `first` + count - 1, counted inwards; none where p^2 does not fall towards the edge.
 std::optional<double> root_of_parabola(const Line& inward, int first, int count) {
-  // Of a size known beforehand, so that nothing is allocated: there are two for every row and
-  // column.
+  // Fixed size, so that nothing is allocated: two are needed for every row and column.
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, most_for_parabola, 3> basis(count, 3);
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_for_parabola, 1> values(count);
   for (int k = 0; k < count; ++k) {
@@ -56,32 +55,34 @@ std::optional<double> root_of_parabola(const Line& inward, int first, int count)
   return root;
 }
 
-/// Where the edge is when the parabola through the last three elements ends at `root`. A contact
-/// solved in elements of constant pressure has p^2 = 0 up to where the true edge is 0.17 of an
-/// element behind the middle of the last, and then moves it in an even way: the true edge of
-/// Hertz's line contact on 240 elements, at 160 places of it in an element, within 2e-4. The same
-/// holds for h = A x^4 + B x^2 and for finite elements within what the third element leaves out.
+/// Position of the edge when the parabola through the last three elements ends at `root`. A contact
+/// solved with elements of constant pressure has p^2 = 0 until the true edge is 0.17 of an element
+/// behind the centre of the last one; beyond that the root moves smoothly with the edge. Fitted to
+/// Hertz's line contact on 240 elements, with the edge at 160 positions in an element, within 2e-4.
+/// The same holds for h = A x^4 + B x^2 and for finite elements within the error of the third
+/// element.
 double edge_of_solution(double root) {
   const double s = std::sqrt(root);
   return -0.17437 + s * (0.98287 + s * (0.68687 + s * (-0.68403 + s * (-0.22103 + s * 0.22967))));
 }
 
-/// The same for the parabola through the second to the fourth element: where it ends if the
-/// pressure has no more than a parabola in it.
+/// The same for the parabola through the second to the fourth element: its end if p^2 is a
+/// parabola.
 double second_root(double root) {
   const double s = std::sqrt(root);
   return edge_of_solution(root) +
          (0.19810 + s * (-0.31719 + s * (-0.11603 + s * (0.55610 - 0.27475 * s))));
 }
 
-/// How far the true edges of h = A x^4 + B x^2 are from edge_of_solution, over how far second_root
-/// is from the truth: up to 0.1 with 12 to 24 elements across, 0.12 to 0.2 with 40 to 80.
+/// Error of edge_of_solution for h = A x^4 + B x^2, divided by the error of second_root: up to 0.1
+/// with 12 to 24 elements across, 0.12 to 0.2 with 40 to 80.
 constexpr double unsure_share = 0.1;
 
-/// Distance of the edge beyond the middle of the last element of a run, in elements: `inward[k]` is
-/// p^2 of the element k places in from the edge element. Farther in than three elements p^2 is a
-/// parabola for ellipsoids alone; where such a parabola and that of the last three end at one
-/// place, the pressure is a smooth one taken at the middles, not the solution of a contact.
+/// Distance of the edge beyond the centre of the last element of a run, in elements: `inward[k]` is
+/// p^2 of the element k positions inside the edge element. Deeper than three elements, p^2 is a
+/// parabola only for ellipsoids; where that parabola and the one of the last three elements end at
+/// the same point, the pressure is a smooth function sampled at the centres, not a contact
+/// solution.
 Edge edge_beyond(const Line& inward) {
   constexpr double same_place = 0.02, farthest = 2.0, largest_of_solutions = 0.91;
   const int available = static_cast<int>(inward.size());
@@ -99,7 +100,7 @@ Edge edge_beyond(const Line& inward) {
   return {edge_of_solution(root), unsure_share * beside + std::abs(*outer - root)};
 }
 
-/// Lists that serve one line after another.
+/// Lists reused for one line after another.
 struct Lists {
   Line line, squares, backwards, last, minus_first;
 };
@@ -131,7 +132,7 @@ Chord chord_of(Lists& lists) {
 }
 
 /// Largest of values[k] over the lines, taken at the vertex of the parabola through the largest and
-/// its neighbours: the outermost point of the patch lies between two lines as a rule.
+/// its neighbours: the outermost point of the patch usually lies between two lines.
 double largest_between_lines(const Line& values) {
   const auto at = std::max_element(values.begin(), values.end());
   const double peak = *at;
@@ -151,7 +152,7 @@ struct Extent {
   double unsure = 0.0;   ///< in elements, of last - first
 };
 
-/// Of `count` lines of `length` elements; `value(line, element)`.
+/// For `count` lines of `length` elements; `value(line, element)`.
 template <class Value>
 Extent extent_of(int count, int length, Lists& lists, Value&& value) {
   constexpr double nowhere = -std::numeric_limits<double>::infinity();

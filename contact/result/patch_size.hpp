@@ -13,20 +13,20 @@ struct PatchSize {
   double length = 0.0;  ///< mm, extent in x
   double width = 0.0;   ///< mm, extent in y
   double area = 0.0;    ///< mm^2
-  /// What length and width may be off, mm, by the shape of the pressure at their ends.
+  /// Error of length and width, mm, from the shape of the pressure at their ends.
   double length_unsure = 0.0, width_unsure = 0.0;
   /// Ends of the patch, mm; of the outermost ones where it falls into several regions.
   double x_lower = 0.0, x_upper = 0.0, y_lower = 0.0, y_upper = 0.0;
 };
 
 /// The edge along every row and column of elements follows from p^2 of the last three elements,
-/// with what the elements of a solved contact are known to do at an edge; p^2 of a pressure taken
-/// at the middles of the elements is extrapolated as it is. Where there are too few elements, or
-/// the pressure does not fall to an edge (a punch), the element's border counts.
+/// corrected for the known behaviour of a solved contact's elements at an edge; p^2 of a pressure
+/// sampled at element centres is extrapolated unchanged. With too few elements, or if the pressure
+/// does not fall to an edge (a punch), the element's border is the edge.
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure);
 
-/// A row of fewer elements than this has its edges at borders of elements: each end of the patch is
-/// then known to within one element only.
+/// A row of fewer elements than this has its edges at element borders: each end of the patch is
+/// then known only to within one element.
 inline constexpr int elements_for_edge = 5;
 
 /// Whether an element at the border of the grid carries pressure: the potential contact area is
@@ -53,7 +53,7 @@ struct PatchPart {
 /// The most loaded first. Empty without pressure.
 std::vector<PatchPart> patch_parts(const ContactGrid& grid, const ContactFields& fields);
 
-/// How many there are.
+/// Number of regions.
 int count_parts(const ContactGrid& grid, const Field& pressure);
 
 }  // namespace rollfem::contact

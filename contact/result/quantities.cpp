@@ -23,7 +23,7 @@ auto& follow(Object& object) {
     return follow<Rest...>(object.*First);
 }
 
-/// The member that a path of member pointers leads to: double, int, bool, or a double that may be
+/// The member at the end of a path of member pointers: double, int, bool, or a double that may be
 /// absent.
 template <auto... Path>
 QuantityMember at() {
@@ -54,7 +54,8 @@ using P = PointResult;
 using Scale = ErrorScale;
 using Use = QuantityUse;
 
-/// What is given: creepages (found for prescribed forces) and, in a history, the way so far.
+/// Prescribed quantities: creepages (found for prescribed forces) and, in a history, the
+/// accumulated motion.
 std::vector<Quantity> of_the_motion() {
   return {
       {"longitudinal_creepage", "longitudinal creepage", "xi", "-",
@@ -94,9 +95,8 @@ std::vector<Quantity> of_the_forces() {
        "force along y on the wheel; negative for positive eta", Scale::force, Use::stored,
        at<&P::lateral_force>()},
       {"lateral_pressure", "lateral force of the pressure", "", "N",
-       "what the pressure of a curved patch has of the lateral force, along y on the wheel; "
-       "friction "
-       "bounds the rest",
+       "part of the lateral force carried by the pressure of a curved patch, along y on the wheel; "
+       "friction bounds the rest",
        Scale::none, Use::stored, at<&P::lateral_pressure>(), no_bar::one_grid},
       {"spin_moment", "spin moment", "M_z", "N mm", "moment on the wheel about the origin",
        Scale::moment, Use::stored, at<&P::spin_moment>()},
@@ -117,7 +117,8 @@ std::vector<Quantity> of_the_forces() {
 
 std::vector<Quantity> of_the_patch() {
   return {
-      {"approach", "approach", "", "mm", "how far the bodies have come together since they touched",
+      {"approach", "approach", "", "mm",
+       "approach (penetration): how far the bodies have moved together since first touch",
        Scale::value, Use::accuracy, at<&P::approach>()},
       {"semi_axis_x", "semi-axis along x", "a", "mm",
        "half the extent of the patch in x, found below the element size", Scale::value,
@@ -141,7 +142,7 @@ std::vector<Quantity> of_the_patch() {
   };
 }
 
-/// How it was solved, and what follows from the fields where a model gives it.
+/// Figures of the solution, and quantities derived from the fields where a model gives them.
 std::vector<Quantity> of_the_solution() {
   return {
       {"iterations", "iterations", "", "-", "outer iterations (FE solves) or Newton steps",
@@ -177,7 +178,7 @@ std::vector<Quantity> of_the_solution() {
   };
 }
 
-/// A cell of a Markdown table, where a bar would end it.
+/// A cell of a Markdown table, in which a vertical bar must be escaped.
 std::string cell(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);

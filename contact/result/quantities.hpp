@@ -11,27 +11,27 @@
 
 namespace rollfem::contact {
 
-/// What errors of a quantity, and differences between two models, are parts of wherever they are
-/// given as parts or percent: in messages, tables and figures, `accuracy`, comparisons and studies.
+/// Reference value of a quantity for relative errors and for differences between models: in
+/// messages, tables and figures, `accuracy`, comparisons and studies.
 enum class ErrorScale {
-  none,      ///< is given, counted or a place
+  none,      ///< prescribed, counted, or a position
   value,     ///< the value
-  friction,  ///< these of what full sliding gives: mu
+  friction,  ///< value at full sliding: mu
   force,     ///< mu F_z
   moment,    ///< mu F_z sqrt(a b)
   traction,  ///< mu p_0
 };
 
-/// What a quantity is used for; each includes those before.
+/// Use of a quantity; each level includes the previous ones.
 enum class QuantityUse {
   stored,    ///< in every file
-  compared,  ///< models are held against each other by it
-  accuracy,  ///< a case may ask for its accuracy: every model with error estimates must give one
+  compared,  ///< used to compare models
+  accuracy,  ///< a case may request its accuracy: every model with error estimates must give one
 };
 
 enum class QuantityKind { number, count, truth };
 
-/// How a quantity is reached in a load point.
+/// Access to a quantity in a load point.
 struct QuantityMember {
   QuantityKind kind;
   bool may_be_absent;
@@ -43,43 +43,44 @@ struct Quantity {
   const char* name;     ///< in every file
   const char* title;    ///< for headings and sentences
   const char* symbol;   ///< "F_x", "xi"; empty where there is none
-  const char* unit;     ///< "-" when it has none
+  const char* unit;     ///< "-" if none
   const char* meaning;  ///< one sentence with the sign
   ErrorScale scale;
   QuantityUse use;
   QuantityMember member;
-  const char* no_bar = "";  ///< why it never has an error estimate (bars.hpp); empty: it may have
+  const char* no_bar = "";  ///< why it never has an error bar (bars.hpp), or empty
 
-  /// None where the model does not give it, of those that may be absent.
+  /// None for an optional quantity that the model does not give.
   std::optional<double> value(const PointResult& point) const { return member.get(point); }
-  /// Is measured by full sliding.
+  /// Whether full sliding is the reference value.
   bool of_friction() const { return scale > ErrorScale::value; }
 };
 
 /// In the order of the files.
 const std::vector<Quantity>& quantities();
 
-/// By name; null where there is none.
+/// By name; null if unknown.
 const Quantity* find_quantity(const std::string& name);
 
-/// By name; std::logic_error for one that is not there.
+/// By name; std::logic_error if unknown.
 const Quantity& quantity_named(const std::string& name);
 
-/// Value by name; std::logic_error where it is absent.
+/// Value by name; std::logic_error if absent.
 double quantity(const PointResult& point, const std::string& name);
 
-/// What full sliding gives of a quantity of friction at this load point; else 0.
+/// Value of a friction quantity at full sliding at this load point; 0 for others.
 double full_sliding(const Quantity& quantity, const PointResult& point,
                     double friction_coefficient);
 
-/// What 1, or 100 %, of a quantity is at this load point: full sliding, else the size of the value.
-/// 0 where nothing can be told as a part of it (ErrorScale::none, or a value of 0).
+/// Reference value (100 %) of a quantity at this load point: full sliding, otherwise the magnitude
+/// of the value. 0 if there is no relative error (ErrorScale::none, or a value of 0).
 double whole_of(const Quantity& quantity, const PointResult& point, double friction_coefficient);
 
 /// "mu F_z"; empty for none.
 const char* text_of(ErrorScale scale);
 
-/// Percent of it with two digits: "0.3 %" of a value, "0.3 % of mu F_z". `part` is relative.
+/// Percent of the reference value with two digits: "0.3 %" of a value, "0.3 % of mu F_z". `part` is
+/// relative.
 std::string percent_text(ErrorScale scale, double part);
 
 /// The table for docs/results.md.

@@ -22,7 +22,7 @@ void Record::raw(void* data, std::size_t size) {
 std::size_t Record::length(std::size_t size, std::size_t bytes_each) {
   unsigned long long count = size;
   raw(&count, sizeof count);
-  // A damaged length must not ask for all memory.
+  // A damaged length must not allocate all memory.
   if (reading_ && count > (bytes_.size() - position_) / bytes_each)
     throw std::runtime_error("the record ends too early");
   return static_cast<std::size_t>(count);

@@ -25,11 +25,11 @@ class Record {
 
   bool reading() const { return reading_; }
   const std::string& bytes() const { return bytes_; }
-  /// Everything was read. A record of another shape ends early or late.
+  /// Whether everything was read. A record of another layout ends early or late.
   bool exhausted() const { return reading_ && position_ == bytes_.size(); }
 
-  /// Each appends the value, or replaces it by what is read. Reading throws std::runtime_error when
-  /// the record ends before.
+  /// Each function appends the value, or replaces it by the value read. Reading throws
+  /// std::runtime_error when the record ends too early.
   template <class Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
   void value(Number& number) {
     raw(&number, sizeof number);
@@ -57,7 +57,7 @@ class Record {
 
  private:
   void raw(void* data, std::size_t size);
-  /// Length of a list: as given when writing, as found when reading.
+  /// Length of a list: given when writing, found when reading.
   std::size_t length(std::size_t size, std::size_t bytes_each);
   template <class Entry>
   void plain(std::vector<Entry>& entries);
@@ -69,7 +69,7 @@ class Record {
   bool reading_ = false;
 };
 
-/// 64-bit FNV-1a, to tell a damaged or foreign record; no protection against malice.
+/// 64-bit FNV-1a, to detect a damaged or foreign record; no protection against malice.
 unsigned long long checksum(std::string_view bytes, unsigned long long begin = 0xcbf29ce484222325U);
 
 }  // namespace rollfem::contact

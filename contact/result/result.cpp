@@ -111,7 +111,7 @@ void integrate_tractions(const ContactGrid& grid, PointResult& point, const Patc
   if (shape.climb.size() != 0)
     point.lateral_pressure = area * project({{}, {}, pressure}, shape).across.sum();
   point.spin_moment = area * (x.dot(projected.across) - y.dot(projected.along));
-  // 0.0 - keeps a force of zero from giving a coefficient of minus zero.
+  // 0.0 - avoids a coefficient of minus zero for zero force.
   point.traction_coefficient =
       point.normal_force > 0.0 ? 0.0 - point.longitudinal_force / point.normal_force : 0.0;
   point.max_pressure = pressure.maxCoeff();

@@ -22,8 +22,8 @@ struct ContactFields {
   SurfaceField traction;      ///< MPa, on the wheel
   TangentialField slip;       ///< w = s + D u, relative to the rolling speed
   Field traction_bound;       ///< g = mu p_n, MPa
-  Field gap;                  ///< h + u_n - approach as it is, mm: >= 0 to the tolerance; or empty
-  SurfaceField displacement;  ///< u_wheel - u_rail, mm; empty when a theory does not give it
+  Field gap;                  ///< computed h + u_n - approach, mm: >= 0 to the tolerance; or empty
+  SurfaceField displacement;  ///< u_wheel - u_rail, mm; empty for theories without it
   std::vector<ElementState> state;
 };
 
@@ -36,7 +36,7 @@ struct SubsurfaceField {
   std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz
 };
 
-/// Largest value of a scalar measure of stress over a body (stress_measures.hpp), with its place.
+/// Largest value of a scalar stress measure in a body (stress_measures.hpp), with its position.
 struct StressMaximum {
   std::string body;               ///< "wheel", "rail"
   std::string measure;            ///< "von_mises", "tresca", "orthogonal_shear", "principal_1"
@@ -44,8 +44,8 @@ struct StressMaximum {
   std::array<double, 3> place{};  ///< mm, global frame
 };
 
-/// Displacement and stress at the nodes of a body under one load point. Single precision: 6e-8 of
-/// each value, far below what the elements are good for, and half the memory and file.
+/// Displacement and stress at the nodes of a body under one load point. Single precision: relative
+/// error 6e-8, far below the accuracy of the elements, at half the memory and file size.
 struct BodyValues {
   std::vector<std::array<float, 3>> displacement;  ///< mm
   std::vector<std::array<float, 6>> stress;        ///< MPa: xx yy zz xy yz xz
@@ -63,7 +63,7 @@ struct PointResult {
   double normal_force = 0.0;        ///< N
   double longitudinal_force = 0.0;  ///< F_x, N, on the wheel
   double lateral_force = 0.0;       ///< F_y, N, on the wheel
-  double lateral_pressure = 0.0;    ///< N, part of it that the pressure of a curved patch has
+  double lateral_pressure = 0.0;    ///< N, part of it carried by the pressure of a curved patch
   double spin_moment = 0.0;         ///< M_z, N mm, about the origin
   double traction_coefficient = 0.0;
   double max_pressure = 0.0;    ///< MPa
@@ -81,25 +81,25 @@ struct PointResult {
   double residual = 0.0;        ///< relative residual at which the iteration stopped
   double seconds = 0.0;
   bool converged = false;
-  /// Bars: quantity -> the estimated error of its value, absolute and in its unit: what grid and
-  /// solver leave uncertain (docs/results.md).
+  /// Error bars: quantity -> estimated absolute error of its value from grid and solver, in its
+  /// unit (docs/results.md).
   std::map<std::string, double> error_estimate;
-  std::map<std::string, std::string> no_bar;  ///< quantity -> why it has none (bars.hpp)
-  /// Quantity -> how far the model is from what it stands for, however fine its grid: absolute.
+  std::map<std::string, std::string> no_bar;  ///< quantity -> why it has no bar (bars.hpp)
+  /// Model error: quantity -> absolute error of the model itself, independent of the grid.
   std::map<std::string, double> model_error;
   std::map<std::string, double> richardson;  ///< quantity -> value extrapolated to cells of 0
-  // What not every model gives.
+  // Quantities that not every model gives.
   std::optional<double> elastic_energy;   ///< N mm
   std::optional<double> frictional_work;  ///< N mm per mm rolled; steady rolling only
-  std::optional<double> creepage_work;    ///< the same but for the discretisation
-  /// mm, of the extents of the patch, with profiles: it is off the origin.
+  std::optional<double> creepage_work;    ///< equal up to the discretisation error
+  /// mm, middle of the extents of the patch, with profiles, where it differs from the origin.
   std::optional<double> patch_x_middle;
   std::optional<double> patch_y_middle;
   std::optional<double> vertical_force;  ///< N, with profiles: on the track, friction included
   ContactFields fields;
-  std::vector<SubsurfaceField> subsurface;   ///< as the case asks for
+  std::vector<SubsurfaceField> subsurface;   ///< as requested by the case
   std::vector<StressMaximum> stress_maxima;  ///< of both bodies
-  /// In the order of ModelResult::bodies; empty where none are kept, and but for fem.
+  /// In the order of ModelResult::bodies; empty if not stored, and for models other than fem.
   std::vector<BodyValues> bodies;
 };
 
@@ -114,30 +114,30 @@ struct BodyField {
 
 struct ModelResult {
   std::string name;                       ///< "hertz", "linear", ... "halfspace", "fem"
-  std::string label;                      ///< as figures call it; empty: the name
+  std::string label;                      ///< name in figures; empty: the name
   std::map<std::string, double> seconds;  ///< total, setup, normal, tangential, ...
   long unknowns = 0;
   int contact_elements = 0;
   ContactGrid grid;
   std::vector<PointResult> points;
   std::vector<BodyField> bodies;   ///< undeformed, without values (PointResult::bodies); fem only
-  std::vector<std::string> notes;  ///< what a reader must know: domain, symmetry, limits
-  /// What PointResult::model_error was taken from, or why there is none.
+  std::vector<std::string> notes;  ///< notes for the reader: domain, symmetry, limits
+  /// Source of PointResult::model_error, or why there is none.
   std::string model_error_source;
   /// Whether a load point has the model error of a quantity.
   bool has_model_error() const;
-  /// Why this model and grid were taken, where `auto` took them; else empty.
+  /// Why `auto` chose this model and grid; empty if it did not.
   std::string choice;
-  /// What was asked for and not reached, though the results are sound as far as they go; else
-  /// empty. The run then ends with status 1 after they are written.
+  /// A request that was not met although the results are valid; otherwise empty. The run then ends
+  /// with status 1 after writing them.
   std::string shortfall;
   std::optional<ContactPlace> place;  ///< with profiles: the patch, one ModelResult for each
-  /// What tells the results of a run apart: "halfspace", "halfspace_left_3_1" for the first patch
-  /// of the left wheel at position 3.
+  /// Unique key of a result in a run: "halfspace", or "halfspace_left_3_1" for the first patch of
+  /// the left wheel at position 3.
   std::string key() const;
-  /// Number `body` of `bodies` with its values at a load point, which keeps them.
+  /// Entry `body` of `bodies` with its values at a load point that stores them.
   BodyField body_at(std::size_t point, std::size_t body) const;
-  /// Load points that keep the values of all bodies, from 0.
+  /// Load points that store the values of all bodies, from 0.
   std::vector<std::size_t> points_with_bodies() const;
 };
 

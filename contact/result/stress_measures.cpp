@@ -24,8 +24,8 @@ std::array<double, 3> principal(const Stress& stress) {
   tensor << stress.xx, stress.xy, stress.xz,  //
       stress.xy, stress.yy, stress.yz,        //
       stress.xz, stress.yz, stress.zz;
-  // The iterative solver: the closed form loses half of the digits where two values coincide, as
-  // they do on the axis of a circular contact.
+  // The iterative solver, because the closed form loses half of the digits where two values
+  // coincide, as on the axis of a circular contact.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
   const Eigen::Vector3d values = solver.eigenvalues();
   return {values[2], values[1], values[0]};

@@ -29,7 +29,7 @@ double hydrostatic(const Stress& stress);
 /// sqrt(3 J2), the uniaxial stress of the same distortion energy.
 double von_mises(const Stress& stress);
 
-/// Principal stresses, largest first. Absolute error some 1e-15 of the largest.
+/// Principal stresses, largest first. Absolute error about 1e-15 of the largest.
 std::array<double, 3> principal(const Stress& stress);
 
 /// Largest difference of principal stresses (Tresca's equivalent stress).

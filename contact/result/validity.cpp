@@ -15,7 +15,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Pressures below 0 by more than this are no rounding: relative to the largest.
+/// Largest negative pressure due to rounding, relative to the largest pressure.
 constexpr double rounding = 1e-6;
 
 /// "load point 2 of 7: "
@@ -48,7 +48,7 @@ void check_scalars(const CheckedPoint& at) {
   }
 }
 
-/// Displacements and stresses in the bodies, and the fields on the contact.
+/// Checks displacements and stresses in the bodies, and the fields on the contact.
 void check_fields(const CheckedPoint& at) {
   const PointResult& point = at.point;
   const auto fail = [&](const std::string& what) {
@@ -72,7 +72,7 @@ void check_fields(const CheckedPoint& at) {
     if (!all_finite(body.stress) || !all_finite(body.displacement)) fail("stresses");
 }
 
-/// Columns and rows of the grid that have an element under pressure.
+/// Columns and rows of the grid with an element under pressure.
 std::array<Eigen::Index, 2> elements_across(const ContactGrid& grid, const Field& pressure) {
   const auto loaded = Eigen::Map<const Eigen::ArrayXXd>(pressure.data(), grid.nx, grid.ny) > 0.0;
   return {loaded.rowwise().any().count(), loaded.colwise().any().count()};
@@ -106,7 +106,7 @@ void check_held(const CheckedPoint& at) {
     return std::max(lower - (middle - 0.5 * extent), middle + 0.5 * extent - lower - count * cell) /
            cell;
   };
-  // What is sampled may fill the grid to its border; what is solved must end before.
+  // A sampled pressure may fill the grid to its border; a solved one must end before.
   const bool held =
       at.kind.elastic
           ? !touches_border(grid, point.fields.traction.n)
@@ -158,7 +158,7 @@ void check_balance(const CheckedPoint& at) {
                          carried, *load.force, imbalance, largest_imbalance));
 }
 
-/// Bodies that carry a force have come together since they touched.
+/// Bodies under load must have a positive approach.
 void check_approach(const CheckedPoint& at) {
   if (!at.touching || at.point.approach > 0.0) return;
   refuse(at, fmt::format("the bodies have come together by {:.4g} mm and carry {:.6g} N; allowed: "
@@ -166,7 +166,7 @@ void check_approach(const CheckedPoint& at) {
                          at.point.approach, at.point.normal_force));
 }
 
-/// The largest of a figure over the load points, for a warning.
+/// The largest value of a figure over the load points, for a warning.
 struct Worst {
   double part = 0.0;
   std::size_t point = 0;
@@ -179,7 +179,7 @@ struct Worst {
   }
 };
 
-/// Sine of half the angle by which a section turns from one end of the patch to the other.
+/// Sine of half the angle between the normals at both ends of the patch.
 double slope_change(const HeightCurve& curve, double middle, double width) {
   const auto angle = [&](double y) { return std::atan(curve.at(y).slope); };
   return std::sin(0.5 * std::abs(angle(middle + 0.5 * width) - angle(middle - 0.5 * width)));
@@ -234,7 +234,7 @@ void check_validity(const Scene& scene, const ModelResult& result, const ResultK
   const bool touching = scene.geometry.has_surfaces() && !scene.given_pressure;
   for (std::size_t k = 0; k < count; ++k) {
     NormalLoad load;
-    // A given pressure is the load; a model that gives one point for all loads takes the largest.
+    // A given pressure is the load; a model with one result for all load points uses the largest.
     if (!scene.given_pressure)
       load = count == scene.points.size() ? scene.points[k].load : largest_load(scene);
     check_point({result.grid, result.points[k], load, touching, kind, k, count});

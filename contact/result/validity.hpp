@@ -7,66 +7,66 @@
 
 namespace rollfem::contact {
 
-/// What the gate has to know of the model.
+/// Properties of the model needed by the gate.
 struct ResultKind {
-  bool elastic = true;      ///< found on the contact grid; else sampled there from a closed form
-  bool bounded = true;      ///< its tractions keep the bound of friction
-  bool half_spaces = true;  ///< its bodies are plane for the elasticity
+  bool elastic = true;      ///< solved on the contact grid; otherwise sampled from a closed form
+  bool bounded = true;      ///< its tractions respect the friction bound
+  bool half_spaces = true;  ///< its bodies are half-spaces
 };
 
-/// Fewer elements than this along a side of the patch make no pressure.
+/// Fewest elements along a side of the patch for a meaningful pressure.
 inline constexpr int fewest_elements_across = 4;
-/// Relative error of the force along the direction of the load.
+/// Allowed relative error of the force along the direction of the load.
 inline constexpr double largest_imbalance = 1e-6;
-/// Beyond this part of a radius the surface turns by 0.3 rad across half the patch, and bodies are
-/// no half-spaces: under the same load the largest pressure of the half-space is then
-/// 3.7 % below that of Persson's conforming pin (docs/troubleshooting.md).
+/// Beyond this fraction of a radius the surface turns by 0.3 rad across half the patch, and the
+/// bodies are not half-spaces: under the same load the largest pressure of the half-space is
+/// then 3.7 % below that of Persson's conforming pin (docs/troubleshooting.md).
 inline constexpr double largest_patch_part = 0.3;
-/// Beyond this part of a radius displacements change the geometry that they are counted from.
+/// Beyond this fraction of a radius displacements change the geometry itself.
 inline constexpr double largest_approach_part = 0.02;
-/// MPa; beyond it no rail or wheel steel stays elastic: shakedown ends at some 4 times the yield
-/// strength in shear, 300 to 600 MPa.
+/// MPa; beyond it no rail or wheel steel stays elastic: the shakedown limit is about 4 times the
+/// yield strength in shear, 300 to 600 MPa.
 inline constexpr double largest_elastic_pressure = 3000.0;
 
-/// A load point and what it is checked against.
+/// A load point and the conditions for its check.
 struct CheckedPoint {
   const ContactGrid& grid;
   const PointResult& point;
-  NormalLoad load{};     ///< without a force nothing has to balance
-  bool touching = true;  ///< the bodies have surfaces that come together
+  NormalLoad load{};     ///< without a force there is no balance to check
+  bool touching = true;  ///< the bodies have surfaces that approach each other
   ResultKind kind{};
   std::size_t index = 0, count = 1;  ///< of the load points of the result
 };
 
-/// Throws SolveError for a load point that is not converged, has a number that is not
-/// finite, a patch that the grid does not hold or that has fewer than fewest_elements_across
-/// elements along a side, a tensile pressure, a gap under pressure or an overlap beside it, a
-/// traction beyond its bound, a force that is not the load asked for, or bodies that carry a force
-/// and have not come together. The text names load point, figure, limit and what to do.
+/// Throws SolveError for a load point that is not converged, has a non-finite number, a patch that
+/// exceeds the grid or has fewer than fewest_elements_across elements along a side, a tensile
+/// pressure, a gap under pressure or an overlap beside it, a traction beyond its bound, a force
+/// different from the load, or a force without positive approach. The text names load point,
+/// figure, limit and remedy.
 void check_point(const CheckedPoint& at);
 
-/// The same for the first of all load points that is so.
+/// The same for the first such load point.
 void check_validity(const Scene& scene, const ModelResult& result, const ResultKind& kind = {});
 
-/// "warning: ..." sentences, each of the worst load point: patch or approach that are not small
-/// against the radii, pressure beyond what steel bears.
+/// "warning: ..." sentences, each of the worst load point: patch or approach not small against the
+/// radii, pressure beyond the elastic limit of steel.
 std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult& result,
                                            const ResultKind& kind = {});
 
-// Violation of the contact conditions by the fields of a load point, computed from the reported
-// fields alone and independent of the iteration that found them.
+// Violation of the contact conditions by the fields of a load point, computed only from the
+// reported fields, independent of the iteration.
 
-/// 0 each where they hold exactly, and where a model does not give the fields.
+/// 0 where they hold exactly, and for models without these fields.
 struct ContactResidual {
   /// Largest |gap| under pressure and largest penetration elsewhere, over the largest normal
   /// displacement difference.
   double gap = 0.0;
-  /// By how much |p_t| exceeds its bound at most, over the largest bound.
+  /// Largest excess of |p_t| over its bound, divided by the largest bound.
   double excess = 0.0;
 };
 
-/// What iterations may leave: half-spaces leave less than 1e-6 of either, finite elements too
-/// unless unlike materials couple friction with the gap, whose outer iteration ends at 1e-4.
+/// Allowed violations: half-spaces and finite elements stay below 1e-6 of either, except where
+/// unlike materials couple friction with the gap, whose outer iteration ends at 1e-4.
 inline constexpr ContactResidual largest_residual{2e-3, 1e-4};
 
 ContactResidual contact_residual(const ContactFields& fields);

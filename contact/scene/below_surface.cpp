@@ -7,7 +7,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Over which the bend of the surface is taken, mm.
+/// Step for the curvature of the surface, mm.
 constexpr double bend_step = 0.01;
 
 }  // namespace
@@ -81,7 +81,7 @@ BelowSurface::Coordinates BelowSurface::coordinates(const Vector3& place) const 
     angle = std::atan2(radial[0], dot(radial, down_));
     section = turned_about_axle(place, -angle);
   }
-  // The foot on the body's section, along the normal of the common surface.
+  // The foot point on the body's section, along the normal of the common surface.
   double y = section[1];
   bool found = false;
   for (int step = 0; step < 60 && !found; ++step) {

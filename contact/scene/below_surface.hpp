@@ -12,21 +12,22 @@ namespace rollfem::contact {
 
 class BelowSurface {
  public:
-  /// `geometry` is charted by arc length (Chart::arc) and outlives this. A yaw of the axle is left
-  /// out.
+  /// `geometry` is charted by arc length (Chart::arc) and must outlive this object. A yaw of the
+  /// axle is neglected.
   BelowSurface(const ChartedGeometry& geometry, bool wheel);
 
-  /// Where the normals have come together by more than that (Coordinates::spread) the coordinates
-  /// are of no use.
+  /// The coordinates are useless where the normals have converged by more than this
+  /// (Coordinates::spread).
   static constexpr double least_spread = 0.3;
 
-  /// x along the streamline, y along the common surface across, both mm and those of the contact
-  /// grid; depth along the common surface's normal below the body's own surface, < 0 outside.
+  /// x along the streamline, y along the common surface across, both mm, as in the contact grid;
+  /// depth along the common surface's normal below the body's own surface, < 0 outside.
   struct Coordinates {
     double x = 0.0;
     double y = 0.0;
     double depth = 0.0;
-    /// Of the normals: lengths across there by those on the surface; 0 where there is no foot.
+    /// Spread of the normals: ratio of lateral lengths at depth to those on the surface; 0 without
+    /// a foot point.
     double spread = 1.0;
     /// Unit vectors along rolling, across and along the normal into the wheel.
     std::array<Vector3, 3> axes{};
@@ -34,8 +35,8 @@ class BelowSurface {
   Coordinates coordinates(const Vector3& place) const;
   Vector3 place(double x, double y, double depth) const;
 
-  /// The place at (x, y) of the patch frame and `depth` mm below the surface, along z in the rail,
-  /// towards the axle in the wheel. Infinite where the wheel does not reach x.
+  /// The point at (x, y) of the patch frame and `depth` mm below the surface, along z in the rail,
+  /// towards the axle in the wheel. Infinite where x is outside the wheel.
   Vector3 below(double x, double y, double depth) const;
 
  private:

@@ -26,8 +26,9 @@ WheelHeight rail_height(const ContactSurface& surface, double y) {
   return {-drop.value, -drop.slope};
 }
 
-/// Way along the normal of the common surface at y to a surface of that height, by Newton's method;
-/// what the slope leaves out (x^2 / R^2 of it) costs digits of each step, not of the result.
+/// Distance along the normal of the common surface at y to a surface of the given height, by
+/// Newton's method; the approximation of the slope (relative error x^2 / R^2) slows convergence but
+/// does not affect the result.
 template <class HeightAt>
 double way_along_normal(const ContactSurface& surface, double y, HeightAt&& height_at) {
   const double climb = surface.climb(y);
@@ -44,7 +45,7 @@ double way_along_normal(const ContactSurface& surface, double y, HeightAt&& heig
   return way;
 }
 
-/// Where a ray goes on about the axle: distance from it, and what a way along `direction` changes.
+/// A ray relative to the axle: its distance from it, and the change along `direction`.
 struct RayPlace {
   double axial;
   double radius;
@@ -69,9 +70,9 @@ RayPlace ray_place(const Axle& axle, const Vector3& place, const Vector3& direct
   return at;
 }
 
-/// Way along the normal of the common surface at (x, y) to the wheel as a surface of revolution at
-/// its height under load, and back by the approach along that normal; by Newton's method, infinite
-/// where there is none.
+/// Distance along the normal of the common surface at (x, y) to the wheel as a surface of
+/// revolution at its height under load, and back by the approach along that normal; by Newton's
+/// method, infinite where there is none.
 double way_to_profile(const ContactSurface& surface, double x, double y) {
   const PatchGeometry& profiles = *surface.profiles;
   const double climb = surface.climb(y);
@@ -91,7 +92,7 @@ double way_to_profile(const ContactSurface& surface, double x, double y) {
     if (!(by_way < -1e-3)) return infinity;
     const double change = (at.radius - wheel.value) / by_way;
     way -= change;
-    // A radius of 500 mm is known to 1e-13 mm.
+    // Rounding of a radius of 500 mm is 1e-13 mm.
     if (std::abs(change) < 1e-11 * (1.0 + std::abs(way))) return way + back;
   }
   return infinity;
@@ -150,7 +151,7 @@ double surface_drop(const ContactSurface& surface, bool wheel, double x, double 
 }
 
 PatchShape patch_shape(const ContactSurface& surface, const ContactGrid& grid) {
-  // Gauss's rule of four points: exact to rounding on elements that are small beside the radii.
+  // Four-point Gauss rule: exact to rounding on elements that are small compared with the radii.
   constexpr std::array<double, 2> points{0.8611363115940526, 0.3399810435848563};
   constexpr std::array<double, 2> weights{0.3478548451374538, 0.6521451548625461};
   const auto mean = [&](double y, auto&& function) {

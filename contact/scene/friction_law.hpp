@@ -20,15 +20,15 @@ class FrictionLaw {
 
   virtual ~FrictionLaw() = default;
 
-  /// `pressure` >= 0, MPa; `slip` = |w| >= 0 as results give it: relative to the speed of rolling,
-  /// mm in a shift. The value is 0 at pressure 0 and positive above.
+  /// `pressure` >= 0, MPa; `slip` = |w| >= 0 as in results: relative to the rolling speed, mm in a
+  /// shift. The value is 0 at pressure 0 and positive above.
   virtual Bound bound(double pressure, double slip) const = 0;
 
-  /// by_slip is not always 0: bounds are then asked for anew at every slip.
+  /// Whether by_slip may be nonzero: bounds are then re-evaluated at every slip.
   virtual bool feels_slip() const { return false; }
 
-  /// mu without slip: what forces are scaled with, and all that the theories take which know no
-  /// other law than Coulomb's.
+  /// mu without slip: the scale of forces, and the only parameter of theories restricted to
+  /// Coulomb's law.
   virtual double coefficient() const = 0;
 };
 
@@ -48,7 +48,7 @@ class CoulombFriction : public FrictionLaw {
   double coefficient_;
 };
 
-/// Coulomb's law; null for the coefficient 0.
+/// Coulomb's law; null for coefficient 0.
 Friction coulomb(double coefficient);
 
 /// The coefficient of the law; 0 without friction.

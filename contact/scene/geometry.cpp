@@ -13,17 +13,16 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Distance where the wheel has no surface, mm: as good as infinite, which the solvers refuse.
+/// Distance where the wheel has no surface, mm: practically infinite, but finite because the
+/// solvers reject infinity.
 constexpr double beyond_the_wheel = 1e3;
 /// Step of the arc length, mm.
 constexpr double arc_step = 0.05;
-/// A surface is laid out as far as this, mm, where no profile ends, or until it is steeper than
-/// this.
+/// Extent of a rolled-out surface without profile ends, mm, and the slope at which it ends.
 constexpr double farthest = 100.0;
 constexpr double steepest_climb = 2.0;
 
-/// Second derivative by y at the contact point. Where the curvature jumps there, the mean of both
-/// sides.
+/// Second derivative by y at the contact point; the mean of both sides where the curvature jumps.
 double mean_second(const HeightCurve& curve) {
   constexpr double beside = 1e-6;  // mm
   return 0.5 * (curve.at(-beside).second + curve.at(beside).second);
@@ -92,7 +91,7 @@ Geometry::Geometry(const Case& input)
   surface.rail_round_to = input.rail.round_to;
   const ContactShapeCase& shape = input.geometry;
   if (shape.shape != ContactShape::line) return;
-  // All that a line knows of a radius is the curvature of the distance.
+  // In a line contact only the curvature of the distance matters.
   if (shape.relative_radius) surface.rolling_radius = *shape.relative_radius;
   line = LineContact{shape.width, shape.reference_distance.value_or(surface.rolling_radius)};
 }
@@ -132,7 +131,7 @@ PatchShape ChartedGeometry::shape(const ContactGrid& grid) const {
   return shape;
 }
 
-/// Of another contact beyond the limits of this one.
+/// Points beyond the limits belong to another contact.
 bool ChartedGeometry::is_this_contact(double y) const {
   return !geometry_.has_profiles() || geometry_.surface.profiles->within_limits(y);
 }
@@ -149,7 +148,7 @@ void ChartedGeometry::add_averaging(const ContactGrid& grid, Field& distance) co
     const double y_wheel = y - profiles.sinking().way[0];
     double change = 0.0;
     for (int i = 0; i < grid.nx; ++i) {
-      // A wheel under yaw has at x what its section at x = 0 has at another y.
+      // The section of a yawed wheel at x equals its section at x = 0 at another y.
       if (i == 0 || axle[0] != 0.0)
         change =
             (profiles.wheel().averaging(y_wheel + grid.x(i) * axle[0] / axle[1], width) - rail) /

@@ -12,31 +12,31 @@
 
 namespace rollfem::contact {
 
-/// Rollers without ends across, in plane strain.
+/// Endless rollers in plane strain.
 struct LineContact {
-  double width = 1.0;      ///< mm across that all forces are of
+  double width = 1.0;      ///< mm, width to which all forces refer
   double reference = 0.0;  ///< mm, ContactGrid::line_reference
 };
 
-/// What wheel and rail are to the contact: their surfaces, and what a case gives in their place.
+/// Contact geometry of wheel and rail: their surfaces, or the data given instead.
 struct Geometry {
   Geometry() = default;
   Geometry(
       const Case& input);  // NOLINT(google-explicit-constructor): a case is a geometry's source
 
-  ContactSurface surface;  ///< radii or true profiles; flat where the case gives none
-  std::optional<std::array<double, 2>> quadratic;  ///< A, B in 1/mm, in place of the surfaces
-  std::optional<Lattice> distance_values;          ///< h in mm, in place of the surfaces
+  ContactSurface surface;  ///< radii or true profiles; flat if the case gives none
+  std::optional<std::array<double, 2>> quadratic;  ///< A, B in 1/mm, instead of the surfaces
+  std::optional<Lattice> distance_values;          ///< h in mm, instead of the surfaces
   ExtraSlip extra_slip = ExtraSlip::automatic;
   std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
-  std::optional<LineContact> line;           ///< else a point contact
+  std::optional<LineContact> line;           ///< otherwise a point contact
 
   bool has_profiles() const { return surface.profiles != nullptr; }
-  /// The surfaces themselves say the distance: no quadratic form or file does.
+  /// Whether the surfaces determine the distance, rather than a quadratic form or a file.
   bool has_surfaces() const { return !quadratic && !distance_values; }
 };
 
-/// How the contact grid lies on the contact.
+/// Position of the contact grid on the contact surface.
 enum class Chart {
   plane,      ///< in the tangent plane at the origin; distance along z
   projected,  ///< over the projection of the common surface on that plane; distance along its
@@ -44,7 +44,7 @@ enum class Chart {
   arc,        ///< along the common surface: the grid's y is arc length; distance along its normal
 };
 
-/// Undeformed distance h = A x^2 + B y^2 of the radii, or as the case gives it; of profiles that of
+/// Undeformed distance h = A x^2 + B y^2 of the radii, or as given in the case; for profiles, of
 /// the osculating paraboloids at the contact point.
 struct Curvatures {
   double A = 0.0;  ///< 1/mm, 1/(2 R_x), along rolling
@@ -55,7 +55,7 @@ Curvatures relative_curvatures(const Geometry& geometry);
 /// h(x, y) >= 0 in mm at touching (approach 0).
 double undeformed_distance(const Curvatures& curvatures, double x, double y);
 
-/// A geometry seen through a chart. Fields are those at the element centres of a grid.
+/// A geometry in the coordinates of a chart. Fields are evaluated at the element centres of a grid.
 class ChartedGeometry {
  public:
   ChartedGeometry(Geometry geometry, Chart chart);
@@ -65,37 +65,37 @@ class ChartedGeometry {
 
   /// y of the patch frame at the grid's lateral coordinate, mm.
   double lateral_place(double grid_y) const;
-  /// dz/dy of the surface that the grid lies on; 0 in the plane.
+  /// dz/dy of the grid's surface; 0 in the plane.
   double climb(double grid_y) const;
 
   /// Empty in the plane.
   PatchShape shape(const ContactGrid& grid) const;
 
-  /// Distance from rail to wheel, mm, counted from touching (of profiles that hold several patches
-  /// at the height under load, PatchGeometry::under_load): along z in the plane, else along the
-  /// normal of the common surface; as given where the case gives it. Profiles count with their
-  /// means over the elements across (HeightCurve::averaging). Throws InputError when the grid
-  /// reaches beyond the points of a file.
+  /// Undeformed distance from rail to wheel, mm, measured from first touch (for profiles with
+  /// several patches at the height under load, PatchGeometry::under_load): along z in the plane,
+  /// otherwise along the normal of the common surface; a distance given in the case is used as
+  /// given. Profiles enter with their lateral means over the elements (HeightCurve::averaging).
+  /// Throws InputError when the grid extends beyond the points of a file.
   Field undeformed_distance(const ContactGrid& grid) const;
-  /// The same into a field that is kept.
+  /// The same into an existing field.
   void undeformed_distance(const ContactGrid& grid, Field& distance) const;
 
   /// Rigid slip of the wheel over the rail, V = 1, along x and the lateral tangent, from the
   /// velocities of two rigid bodies: the wheel turns with omega = (1 - xi)/rho(0) about its axle e,
-  /// at y its surface has the radius rho(y), and the tilt of the axle makes omega e_z of the spin
-  /// phi by itself. With beyond = phi - omega e_z and the climb tan(alpha):
+  /// at y its surface has the radius rho(y), and the tilt of the axle contributes omega e_z to the
+  /// spin phi. With beyond = phi - omega e_z and the climb tan(alpha):
   ///   s_x = xi + omega (rho(0) - rho(y)) - beyond y,
   ///   s_y = (eta + beyond x) cos(alpha) + omega x (e_z cos(alpha) - e_y sin(alpha)).
-  /// A flat wheel leaves (xi - phi y, eta + phi x). ExtraSlip::none leaves that for any surface,
-  /// ExtraSlip::file adds the file's values to it. Throws as undeformed_distance does.
+  /// A flat wheel leaves (xi - phi y, eta + phi x). ExtraSlip::none uses this for any surface,
+  /// ExtraSlip::file adds the file's values to it. Throws as undeformed_distance.
   TangentialField rigid_slip(const Creepage& creepage, const ContactGrid& grid) const;
 
-  /// What rigid_slip has beyond (xi - phi y, eta + phi x), y that of the grid.
+  /// rigid_slip less (xi - phi y, eta + phi x), with y of the grid.
   TangentialField extra_slip(const Creepage& creepage, const ContactGrid& grid) const;
 
  private:
   bool is_this_contact(double y) const;
-  /// Adds what the means of profiles over the elements change their distance by, mm.
+  /// Adds the change of the distance by averaging profiles over the elements, mm.
   void add_averaging(const ContactGrid& grid, Field& distance) const;
 
   Geometry geometry_;
@@ -103,19 +103,19 @@ class ChartedGeometry {
   HeightCurve place_;  ///< y over arc length; Chart::arc
 };
 
-/// (xi - phi y, eta + phi x) at the element centres; as well a rigid shift in mm and rad.
+/// (xi - phi y, eta + phi x) at the element centres; also a rigid shift in mm and rad.
 TangentialField uniform_slip(const Creepage& creepage, const ContactGrid& grid);
 
-/// The largest extra slip along x that the surface brings between y_lower and y_upper (mm), 0 where
-/// it brings none: what a theory that knows no extra slip leaves out.
+/// The largest extra slip along x from the surface between y_lower and y_upper (mm), 0 if none:
+/// neglected by a theory without extra slip.
 double largest_extra_slip(const Geometry& geometry, double y_lower, double y_upper);
 
 // Slip due to the curvature of the wheel's streamlines.
 
-/// On a streamline of radius R(y) a displacement u_r towards the axle brings the slip u_r / R along
+/// On a streamline of radius R(y) a displacement u_r towards the axle causes the slip u_r / R along
 /// x, since it shortens the circle; on a surface tilted across -sin u_x / R laterally, as the
 /// lateral tangent turns. Together with the difference along the streamline it gives the surface
-/// strain, so that a rigid displacement slips nowhere.
+/// strain, so that a rigid displacement causes no slip.
 class CurvatureSlip {
  public:
   /// On the elements of a grid along y.
@@ -128,13 +128,12 @@ class CurvatureSlip {
   TangentialField operator()(const SurfaceField& displacement) const;
 
  private:
-  /// Of normal and lateral tangent along the way to the axle, over the radius, 1/mm.
+  /// Components of normal and lateral tangent towards the axle, divided by the radius, 1/mm.
   Field normal_, lateral_;
 };
 
-/// A sentence with what to do for a potential contact area that ends at y, mm; empty unless both
-/// bodies are circles that have ended there: straight flanks as steep as each other touch as far as
-/// they go.
+/// Advice for a potential contact area that ends at y, mm; empty unless both circles have ended
+/// there: equally steep straight flanks touch along their whole length.
 std::string why_flanks_touch(const Geometry& geometry, double y);
 
 }  // namespace rollfem::contact

@@ -12,16 +12,17 @@ namespace rollfem::contact {
 HeightCurve::HeightCurve(std::vector<double> y, std::vector<double> z, std::vector<double> slope)
     : y_(std::move(y)), z_(std::move(z)), slope_(std::move(slope)) {
   if (y_.size() < 2 || z_.size() != y_.size() || slope_.size() != y_.size())
-    throw std::invalid_argument("a height curve needs two knots at least, each with a slope");
+    throw std::invalid_argument("a height curve needs at least two knots, each with a slope");
   for (std::size_t k = 1; k < y_.size(); ++k)
-    if (!(y_[k] > y_[k - 1])) throw std::invalid_argument("the knots of a height curve must rise");
+    if (!(y_[k] > y_[k - 1]))
+      throw std::invalid_argument("the knots of a height curve must increase");
   knots_before_.assign(y_.size() + 1, 0);
   stretches_per_length_ = static_cast<double>(y_.size()) / (y_.back() - y_.front());
   for (const double knot : y_) ++knots_before_[stretch_of(knot) + 1];
   std::partial_sum(knots_before_.begin(), knots_before_.end(), knots_before_.begin());
 }
 
-/// Never falls as y rises, however it is rounded. Of a place that is not a number, 0.
+/// Non-decreasing in y despite rounding; 0 for NaN.
 std::size_t HeightCurve::stretch_of(double y) const {
   const double place = (y - y_.front()) * stretches_per_length_;
   return place > 0.0 ? std::min(y_.size() - 1, static_cast<std::size_t>(place)) : 0;
@@ -52,7 +53,7 @@ CurveValue HeightCurve::at(double y) const {
   const double h = y_[k + 1] - y_[k];
   const double by_h = 1.0 / h;
   const double t = (y - y_[k]) * by_h;
-  // Newton's form of the cubic: chord, then what the slopes at both ends say beyond it.
+  // Newton's form of the cubic: the chord, then corrections from the slopes at both ends.
   const double chord = (z_[k + 1] - z_[k]) * by_h;
   const double left = slope_[k] - chord;
   const double right = slope_[k + 1] - chord;
@@ -65,7 +66,8 @@ CurveValue HeightCurve::at(double y) const {
 }
 
 double HeightCurve::mean(double from, double to) const {
-  // Of a cubic between two places: the trapezium and what the slopes at both ends say beyond it.
+  // Integral of a cubic between two points: the trapezium, then a correction from the slopes at
+  // both ends.
   const auto area = [](double h, const CurveValue& a, const CurveValue& b) {
     return h * (0.5 * (a.value + b.value) + h * (a.slope - b.slope) / 12.0);
   };

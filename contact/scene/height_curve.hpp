@@ -11,32 +11,33 @@
 
 namespace rollfem::contact {
 
-/// Height, slope and second derivative of a curve at a place.
+/// Height, slope and second derivative of a curve at a point.
 struct CurveValue {
   double value = 0.0;   ///< mm
   double slope = 0.0;   ///< dz/dy
   double second = 0.0;  ///< d2z/dy2, 1/mm; of the piece on the right at a knot
 };
 
-/// Cubic Hermite pieces between knots; beyond the first and the last knot the tangent goes on.
+/// Cubic Hermite pieces between knots, extrapolated by the tangents.
 class HeightCurve {
  public:
   HeightCurve() = default;
-  /// Knots in mm with y rising; lists of one length, at least 2. Throws std::invalid_argument.
+  /// Knots in mm with y increasing; lists of equal length, at least 2. Throws
+  /// std::invalid_argument.
   HeightCurve(std::vector<double> y, std::vector<double> z, std::vector<double> slope);
 
   CurveValue at(double y) const;
-  /// Mean height between two places, from < to, mm; exact for the pieces.
+  /// Mean height between two y, from < to, mm; exact for the pieces.
   double mean(double from, double to) const;
-  /// What means over a width change the height at y by, mm. The height is taken from the means of
-  /// three neighbouring elements as those of a parabola, so that a smooth curve changes by a part
-  /// of width^4 z'''' only, while waves shorter than the width leave nothing that depends on where
-  /// in the wave y lies.
+  /// Change of the height at y by averaging over a width, mm. The height follows from the means of
+  /// three neighbouring elements as those of a parabola, so that a smooth curve changes only in
+  /// proportion to width^4 z'''', while waves shorter than the width have no effect that depends on
+  /// the position of y in the wave.
   double averaging(double y, double width) const;
-  double first() const { return y_.front(); }  ///< mm, lower end of what is known
-  double last() const { return y_.back(); }    ///< mm, upper end
+  double first() const { return y_.front(); }  ///< mm, lower end of the curve
+  double last() const { return y_.back(); }    ///< mm, upper end of the curve
   bool contains(double y) const { return !y_.empty() && y >= first() && y <= last(); }
-  /// From 0 to both sides, how far it is known and no steeper than that: lower and upper end, mm.
+  /// Range around 0 in which the curve is known and not steeper than this: lower and upper end, mm.
   std::array<double, 2> gentle_part(double steepest) const;
   const std::vector<double>& knots() const { return y_; }
 
@@ -45,12 +46,13 @@ class HeightCurve {
   std::vector<double> z_;
   std::vector<double> slope_;
 
-  /// The piece between knots k and k + 1 that holds a place between the first and the last knot.
+  /// Index k of the piece between knots k and k + 1 that contains a point between the first and the
+  /// last knot.
   std::size_t piece_of(double y) const;
   std::size_t stretch_of(double y) const;
 
-  /// From the first knot to the last there are as many stretches of one length as knots: how many
-  /// knots are in those before each. A place is looked for among the few knots of its own.
+  /// The range is divided into as many equal intervals as there are knots: number of knots before
+  /// each interval. A point is searched only among the few knots of its interval.
   std::vector<std::uint32_t> knots_before_;
   double stretches_per_length_ = 0.0;  ///< 1/mm
 };

@@ -14,14 +14,14 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Steeper than this, a section is no height over y any more.
+/// Largest slope at which a section is a height over y.
 constexpr double steepest = 12.0;
 /// Knots of the wheel's section.
 constexpr double knot_distance = 0.05;  // mm
 
 struct Along {
   double axial;
-  Vector3 across;  ///< from the axle, at a right angle to it
+  Vector3 across;  ///< from the axle, perpendicular to it
   double radius;
 };
 

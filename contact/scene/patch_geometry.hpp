@@ -31,26 +31,26 @@ struct Axle {
   Vector3 direction{0.0, 1.0, 0.0};
 };
 
-/// Where a point is beside the axle.
+/// Position of a point relative to the axle.
 struct AxlePlace {
   double axial = 0.0;   ///< mm along the axle
   double radius = 0.0;  ///< mm from the axle
 };
 
-/// Where the wheel stands under load, y and z of the patch frame.
+/// Position of the wheel under load, y and z of the patch frame.
 struct Sinking {
   std::array<double, 2> way{};  ///< mm, of the wheel from first touch; z is minus the approach
   std::array<double, 2>
-      approach{};  ///< mm, of the bodies as the contact problem takes it off again
+      approach{};  ///< mm, of the bodies as subtracted again by the contact problem
 };
 
 class PatchGeometry {
  public:
   PatchGeometry() = default;
   /// `rail`: z over y in the patch frame, through (0, 0), where it need not be level.
-  /// `wheel_radius`: radius over the axial coordinate. The wheel's section at x = 0 is taken
-  /// between `y_lower` and `y_upper` as far as the profile reaches. Throws std::invalid_argument
-  /// when the wheel has no surface below its axle there.
+  /// `wheel_radius`: radius over the axial coordinate. The wheel's section at x = 0 is evaluated
+  /// between `y_lower` and `y_upper` within the profile. Throws std::invalid_argument when the
+  /// wheel has no surface below its axle there.
   PatchGeometry(HeightCurve rail, HeightCurve wheel_radius, const Axle& axle, double y_lower,
                 double y_upper);
 
@@ -60,20 +60,20 @@ class PatchGeometry {
   const HeightCurve& wheel_radius() const { return wheel_radius_; }
   const Axle& axle() const { return axle_; }
 
-  /// The same bodies with distances of the wheel at its height under load. They are still counted
-  /// from first touch: the approach is added to them again. In a plane with a normal that is not
-  /// vertical a wheel that sinks also moves sideways, which brings flanks closer that face that
-  /// way and parts others: by microns, but a small second patch carries microns.
-  /// `approach`: mm along z; `sinks`, `along`: y and z of the direction against which the wheel
-  /// sinks and of that along which the contact problem takes off the approach (NormalLoad).
+  /// The same bodies with distances of the wheel at its height under load, still measured from
+  /// first touch: the approach is added again. In a plane whose normal is not vertical, a sinking
+  /// wheel also moves sideways, which closes some flanks and opens others by microns; a small
+  /// second patch has an approach of microns. `approach`: mm along z; `sinks`: y and z of the
+  /// direction against which the wheel sinks; `along`: direction along which the contact problem
+  /// subtracts the approach (NormalLoad).
   PatchGeometry under_load(double approach, const std::array<double, 2>& sinks,
                            const std::array<double, 2>& along) const;
   const Sinking& sinking() const { return sinking_; }
-  /// wheel() where it has moved sideways; z as at first touch.
+  /// wheel() after the sideways motion; z as at first touch.
   CurveValue wheel_under_load(double y) const { return wheel_.at(y - sinking_.way[0]); }
 
   AxlePlace axle_place(const Vector3& place) const;
-  /// Height z of the wheel's surface, mm; infinite where the wheel is not.
+  /// Height z of the wheel's surface, mm; infinite outside the wheel.
   double wheel_height(double x, double y) const;
   /// Undeformed distance along z, mm; 0 where the bodies just touch, which need not be the origin.
   /// Under load (`under_load`) microns more or less.
@@ -82,12 +82,12 @@ class PatchGeometry {
   double local_rolling_radius(double y) const;
   /// Angle of the axle against the y axis in the plane x = 0, rad: sine = e_z.
   double tilt() const;
-  /// Beyond these y (mm) the bodies touch, if they do, in a contact of its own.
+  /// Beyond these y (mm) any contact of the bodies is a separate contact.
   const std::array<double, 2>& limits() const { return limits_; }
   void set_limits(const std::array<double, 2>& limits) { limits_ = limits; }
   bool within_limits(double y) const { return y >= limits_[0] && y <= limits_[1]; }
 
-  /// Both profiles are known here.
+  /// Whether both profiles are known here.
   bool known(double y) const { return rail_.contains(y) && wheel_.contains(y); }
 
  private:
@@ -100,10 +100,10 @@ class PatchGeometry {
                                 std::numeric_limits<double>::infinity()};
 };
 
-/// Where a patch is on the track and on the profiles, for reports. Track frame: x along the track,
-/// y to the right, z down, origin in the middle of the track at the level of the rails. Profile
-/// coordinates are those of the profile files: y towards the field side positive, z down, of the
-/// wheel outward.
+/// Position of a patch on the track and on the profiles, for reports. Track frame: x along the
+/// track, y to the right, z down, origin in the middle of the track at the level of the rails.
+/// Profile coordinates are those of the profile files: y towards the field side positive, z down,
+/// of the wheel outward.
 struct ContactPlace {
   bool left = true;             ///< wheel
   int position = 1;             ///< 1, 2, ... of the wheelset in the case
@@ -122,10 +122,10 @@ struct ContactPlace {
   double rolling_radius = 0.0;  ///< mm, of the contact point
   double x_track = 0.0;         ///< mm, ahead of the axle's middle
   /// mm along the common surface of wheel and rail across, outward; only differences between
-  /// contacts of one wheel say something.
+  /// contacts of one wheel are meaningful.
   double way_across = 0.0;
   double separation = 0.0;      ///< mm, distance at first contact (0: touches; > 0: near miss)
-  double vertical_force = 0.0;  ///< N, of this patch with friction, 0: not known
+  double vertical_force = 0.0;  ///< N, of this patch with friction, 0: unknown
   /// "left, position 3, patch 1 of 2"; empty parts left out.
   std::string label() const;
 };

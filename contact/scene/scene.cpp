@@ -12,7 +12,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Load point k of a case; what a step of a history does not say is that of the whole case.
+/// Load point k of a case; values missing in a step of a history come from the whole case.
 LoadPoint load_point(const Case& input, std::size_t k) {
   LoadPoint point;
   point.creepage = input.rolling.creepages[k];

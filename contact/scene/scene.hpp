@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The problem to be solved: the geometry of one contact, its materials and its load
-// points. A case is the document; a scene is the problem resolved from it, with
-// nothing left to look up. Models never change scenes.
+// The problem to be solved: the geometry of one contact, its materials and its load points. A case
+// is the document; a scene is the fully resolved problem. Models never change scenes.
 #pragma once
 
 #include "contact/base/accuracy.hpp"
@@ -13,8 +12,8 @@
 
 namespace rollfem::contact {
 
-/// How hard the bodies are pressed together: exactly one of the two. With a given pressure neither
-/// is read.
+/// Load that presses the bodies together: exactly one of the two; both ignored with a given
+/// pressure.
 struct NormalLoad {
   std::optional<double> force;     ///< N, the component of the force on the wheel along `direction`
   std::optional<double> approach;  ///< mm, along z
@@ -31,8 +30,8 @@ struct NormalLoad {
 struct LoadPoint {
   NormalLoad load;
   Creepage creepage;      ///< 0 in a direction whose force is prescribed
-  PrescribedForce force;  ///< in place of creepages (shifts)
-  /// Where a wheelset's balance has found creepages: their errors, absolute.
+  PrescribedForce force;  ///< instead of creepages (shifts)
+  /// Absolute errors of creepages found by a wheelset's balance.
   std::optional<Creepage> creepage_error;
   // Rigid displacements of the wheel relative to the rail during this step, not since the
   // beginning.
@@ -42,34 +41,34 @@ struct LoadPoint {
   double step_length = 0.0;         ///< mm rolled in this step, Problem::transient
 };
 
-/// A point load of another contact of the same wheel, on the wheel, where it is on the grid of this
-/// one: the surface of both is rolled out flat.
+/// A point load of another contact of the same wheel, acting on the wheel, at its position on the
+/// grid of this contact: the surface of both is rolled out flat.
 struct NeighbourLoad {
   double x = 0.0, y = 0.0;                                 ///< mm
   double longitudinal = 0.0, lateral = 0.0, normal = 0.0;  ///< N
 };
 
-/// A body as the models need it beside its surface.
+/// Properties of a body besides its surface.
 struct SceneBody {
   Material material;
-  std::string mesh;  ///< gmsh file as given in the case file; empty: meshed by the program
+  std::string mesh;  ///< gmsh file as given in the case file; empty: meshed by rollfem
 };
 
 struct Scene {
   Scene() = default;
-  /// Of a case with radii or a given geometry; with true profiles track/motion places the patches.
+  /// For a case with radii or a given geometry; with true profiles track/motion places the patches.
   Scene(const Case& input);  // NOLINT(google-explicit-constructor): the source of every scene
 
   std::string file;  ///< case file, for messages
   Geometry geometry;
   std::optional<ContactPlace> place;  ///< on the track; with true profiles
-  /// What presses on the half-space beside this contact, the same at every load point.
+  /// Loads on the half-space beside this contact, the same at every load point.
   std::vector<NeighbourLoad> neighbour_loads;
   double rail_inclination = 0.0;  ///< as a tangent; with true profiles
   SceneBody wheel;
   SceneBody rail;
   CombinedMaterial material;
-  Friction friction_law;  ///< as the case gives it; null where mu is 0
+  Friction friction_law;  ///< as given in the case; null if mu is 0
   Problem problem = Problem::steady;
   std::vector<LoadPoint> points;
   bool turns_freely = false;  ///< a wheelset's balance has found the rotation, and the creepages
@@ -79,43 +78,42 @@ struct Scene {
   LeadingEdge leading_edge = LeadingEdge::fitted;
   GridOptions contact_grid;
   AccuracyRequest accuracy;
-  /// How far the half-space's surface follows that of wheel and rail (ContactSurface::follows): as
-  /// the case asks for, or as the normals of a placed contact do.
+  /// Degree to which the half-space's surface follows wheel and rail (ContactSurface::follows):
+  /// from the case, or from the normals of a placed contact.
   double follows_surface = 0.0;
-  ModelOptions options;  ///< each section for its model alone
+  ModelOptions options;  ///< each section only for its model
   std::vector<SubsurfaceRequest> subsurface;
   OutputOptions output;
 
   bool is_history() const { return problem == Problem::shift || problem == Problem::transient; }
-  /// The law that acts; null without friction.
+  /// The active friction law; null without friction.
   Friction friction() const { return problem == Problem::frictionless ? nullptr : friction_law; }
-  /// mu of the law, also where the problem is without friction.
+  /// mu of the law, also for frictionless problems.
   double friction_coefficient() const { return coefficient_of(friction_law); }
   bool has_profiles() const { return geometry.has_profiles(); }
-  /// Inertia of wheel and rail is asked for.
+  /// Whether inertia of wheel and rail is included.
   bool feels_inertia() const { return options.fem.inertia && speed > 0.0; }
-  /// The load points differ in their loads.
+  /// Whether the load points differ in their loads.
   bool load_changes() const;
-  /// Below the surface.
+  /// Subsurface points.
   bool asks_for_stress() const { return !subsurface.empty() || output.stress_maxima; }
-  /// The plane y = 0 is a symmetry plane: bodies with radii, and nothing drives the material
-  /// sideways.
+  /// Whether y = 0 is a symmetry plane: bodies with radii, and no lateral driving of the material.
   bool is_symmetric() const;
-  /// "left, position 3: " before what is said of a patch of a wheelset, else nothing.
+  /// Prefix of messages for a patch of a wheelset, "left, position 3: "; otherwise empty.
   std::string patch_prefix() const;
 };
 
-/// The load that asks for the largest grid: the largest normal force, or the largest approach. A
-/// force along another direction than z counts as the normal force without friction.
+/// The load with the largest patch: the largest normal force, or the largest approach. A force not
+/// along z counts as the normal force without friction.
 NormalLoad largest_load(const Scene& scene);
 
 /// At the element centres, MPa.
 Field pressure_field(const GivenPressure& pressure, const ContactGrid& grid);
 
-/// The scene at one of its load points alone.
+/// The scene with only one of its load points.
 Scene at_point(const Scene& scene, std::size_t k);
 
-// What `check` prints beyond the keys: relative curvatures and combined constants.
+// Additional output of `check`: relative curvatures and combined constants.
 
 /// Multi-line text, laid out like describe() of contact/case/case_reader.hpp.
 std::string derived_values(const Case& input);

@@ -8,7 +8,8 @@ namespace rollfem::contact {
 
 namespace {
 
-/// The stand-in whose second-order difference is fitted to the leading edge of every pressure anew.
+/// The stand-in, whose second-order difference is fitted anew to the leading edge of every
+/// pressure.
 Preconditioner refitted(const SolvableCompliance& standin, UpwindOrder order,
                         const Compliance* coupled = nullptr) {
   return {standin, standin.normal(), standin.rolling(order),
@@ -16,8 +17,8 @@ Preconditioner refitted(const SolvableCompliance& standin, UpwindOrder order,
           coupled};
 }
 
-/// The approach of a given force makes the mean gap under pressure vanish: what an outer iteration
-/// leaves of that mean is not in its residual, and on a few elements may be all there is.
+/// The approach for a given force makes the mean gap under pressure vanish. The residual of an
+/// outer iteration does not contain this mean, which on a few elements may be the whole error.
 void take_up_mean(const NormalLoad& load, const VerticalFrame& frame, NormalSolution& normal) {
   const Field pressed = (normal.pressure.array() > 0.0).cast<double>();
   const Field to_vertical = frame.plane() ? Field(Field::Ones(pressed.size())) : frame.to_vertical;
@@ -141,8 +142,8 @@ ContactState ContactProblem::solve_uncoupled(const NormalLoad& load, const Tange
   CoupledSolution solution;
   solution.normal = press(load, start ? start->normal.pressure : Field());
   if (start) solution.tangential.traction = start->tangential.traction;
-  // One pressure serves all load points unless friction carries a part of the load: then the
-  // leading edge is found anew with every pressure.
+  // All load points share one pressure unless friction carries a part of the load; then the leading
+  // edge is located anew with every pressure.
   const UpwindOrder order = conditions_.upwind_order;
   const Preconditioner standin =
       problem.shares_load() && fitted(motion.motion)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The complete contact problem on one grid: normal contact, friction, the sharing of the load
 // between pressure and friction where surface or load are tilted, and defect correction where the
-// elasticity goes beyond its solvable stand-in (unlike materials, finite elements). Successive
+// elasticity differs from its solvable stand-in (unlike materials, finite elements). Successive
 // loads reuse the same operators.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace rollfem::contact {
 
-/// What stays the same from load to load.
+/// Conditions common to all load points.
 struct ContactConditions {
-  Field undeformed_distance;    ///< mm; not read with a given pressure
-  Field given_pressure;         ///< MPa, replaces the normal problem; empty: none
+  Field undeformed_distance;    ///< mm; ignored with a given pressure
+  Field given_pressure;         ///< MPa, replaces the normal problem; may be empty
   Friction friction = nullptr;  ///< null: frictionless
   UpwindOrder upwind_order = UpwindOrder::second;
   PatchShape shape{};  ///< empty: plane
@@ -25,7 +25,8 @@ struct ContactConditions {
   /// everywhere.
   bool fit_leading_edge = true;
   bool same_normal_block = true;  ///< Elasticity
-  /// The stand-in with the coupling of unlike materials; null: like ones, or the elasticity itself.
+  /// The stand-in with the coupling of unlike materials; null: like materials, or the elasticity
+  /// itself.
   const Compliance* coupled_standin = nullptr;
 };
 
@@ -38,7 +39,7 @@ struct ContactState {
   NormalSolution normal;
   TangentialSolution tangential;
   SurfaceField displacement;  ///< wheel minus rail, mm, by all tractions
-  Response defect;            ///< what the elasticity adds to the stand-in; empty: nothing
+  Response defect;            ///< difference of the elasticity to the stand-in; empty: none
   int iterations = 0;         ///< Newton steps, or outer iterations
   double residual = 0.0;
   Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< creepages (shifts) found for a force
@@ -52,18 +53,18 @@ struct ContactState {
 struct TangentialMotion {
   TangentialField rigid_slip;  ///< no unit in steady rolling, mm for Motion::shift
   Motion motion = Motion::rolling;
-  /// Slip as results give it over that of the problem (StepProblem).
+  /// Slip of the results divided by slip of the problem (StepProblem).
   double slip_factor = 1.0;
-  double curvature_weight = 1.0;  ///< of Response::curvature_slip in the slip of the problem
+  double curvature_weight = 1.0;  ///< factor of Response::curvature_slip in the slip of the problem
 };
 
-/// The motion at creepages (shifts); the rigid slip alone depends on them.
+/// The motion at creepages (shifts), which affect only the rigid slip.
 using MotionAt = std::function<TangentialMotion(const Eigen::Vector2d& unknowns)>;
 
 class ContactProblem {
  public:
-  /// `standin` is `whole`, or a half-space without coupling on the same grid that preconditions it.
-  /// Both must outlive this.
+  /// `standin` is `whole`, or a half-space without coupling on the same grid as preconditioner.
+  /// Both must outlive this object.
   ContactProblem(const Compliance& whole, const SolvableCompliance& standin,
                  ContactConditions conditions);
 
@@ -71,24 +72,24 @@ class ContactProblem {
   bool coupled() const { return &whole_ != static_cast<const Compliance*>(&standin_); }
   const PatchShape& shape() const { return conditions_.shape; }
 
-  /// The normal problem without friction on the stand-in, kept for the last load. `start`: a
+  /// The normal problem without friction on the stand-in, cached for the last load. `start`: a
   /// pressure or empty.
   const NormalSolution& press(const NormalLoad& load, const Field& start = {});
 
-  /// Normal and tangential problem. `start` (may be null): a state nearby. Throws SolveError when
-  /// an iteration does not converge or nothing touches.
+  /// Normal and tangential problem. `start` (may be null): a similar state. Throws SolveError when
+  /// an iteration does not converge or without contact.
   ContactState solve(const NormalLoad& load, const TangentialMotion& motion,
                      const ContactState* start = nullptr, const ContactAccuracy& accuracy = {},
                      const OuterCallback& each_iteration = {});
 
-  /// The same with a prescribed force: finds ContactState::unknowns. Where the elasticity costs
-  /// much the search is within every outer iteration, else around the solutions.
+  /// The same with a prescribed force: finds ContactState::unknowns. With an expensive elasticity
+  /// the search runs within every outer iteration, otherwise around the solutions.
   ContactState solve_for_force(const NormalLoad& load, const MotionAt& motion,
                                const PrescribedForce& wanted, const ForceSearch& search,
                                const ContactState& start, const ContactAccuracy& accuracy,
                                const OuterCallback& each_iteration);
 
-  /// The elasticity's answer to pressure alone: what the first load point begins with.
+  /// The elasticity's response to pressure only: start of the first load point.
   ContactState solve_frictionless(const NormalLoad& load, const ContactAccuracy& accuracy);
 
  private:
@@ -99,13 +100,12 @@ class ContactProblem {
                              const OuterCallback& each_iteration, bool friction,
                              const ForcedSlip* forced = nullptr);
   ContactState frictionless(const NormalLoad& load, const TangentialMotion& motion);
-  /// The gap that the whole elasticity leaves, not the solver's own account of it: of the
-  /// undeformed distance, this displacement under all tractions and the approach, along the normal.
+  /// The gap along the normal recomputed with the whole elasticity, independent of the solver: from
+  /// the undeformed distance, the displacement under all tractions and the approach.
   void set_gap(const NormalLoad& load, const Field& displacement, NormalSolution& normal) const;
   CoupledProblem coupled_problem(const NormalLoad& load, const TangentialMotion& motion,
                                  bool friction) const;
-  /// Rolling of second order is fitted to the leading edge of this pressure if the conditions say
-  /// so.
+  /// Fits second-order rolling to the leading edge of this pressure if the conditions request it.
   const TangentialOperator& tangential_operator(Motion motion, const Field& pressure);
   bool fitted(Motion motion) const;
 

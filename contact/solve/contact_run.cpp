@@ -22,7 +22,7 @@ int count_adhesion(const std::vector<ElementState>& state) {
   return static_cast<int>(std::count(state.begin(), state.end(), ElementState::adhesion));
 }
 
-/// What progress calls the solution of a load point.
+/// Stage name of a load point's solution in progress events.
 const char* stage_of(Problem problem) {
   if (problem == Problem::frictionless) return "frictionless";
   if (problem == Problem::shift) return "shift";
@@ -80,7 +80,7 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   state_ = {};
   bool taking_up = store_ != nullptr;
   for (std::size_t k = 0; k < scene_.points.size(); ++k) {
-    // Also at load points taken up, so that numbers stay the same to the last bit.
+    // Also at restored load points, so that numbers stay the same to the last bit.
     if (elasticity_->same_normal_block()) {
       if (!problem_) prepare();
       if (!press(k)) return false;
@@ -124,7 +124,7 @@ void ContactRun::prepare() {
   if (!elasticity_->same_normal_block() && result_.points.empty()) find_first_defect();
 }
 
-/// The frictionless solution: what the first load point begins with.
+/// The frictionless solution: start of the first load point.
 void ContactRun::find_first_defect() {
   state_.defect = options_.first_defect;
   if (state_.defect.displacement.n.size() == result_.grid.size()) return;
@@ -175,7 +175,7 @@ ContactState ContactRun::start_for(std::size_t k) {
   start.tangential.traction =
       finer_tractions(coarser->grid, coarser->pressure, coarser->relative_traction[k], result_.grid,
                       traction_bound(friction_, start.normal.pressure));
-  // The defect of these tractions, not of another load point.
+  // The defect of these tractions, not from another load point.
   if (elasticity_->same_normal_block()) start.defect = {};
   return start;
 }
@@ -239,7 +239,7 @@ Vector2d ContactRun::find_force(std::size_t k) {
   return state_.unknowns;
 }
 
-/// A load point that an earlier run has solved, with the state from which the next one begins.
+/// A load point solved by an earlier run, with the state from which the next one starts.
 bool ContactRun::take_up(std::size_t k) {
   PointResult point;
   if (!store_->find(k, point, state_)) return false;
@@ -249,7 +249,7 @@ bool ContactRun::take_up(std::size_t k) {
   result_.contact_elements = state_.normal.contact_elements;
   ProgressEvent event = event_of(k);
   if (rolls(scene_.problem)) event.creepage = point.creepage.longitudinal;
-  event.note = fmt::format("{} of {} taken up", k + 1, scene_.points.size());
+  event.note = fmt::format("{} of {} restored", k + 1, scene_.points.size());
   tell(event, "taken up", true);
   result_.points.push_back(std::move(point));
   return true;
@@ -286,7 +286,7 @@ void ContactRun::solve_point(std::size_t k) {
   result_.points.push_back(std::move(point));
 }
 
-/// What the next step or the next finer level begins with.
+/// Start of the next step or the next finer level.
 void ContactRun::remember(std::size_t k) {
   motion_->advance(k, {state_.displacement.x, state_.displacement.y});
   if (scene_.is_history()) return;

@@ -17,35 +17,35 @@
 
 namespace rollfem::contact {
 
-/// The elasticity of one resolution, and what a model adds to the contact problem on it.
+/// The elasticity at one resolution, and a model's additions to the contact problem.
 class Elasticity {
  public:
   virtual ~Elasticity() = default;
-  /// The stand-in has the normal block of the whole, as unlike half-spaces have, and costs little:
-  /// pressure without friction needs the stand-in alone and says where the leading edge is.
+  /// The stand-in has the normal block of the whole elasticity, as for unlike half-spaces, and is
+  /// cheap: pressure without friction needs only the stand-in and locates the leading edge.
   virtual bool same_normal_block() const { return false; }
-  /// Does what is costly, meshes and solvers, before the members below are called. A run that takes
-  /// up all its load points does without.
+  /// Expensive preparation (meshes and solvers) before the members below are called. Skipped by a
+  /// run that restores all its load points.
   virtual void prepare() {}
   virtual const Compliance& compliance() const = 0;
   /// The same object, or the half-space that preconditions it.
   virtual const SolvableCompliance& standin() const = 0;
   /// The stand-in with the coupling of unlike materials (ContactConditions); null: none.
   virtual const Compliance* coupled_standin() const { return nullptr; }
-  /// Distance (mm) and slip that this elasticity brings by itself, as the spinning of a wheel does;
-  /// empty: none.
+  /// Distance (mm) and slip caused by this elasticity without contact loads, as by the spinning of
+  /// a wheel; may be empty.
   virtual Field extra_distance() const { return {}; }
   virtual TangentialField extra_slip() const { return {}; }
-  /// -dF/d(creepage) of steady rolling (N) and -dF/d(shift) (N/mm) without slip, roughly.
+  /// Approximate -dF/d(creepage) of steady rolling (N) and -dF/d(shift) (N/mm) without slip.
   virtual Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const = 0;
   virtual Eigen::Vector2d shift_stiffness(const PatchSize& patch) const = 0;
-  /// Throws when the bodies are not known where the patch lies.
+  /// Throws when the bodies are not known at the patch.
   virtual void check_patch(const PatchSize&) const {}
-  /// Adds to a solved load point what only this model knows: stresses, errors.
+  /// Adds model-specific results to a solved load point: stresses, errors.
   virtual void complete(std::size_t, PointResult&) {}
 };
 
-/// Solved load points that outlive the run; `state` is what the next one begins with.
+/// Storage of solved load points beyond the run; `state` is the start of the next one.
 class PointStore {
  public:
   virtual ~PointStore() = default;
@@ -53,7 +53,7 @@ class PointStore {
   virtual void keep(std::size_t k, const PointResult& point, const ContactState& state) = 0;
 };
 
-/// What a finer level needs of a coarser one besides its results: p_t / g, between -1 and 1.
+/// Data of a coarser level for the next finer one, besides its results: p_t / g, between -1 and 1.
 struct LevelResult {
   ContactGrid grid;
   Field pressure;            ///< without friction, MPa; of the last load point
@@ -69,25 +69,25 @@ struct RunOptions {
   std::string model;         ///< in progress events
   std::string stage_prefix;  ///< before the stage names of progress events
   ContactAccuracy accuracy;
-  ContactAccuracy force_accuracy;  ///< where a force is prescribed
+  ContactAccuracy force_accuracy;  ///< for a prescribed force
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
-  Response first_defect;  ///< what an earlier run found without friction; empty: to be found
+  Response first_defect;  ///< from an earlier run without friction; empty: to be computed
 };
 
 using MakeElasticity = std::function<std::unique_ptr<Elasticity>()>;
 
 class ContactRun {
  public:
-  /// All must outlive this; `store` (may be null): where load points are found and kept.
+  /// All arguments must outlive this object; `store` (may be null): storage of load points.
   ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
              const Progress& progress, PointStore* store);
 
-  /// Solves every load point on the grid. False when a patch reaches the border of the grid. Throws
-  /// SolveError, InputError.
+  /// Solves every load point on the grid. Returns false when a patch reaches the border of the
+  /// grid. Throws SolveError, InputError.
   bool solve(const ContactGrid& grid, const MakeElasticity& make);
 
-  /// The defect of the frictionless solution, once it is known: for first_defect of a later run.
+  /// The defect of the frictionless solution, once known: for first_defect of a later run.
   std::function<void(const Response&, int contact_elements)> on_first_defect;
 
   LevelResult take_result() { return std::move(result_); }

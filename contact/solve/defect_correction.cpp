@@ -17,8 +17,8 @@ namespace rollfem::contact {
 
 namespace {
 
-/// One vector for Anderson's least squares. The slip of curved streamlines is a strain and weighs
-/// little beside the displacements; it follows them.
+/// One vector for Anderson's least squares. The slip of curved streamlines is a strain, small
+/// compared with the displacements, and follows them.
 Eigen::VectorXd stacked(const Response& defect) {
   const SurfaceField& u = defect.displacement;
   Eigen::VectorXd all(5 * u.n.size());
@@ -32,8 +32,8 @@ Response unstacked(const Eigen::VectorXd& all) {
           {all.segment(3 * n, n), all.segment(4 * n, n)}};
 }
 
-/// Adds what the plain difference of the coupling is beyond the fitted one, which the slip of a
-/// defect takes.
+/// Adds the plain minus the fitted difference of the coupling, because the slip of a defect uses
+/// the fitted one.
 void leave_coupling_unfitted(const Preconditioner& halfspace, const SurfaceField& traction,
                              const SurfaceField& uncoupled, TangentialField& slip) {
   const Field weights = halfspace.fitted_weights(traction.n);
@@ -47,7 +47,7 @@ void leave_coupling_unfitted(const Preconditioner& halfspace, const SurfaceField
   slip.y += plain.y - fitted.y;
 }
 
-/// What the preconditioner misses; its normal part as a gap along z.
+/// Difference between elasticity and preconditioner; its normal part as a gap along z.
 Response defect_of(const Response& response, const Preconditioner& standin,
                    const SurfaceField& traction, const VerticalFrame& frame) {
   const SurfaceField& u = response.displacement;
@@ -80,8 +80,8 @@ SurfaceField tractions(const CoupledSolution& solution) {
   return {solution.tangential.traction.x, solution.tangential.traction.y, solution.normal.pressure};
 }
 
-/// How far the defect is from its own image, over the contact area: the normal part relative to the
-/// elastic displacement (less its mean, which the approach takes up at given force), the tangential
+/// Distance of the defect from its image over the contact area: the normal part relative to the
+/// elastic displacement (less its mean, which the approach absorbs at given force), the tangential
 /// part as slip relative to the creepage load.
 double defect_residual(const Preconditioner& halfspace, const CoupledProblem& problem,
                        const CoupledSolution& solution, const Response& defect, bool to_the_bound) {
@@ -109,15 +109,15 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   if (to_the_bound)
     load = std::min(load, halfspace.rolling.diagonal() *
                               rms_over(mask, traction_bound(problem.friction, pressure)));
-  // What is only rounding of the displacements has no relative error.
+  // Differences within the rounding of the displacements count as zero.
   const double unit = halfspace.motion == Motion::shift ? 1.0 : halfspace.whole.grid().dx;
   const double rounding = 1e-12 * rms_over(mask, solution.displacement.n) / unit;
   if (load > rounding) residual = std::max(residual, change / load);
   return residual;
 }
 
-/// Solves the stand-in with the defect held fixed, for the force if one is prescribed: creepage
-/// after creepage, which costs little beside the compliance. The next search begins where this one
+/// Solves the stand-in with a fixed defect, for the force if one is prescribed: one creepage after
+/// another, which is cheap compared with the compliance. The next search starts where this one
 /// ends.
 void solve_standin_with(const Preconditioner& halfspace, const Response& defect, double tolerance,
                         std::optional<ForcedSlip>& forced, CoupledProblem& problem,
@@ -134,20 +134,20 @@ void solve_standin_with(const Preconditioner& halfspace, const Response& defect,
   solution.unknowns = search.start = find_creepage(law, forced->wanted, search).creepage;
 }
 
-/// From a defect and its image to the next defect: Anderson's method while it leads on. Where mu
-/// times the coupling is large it only goes round: at a slipping edge pressure, bound and traction
-/// chase each other with a gain of i mu K/(1 - nu), and the edge moves with every step. Then short
-/// plain steps, which contract as long as omega < 2/(1 + gain^2), and every few of them an
+/// Next defect from a defect and its image: Anderson's method while it makes progress. Where mu
+/// times the coupling is large, it cycles: at a slipping edge pressure, bound and traction feed
+/// back on each other with a gain of i mu K/(1 - nu), and the edge moves with every step. Then
+/// short plain steps, which contract as long as omega < 2/(1 + gain^2), and every few of them an
 /// extrapolation (alternating Anderson-Richardson: Pratapa, Suryanarayana & Pask, J. Comput. Phys.
 /// 306 (2016)).
 class OuterSteps {
  public:
   explicit OuterSteps(int depth) : anderson_(depth), rare_(depth_of_rare) {}
 
-  /// Takes the residual of a defect. True when it has not fallen for long.
+  /// Records the residual of a defect. True when it has not decreased for long.
   bool goes_round(double residual) {
     const bool in_vain = went_in_vain(residual);
-    // A changed active set can make the history misleading: begin it anew rather than follow it.
+    // A changed active set can make the history misleading: restart it.
     if (in_vain || residual > 2.0 * best_) anderson_.restart();
     best_ = std::min(best_, residual);
     given_up_ = in_vain && factor_ <= least;
@@ -156,7 +156,7 @@ class OuterSteps {
     return in_vain;
   }
 
-  /// The shortest steps were in vain as well.
+  /// The shortest steps failed, too.
   bool given_up() const { return given_up_; }
 
   Eigen::VectorXd next(const Eigen::VectorXd& defect, const Eigen::VectorXd& image) {
@@ -174,7 +174,7 @@ class OuterSteps {
   static constexpr int period = 5;
   static constexpr int depth_of_rare = 10;
 
-  /// True when the residual has not fallen to 0.7 of its last mark for long.
+  /// True when the residual has not decreased to 0.7 of its last mark for long.
   bool went_in_vain(double residual) {
     if (residual < 0.7 * mark_) {
       mark_ = residual;
@@ -228,14 +228,14 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
     if (each_iteration) each_iteration(solution);
     if (solution.residual <= options.tolerance) return solution;
 
-    // Friction can carry the patch of unlike bodies out of the grid that its pressure alone needs:
-    // cut off there it has the pressure of a punch, and no state may be found.
+    // Friction can move the patch of unlike bodies out of the grid sized for the frictionless
+    // pressure: cut off at the border it has the pressure of a punch, and there may be no solution.
     if (steps.goes_round(solution.residual) && touches_border(halfspace.whole.grid(), traction.n))
       throw UnfitGrid("the contact patch reaches the border of the grid");
     if (steps.given_up() && !may_restart) break;
     if (steps.given_up()) {
       may_restart = false;
-      // There may be several states, and none near where it goes round: once more from nothing.
+      // There may be several solutions, and none near the cycle: retry from a cold start.
       defect = zero_response(n);
       solution.tangential.traction = {};
       steps = OuterSteps(options.anderson_depth);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact on any compliance A by defect correction on the half-space A_half: solve with A_half, put
-// (A - A_half) p in as an extra gap and displacement, repeat with Anderson acceleration. The fixed
+// Contact on any compliance A by defect correction on the half-space A_half: solve with A_half, add
+// (A - A_half) p as an extra gap and displacement, repeat with Anderson acceleration. The fixed
 // point is the solution with A; A_half only preconditions. One outer iteration is one A.apply(),
 // also with a prescribed force: the stand-in is solved for that force with the defect held fixed.
 #pragma once
@@ -19,20 +19,20 @@ struct OuterOptions {
   double tolerance = 1e-4;  ///< on the defect's change, relative to approach and creepage load
   int max_iterations = 40;
   int anderson_depth = 3;
-  /// Relative to the slip that the bound of friction is worth where that is less than the creepage
-  /// load: what a search for a force needs, which little friction leaves small.
+  /// Relative to the slip equivalent of the friction bound if that is less than the creepage load:
+  /// needed by the search for a prescribed force, which is small at low friction.
   bool to_the_bound = false;
 };
 
 struct CoupledSolution : StandinSolution {
   SurfaceField displacement;  ///< A p at the solution
-  Response defect;            ///< (A - A_half) p: a start for the next load point
+  Response defect;            ///< (A - A_half) p: start of the next load point
   int outer_iterations = 0;
   double residual = 0.0;
   Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< found for ForcedSlip
 };
 
-/// A prescribed tangential force in place of creepages (shifts).
+/// A prescribed tangential force instead of creepages (shifts).
 struct ForcedSlip {
   PrescribedForce wanted;
   ForceSearch search;
@@ -42,10 +42,10 @@ struct ForcedSlip {
 
 using OuterCallback = std::function<void(const CoupledSolution&)>;
 
-/// Throws SolveError when the outer iteration does not converge, UnfitGrid when it does not while
-/// the patch reaches the border of the grid. `start_traction` (may be empty):
-/// pressure and tangential tractions to begin the first solution with the stand-in. `forced` (may
-/// be null) replaces the rigid slip of the problem; every iteration then meets the force.
+/// Throws SolveError when the outer iteration does not converge, UnfitGrid when it does not because
+/// the patch reaches the border of the grid. `start_traction` (may be empty): initial pressure and
+/// tangential tractions of the first solution with the stand-in. `forced` (may be null) replaces
+/// the rigid slip of the problem; every iteration then satisfies the force.
 CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
                               const CoupledProblem& problem, const OuterOptions& options = {},
                               const Response& start_defect = {},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What problems ask for that not every model has: how it is seen in them, and how it is called.
+// Features of problems that not every model supports: detection and names.
 #include "contact/solve/model.hpp"
 
 #include "contact/base/errors.hpp"
@@ -53,13 +53,14 @@ bool any_of_radii(const Scene& scene, double Creepage::*component) {
                      [&](const LoadPoint& point) { return point.creepage.*component != 0.0; });
 }
 
-/// An equivalent ellipse hands its theory the slip at the patch's points, as no file has it.
+/// An equivalent ellipse passes the slip at the patch's points to its theory, which no file
+/// contains.
 bool slip_from_file(const Scene& scene) {
   const auto& values = scene.geometry.extra_slip_values;
   return scene.geometry.extra_slip == ExtraSlip::file && values && !values->file.empty();
 }
 
-/// Points of a concave body on the other body's side of z = 0, where a half-space ends.
+/// Points of a concave body beyond z = 0, where a half-space ends.
 bool beyond_half_space(const Scene& scene) {
   return std::any_of(scene.subsurface.begin(), scene.subsurface.end(),
                      [](const SubsurfaceRequest& request) {
@@ -73,7 +74,7 @@ bool beyond_half_space(const Scene& scene) {
                      });
 }
 
-/// In the order in which they are named when several are asked for.
+/// In the order in which they are named when several are requested.
 const std::vector<DemandRow>& rows() {
   static const std::vector<DemandRow> all{
       {Demand::history, "rolling.problem", "shift or transient", is_history},
@@ -148,7 +149,7 @@ Demands all_demands_but(const Demands& missing) {
 
 namespace {
 
-/// Names become those of groups in files, of checkpoints, and words of a case file.
+/// Model names are also names of groups in files and of checkpoints, and words of a case file.
 bool is_plain(const std::string& name) {
   const auto plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
@@ -213,7 +214,7 @@ std::string ModelRegistry::advice(const ModelInput& input) const {
   for (const ModelInfo& model : models_) {
     if (model.chooses || model.cannot(input)) continue;
     able.push_back(model.name);
-    // The cheapest that solves the elastic problem; theories only where nothing else can.
+    // The cheapest model that solves the elastic problem; theories only if nothing else can.
     if (best == nullptr || (model.has_stress && !best->has_stress)) best = &model;
   }
   if (best == nullptr) return "allowed: no model can solve all of this case; do: change it";

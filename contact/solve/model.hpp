@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The common interface of all models, from Hertz to finite elements: a function of one signature
-// with a name, its capabilities and whatever else is needed to run it.
+// with a name, its capabilities and further data needed to run it.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -16,27 +16,27 @@
 
 namespace rollfem::contact {
 
-/// What a model is given.
+/// Input of a model.
 using ModelInput = Scene;
 
-/// Runs all load points. Throws InputError when the model cannot take them, SolveError when the
-/// solution failed.
+/// Runs all load points. Throws InputError when the model does not support them, SolveError when
+/// the solution fails.
 using Model = std::function<ModelResult(const ModelInput&, const Progress&)>;
 
-/// The same with finished load points kept in a checkpoint, which may be null.
+/// The same with finished load points stored in a checkpoint, which may be null.
 using ModelRun = std::function<ModelResult(const ModelInput&, const Progress&, Checkpoint*)>;
 
-/// What a problem may ask for that not every model has. Key and words of each: demands.cpp.
+/// Features of a problem that not every model supports. Key and words of each: demands.cpp.
 enum class Demand {
   history,                 ///< shift or transient
   tangential_force,        ///< prescribed
   load_history,            ///< a load that changes from step to step
   profiles,                ///< true ones of wheel and rail
   lateral_creepage,        ///< of bodies with radii
-  spin,                    ///< of bodies with radii: with profiles there is always some
+  spin,                    ///< of bodies with radii; always present with profiles
   extra_slip,              ///< from a file, of bodies with radii
-  extra_slip_on_profiles,  ///< from a file, beyond what the profiles bring
-  line_contact,            ///< of rollers without ends across
+  extra_slip_on_profiles,  ///< from a file, in addition to that of the profiles
+  line_contact,            ///< of endless rollers
   stress_of_line,          ///< below a line contact
   distance_points,         ///< undeformed distance point by point
   distance_quadratic,      ///< undeformed distance without radii
@@ -44,18 +44,18 @@ enum class Demand {
   rigid_body,
   stress_in_rigid_body,
   inertia,            ///< of wheel and rail
-  beyond_half_space,  ///< stress where a concave body reaches beyond z = 0
+  beyond_half_space,  ///< stress where a concave body extends beyond z = 0
 };
 
 using Demands = std::vector<Demand>;
 
-/// "rolling.spin: it cannot take spin" for the first thing that is asked for and not among
-/// `takes`; nothing when there is none.
+/// "rolling.spin: it cannot handle spin" for the first requested feature not in `takes`; empty if
+/// there is none.
 std::optional<std::string> first_beyond(const Demands& takes, const ModelInput& input);
 
-/// What is asked for, in a few words: "spin", "a given pressure".
+/// The feature in a few words: "spin", "a given pressure".
 std::string demand_words(Demand demand);
-/// All of them, in the order of refusal; those without `missing`.
+/// All features without `missing`, in the order in which they are checked.
 const Demands& all_demands();
 Demands all_demands_but(const Demands& missing);
 
@@ -68,81 +68,83 @@ struct RefinedInput {
 
 /// A way to refine a model in a study.
 struct Refinement {
-  std::string word;       ///< as --vary takes it: "grid"
-  std::string also;       ///< another word that means the same for this model; may be empty
+  std::string word;       ///< name for --vary: "grid"
+  std::string also;       ///< synonym for this model; may be empty
   std::string parameter;  ///< heading of the labels: "contact grid"
-  double ratio = 0.0;     ///< of cells from level to level; 0: has no meaning
-  int levels = 0;         ///< unless the user says how many
-  bool fixed = false;     ///< there are no more levels than that
+  double ratio = 0.0;     ///< ratio of cells from level to level; 0: not applicable
+  int levels = 0;         ///< default number of levels
+  bool fixed = false;     ///< `levels` is also the largest number
   /// Level k of n, coarsest first. Throws InputError when a starting value is missing.
   RefinedInput (*level)(ModelInput input, int k, int n) = nullptr;
 };
 
-/// As what `auto` may take a model; each has a forecast (models/choice/laws.hpp).
+/// Role of a model in `auto`; each has a forecast (models/choice/laws.hpp).
 enum class Choosable { never, half_spaces, corrected_half_spaces, finite_bodies };
 
 struct ModelInfo {
-  std::string name;      ///< as --model and `models` of a case file have it: "halfspace"
+  std::string name;      ///< as in --model and `models` of a case file: "halfspace"
   std::string label;     ///< in figures and tables of reports: "half-space"
-  std::string sentence;  ///< what it is, for --help and docs/models.md
-  Demands takes = {};    ///< of what a problem may ask for
+  std::string sentence;  ///< description for --help and docs/models.md
+  Demands takes = {};    ///< supported features
   ModelRun run = nullptr;
-  std::vector<Refinement> refinements = {};  ///< the first unless a study is told otherwise
-  bool bounded = true;                       ///< its tractions keep the bound of friction
-  bool half_spaces = true;                   ///< its bodies are plane for the elasticity
-  bool has_stress = false;    ///< solves the elastic problem, and has stress below the surface
+  std::vector<Refinement> refinements = {};  ///< the first is the default of a study
+  bool bounded = true;                       ///< its tractions respect the friction bound
+  bool half_spaces = true;                   ///< its bodies are half-spaces
+  bool has_stress = false;                   ///< solves the elastic problem, with subsurface stress
   bool keeps_bodies = false;  ///< that stress is stored with the bodies, not summed from tractions
-  /// That stress is summed from tractions and corrected by what the bodies differ from half-spaces.
+  /// The stress is summed from tractions and corrected for the difference between bodies and
+  /// half-spaces.
   bool corrects_stress = false;
-  /// Contacts of other planes displace its surface, and it can follow one that joins the planes.
+  /// Contacts in other planes displace its surface, and it can follow a surface that joins the
+  /// planes.
   bool joins_planes = false;
   bool parallel =
       false;  ///< collective over MPI processes; needs a session (models/fem/fem_library.hpp)
   bool built = true;  ///< this build has it
-  /// Takes one of the others, whose result and name it hands on: no run of its own; the program
-  /// chooses (models/solving/auto_model.hpp).
+  /// Chooses another model and passes on its result and name, without a run of its own
+  /// (models/solving/auto_model.hpp).
   bool chooses = false;
   Choosable choosable = Choosable::never;
-  bool measures_others = false;  ///< a reference where `compare` is told of none, in their order
-  bool in_run = false;           ///< `run` computes it where neither call nor case names models
+  bool measures_others = false;  ///< default references of `compare`, in this order
+  bool in_run = false;           ///< computed by `run` if neither call nor case names models
   bool in_compare = false;       ///< the same for `compare`
-  BarRules bars = {};            ///< what it says of values without an error estimate
-  /// Why it gives no PointResult::model_error, where it does not.
+  BarRules bars = {};            ///< reasons for values without error estimate
+  /// Why it gives no PointResult::model_error, if so.
   const char* no_model_error = "not estimated";
 
-  /// Why it cannot take this problem; nothing when it can.
+  /// Why it does not support this problem; empty if it does.
   std::optional<std::string> cannot(const ModelInput& input) const {
     return first_beyond(takes, input);
   }
 };
 
-// The registry of models, which commands, checks, help, documents, comparisons and studies
-// read. A model is registered by one call of ModelRegistry::add.
+// The registry of models, used by commands, checks, help, documents, comparisons and studies. A
+// model is registered by one call of ModelRegistry::add.
 
 class ModelRegistry {
  public:
-  /// Behind those that are there; the cheaper come first. Throws std::logic_error for a model
-  /// without a run, a name that is there already, or one that could not name a file.
+  /// Appends a model; cheaper models come first. Throws std::logic_error for a model without a run,
+  /// a duplicate name, or a name unsuitable for files.
   ModelRegistry& add(ModelInfo model);
 
   const std::vector<ModelInfo>& all() const { return models_; }
   std::vector<std::string> names() const;
-  /// Names of those that `wanted` (a member of ModelInfo) is set for.
+  /// Names of the models for which `wanted` (a member of ModelInfo) is set.
   std::vector<std::string> names(bool ModelInfo::*wanted) const;
 
-  /// What others are measured against where nothing else is asked for: the first that solves the
-  /// elastic problem. Throws std::logic_error when there is none.
+  /// Default reference: the first model that solves the elastic problem. Throws std::logic_error if
+  /// there is none.
   const ModelInfo& reference() const;
 
-  /// nullptr when there is none.
+  /// nullptr if unknown.
   const ModelInfo* find(const std::string& name) const;
   /// Throws InputError that lists the names. `asked_by` begins the message: "--model".
   const ModelInfo& at(const std::string& name, const std::string& asked_by = "model") const;
 
-  /// Throws InputError when the model cannot take the problem; it names the models that can.
+  /// Throws InputError when the model does not support the problem, naming the models that do.
   void check(const ModelInput& input, const std::string& name) const;
-  /// Checks and runs. What the model gives passes the gate of contact/result/validity.hpp, which
-  /// throws SolveError and adds warnings to the notes.
+  /// Checks and runs. The result passes the gate of contact/result/validity.hpp, which throws
+  /// SolveError and adds warnings to the notes.
   ModelResult run(const std::string& name, const ModelInput& input, const Progress& progress,
                   Checkpoint* checkpoint = nullptr) const;
 

@@ -94,9 +94,9 @@ std::array<double, 4> cubic_weights(double t) {
 }  // namespace
 
 Field upstream(const ContactGrid& grid, const Field& values, double distance) {
-  // Beyond the grid all is what it is at its border, however far a step goes.
+  // Beyond the grid the border values continue, regardless of the size of a step.
   const double elements = std::min(distance / grid.dx, grid.nx + 2.0);
-  // A whole number of elements must stay one.
+  // Keeps an integer number of elements exact.
   const double nearest = std::round(elements);
   const bool whole = std::abs(elements - nearest) < 1e-9 * std::max(1.0, nearest);
   const int ahead = static_cast<int>(whole ? nearest : std::floor(elements));

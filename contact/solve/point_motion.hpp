@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Motion of the surfaces at a load point: the rigid slip of steady rolling, or
-// of a step of a shift or of transient rolling including what it inherits from
-// earlier steps; and its description in results.
+// Motion of the surfaces at a load point: the rigid slip of steady rolling, or of a step of a shift
+// or of transient rolling including the state inherited from earlier steps; and its description in
+// results.
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
@@ -15,14 +15,14 @@
 
 namespace rollfem::contact {
 
-// What a step of a shift or of transient rolling inherits from earlier steps: the displacement
-// difference of the material points now in the patch. Each step is then a tangential problem of its
-// own, T = A_tt, with slip measured in mm (Kalker 1990, section 4.1).
+// State that a step of a shift or of transient rolling inherits from earlier steps: the
+// displacement difference of the material points now in the patch. Each step is then a separate
+// tangential problem, T = A_tt, with slip measured in mm (Kalker 1990, section 4.1).
 
-/// A step as the tangential solver sees it: |w'| = 0 in adhesion, w' = rigid_slip + A_tt p in mm.
+/// A step as a tangential problem: |w'| = 0 in adhesion, w' = rigid_slip + A_tt p in mm.
 struct StepProblem {
   TangentialField rigid_slip;  ///< mm
-  /// Slip as results give it is this times w': 1 for a shift (mm slipped in the step), 1/mm for
+  /// Factor from w' to the slip of the results: 1 for a shift (mm slipped in the step), 1/mm for
   /// rolling (slip relative to the rolling speed).
   double slip_factor = 1.0;
 };
@@ -32,9 +32,9 @@ class History {
  public:
   /// `order`: of the difference in time of transient rolling. First: (u - u') over the step.
   /// Second: (3 u - 4 u' + u'')/2, which tends to the steady solution of second-order upwind
-  /// differences; from the third of equal steps on, since the displacement may jump in the first (a
-  /// force that is there at once) and u'' before the jump would throw the second step beyond.
-  /// Shifts always compare with the step before.
+  /// differences; from the third of equal steps on, because the displacement may jump in the first
+  /// step (a suddenly applied force) and u'' before the jump would make the second step overshoot.
+  /// Shifts always use the previous step.
   History(const ContactGrid& grid, UpwindOrder order);
 
   /// A shift by `rigid_shift` (mm): w = W + u - u'.
@@ -44,7 +44,7 @@ class History {
   /// InputError unless the step is positive.
   StepProblem rolling_step(const TangentialField& rigid_slip, double step_length) const;
 
-  /// The step is solved: u = A p with all that caused it. `step_length` 0 for a shift.
+  /// Records a solved step: u = A p including all contributions. `step_length` 0 for a shift.
   void advance(const TangentialField& displacement, double step_length);
 
  private:
@@ -53,35 +53,35 @@ class History {
   TangentialField last_;
   TangentialField before_last_;
   double last_step_ = 0.0;         ///< mm rolled in the last step
-  double before_last_step_ = 0.0;  ///< and in the one before
+  double before_last_step_ = 0.0;  ///< mm rolled in the step before
 };
 
 /// Values at `distance` >= 0 upstream (+x) of every element, by cubics between the four nearest
-/// elements of the row; beyond the grid the outermost value goes on.
+/// elements of the row; beyond the grid the outermost value continues.
 Field upstream(const ContactGrid& grid, const Field& values, double distance);
 
 class PointMotion {
  public:
-  /// Scene and geometry must outlive this.
+  /// Scene and geometry must outlive this object.
   PointMotion(const Scene& scene, const ChartedGeometry& geometry, const ContactGrid& grid);
 
-  /// Slip that comes on top of the geometry's; may be empty.
+  /// Slip in addition to that of the geometry; may be empty.
   void set_extra(TangentialField extra) { extra_ = std::move(extra); }
 
-  /// Creepages xi, eta of load point k, or the shifts of a step, as the scene gives them.
+  /// Creepages xi, eta of load point k, or the shifts of a step, as given in the scene.
   Eigen::Vector2d given_unknowns(std::size_t k) const;
 
-  /// The tangential problem of load point k with these in their place.
+  /// The tangential problem of load point k with the given creepages or shifts instead.
   TangentialMotion at(std::size_t k, const Eigen::Vector2d& unknowns) const;
 
-  /// Load point k is solved: adds up what has been shifted and rolled, and writes it, step and
-  /// creepages into `point`.
+  /// Records the solved load point k: accumulates the motion, and writes it with step and creepages
+  /// into `point`.
   void describe(std::size_t k, const Eigen::Vector2d& unknowns, PointResult& point);
 
-  /// What the next step inherits from load point k.
+  /// State that the next step inherits from load point k.
   void advance(std::size_t k, const TangentialField& displacement);
 
-  /// Load point k was taken up from an earlier run, which described it.
+  /// Records load point k as restored from an earlier run, which described it.
   void take_up(const PointResult& point);
 
  private:
@@ -89,7 +89,7 @@ class PointMotion {
     double longitudinal = 0.0, lateral = 0.0, spin = 0.0, distance = 0.0;
   };
 
-  /// `step`: over how many mm the difference reaches that it is put beside.
+  /// `step`: length in mm of the corresponding difference.
   TangentialField rigid_slip(const Creepage& creepage, double step) const;
 
   const Scene& scene_;

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-/// At this part of mu F_z everything counts as sliding: no creepage belongs to it alone.
+/// From this fraction of mu F_z on the contact counts as fully sliding: the creepage is not unique.
 constexpr double sliding = 1.0 - 1e-8;
 
 std::string described(const PrescribedForce& wanted) {
@@ -83,7 +83,7 @@ class BracketedSearch {
     double g;
   };
 
-  /// True when the force at c is the wanted one. Else c becomes an end of the bracket.
+  /// True when the force at c is the prescribed one; otherwise c becomes an end of the bracket.
   bool evaluated(double c) {
     at_[k_] = c;
     const TransmittedForce& got = law_(at_);
@@ -95,13 +95,13 @@ class BracketedSearch {
     last_ = Sample{c, g};
     (g < 0.0 ? low_ : high_) = last_;
     weight_low_ = weight_high_ = 1.0;
-    // Illinois: the end that stays for the second time counts half, so that it moves too.
+    // Illinois: an end retained for the second time gets half weight, so that it moves, too.
     if (before_ && (before_->g < 0.0) == (g < 0.0)) (g < 0.0 ? weight_high_ : weight_low_) = 0.5;
     return false;
   }
 
-  /// No bracket yet: a secant step where it leads on, growing steps where the force does not react
-  /// because everything slides.
+  /// Without a bracket: a secant step where it makes progress, growing steps where the force does
+  /// not react because of full sliding.
   double beyond() {
     const double direction = last_->g < 0.0 ? 1.0 : -1.0;
     double step = std::abs(last_->g) * unit_;
@@ -123,7 +123,7 @@ class BracketedSearch {
     const double high = weight_high_ * high_->g;
     if (std::abs(width) <= 4e-16 * std::max(std::abs(low_->c), std::abs(high_->c)))
       fail(all_, fmt::format("the force jumps past it at creepage {:.6g}", low_->c));
-    // A bisection whenever three secant steps have not brought the bracket to an eighth.
+    // A bisection whenever three secant steps have not reduced the bracket to an eighth.
     if (++secants_ % 4 == 0) {
       const bool slow = std::abs(width) > 0.125 * std::abs(last_width_);
       last_width_ = width;
@@ -153,8 +153,8 @@ Vector2d stretched(const Vector2d& relative_force) {
                     : Vector2d(Vector2d::Zero());
 }
 
-/// Both components: Broyden's method with step halving, its matrix renewed by differences when it
-/// has led nowhere.
+/// Both components: Broyden's method with step halving, its matrix renewed by differences when
+/// there is no progress.
 class BroydenSearch {
  public:
   BroydenSearch(Counted& law, const Vector2d& wanted, const PrescribedForce& all,
@@ -190,7 +190,7 @@ class BroydenSearch {
     return stretched(got.force / got.bound) - stretched(wanted_ / got.bound);
   }
 
-  /// In sliding the force says nothing about the size of the creepage.
+  /// In full sliding the force does not depend on the size of the creepage.
   void pull_back_from_sliding() {
     while (!converged_ && force_.norm() >= sliding * bound_) {
       c_ *= 0.6;
@@ -198,7 +198,7 @@ class BroydenSearch {
     }
   }
 
-  /// A matrix that may be stale is soon given up, a fresh one only where no step helps.
+  /// A possibly outdated matrix is soon discarded, a fresh one only if no step helps.
   bool step(bool fresh) {
     Vector2d d = -jacobian_.partialPivLu().solve(r_);
     if (!d.allFinite()) return false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Creepage (or shift) at which the contact transmits a prescribed tangential force: a bracketed
 // secant method for one component, Broyden's method for two, on forces made nearly linear by the
-// inverse of Vermeulen and Johnson's law (1964), |F| = mu F_z (1 - (1 - tau/3)^3). It saves most of
-// the trouble near sliding, where the force hardly grows any more.
+// inverse of Vermeulen and Johnson's law (1964), |F| = mu F_z (1 - (1 - tau/3)^3). This removes
+// most of the difficulty near full sliding, where the force hardly grows.
 #pragma once
 
 #include "contact/scene/scene.hpp"
@@ -21,7 +21,7 @@ struct TransmittedForce {
 using ForceLaw = std::function<TransmittedForce(const Eigen::Vector2d& creepage)>;
 
 struct ForceSearch {
-  Eigen::Vector2d start;      ///< given components as they are; a guess of the unknown ones
+  Eigen::Vector2d start;      ///< prescribed components, and a guess of the unknown ones
   Eigen::Vector2d stiffness;  ///< -dF_x/dxi, -dF_y/deta without slip, N: the scale of the steps
   double tolerance = 1e-6;    ///< on the force, relative to mu F_z
   int max_evaluations = 100;
@@ -33,20 +33,20 @@ struct FoundCreepage {
   int evaluations = 0;
 };
 
-/// tau(F / bound), at most 3 in size: what of a creepage the force would need by Vermeulen and
-/// Johnson's law, in units of bound / stiffness.
+/// tau(F / bound), at most 3 in magnitude: creepage that the force needs by Vermeulen and Johnson's
+/// law, in units of bound / stiffness.
 double creepage_of_force(double relative_force);
 
-/// Creepage (shift) for a force by that law with the stiffness of the case without slip; the given
-/// components as they are.
+/// Creepage (shift) for a force by that law with the stiffness of the case without slip; prescribed
+/// components are kept.
 Eigen::Vector2d first_creepage(const PrescribedForce& wanted, const Eigen::Vector2d& given,
                                const Eigen::Vector2d& stiffness, double bound);
 
 /// Throws SolveError unless |F| < mu F_z, counting the prescribed components.
 void refuse_force_beyond_friction(const PrescribedForce& wanted, double bound);
 
-/// The last call of `law` is at the creepage that is returned. Throws SolveError when the force is
-/// beyond friction, when no creepage gives it, or when the search does not converge.
+/// The last call of `law` is at the returned creepage. Throws SolveError when the force exceeds
+/// friction, when no creepage transmits it, or when the search does not converge.
 FoundCreepage find_creepage(const ForceLaw& law, const PrescribedForce& wanted,
                             const ForceSearch& search);
 

@@ -33,7 +33,7 @@ class CarriedNormal : public NormalOperator {
   const Field& carried_;
 };
 
-/// A given pressure as the solution of a normal problem nobody asks about: no gap, no approach.
+/// A given pressure as the solution of a normal problem, without gap and approach.
 NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
   NormalSolution given;
   given.pressure = pressure;
@@ -42,8 +42,8 @@ NormalSolution given_normal(const ContactGrid& grid, const Field& pressure) {
   return given;
 }
 
-/// Normal contact on the stand-in. `defect`: an extra gap along the load, in the plane along z, may
-/// be empty; `force`: what the pressure has to carry along the same.
+/// Normal contact on the stand-in. `defect`: an extra gap along the load (along z in the plane),
+/// may be empty; `force`: force that the pressure carries in this direction.
 NormalSolution solve_pressure(const NormalOperator& plane, const CoupledProblem& problem,
                               const Field& defect, const std::optional<double>& force,
                               const NormalOptions& options, const Field& start) {
@@ -72,12 +72,12 @@ NormalSolution solve_pressure(const NormalOperator& plane, const CoupledProblem&
   return solution;
 }
 
-/// Force without friction that the pressure carries: along the load, in the plane along z.
+/// Force carried by the pressure without friction, along the load (along z in the plane).
 double frictionless_share(const CoupledProblem& problem) {
   return *problem.load.force / (problem.frame.plane() ? problem.load.direction[1] : 1.0);
 }
 
-/// The same that pressure alone has to carry if friction alone were to stay as it is.
+/// The same force that the pressure has to carry if friction stays unchanged.
 double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
                       const StandinSolution& solution) {
   const double wanted = *problem.load.force;
@@ -91,8 +91,8 @@ double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
                                : across * pressure[1] + upwards * pressure[2] + missing;
 }
 
-/// Tractions under the pressure of `solution`; `defect` (may be null) put in as an extra slip.
-/// `weights`: Preconditioner::fitted_weights.
+/// Tractions under the pressure of `solution`; `defect` (may be null) is an extra slip. `weights`:
+/// Preconditioner::fitted_weights.
 void solve_tractions(const Preconditioner& standin, const CoupledProblem& problem,
                      const Response* defect, double tolerance, const Field& weights,
                      StandinSolution& solution) {
@@ -116,7 +116,7 @@ void solve_tractions(const Preconditioner& standin, const CoupledProblem& proble
 
 VerticalFrame vertical_frame(const PatchShape& shape, const std::array<double, 2>& direction) {
   if (shape.climb.size() == 0) return {};
-  // A surface along the load carries next to nothing of it.
+  // A surface parallel to the load carries almost none of it.
   constexpr double least = 0.05;
   const auto [across, upwards] = direction;
   Field carried = (upwards - across * shape.climb.array()).max(least);
@@ -172,15 +172,15 @@ namespace {
 
 constexpr double shared_to = 1e-10;
 constexpr int most_turns = 40;
-/// Weights at the leading edge jump where an element comes into contact, and forces by 0.1 % of the
-/// load with them: a share between the two sides is met by neither. From this turn on the weights
-/// stay.
+/// Weights at the leading edge jump when an element comes into contact, and forces jump by 0.1 % of
+/// the load: the force may jump across the required share, so that no iterate meets it. From this
+/// iteration on the weights are fixed.
 constexpr int turns_until_kept = 12;
-/// Pressure that carries more than this many times the load along z runs away.
+/// Divergence limit: pressure that carries more than this many times the load along z.
 constexpr double largest_share = 30.0;
 
-/// The share of the pressure is a fixed point. `pressed`: the pressure of `solution` is that of the
-/// load without friction already.
+/// The share of the pressure is a fixed point. `pressed`: `solution` already holds the frictionless
+/// pressure of the load.
 void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
                    const Response* defect, const NormalOptions& normal, double tangential,
                    bool pressed, StandinSolution& solution) {
@@ -190,7 +190,7 @@ void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
   std::optional<double> share = problem.load.force;
   if (shares) {
     share = pressure_share(grid, problem, solution);
-    // A start from another load may be far off.
+    // A start from another load may be far away.
     if (!(*share > 0.0)) share = frictionless_share(problem);
   }
   PositiveFixedPoint sharing;

@@ -12,7 +12,7 @@
 
 namespace rollfem::contact {
 
-/// What the tangential operator gives: slip of steady rolling or relative displacement.
+/// Result of the tangential operator: slip of steady rolling or relative displacement.
 enum class Motion {
   rolling,  ///< slip w = s + D u, without a unit
   shift,    ///< slip w = s + u in mm: a step of a shift or of transient rolling
@@ -26,22 +26,22 @@ struct Preconditioner {
   UpwindOrder upwind_order;
   Motion motion = Motion::rolling;
   /// D A_half,tt of first order: with it a `rolling` of second order is fitted to the leading edge
-  /// of every pressure (contact/leading_edge.hpp). Null: `rolling` is used as it is.
+  /// of every pressure (contact/leading_edge.hpp). Null: `rolling` is used unchanged.
   const TangentialOperator* first_order = nullptr;
-  /// A_half with the coupling of unlike materials. What that adds has no kink at the leading edge,
-  /// and is not fitted to it. Null: like materials.
+  /// A_half with the coupling of unlike materials. The coupling has no kink at the leading edge and
+  /// is not fitted to it. Null: like materials.
   const Compliance* coupled = nullptr;
 
-  /// The weights of that fit; empty where `rolling` is used as it is.
+  /// The weights of that fit; empty where `rolling` is used unchanged.
   Field fitted_weights(const Field& pressure) const;
 };
 
-/// How local normals stand to the direction of the load on a curved patch. The bodies approach each
-/// other along it, distance and displacement are along the normal: a gap along the load is
-/// `to_vertical` times the one along the normal, and in terms of q = carried p, whose sum is the
-/// force along the load, the normal problem stays symmetric. So it is the same whichever point of
-/// the surface is the origin. Both empty in the plane; `carried` empty where the grid is the
-/// projection of the surface along the load, whose elements carry their pressure whole.
+/// Local normals relative to the direction of the load on a curved patch. The bodies approach each
+/// other along the load, distance and displacement are along the normal: a gap along the load is
+/// `to_vertical` times the gap along the normal, and in terms of q = carried p, whose sum is the
+/// force along the load, the normal problem stays symmetric and independent of the choice of origin
+/// on the surface. Both empty in the plane; `carried` empty where the grid is the projection of the
+/// surface along the load, whose elements carry their full pressure.
 struct VerticalFrame {
   Field to_vertical;
   Field carried;
@@ -50,21 +50,21 @@ struct VerticalFrame {
 };
 VerticalFrame vertical_frame(const PatchShape& shape, const std::array<double, 2>& direction);
 
-/// A problem for any compliance. On a curved patch (`shape`) approach and load are those of the
-/// patch frame, while distance, tractions and displacement are along the local normal and tangents.
+/// A problem for any compliance. On a curved patch (`shape`) approach and load refer to the patch
+/// frame, while distance, tractions and displacement are along the local normal and tangents.
 struct CoupledProblem {
   Field undeformed_distance;
   NormalLoad load;
   Friction friction = nullptr;    ///< null: frictionless
   TangentialField rigid_slip;     ///< empty: frictionless
-  double slip_factor = 1.0;       ///< slip as the friction law takes it over that of the problem
-  double curvature_weight = 1.0;  ///< of Response::curvature_slip in the slip
+  double slip_factor = 1.0;       ///< slip of the friction law divided by slip of the problem
+  double curvature_weight = 1.0;  ///< factor of Response::curvature_slip in the slip
   Field given_pressure;           ///< MPa, replaces the normal problem; empty: none
   PatchShape shape;               ///< empty: plane
   VerticalFrame frame;            ///< of the shape and the direction of the load
 
   bool frictionless() const { return rigid_slip.x.size() == 0 || !friction; }
-  /// Friction carries a part of the prescribed force.
+  /// Whether friction carries a part of the prescribed force.
   bool shares_load() const {
     return load.force && given_pressure.size() == 0 &&
            (shape.climb.size() != 0 || load.direction[0] != 0.0);
@@ -80,7 +80,8 @@ struct StandinSolution {
 Response zero_response(Eigen::Index size);
 
 /// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip under this
-/// pressure: by the same difference as the stand-in's, so that together it is that of the whole.
+/// pressure, by the same difference as the stand-in's, so that the sum is the slip of the whole
+/// compliance.
 TangentialField defect_slip(const Preconditioner& standin, const CoupledProblem& problem,
                             const Response& defect, const Field& pressure);
 
@@ -92,14 +93,14 @@ double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,
 NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem& problem,
                              const Field& start);
 
-/// Tractions under the pressure of `solution`, and both in turn where friction carries a part of
-/// the load, until the load is met to 1e-10. `solution` holds the pressure of press_standin and a
-/// guess of the tractions.
+/// Tractions under the pressure of `solution`; where friction carries a part of the load, both
+/// alternately until the load is met to 1e-10. On entry `solution` holds the pressure of
+/// press_standin and a guess of the tractions.
 void solve_standin(const Preconditioner& standin, const CoupledProblem& problem, double tolerance,
                    StandinSolution& solution);
 
-/// The same with a defect, from whatever `solution` holds; `tolerance` is that of the outer
-/// iteration.
+/// The same with a defect, starting from the contents of `solution`; `tolerance` is that of the
+/// outer iteration.
 void solve_standin(const Preconditioner& standin, const CoupledProblem& problem,
                    const Response& defect, double tolerance, StandinSolution& solution);
 

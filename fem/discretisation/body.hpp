@@ -21,16 +21,16 @@ namespace rollfem::fem {
 /// be laid exactly on faces. Otherwise they are at most h long in s and t.
 class Body {
  public:
-  /// A segment of wheel or rail, meshed by the program.
+  /// A segment of wheel or rail, meshed by rollfem.
   Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
        MPI_Comm communicator);
   /// On a given coarse mesh, which is refined towards the patch; nodes of its `contact` faces lie
   /// on the surface (depth 0 in the chart). `fixed` faces are clamped, on `symmetry` faces the
-  /// lateral displacement vanishes, others are free. Extents of the options are not used. Throws
-  /// contact::InputError when cells turn inside out or more than 7 octree levels were wanted.
+  /// lateral displacement vanishes, others are free. Extents in the options are ignored. Throws
+  /// contact::InputError when cells become inverted or more than 7 octree levels would be needed.
   Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
        const meshes::HexMesh& coarse, MPI_Comm communicator);
-  /// The same of a mesh of which only a part follows the surface: a true section of wheel or rail.
+  /// The same for a mesh that follows the surface only in part: a true section of wheel or rail.
   Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
        const CoarseBody& coarse, MPI_Comm communicator);
   Body(const Body&) = delete;

@@ -18,13 +18,14 @@ namespace {
 using dealii::Point;
 using CellIterator = dealii::DoFHandler<3>::active_cell_iterator;
 
-/// Nearer than this to a cell, in its lengths, is inside: rounding of the inverse mapping.
+/// Points closer to a cell than this, in cell lengths, count as inside: rounding of the inverse
+/// mapping.
 constexpr double rounding = 1e-9;
 
 /// A curved cell bulges beyond its nodes by less than this, in its diameters.
 constexpr double bulge = 0.05;
 
-/// Of a cell, with its number.
+/// Bounding box of a cell, with its number.
 using Box = std::pair<dealii::BoundingBox<3>, std::size_t>;
 
 /// A point in reference coordinates of a cell of this process.
@@ -66,7 +67,7 @@ struct BodyLocator::Implementation {
     return Found{c, inside, nearest, nearest.distance(place)};
   }
 
-  /// The cell of this process that is nearest.
+  /// The nearest cell of this process.
   std::optional<Found> nearest(const Point<3>& place, double reach) const {
     dealii::BoundingBox<3> around({place, place});
     around.extend(reach);
@@ -111,7 +112,7 @@ BodyPoints BodyLocator::find(const std::vector<Place>& places, double reach) con
   points.body_ = &body;
   points.moved_.resize(places.size());
   dealii::Utilities::MPI::min(moved, communicator, points.moved_);
-  // Of several processes that are equally near the first one has the point.
+  // If several processes are equally near, the first one has the point.
   const int here = static_cast<int>(dealii::Utilities::MPI::this_mpi_process(communicator));
   const int nobody = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(communicator));
   std::vector<int> owner(places.size(), nobody);

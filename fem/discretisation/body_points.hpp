@@ -14,23 +14,24 @@ using Place = std::array<double, 3>;  ///< x, y, z in mm, global frame
 
 class BodyLocator;
 
-/// Points found in a body. Same on every process; all functions but the short ones are collective.
+/// Points located in a body. Same on every process; all functions except the inline ones are
+/// collective.
 class BodyPoints {
  public:
   std::size_t size() const { return place_.size(); }
-  /// Where the values are: the point asked for, or where it was moved to.
+  /// Position of the values: the requested point, or the one to which it was moved.
   const Place& place(std::size_t k) const { return place_[k]; }
-  /// How far that is from the point asked for, mm; infinite when there is no cell within reach.
+  /// Distance from the requested point, mm; infinite without a cell within reach.
   double moved(std::size_t k) const { return moved_[k]; }
   /// The three components of a nodal field with ghost values at every point. `mirror` are the signs
-  /// of the components in the unmeshed half y < 0 of a half body; 0 where there is no cell.
+  /// of the components in the unmeshed half y < 0 of a half body; 0 without a cell.
   std::vector<std::array<double, 3>> values(const Vector& field,
                                             const std::array<int, 3>& mirror) const;
 
  private:
   friend class BodyLocator;
   struct Cell {
-    std::vector<dealii::types::global_dof_index> dofs;  ///< empty: another process has the point
+    std::vector<dealii::types::global_dof_index> dofs;  ///< empty: point of another process
     std::vector<double> shape;                          ///< of the nodes
     bool mirrored = false;
   };
@@ -42,11 +43,11 @@ class BodyPoints {
 
 class BodyLocator {
  public:
-  /// The body outlives the locator.
+  /// The body must outlive the locator.
   explicit BodyLocator(const Body& body);
   ~BodyLocator();
   /// Points outside by up to `reach` (mm) are moved to the surface of the body: to the nearest
-  /// place of a cell along its axes. A half body stands for its mirror image, too. Collective.
+  /// point of a cell along its axes. A half body also represents its mirror image. Collective.
   BodyPoints find(const std::vector<Place>& places, double reach) const;
 
  private:

@@ -14,24 +14,24 @@
 
 namespace rollfem::fem {
 
-/// Bodies with a larger Poisson's ratio have their dilatation projected.
+/// Poisson's ratio above which the dilatation is projected.
 inline constexpr double largest_plain_poisson_ratio = 0.45;
 
 /// Lame's constants in MPa.
 double lame_lambda(const contact::Material& material);
 double lame_mu(const contact::Material& material);
 
-/// Whether the problem's dilatation is projected: as it says itself, else where Poisson's ratio is
-/// above the limit. Degrees above 2 do not lock and are never projected.
+/// Whether the problem's dilatation is projected: its own setting if any, otherwise for Poisson's
+/// ratios above the limit. Degrees above 2 do not lock and are never projected.
 bool projects_dilatation(const ElasticProblem& problem);
 
 /// Whether inertia is part of the problem's stiffness.
 bool has_inertia(const ElasticProblem& problem);
 
-/// The functions that a cell's dilatation is projected on: constants for degree 1 (Q1-P0), linear
-/// functions of place for degree 2 (Q2-P1, discontinuous, which passes the inf-sup condition:
-/// Boffi, Brezzi and Fortin, Mixed finite element methods and applications, 2013). Orthonormal in
-/// the cell's own quadrature.
+/// The functions onto which a cell's dilatation is projected: constants for degree 1 (Q1-P0),
+/// linear functions of position for degree 2 (Q2-P1, discontinuous, which passes the inf-sup
+/// condition: Boffi, Brezzi and Fortin, Mixed finite element methods and applications, 2013).
+/// Orthonormal in the cell's own quadrature.
 class DilatationSpace {
  public:
   static constexpr int largest_size = 4;
@@ -39,9 +39,9 @@ class DilatationSpace {
 
   explicit DilatationSpace(int degree) : size_(size_of_degree(degree)) {}
   int size() const { return size_; }
-  /// Places and weights of the cell's quadrature.
+  /// Points and weights of the cell's quadrature.
   void reinit(const std::vector<dealii::Point<3>>& places, const std::vector<double>& weights);
-  /// The functions at a place; those beyond size() are 0.
+  /// The functions at a point; entries beyond size() are 0.
   std::array<double, largest_size> values(const dealii::Point<3>& place) const;
 
  private:
@@ -53,15 +53,15 @@ class DilatationSpace {
   std::array<std::array<double, largest_size>, largest_size> factor_{};  ///< Gram matrix = L L^T
 };
 
-/// Stress by Hooke's law in one cell after the other, sigma = lambda P(div u) I + 2 mu eps(u), with
-/// the same projection P (or none) that the stiffness has: with the dilatation of the displacement
-/// itself the pressure of a nearly incompressible body would be noise.
+/// Stress by Hooke's law, cell by cell, sigma = lambda P(div u) I + 2 mu eps(u), with the same
+/// projection P (or none) as in the stiffness: with the unprojected dilatation the pressure of a
+/// nearly incompressible body would be noise.
 class CellStress {
  public:
   explicit CellStress(const ElasticProblem& problem);
-  /// `displacement` has its ghosts updated.
+  /// `displacement` must have updated ghost values.
   void reinit(const dealii::DoFHandler<3>::active_cell_iterator& cell, const Vector& displacement);
-  /// xx yy zz xy yz xz in MPa at a place of the cell where the displacement has this gradient,
+  /// xx yy zz xy yz xz in MPa at a point of the cell where the displacement has this gradient,
   /// gradient[i][j] = du_i/dx_j.
   std::array<double, 6> at(const dealii::Tensor<2, 3>& gradient,
                            const dealii::Point<3>& place) const;

@@ -28,21 +28,20 @@ struct BoundaryConditions {
   std::map<dealii::types::boundary_id, unsigned int> vanishing_component;
 };
 
-/// A discretised body: FE_Q(degree)^3 dofs on a parallel::distributed triangulation.
-/// All references outlive the solver. `constraints` holds hanging nodes and boundary conditions.
+/// A discretised body: FE_Q(degree)^3 dofs on a parallel::distributed triangulation. All referenced
+/// objects must outlive the solver. `constraints` holds hanging nodes and boundary conditions.
 struct ElasticProblem {
   const dealii::DoFHandler<3>& dofs;
   const dealii::Mapping<3>& mapping;
   const dealii::AffineConstraints<double>& constraints;
   BoundaryConditions boundary;
   contact::Material material;
-  MaterialMotion motion = {};  ///< of material with a density: adds inertia to K
-  /// Whether the dilatation is projected (cell_terms.hpp); unset: where Poisson's ratio asks for
-  /// it.
+  MaterialMotion motion = {};  ///< for material with a density: adds inertia to K
+  /// Whether the dilatation is projected (cell_terms.hpp); unset: according to Poisson's ratio.
   std::optional<bool> project_dilatation = {};
 };
 
-/// Unknowns of the cells of this process and of those beside it.
+/// Unknowns of the cells of this process and of adjacent cells.
 dealii::IndexSet relevant_dofs(const dealii::DoFHandler<3>& dofs);
 
 /// Hanging nodes and boundary conditions for any level of a body.

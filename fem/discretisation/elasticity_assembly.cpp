@@ -154,7 +154,7 @@ void SymmetricMatrix::multiply(const std::vector<double>& x, std::vector<double>
 
 namespace {
 
-/// The free unknowns a cell's matrix reaches, sorted, for all cells.
+/// The free unknowns coupled by each cell's matrix, sorted.
 struct CellUnknowns {
   std::vector<std::int64_t> start{0};
   std::vector<int> unknown;
@@ -182,7 +182,7 @@ CellUnknowns collect_cell_unknowns(const dealii::DoFHandler<3>& dofs,
   return cells;
 }
 
-/// The cells that hold each of so many unknowns.
+/// The cells that contain each of the unknowns.
 struct CellsOfUnknowns {
   std::vector<std::int64_t> start;
   std::vector<int> cell;
@@ -202,7 +202,7 @@ struct CellsOfUnknowns {
   }
 };
 
-/// Pattern of the lower triangle: column c couples to every unknown of the cells that hold c.
+/// Pattern of the lower triangle: column c couples to every unknown of the cells that contain c.
 SymmetricMatrix make_pattern(int size, const CellUnknowns& cells) {
   const CellsOfUnknowns holding(size, cells);
   SymmetricMatrix matrix;
@@ -228,7 +228,7 @@ SymmetricMatrix make_pattern(int size, const CellUnknowns& cells) {
 }
 
 /// Adds the lower triangle of a cell's condensed matrix; both row lists are sorted, so that one
-/// walk down the column finds every place.
+/// pass down the column finds every entry.
 void add_cell(const int* unknown, int count, const std::vector<double>& condensed,
               SymmetricMatrix& matrix) {
   for (int c = 0; c < count; ++c) {
@@ -240,7 +240,7 @@ void add_cell(const int* unknown, int count, const std::vector<double>& condense
   }
 }
 
-/// C^T K C of one cell: rows then columns of K spread over the unknowns the cell reaches.
+/// C^T K C of one cell: rows, then columns of K are distributed to the free unknowns of the cell.
 class CellCondensation {
  public:
   CellCondensation(const FreeUnknowns& unknowns) : unknowns_(unknowns) {}
@@ -283,7 +283,7 @@ class CellCondensation {
 
 namespace {
 
-/// A matrix while cells are added to it.
+/// A matrix under assembly.
 class Assembly {
  public:
   Assembly(const ElasticProblem& problem, const FreeUnknowns& unknowns)
@@ -310,7 +310,7 @@ class Assembly {
 void order_for_elimination(const dealii::DoFHandler<3>& dofs, FreeUnknowns& unknowns) {
   const auto cells = collect_cell_unknowns(dofs, unknowns);
   const CellsOfUnknowns holding(unknowns.count, cells);
-  // The components of a node, which follow each other, are in the same cells.
+  // The components of a node are consecutive and in the same cells.
   Nodes nodes;
   for (int c = 0; c < unknowns.count; ++c) nodes.add(c > 0 && holding.same(c, c - 1));
   const NodeGraph graph(nodes, [&](int c, const auto& reach) {

@@ -55,7 +55,7 @@ struct FreeUnknowns {
   std::vector<std::int64_t> row_start;
   std::vector<int> column;
   std::vector<double> weight;
-  /// Of which cells the matrix is, in the order of the active ones; empty: all.
+  /// Cells included in the matrix, in the order of the active cells; empty: all.
   std::vector<bool> cells;
 
   bool takes(std::size_t cell) const { return cells.empty() || cells[cell]; }
@@ -67,8 +67,8 @@ struct FreeUnknowns {
 FreeUnknowns number_free_unknowns(const dealii::DoFHandler<3>& dofs,
                                   const dealii::AffineConstraints<double>& constraints);
 
-/// Numbers the unknowns anew, in the order in which a factorisation eliminates them. Throws
-/// contact::SolveError when memory runs out.
+/// Renumbers the unknowns in elimination order for a factorisation. Throws contact::SolveError when
+/// memory runs out.
 void order_for_elimination(const dealii::DoFHandler<3>& dofs, FreeUnknowns& unknowns);
 
 /// Lower triangle of a symmetric matrix in compressed columns, rows sorted.
@@ -82,9 +82,9 @@ struct SymmetricMatrix {
   void multiply(const std::vector<double>& x, std::vector<double>& y) const;
 };
 
-/// C^T K C, K of the cells that the unknowns take.
+/// C^T K C, with K of the selected cells.
 SymmetricMatrix assemble(const ElasticProblem& problem, const FreeUnknowns& unknowns);
-/// The same of several sets of unknowns: the stiffness of a cell is computed once for all.
+/// The same for several sets of unknowns: the stiffness of a cell is computed once for all.
 std::vector<SymmetricMatrix> assemble(const ElasticProblem& problem,
                                       const std::vector<const FreeUnknowns*>& unknowns);
 

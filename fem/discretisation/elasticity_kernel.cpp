@@ -33,7 +33,7 @@ constexpr Shape<2> make_shape<2>() {
 
 template <>
 constexpr Shape<3> make_shape<3>() {
-  // Nodes 0, 1/2, 1; points (1 -+ r)/2 and 1/2, r = sqrt(3/5): the factors of Lagrange's formula.
+  // Nodes 0, 1/2, 1; points (1 -+ r)/2 and 1/2, r = sqrt(3/5): the factors of the Lagrange formula.
   constexpr double r = 0.774596669241483377035853079956;
   constexpr double a = r * (1 + r) / 2, b = 1 - r * r, c = -r * (1 - r) / 2;
   constexpr double d = 1 / r;
@@ -50,8 +50,8 @@ constexpr std::array<Number, n * n * n> gauss_weights() {
   return weights;
 }
 
-/// M or its transpose times x; of three nodes by even and odd parts, since both matrices stay the
-/// same, or change their sign, when points and nodes are counted from the other end.
+/// M or its transpose times x; for three nodes by even and odd parts, because both matrices are
+/// symmetric or antisymmetric when points and nodes are counted from the other end.
 template <int n, bool transpose, typename V, typename Number>
 ROLLFEM_INLINE void multiply(const double (&m)[n][n], bool odd, const V (&x)[n], V (&out)[n]) {
   const auto entry = [&](int i, int j) {
@@ -80,12 +80,12 @@ ROLLFEM_INLINE void multiply(const double (&m)[n][n], bool odd, const V (&x)[n],
   }
 }
 
-/// Registers that hold a row of the lanes of a batch: rows in memory are so many apart.
+/// Number of registers for one row of a batch's lanes, which is also the stride of rows in memory.
 template <typename V>
 constexpr int parts = 64 / static_cast<int>(sizeof(V));
 
 /// out (+)= M in along one direction of an n^3 array; `transpose` takes M^T. `odd`: the matrix of
-/// derivatives, else that of values. Entries of `in` and `out` are `in_step` and `out_step` apart.
+/// derivatives, otherwise of values. Entries of `in` and `out` are `in_step` and `out_step` apart.
 template <int n, int direction, bool transpose, bool odd, bool add, typename V, typename Number,
           int in_step = 1, int out_step = 1>
 ROLLFEM_INLINE void contract(const double (&matrix)[n][n], const V* in, V* out) {
@@ -131,7 +131,7 @@ ROLLFEM_INLINE V trace(const V* h, const V (&g)[3][3]) {
 
 /// g[c][e] = d u_c / d xi_e, times the geometry: stress, pulled back in place. One quadrature
 /// point. With h = sqrt(w) dxi/dx, grad u = h^T g and the integrand is (h^T grad v) : sigma.
-/// `projected` is sqrt(w) lambda times the projected dilatation; null: that of g.
+/// `projected` is sqrt(w) lambda times the projected dilatation; null: the dilatation of g.
 template <typename V, typename Number>
 ROLLFEM_INLINE void apply_stress(const V* h, const LameConstants<Number>& material,
                                  const V* projected, V (&g)[3][3]) {
@@ -183,7 +183,7 @@ ROLLFEM_INLINE void project(const CellData<V>& cell, const LameConstants<Number>
   for (int k = 0; k < functions; ++k) coefficients[k] *= material.lambda;
 }
 
-/// At every quadrature point: the gradient's stress less the flux of momentum, pulled back.
+/// At every quadrature point: the stress of the gradient less the flux of momentum, pulled back.
 template <int n, bool projected, bool flows, typename V, typename Number>
 ROLLFEM_INLINE void apply_law(const CellData<V>& cell, const LameConstants<Number>& material,
                               V (&gradient)[3][3][n * n * n]) {
@@ -220,7 +220,7 @@ ROLLFEM_INLINE void apply_law(const CellData<V>& cell, const LameConstants<Numbe
   }
 }
 
-/// The same where the geometry is one matrix: its weights are those of the quadrature.
+/// The same for cells with one geometry matrix; the weights are those of the quadrature.
 template <int n, typename V, typename Number>
 ROLLFEM_INLINE void apply_law_of_parallelepiped(const V* geometry,
                                                 const LameConstants<Number>& material,
@@ -256,7 +256,7 @@ ROLLFEM_INLINE void cell_product(const CellData<V>& cell, const LameConstants<Nu
     contract<n, 1, false, true, false, V, Number>(shape.gradient, work, gradient[c][1]);
     contract<n, 2, false, true, false, V, Number>(shape.gradient, work, gradient[c][2]);
   }
-  // Decided once a batch, so that bodies at rest pay nothing for what others need.
+  // Decided once per batch, so that bodies at rest have no overhead.
   if (cell.parallelepipeds)
     apply_law_of_parallelepiped<n>(cell.geometry, material, gradient);
   else if (cell.dilatation == nullptr && cell.flow == nullptr)
@@ -325,7 +325,7 @@ ROLLFEM_INLINE void element_matrices(const CellBatches<Number>& cells,
   }
 }
 
-// The same code for each instruction set.
+// The same code compiled for each instruction set.
 #define ROLLFEM_VARIANT(name, bytes, attribute)                                                    \
   template <int n, typename Number>                                                                \
   attribute void add_product_##name(const CellBatches<Number>& cells,                              \

@@ -12,12 +12,12 @@
 
 namespace rollfem::fem {
 
-/// Cells per batch: what fits 64 bytes, whatever the registers hold.
+/// Cells per batch: as many as fit into 64 bytes, regardless of the register size.
 template <typename Number>
 constexpr int lanes = 64 / static_cast<int>(sizeof(Number));
 
-/// Entries of a node in the local vectors: the three components and one that does not count, so
-/// that a node is read and written at once.
+/// Entries of a node in the local vectors: the three components and one padding entry, so that a
+/// node is read and written in one access.
 constexpr int entries_per_node = 4;
 template <typename Number>
 struct NodeEntries {
@@ -29,21 +29,23 @@ struct NodeEntries {
 template <typename Number>
 struct CellBatches {
   std::size_t count = 0;
-  /// [batch][node][lane]: where in the local vectors the entries of a node begin; nodes
-  /// lexicographic, x quickest.
+  /// [batch][node][lane]: index of the node's first entry in the local vectors; nodes
+  /// lexicographic, x fastest.
   const unsigned int* nodes = nullptr;
-  /// [batch][quadrature point][e][d][lane]: sqrt(weight det J) * d xi_e / d x_d at the Gauss points
-  /// of degree + 1 points a direction, so that products of two of them carry the whole integral.
+  /// [batch][quadrature point][e][d][lane]: sqrt(weight det J) * d xi_e / d x_d at the Gauss
+  /// points, degree + 1 in each direction, so that products of two of them contain the full weight
+  /// of the integral.
   const Number* geometry = nullptr;
-  /// The geometry is one matrix a cell, [batch][e][d][lane], without the weights of the quadrature:
-  /// cells that are parallelepipeds, or nearly so. Without flow and dilatation.
+  /// Whether the geometry is one matrix per cell, [batch][e][d][lane], without the weights of the
+  /// quadrature: for cells that are (nearly) parallelepipeds, without flow and projected
+  /// dilatation.
   bool parallelepipeds = false;
-  /// [batch][quadrature point][e][lane]: sqrt(rho weight det J) * v . grad xi_e for material that
-  /// flows with velocity v; null: no inertia.
+  /// [batch][quadrature point][e][lane]: sqrt(rho weight det J) * v . grad xi_e for material
+  /// flowing with velocity v; null: no inertia.
   const Number* flow = nullptr;
-  /// [batch][quadrature point][k][lane]: sqrt(weight det J) * phi_k with the functions, one in
-  /// degree 1 and four in degree 2, on which the dilatation is projected, orthonormal in the cell's
-  /// quadrature; null: not projected.
+  /// [batch][quadrature point][k][lane]: sqrt(weight det J) * phi_k with the projection functions
+  /// of the dilatation (one for degree 1, four for degree 2), orthonormal in the cell's quadrature;
+  /// null: not projected.
   const Number* dilatation = nullptr;
 };
 
@@ -65,12 +67,12 @@ struct ElasticityKernel {
                            std::size_t batch, Number* matrices);
 };
 
-/// Instruction sets for which there is a variant and which this processor has, the widest last:
-/// "sse2", "avx2", "avx512".
+/// Compiled instruction sets supported by this processor, the widest last: "sse2", "avx2",
+/// "avx512".
 std::vector<std::string> simd_variants();
 
-/// The variant that $ROLLFEM_SIMD names, else the widest. Throws contact::InputError for one that
-/// there is not on this machine.
+/// The variant named by $ROLLFEM_SIMD, by default the widest. Throws contact::InputError for one
+/// that is not available on this machine.
 std::string simd_variant();
 
 /// Degree 1 or 2, Number float or double; `variant`: one of simd_variants().

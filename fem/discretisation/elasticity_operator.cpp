@@ -33,7 +33,7 @@ dealii::AlignedVector<Out> pack(const Data& data, std::size_t items,
   return packed;
 }
 
-/// The same of all cells, in the memory that the data have.
+/// The same for all cells, in place.
 template <typename Number>
 dealii::AlignedVector<double> pack_in_place(dealii::AlignedVector<double>& data, std::size_t items,
                                             std::size_t cells) {
@@ -65,8 +65,8 @@ std::vector<std::size_t> all_of(const LocalCells& cells) {
   return all;
 }
 
-/// Mean of sqrt(det J) d xi / d x over the points of every cell, and which cells have it
-/// everywhere, up to a part of it.
+/// Mean of sqrt(det J) d xi / d x over the points of every cell, and the cells in which it is
+/// constant up to a relative tolerance.
 struct StraightCells {
   dealii::AlignedVector<double> matrix;  ///< [cell][e][d]
   std::vector<std::size_t> straight, bent;
@@ -117,7 +117,7 @@ std::uint64_t cell_products() {
   return products_so_far;
 }
 
-/// All but the groups of cells.
+/// All data except the groups of cells.
 template <typename Number>
 ElasticityOperator<Number>::ElasticityOperator(const LocalCells* cells)
     : dofs_(cells->dofs),
@@ -179,7 +179,7 @@ typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_grou
   }
 }
 
-/// From local nodes to where the kernel finds them, and where it finds the rest.
+/// Replaces local node numbers by the kernel's indices, and sets the remaining pointers.
 template <typename Number>
 void ElasticityOperator<Number>::refer(Group& group, std::size_t cells) {
   for (unsigned int& node : group.nodes) node *= entries_per_node;
@@ -212,7 +212,7 @@ void ElasticityOperator<Number>::load(const VectorType& x, const Work& before) c
   expand(*dofs_, source_.data());
 }
 
-/// What the others have for the owned part of result_ is added to it.
+/// Adds the contributions of other processes to the owned part of result_.
 template <typename Number>
 void ElasticityOperator<Number>::add_of_ghosts() const {
   if (exchange_.size() == 0) return;
@@ -250,7 +250,7 @@ void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x)
   vmult(product, x, nothing, nothing);
 }
 
-/// Calls f(masters, matrix) for every cell: the unconstrained dofs its dofs stand for, and
+/// Calls f(masters, matrix) for every cell: the unconstrained dofs on which its dofs depend, and
 /// matrix(i, j), its element matrix.
 template <typename Number>
 template <typename F>
@@ -338,7 +338,7 @@ template <typename Number>
 void ElasticityOperator<Number>::condense(VectorType& b) const {
   result_.fill(Number(0));
   spread(b.begin(), dofs_->owned_nodes(), result_.data());
-  // b is complete at its owner: ghosts hold nothing, only owned rows are to be moved.
+  // b is complete at its owner: ghosts are empty, only owned rows are moved.
   contract(*dofs_, dofs_->owned_hanging, dofs_->owned_fixed, result_.data());
   add_of_ghosts();
   collect(result_.data(), dofs_->owned_nodes(), b.begin());

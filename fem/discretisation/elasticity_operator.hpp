@@ -21,11 +21,11 @@
 
 namespace rollfem::fem {
 
-/// Position in deal.II's numbering of a cell of (component, node), nodes lexicographic, x quickest.
+/// Position in deal.II's numbering of a cell of (component, node), nodes lexicographic, x fastest.
 /// Throws contact::InputError for elements other than FE_Q(1)^3 and FE_Q(2)^3.
 std::vector<unsigned int> lexicographic_positions(const dealii::FiniteElement<3>& element);
 
-/// Indices and geometry cell by cell, what operators of either precision are packed from.
+/// Indices and geometry cell by cell, from which operators of either precision are packed.
 struct LocalCells {
   int degree = 0;
   std::size_t count = 0;
@@ -37,8 +37,8 @@ struct LocalCells {
   contact::Material material;
 };
 
-/// Collective. Throws contact::InputError for degrees other than 1 and 2 and for cells that the
-/// mapping turns inside out.
+/// Collective. Throws contact::InputError for degrees other than 1 and 2 and for cells inverted by
+/// the mapping.
 LocalCells make_local_cells(const ElasticProblem& problem);
 
 /// Lower triangle of a sparse symmetric matrix in global numbers, row after row.
@@ -47,8 +47,8 @@ struct MatrixEntry {
   double value;
 };
 
-/// Products of a cell with a vector that this process has computed so far, on all levels: what it
-/// has done of the work, on however busy a machine.
+/// Number of cell-vector products computed by this process so far, on all levels: a measure of work
+/// independent of the load of the machine.
 std::uint64_t cell_products();
 
 /// Vectors hold the owned unknowns only (owned_only); constrained entries are mapped by the
@@ -58,25 +58,25 @@ class ElasticityOperator {
  public:
   using VectorType = dealii::LinearAlgebra::distributed::Vector<Number>;
 
-  /// Cells at rest and without projection whose geometry varies by less than `straightened`,
-  /// relative to itself, are taken for parallelepipeds: a fortieth of the memory of the geometry
-  /// and more speed, for operators that precondition.
+  /// Cells at rest and without projection whose geometry varies by a relative amount below
+  /// `straightened` are treated as parallelepipeds: a fortieth of the geometry's memory and faster,
+  /// for operators used as preconditioners.
   explicit ElasticityOperator(const LocalCells& cells, double straightened = 0.0);
-  /// Takes the geometry over: in double precision it is never there twice.
+  /// Takes ownership of the geometry, so that in double precision there is never a copy.
   explicit ElasticityOperator(LocalCells&& cells);
 
   VectorType make_vector() const;
   /// K x, collective.
   void vmult(VectorType& product, const VectorType& x) const;
-  /// The same with work on one part of the owned unknowns [begin, end) after the other: `before`
-  /// may still change x there, `after` finds the product there and may change both.
+  /// The same with work on consecutive ranges of the owned unknowns [begin, end): `before` may
+  /// still change x there, `after` is called with the product there and may change both.
   using Work = std::function<void(unsigned int begin, unsigned int end)>;
   void vmult(VectorType& product, const VectorType& x, const Work& before, const Work& after) const;
   /// The inverse diagonal of the constrained matrix, 1 at constrained dofs.
   VectorType inverse_diagonal() const;
-  /// What this process adds to the constrained matrix; entries of one place occur once.
+  /// Contributions of this process to the constrained matrix; every entry occurs once.
   std::vector<MatrixEntry> assemble() const;
-  /// b <- C^T b: what stands at constrained dofs is moved to their masters, 0 remains.
+  /// b <- C^T b: values at constrained dofs are moved to their masters and set to 0.
   void condense(VectorType& b) const;
   /// u <- C u: constrained dofs from their masters.
   void distribute(VectorType& u) const;
@@ -85,10 +85,10 @@ class ElasticityOperator {
  private:
   struct CellMaster {
     unsigned int master;  ///< local number of an unconstrained dof
-    int dof;              ///< of the cell, that depends on it
+    int dof;              ///< dof of the cell that depends on it
     double weight;
   };
-  /// Cells that one call of the kernel takes.
+  /// Cells of one kernel call.
   struct Group {
     std::size_t cells = 0;
     dealii::AlignedVector<unsigned int> nodes;
@@ -110,7 +110,7 @@ class ElasticityOperator {
   LameConstants<Number> material_;
   int cell_nodes_;
   std::vector<Group> groups_;
-  mutable dealii::AlignedVector<Number> source_, result_;  ///< as the kernel takes them
+  mutable dealii::AlignedVector<Number> source_, result_;  ///< in the format of the kernel
   mutable VectorType exchange_;                            ///< with ghosts, of several processes
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Collects what the matrix-free operator needs from deal.II: local numbers, constraints, geometry.
+// Collects the data of the matrix-free operator from deal.II: local numbers, constraints, geometry.
 #include "contact/base/errors.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
@@ -60,7 +60,8 @@ std::vector<GlobalIndex> cell_nodes(const dealii::DoFHandler<3>& dofs) {
         const GlobalIndex first = of_cell[positions[k]];
         if (first % 3 != 0 || of_cell[positions[count + k]] != first + 1 ||
             of_cell[positions[2 * count + k]] != first + 2)
-          throw std::logic_error("the matrix-free solver takes nodes that are numbered as a whole");
+          throw std::logic_error(
+              "the matrix-free solver takes nodes whose components are numbered consecutively");
         nodes.push_back(first / 3);
       }
     }
@@ -72,7 +73,7 @@ void make_unique(std::vector<GlobalIndex>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-/// What deal.II's constraints say of a node.
+/// Constraint of a node from deal.II's constraints.
 class NodeConstraints {
  public:
   struct Master {
@@ -87,8 +88,9 @@ class NodeConstraints {
     const auto* terms = terms_of(node, component);
     return terms != nullptr && terms->empty();
   }
-  /// Empty: it does not hang, or it is fixed as a whole. deal.II drops masters that are fixed, one
-  /// component at a time; here they are those of all components, and hold 0.
+  /// Empty: not a hanging node, or fixed in all components. deal.II drops fixed masters separately
+  /// for each component; here the list contains the masters of all components, with value 0 if
+  /// fixed.
   std::vector<Master> masters(GlobalIndex node) const {
     std::vector<Master> result;
     for (unsigned int c = 0; c < 3; ++c) {
@@ -189,7 +191,7 @@ std::shared_ptr<const LocalDofs> make_local_dofs(
   return result;
 }
 
-/// What the kernel reads at the quadrature points of one cell.
+/// Kernel data at the quadrature points of one cell.
 void add_points(const ElasticProblem& problem, const dealii::FEValues<3>& values,
                 DilatationSpace& space, LocalCells& cells) {
   const bool flows = has_inertia(problem), projected = projects_dilatation(problem);
@@ -219,7 +221,7 @@ void add_geometry(const ElasticProblem& problem, LocalCells& cells) {
                              dealii::update_inverse_jacobians | dealii::update_JxW_values |
                                  dealii::update_quadrature_points);
   DilatationSpace space(cells.degree);
-  // Whole batches of the widest kernel find room in it.
+  // Large enough for whole batches of the widest kernel.
   constexpr std::size_t widest = 16;
   const std::size_t room = (cells.count + widest) * values.n_quadrature_points;
   cells.geometry.reserve(9 * room);

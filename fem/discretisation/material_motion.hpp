@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The rigid flow of material through a mesh that stands still in the frame of the contact.
+// The rigid flow of material through a mesh that is fixed in the frame of the contact.
 #pragma once
 
 #include <deal.II/base/point.h>
@@ -9,8 +9,8 @@ namespace rollfem::fem {
 
 struct SurfaceShape;
 
-/// v(x) = velocity + rotation x (x - centre): free of divergence, so that steady inertia has the
-/// symmetric form of docs/theory.md. All zero: the material rests.
+/// v(x) = velocity + rotation x (x - centre): divergence-free, so that steady inertia has the
+/// symmetric form in docs/theory.md. All zero: material at rest.
 struct MaterialMotion {
   dealii::Tensor<1, 3> velocity;  ///< mm/s
   dealii::Tensor<1, 3> rotation;  ///< rad/s
@@ -23,7 +23,7 @@ struct MaterialMotion {
 };
 
 /// Material comes from +x at the contact: the rail moves rigidly with -speed along x, the wheel
-/// turns about its axle with speed / rolling_radius (a flat "wheel" moves as the rail does). mm/s.
+/// turns about its axle with speed / rolling_radius (a flat "wheel" moves like the rail). mm/s.
 MaterialMotion material_motion(const SurfaceShape& shape, double speed);
 
 }  // namespace rollfem::fem

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The local vectors of the elasticity kernel, four entries a node: from and to vectors with three,
-// and what hangs there.
+// The local vectors of the elasticity kernel with four entries per node: conversion from and to
+// vectors with three, and hanging nodes.
 #pragma once
 
 #include "fem/discretisation/elasticity_kernel.hpp"
@@ -13,7 +13,7 @@
 
 namespace rollfem::fem {
 
-/// Of a local dof in the vectors of the kernel.
+/// Index of a local dof in the vectors of the kernel.
 inline std::size_t entry(unsigned int dof) {
   return dof / 3 * entries_per_node + dof % 3;
 }
@@ -23,7 +23,7 @@ void move(const Number* in, Number* out) {
   std::memcpy(out, in, count * sizeof(Number));
 }
 
-/// Three entries a node in memory to four; the fourth does not count, so whole nodes are moved.
+/// Copies three entries per node to four; the fourth is padding, so whole nodes are moved.
 template <typename Number>
 void spread(const Number* in, std::size_t nodes, Number* out) {
   for (std::size_t k = 0; k + 1 < nodes; ++k)
@@ -31,7 +31,7 @@ void spread(const Number* in, std::size_t nodes, Number* out) {
   if (nodes > 0) move<Number, 3>(in + 3 * (nodes - 1), out + entries_per_node * (nodes - 1));
 }
 
-/// The way back: what is written too much is overwritten by the next.
+/// The reverse: the surplus entry is overwritten by the next node.
 template <typename Number>
 void collect(const Number* in, std::size_t nodes, Number* out) {
   for (std::size_t k = 0; k + 1 < nodes; ++k)
@@ -53,7 +53,7 @@ void expand(const LocalDofs& dofs, Number* entries) {
   }
 }
 
-/// The transpose of expand() for the first so many constraints.
+/// The transpose of expand() for the first `hanging` hanging nodes and `fixed` fixed dofs.
 template <typename Number>
 void contract(const LocalDofs& dofs, std::size_t hanging, std::size_t fixed, Number* entries) {
   using Node = typename NodeEntries<Number>::type;
@@ -68,15 +68,14 @@ void contract(const LocalDofs& dofs, std::size_t hanging, std::size_t fixed, Num
   for (std::size_t i = 0; i < fixed; ++i) entries[entry(dofs.fixed[i])] = 0;
 }
 
-/// One part of the nodes after the other, so small that what is done with it next finds it in the
-/// quickest cache.
+/// Consecutive blocks of nodes, small enough to stay in the fastest cache for the next operation.
 template <typename F>
 void for_each_part(std::size_t nodes, const F& f) {
   constexpr std::size_t part = 512;
   for (std::size_t first = 0; first < nodes; first += part) f(first, std::min(first + part, nodes));
 }
 
-/// The unconstrained dofs that each dof of a cell stands for.
+/// The unconstrained dofs on which each dof of a cell depends.
 class CellConstraints {
  public:
   explicit CellConstraints(const LocalDofs& dofs)

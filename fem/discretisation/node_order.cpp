@@ -14,7 +14,7 @@ namespace rollfem::fem {
 
 namespace {
 
-/// Nested dissection alone: trying AMD as well costs seconds and never won in 3D.
+/// Nested dissection only: also trying AMD costs seconds and was never better in 3D.
 std::vector<int> dissected(NodeGraph& graph) {
   cholmod_sparse view{};
   view.nrow = view.ncol = graph.start.size() - 1;
@@ -61,8 +61,8 @@ std::vector<int> Nodes::unknowns(const std::vector<int>& sequence) const {
 }
 
 std::vector<int> order_of_elimination(const NodeGraph& graph) {
-  // METIS draws from the one random sequence of the process: two orderings at a time would differ
-  // from run to run, and with them the last digits of every result.
+  // METIS uses the random sequence of the process: two simultaneous orderings would differ from run
+  // to run, and with them the last digits of every result.
   static std::mutex one_at_a_time;
   static std::deque<std::pair<NodeGraph, std::vector<int>>> known;
   constexpr std::size_t most_known = 2;  // wheel and rail are factorised side by side

@@ -9,27 +9,27 @@
 
 namespace rollfem::fem {
 
-/// Unknowns that follow each other and reach the same others: the components of one node.
+/// Consecutive unknowns with the same neighbours: the components of one node.
 struct Nodes {
   std::vector<int> first{0};  ///< unknown of each node, and the number of unknowns
   std::vector<int> of;        ///< node of each unknown
 
-  /// The next unknown; `with_last`: of the node of the one before it.
+  /// Adds the next unknown; `with_last`: it belongs to the node of the previous one.
   void add(bool with_last) {
     if (!with_last || of.empty()) first.push_back(first.back());
     of.push_back(static_cast<int>(first.size()) - 2);
     ++first.back();
   }
   std::size_t count() const { return first.size() - 1; }
-  /// The unknowns of such a sequence of nodes.
+  /// The unknowns of a sequence of nodes.
   std::vector<int> unknowns(const std::vector<int>& sequence) const;
 };
 
-/// Which nodes reach which: lower triangle with the diagonal, in compressed columns.
+/// Graph of coupled nodes: lower triangle with the diagonal, in compressed columns.
 struct NodeGraph {
   std::vector<int> start{0}, row;
 
-  /// `each_reached(c, f)` calls f for every unknown that unknown c, the first of its node, reaches.
+  /// `each_reached(c, f)` calls f for every unknown coupled to unknown c, the first of its node.
   template <class EachReached>
   NodeGraph(const Nodes& nodes, const EachReached& each_reached) {
     std::vector<int> seen(nodes.count(), -1);
@@ -44,10 +44,10 @@ struct NodeGraph {
   }
 };
 
-/// The nodes, first to last, so that children of the elimination tree come right before their
-/// parents. The orders of the last two graphs are kept: both parities of a mirrored body, often
-/// both bodies of a contact, and a body and its flattened twin have nodes that are joined alike.
-/// Throws contact::SolveError when memory runs out.
+/// Elimination order of the nodes, with children of the elimination tree immediately before their
+/// parents. The orders of the last two graphs are cached, because both parities of a mirrored body,
+/// often both bodies of a contact, and a body and its flattened twin have the same graph. Throws
+/// contact::SolveError when memory runs out.
 std::vector<int> order_of_elimination(const NodeGraph& graph);
 
 }  // namespace rollfem::fem

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The nodes of a batch of cells between memory, four entries a node, and rows of lanes, one
-// component a row.
+// Moves the nodes of a batch of cells between memory (four entries per node) and rows of lanes (one
+// component per row).
 #pragma once
 
 #include "fem/discretisation/elasticity_kernel.hpp"
 
 #include <cstddef>
 
-// Vectors of 64 bytes never cross the boundary of a function that is not inlined.
+// Vectors of 64 bytes never cross the boundary of a non-inlined function.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #define ROLLFEM_INLINE inline __attribute__((always_inline))
 
 namespace rollfem::fem {
 
-/// A register of so many bytes. A vector wider than the registers of the instruction set is lowered
-/// by GCC 12 through memory, six times slower.
+/// A register of this many bytes. GCC 12 implements vectors wider than the registers of the
+/// instruction set through memory, six times slower.
 template <typename Number, int bytes>
 struct Simd {
   typedef Number type __attribute__((vector_size(bytes)));
@@ -33,8 +33,8 @@ ROLLFEM_INLINE void to_lanes(const Node& a, const Node& b, const Node& c, const 
                               __builtin_shufflevector(c, d, 2, 6, 3, 7), 0, 1, 4, 5);
 }
 
-/// u[component][node][lane] of the cells of a batch. Four lanes at a time whatever the registers
-/// hold: wider ones gain nothing, and narrower ones would take wide shuffles lane by lane.
+/// u[component][node][lane] of the cells of a batch. Always four lanes at a time: wider ones are
+/// not faster, and narrower ones would process wide shuffles lane by lane.
 template <int nodes, typename Number>
 ROLLFEM_INLINE void gather_nodes(const unsigned int* offsets, const Number* x, Number* u) {
   using Node = typename NodeEntries<Number>::type;
@@ -48,7 +48,7 @@ ROLLFEM_INLINE void gather_nodes(const unsigned int* offsets, const Number* x, N
   }
 }
 
-/// The way back, added to y. One node after the other: lanes may share nodes.
+/// The reverse, added to y. One node after the other, because lanes may share nodes.
 template <int nodes, typename Number>
 ROLLFEM_INLINE void scatter_nodes(const Number* u, const unsigned int* offsets, Number* y) {
   using Node = typename NodeEntries<Number>::type;
@@ -70,8 +70,8 @@ ROLLFEM_INLINE void scatter_nodes(const Number* u, const unsigned int* offsets, 
   }
 }
 
-/// Asks for the nodes of the next batch while this one is computed. Neighbours in single precision
-/// share much of the memory that is fetched at once: some are enough (measured).
+/// Prefetches the nodes of the next batch while this one is computed. Neighbours in single
+/// precision share cache lines, so that prefetching some of them is sufficient (measured).
 template <typename Number>
 ROLLFEM_INLINE void fetch_nodes(const unsigned int* offsets, int nodes, const Number* x,
                                 const Number* y) {

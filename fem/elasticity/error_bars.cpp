@@ -24,10 +24,10 @@ using contact::ModelResult;
 using contact::PointResult;
 using contact::Scene;
 
-/// Of the finite elements beside the half-space, where levels do not show one.
+/// Default order of finite elements relative to the half-space, where levels do not show one.
 constexpr double assumed_order = 1.5;
 
-/// Of the finest grid of half-spaces; seconds a load point.
+/// Limits of the finest grid of half-spaces, which takes seconds per load point.
 constexpr int most_elements = 200'000;
 
 ContactGrid refined(const ContactGrid& grid) {
@@ -39,7 +39,7 @@ ContactGrid refined(const ContactGrid& grid) {
           grid.y_first - 0.25 * grid.dy};
 }
 
-/// With room for what elements of twice the size reach farther; counts of a lattice are even.
+/// With a margin for the larger extent of elements of twice the size; counts on a lattice are even.
 ContactGrid coarsened(const ContactGrid& grid) {
   constexpr int room = 2;
   const ContactGrid coarse{grid.nx / 2,
@@ -51,7 +51,7 @@ ContactGrid coarsened(const ContactGrid& grid) {
   return coarse.widened(room, room);
 }
 
-/// Whether grids of twice the elements say something of this patch.
+/// Whether grids of elements of twice the size resolve this patch.
 bool bears_coarsening(const ModelResult& level) {
   constexpr double fewest_across = 7.5;
   return std::all_of(level.points.begin(), level.points.end(), [&](const PointResult& point) {
@@ -60,13 +60,13 @@ bool bears_coarsening(const ModelResult& level) {
   });
 }
 
-/// Half-spaces on the grids of levels, from coarse to fine.
+/// Half-space solutions on the grids of the levels, from coarse to fine.
 class HalfspaceLevels {
  public:
   explicit HalfspaceLevels(Scene scene)
       : scene_(std::move(scene)), geometry_(scene_.geometry, contact::Chart::projected) {}
 
-  /// Null where there is no solution on this grid.
+  /// Null without a solution on this grid.
   const LevelResult* solve(const ContactGrid& grid) {
     contact::RunOptions options;
     options.model = "halfspace";
@@ -81,7 +81,7 @@ class HalfspaceLevels {
     } catch (const contact::SolveError&) {
       return nullptr;
     } catch (const contact::InputError&) {
-      return nullptr;  // patches may reach beyond profiles that hold those of finite elements
+      return nullptr;  // patches may extend beyond profiles that contain those of finite elements
     }
     levels_.push_back(run.take_result());
     return &levels_.back();
@@ -93,7 +93,8 @@ class HalfspaceLevels {
   std::deque<LevelResult> levels_;
 };
 
-/// Half-spaces on the contact grids of levels of finite elements, on a coarser and on a finer one.
+/// Half-space solutions on the contact grids of the finite-element levels, and on a coarser and a
+/// finer one.
 struct Beside {
   HalfspaceLevels levels;
   std::vector<const LevelResult*> at;
@@ -116,7 +117,7 @@ struct Beside {
   }
 
  private:
-  /// Bodies of finite elements know nothing of other contacts of their wheel.
+  /// Finite-element bodies do not include other contacts of their wheel.
   static Scene without(Scene scene) {
     scene.neighbour_loads.clear();
     return scene;
@@ -152,8 +153,8 @@ double bar_beside_half_spaces(const NumberOnLevels& number) {
     apart.push_back(number.finite[level] - number.half[level]);
   const double of_cells = contact::estimated_error(apart, assumed_order);
   const double known = number.half.back() - number.half_fine;
-  // Edges and fronts of finite bodies lie otherwise in the elements: what is known of half-spaces
-  // there does not make their bar smaller.
+  // Edges and fronts of finite bodies lie elsewhere in the elements, so half-space errors there
+  // must not reduce their bar.
   return std::sqrt(known * known + number.half_bar * number.half_bar + of_cells * of_cells);
 }
 

@@ -71,7 +71,7 @@ class FemElasticity : public contact::Elasticity {
   std::unique_ptr<FemCompliance> compliance_;
   std::unique_ptr<halfspace::HalfspaceCompliance> half_;
   std::unique_ptr<halfspace::HalfspaceCompliance> coupled_half_;  ///< null: like materials
-  std::optional<WheelExpansion> expansion_;                       ///< of a wheel that turns fast
+  std::optional<WheelExpansion> expansion_;                       ///< of a fast rotating wheel
 };
 
 FemElasticity::FemElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
@@ -152,9 +152,9 @@ void FemElasticity::make_compliance() {
   event.note = start_.solver;
   tell(event, "linear solvers", true);
   if (scene_.feels_inertia() && bodies_.wheel) spin_wheel();
-  // Who does not solve the contact problem needs no stand-in.
+  // Processes that do not solve the contact problem need no stand-in.
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) return;
-  // The coupling of unlike materials is left to the defect: the stand-in need not know it.
+  // The defect includes the coupling of unlike materials; the stand-in need not.
   half_ =
       std::make_unique<halfspace::HalfspaceCompliance>(layout_.grid, scene_.material.uncoupled());
   if (scene_.material.couples())

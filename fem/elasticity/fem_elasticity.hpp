@@ -13,9 +13,9 @@
 
 namespace rollfem::fem {
 
-/// Meshes and factorises; fills `start` but for the frictionless solution, and the seconds and
-/// notes of `result`. All must outlive what is returned. Collective. Throws contact::InputError,
-/// contact::SolveError.
+/// Meshes and factorises; fills `start` except the frictionless solution, and the seconds and notes
+/// of `result`. All arguments must outlive the returned object. Collective. Throws
+/// contact::InputError, contact::SolveError.
 std::unique_ptr<contact::Elasticity> make_fem_elasticity(
     const contact::Scene& scene, const contact::ChartedGeometry& geometry, const RunLayout& layout,
     const LevelOptions& options, const contact::Progress& progress, LevelStart& start,

@@ -10,16 +10,16 @@
 
 namespace rollfem::fem {
 
-/// Mesh of wheel or rail. Figures are of the refined cells with straight edges between their
+/// Mesh of wheel or rail. Figures refer to the refined cells with straight edges between their
 /// corners.
 struct MeshedBody {
   std::string name;            ///< "wheel", "rail"
   std::string msh;             ///< coarse mesh as a gmsh file, accepted as [wheel] mesh
-  contact::BodyField refined;  ///< cells as they are computed on, no displacement
+  contact::BodyField refined;  ///< refined cells, without displacement
   long coarse_cells = 0;
   long cells = 0;
   long unknowns = 0;
-  int levels = 0;                         ///< how often the coarse cells are halved at the patch
+  int levels = 0;                         ///< refinement levels of the coarse cells at the patch
   double shortest_edge = 0.0;             ///< mm
   double longest_edge = 0.0;              ///< mm
   double size_in_patch = 0.0;             ///< mm, longest side of a contact face under the patch
@@ -27,8 +27,8 @@ struct MeshedBody {
   double largest_aspect_ratio = 1.0;
 };
 
-/// Wheel and rail as `run` would mesh them; a rigid one is left out. Collective; complete on
-/// process 0. Throws contact::InputError.
+/// Wheel and rail as meshed by `run`; a rigid one is omitted. Collective; complete on process 0.
+/// Throws contact::InputError.
 std::vector<MeshedBody> mesh_case(const contact::Scene& scene);
 
 }  // namespace rollfem::fem

@@ -26,7 +26,7 @@ namespace {
 using contact::ModelResult;
 using contact::Scene;
 
-/// Cells larger than this part of the smaller semi-axis say nothing.
+/// Largest meaningful cell as a fraction of the smaller semi-axis.
 constexpr double coarsest_part = 0.55;
 
 std::string note_on_bars(double coarse_cell, double cell, bool beside_half_spaces) {
@@ -51,8 +51,8 @@ void exchange(contact::Record& record, ModelResult& result) {
   for (contact::PointResult& point : result.points) record.value(point);
 }
 
-/// Gives every process what the first one has, but for the bodies: studies and choices of models go
-/// by it. Collective.
+/// Sends the result of the first process to all, except the bodies, because studies and choices of
+/// models depend on it. Collective.
 void tell_all(ModelResult& result) {
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) return;
   std::vector<std::vector<contact::BodyValues>> bodies;
@@ -65,22 +65,22 @@ void tell_all(ModelResult& result) {
   for (std::size_t k = 0; k < bodies.size(); ++k) result.points[k].bodies = std::move(bodies[k]);
 }
 
-/// Two levels alone can agree by chance, and cannot show an order.
+/// Two levels may agree by chance and show no order.
 constexpr std::size_t fewest_levels = 3;
 
-/// Finest cells relative to those of the start.
+/// Smallest cells relative to those of the start.
 constexpr int most_halvings = 5;
 
-/// Levels of halved cells, each with the error bars of its load points.
+/// Levels with successively halved cells, each with the error bars of its load points.
 class Levels {
  public:
   Levels(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint)
       : scene_(scene), progress_(progress), checkpoint_(checkpoint) {}
 
-  /// One below those that count: for the bars alone.
+  /// One coarser level, only for the error bars.
   void add_coarse(double cell) { levels_.push_back(solve(cell, "estimate: ", false)); }
   void add(double cell) {
-    // The bodies of the finest level alone are asked for.
+    // Only the bodies of the finest level are needed.
     if (!levels_.empty()) {
       levels_.back().bodies.clear();
       for (contact::PointResult& point : levels_.back().points) point.bodies.clear();
@@ -91,7 +91,7 @@ class Levels {
     first_.run([&] { beside_half_spaces_ = set_error_bars(scene_, levels_); });
     bar_seconds_ += watch.seconds();
   }
-  /// The finest level must be there. `first`: cells of the start.
+  /// The finest level must exist. `first`: cells of the start.
   bool refine_further(double first) {
     contact::Rung rung{fmt::format("cells were halved to {:.4g} mm", cell_), "",
                        levels_.size() >= fewest_levels};

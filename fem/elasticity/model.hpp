@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The model "fem": wheel and rail segments in 3D finite elements. This header is free of deal.II;
-// the program opens the library at run time through rollfem_fem_entry.
+// rollfem opens the library at run time through rollfem_fem_entry.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -13,12 +13,12 @@
 namespace rollfem::fem {
 
 /// Runs the case. Every MPI process of the run calls it; the result is complete on process 0.
-/// Finished load points are kept in the `checkpoint` of process 0 and taken up from there (null:
+/// Finished load points are stored in the `checkpoint` of process 0 and restored from there (null:
 /// none).
 contact::ModelResult run_fem(const contact::Scene& scene, const contact::Progress& progress,
                              contact::Checkpoint* checkpoint = nullptr);
 
-/// What the program gets from the library it opens.
+/// Functions that rollfem takes from the opened library.
 struct Entry {
   void (*start)(int& argc, char**& argv);  ///< MPI_Init, once, before any model
   void (*stop)();                          ///< MPI_Finalize
@@ -28,7 +28,8 @@ struct Entry {
   contact::ModelResult (*run)(const contact::Scene&, const contact::Progress&,
                               contact::Checkpoint*);
   std::vector<MeshedBody> (*mesh)(const contact::Scene&);
-  /// By this process alone: what bodies add to half-spaces (hybrid/correction/smooth_parts.hpp).
+  /// By this process alone: corrections of bodies to half-spaces
+  /// (hybrid/correction/smooth_parts.hpp).
   halfspace::SmoothParts (*find_smooth_parts)(const contact::Scene&, const contact::Progress&);
 };
 

@@ -25,14 +25,14 @@ using contact::ContactState;
 using contact::PointResult;
 using contact::Scene;
 
-/// A solve of each body for every outer iteration: no sharper than the elements are worth.
+/// Every outer iteration solves each body, so the tolerance matches the accuracy of the elements.
 constexpr contact::ContactAccuracy fem_accuracy{1e-6, {1e-4, 40, 3}};
-/// How near a prescribed force is met, relative to mu F_z.
+/// Tolerance of a prescribed force, relative to mu F_z.
 constexpr double force_tolerance = 1e-5;
 
 class PointsInCheckpoint : public contact::PointStore {
  public:
-  /// Points are of use only with the start of their level, `start_known`.
+  /// Stored points are usable only with the start of their level, `start_known`.
   PointsInCheckpoint(const LevelCheckpoint& checkpoint, bool start_known)
       : checkpoint_(checkpoint), start_known_(start_known) {}
   bool find(std::size_t k, PointResult& point, ContactState& state) override {
@@ -83,7 +83,7 @@ void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
       grid.nx * grid.dx, grid.ny * grid.dy));
 }
 
-/// The part of the first process: all but what SharedElasticity does together with others.
+/// The part of the first process: everything except the collective work of SharedElasticity.
 void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
                    const RunLayout& layout, const LevelOptions& options,
                    const contact::Progress& progress, const contact::MakeElasticity& make,

@@ -10,14 +10,14 @@ namespace rollfem::fem {
 
 struct LevelOptions {
   double cell_size = 0.0;    ///< mm, FE cells in the patch and contact elements
-  std::string stage_prefix;  ///< put before stage names in progress reports
+  std::string stage_prefix;  ///< prefix of stage names in progress reports
   bool body_fields =
-      false;  ///< displacement and stress of the bodies, as [output] body_fields says
+      false;  ///< displacement and stress of the bodies according to [output] body_fields
   contact::Checkpoint* checkpoint = nullptr;  ///< of process 0; null: none
 };
 
-/// Collective over all MPI processes, of which the first one solves the contact problem and has the
-/// load points. Throws contact::SolveError, contact::InputError.
+/// Collective over all MPI processes; the first one solves the contact problem and has the load
+/// points. Throws contact::SolveError, contact::InputError.
 contact::ModelResult run_level(const contact::Scene& scene, const LevelOptions& options,
                                const contact::Progress& progress);
 

@@ -11,11 +11,11 @@ namespace {
 
 enum class Action { prepare, respond, complete };
 
-/// What is to be done, with all that this takes.
+/// An order with its data.
 struct Task {
   Action action = Action::prepare;
   contact::SurfaceField traction;
-  // Of a load point that is completed.
+  // Data for completing a load point.
   long number = 0;
   double normal_force = 0.0;
 

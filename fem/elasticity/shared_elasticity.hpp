@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The elasticity of several processes for a contact problem that the first one solves: what the
-// contact problem asks of it, all do together.
+// The elasticity of several processes for a contact problem solved by the first one: all processes
+// take part in its evaluations.
 #pragma once
 
 #include "contact/solve/contact_run.hpp"
@@ -12,10 +12,11 @@ namespace rollfem::fem {
 
 class SharedElasticity : public contact::Elasticity {
  public:
-  /// `own`: what every process has, whose prepare(), compliance() and complete() are collective.
+  /// `own`: the elasticity of every process, whose prepare(), compliance() and complete() are
+  /// collective.
   SharedElasticity(std::unique_ptr<contact::Elasticity> own, FirstProcess& first);
 
-  /// Of another process: what the first one calls for (FirstProcess::run).
+  /// On other processes: executes an order of the first one (FirstProcess::run).
   void obey(const FirstProcess::Order& order);
 
   void prepare() override;

@@ -78,7 +78,7 @@ Teuchos::ParameterList parameters(Epetra_MultiVector& modes) {
   Teuchos::ParameterList list;
   ML_Epetra::SetDefaults("SA", list);
   list.set("ML output", 0);
-  list.set("PDE equations", 3);  // nodes have their three unknowns side by side
+  list.set("PDE equations", 3);  // the three unknowns of a node are adjacent
   list.set("aggregation: type", "Uncoupled");
   list.set("aggregation: threshold", 1e-3);
   list.set("smoother: type", "Chebyshev");
@@ -149,8 +149,7 @@ class AlgebraicMultigrid : public LinearSolver {
   }
 
  private:
-  /// C^T b: every owner of a constrained unknown hands its load on to the masters, wherever they
-  /// are.
+  /// C^T b: the owner of a constrained unknown passes its load to the masters on any process.
   Vector condensed(const Vector& b) const {
     const auto owned = dofs_.locally_owned_dofs();
     Vector sum(owned, with_masters_, dofs_.get_communicator());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients with algebraic multigrid (Trilinos ML, smoothed aggregation) on the assembled
-// stiffness: for imported meshes, whose coarsest level is itself too large for the direct solution
-// that geometric multigrid rests on.
+// stiffness: for imported meshes whose coarsest level is too large for the direct solution used by
+// geometric multigrid.
 #pragma once
 
 #include "fem/linear/linear_solver.hpp"

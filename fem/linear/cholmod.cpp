@@ -19,10 +19,10 @@ namespace rollfem::fem {
 
 namespace {
 
-/// No OpenMP regions in this scope. CHOLMOD opens one of four threads at every large supernode,
-/// whatever OMP_NUM_THREADS says: with two bodies side by side they wait for each other, and on
-/// busy cores a factorisation took five times its CPU time. Whichever OpenMP CHOLMOD has loaded is
-/// asked, so that none is needed to build.
+/// Disables OpenMP regions in this scope. CHOLMOD opens one with four threads at every large
+/// supernode regardless of OMP_NUM_THREADS: with two bodies in parallel the threads wait for each
+/// other, and on busy cores a factorisation took five times its CPU time. The OpenMP runtime loaded
+/// by CHOLMOD is called dynamically, so that none is needed to build.
 class SerialRegions {
  public:
   SerialRegions() {
@@ -43,8 +43,8 @@ class SerialRegions {
   int before_ = 1;
 };
 
-/// The nodes of a matrix by its columns: below the diagonal that of one more component of a node
-/// has what the one before it has, but for itself.
+/// The nodes of a matrix from its columns: below the diagonal, the column of the next component of
+/// a node has the same rows as the previous one, except its own.
 Nodes find_nodes(const cholmod_sparse& lower) {
   const int size = static_cast<int>(lower.ncol);
   const auto* start = static_cast<const int*>(lower.p);
@@ -58,7 +58,7 @@ Nodes find_nodes(const cholmod_sparse& lower) {
 
 }  // namespace
 
-/// What CHOLMOD allocates, freed also when a constructor fails half-way.
+/// Objects allocated by CHOLMOD, also freed when a constructor fails half-way.
 struct CholeskyFactor::Cholmod {
   explicit Cholmod(FactorMessages texts) : messages(std::move(texts)) {
     cholmod_start(&common);
@@ -83,7 +83,7 @@ struct CholeskyFactor::Cholmod {
   std::string reason() const {
     switch (common.status) {
       case CHOLMOD_NOT_POSDEF:
-        return "the stiffness is not positive definite (is the body held at its far boundary?)";
+        return "the stiffness is not positive definite (is the body clamped at its far boundary?)";
       case CHOLMOD_OUT_OF_MEMORY:
         return "memory ran out; do: " + messages.remedy;
       case CHOLMOD_TOO_LARGE:
@@ -93,7 +93,7 @@ struct CholeskyFactor::Cholmod {
     }
   }
 
-  /// `order`: of elimination, first to last.
+  /// `order`: elimination order, first to last.
   void factorise(cholmod_sparse* lower, std::vector<int> order) {
     const SerialRegions serial;
     common.method[0].ordering = CHOLMOD_GIVEN;
@@ -101,7 +101,7 @@ struct CholeskyFactor::Cholmod {
     factor = cholmod_analyze_p(lower, order.data(), nullptr, 0, &common);
     compute(lower);
   }
-  /// As it is numbered: nothing is permuted.
+  /// Keeps the numbering, without permutation.
   void factorise(cholmod_sparse* lower) {
     const SerialRegions serial;
     common.method[0].ordering = CHOLMOD_NATURAL;
@@ -127,7 +127,7 @@ CholeskyFactor::CholeskyFactor(const SymmetricMatrix& matrix, FactorMessages mes
     cholmod_->common.status = CHOLMOD_TOO_LARGE;
     cholmod_->require(false);
   }
-  // CHOLMOD wants 32-bit column starts; nothing is copied besides them.
+  // CHOLMOD needs 32-bit column starts; nothing else is copied.
   std::vector<int> column_start(matrix.column_start.begin(), matrix.column_start.end());
   cholmod_sparse view{};
   view.nrow = view.ncol = static_cast<std::size_t>(matrix.size);

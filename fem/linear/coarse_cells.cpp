@@ -16,9 +16,9 @@ namespace {
 
 using Mesh = dealii::parallel::distributed::Triangulation<3>;
 
-/// Cells along the curve on which p4est deals them out to processes: its tree, by which deal.II
-/// calls the coarsest cell, then the children on the way down, three bits each from the highest on.
-/// A cell has the place of its first child.
+/// Position of a cell on the curve along which p4est distributes cells to processes: its tree
+/// (deal.II's name of the coarsest cell), then the children on the way down, three bits each from
+/// the highest on. A cell has the position of its first child.
 using Place = std::array<std::uint64_t, 2>;
 constexpr unsigned int first_shift = 60;
 
@@ -36,7 +36,7 @@ Place place_of(const dealii::CellId& cell) {
   return place;
 }
 
-/// Which process owns the active cell of a mesh at a place.
+/// Owner process of the active cell of a mesh at a position.
 class Owners {
  public:
   explicit Owners(const Mesh& mesh) {
@@ -83,7 +83,7 @@ void add_constraints(const dealii::AffineConstraints<double>& constraints, Coars
 
 std::map<unsigned int, CoarseCells> coarse_cells(const ElasticProblem& fine,
                                                  const ElasticProblem& coarse) {
-  // Owners of coarse cells tell: the other way round they would have to be searched for.
+  // Owners of coarse cells send the data; otherwise they would have to be searched for.
   const Owners owners(dynamic_cast<const Mesh&>(fine.dofs.get_triangulation()));
   std::map<unsigned int, CoarseCells> told;
   std::vector<unsigned int> of_cell(coarse.dofs.get_fe().dofs_per_cell);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The cells of a coarse multigrid level that the fine cells of a process lie in, told by the
-// processes that own them.
+// The cells of a coarse multigrid level that contain the fine cells of a process, sent by their
+// owners.
 #pragma once
 
 #include "fem/discretisation/elastic_problem.hpp"
@@ -10,11 +10,11 @@
 
 namespace rollfem::fem {
 
-/// What a process must know of the coarse cells that contain its fine ones. Numbers are global.
+/// Data of the coarse cells that contain the fine cells of a process. Numbers are global.
 struct CoarseCells {
   std::vector<unsigned int> cells;         ///< dealii::CellId::binary_type of each
   std::vector<unsigned int> unknowns;      ///< [cell][deal.II's order]
-  std::vector<unsigned int> constrained;   ///< those that constraints give, ascending
+  std::vector<unsigned int> constrained;   ///< constrained ones, ascending
   std::vector<unsigned int> end_of_terms;  ///< of each
   std::vector<unsigned int> masters;       ///< of their terms
   std::vector<double> weights;
@@ -25,8 +25,7 @@ struct CoarseCells {
   }
 };
 
-/// The coarse cells that contain the fine ones of this process, by the processes that own them.
-/// Collective.
+/// The coarse cells that contain the fine ones of this process, sent by their owners. Collective.
 std::map<unsigned int, CoarseCells> coarse_cells(const ElasticProblem& fine,
                                                  const ElasticProblem& coarse);
 

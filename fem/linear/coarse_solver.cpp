@@ -12,7 +12,7 @@ namespace rollfem::fem {
 
 namespace {
 
-/// How many of something the processes have, one after the other.
+/// Counts of all processes in order.
 struct Shares {
   std::vector<int> counts, offsets;
 
@@ -58,7 +58,7 @@ CoarseSolver::CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t 
   offsets_ = std::move(shares.offsets);
 }
 
-/// A process that is alone does not call MPI (Multigrid::runs_beside_others).
+/// A single process does not call MPI (Multigrid::runs_beside_others).
 void CoarseSolver::solve(VectorType& x, const VectorType& b) const {
   const auto size = static_cast<int>(b.locally_owned_size());
   if (!counts_.empty())

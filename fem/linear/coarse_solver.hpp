@@ -15,9 +15,9 @@ namespace rollfem::fem {
 
 class CoarseSolver {
  public:
-  /// `entries`: what this process contributes to the lower triangle; `owned`: how many unknowns it
-  /// owns, numbered from process to process. Collective. Throws contact::SolveError
-  /// when the matrix is not positive definite (nothing holds the body) or memory runs out.
+  /// `entries`: contributions of this process to the lower triangle; `owned`: number of unknowns it
+  /// owns, numbered consecutively over the processes. Collective. Throws contact::SolveError when
+  /// the matrix is not positive definite (the body is not clamped) or memory runs out.
   CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t owned, MPI_Comm communicator);
 
   using VectorType = dealii::LinearAlgebra::distributed::Vector<float>;
@@ -27,9 +27,9 @@ class CoarseSolver {
 
  private:
   MPI_Comm communicator_;
-  // Of the first process alone.
+  // On the first process only.
   std::unique_ptr<CholeskyFactor> factor_;
-  std::vector<int> counts_, offsets_;  ///< of what the processes own
+  std::vector<int> counts_, offsets_;  ///< ranges owned by the processes
   mutable std::vector<float> gathered_;
   mutable std::vector<double> right_;
 };

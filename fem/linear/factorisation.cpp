@@ -19,23 +19,23 @@ namespace rollfem::fem {
 
 namespace {
 
-/// A residual above this after the factorisation means that the factor is not to be trusted.
+/// A residual above this after the factorisation means that the factor is unreliable.
 constexpr double largest_residual = 1e-9;
 
-/// More gain nothing and take memory.
+/// More do not help and take memory.
 constexpr std::size_t right_sides_at_once = 16;
 
 /// A stiffness in the free unknowns and its factor.
 class Part {
  public:
-  /// Of the unknowns' matrix, numbered in the order of elimination.
+  /// Matrix of the unknowns, numbered in elimination order.
   Part(FreeUnknowns unknowns, const SymmetricMatrix& matrix) : unknowns_(std::move(unknowns)) {
     factor_ = std::make_unique<CholeskyFactor>(
         matrix, FactorMessages{"factorisation of the stiffness",
                                "use a coarser fem.cell_size or linear_solver = \"multigrid\""});
     verify(matrix);
   }
-  /// u += weight C K^-1 C^T b, of `count` right-hand sides at once.
+  /// u += weight C K^-1 C^T b, for `count` right-hand sides at once.
   void add_solutions(double weight, const Vector* b, std::size_t count, Vector* u) const {
     const auto size = static_cast<std::size_t>(unknowns_.count);
     right_.resize(count * size);
@@ -53,7 +53,7 @@ class Part {
   }
 
  private:
-  /// The factor does not change afterwards, so that one check vouches for all later solves and the
+  /// The factor does not change afterwards, so that one check covers all later solves and the
   /// matrix need not be kept.
   void verify(const SymmetricMatrix& matrix) const {
     std::mt19937 random(1);

@@ -8,12 +8,11 @@
 
 namespace rollfem::fem {
 
-/// Of a body that is its own mirror image in the halves of mirrored_halves.hpp. One process only.
-/// Throws contact::SolveError when the matrix is not positive definite or memory
-/// runs out.
+/// A mirror-symmetric body is factorised in the halves of mirrored_halves.hpp. One process only.
+/// Throws contact::SolveError when the matrix is not positive definite or memory runs out.
 std::unique_ptr<LinearSolver> make_factorisation(const ElasticProblem& problem);
 
-/// Rough prediction of the factor's memory for that many unknowns in 3D Q2, bytes.
+/// Rough prediction of the factor's memory for this many unknowns in 3D Q2, bytes.
 double predicted_factor_bytes(double unknowns);
 
 }  // namespace rollfem::fem

@@ -16,8 +16,7 @@ namespace rollfem::fem {
 
 namespace {
 
-/// The first letter of what the first process says: an order, the end of its work, or the error in
-/// which it ended.
+/// The first letter of a message of the first process: an order, the end of its work, or its error.
 constexpr char order_letter = 'o', end_letter = 'e', input_letter = 'i', unfit_letter = 'u',
                solve_letter = 's', memory_letter = 'm', other_letter = 'x';
 
@@ -29,7 +28,7 @@ constexpr char order_letter = 'o', end_letter = 'e', input_letter = 'i', unfit_l
   throw std::runtime_error(text);
 }
 
-/// As long as it exists this thread, and those that it starts, run on these cores.
+/// While it exists, this thread and the threads it starts run on these cores.
 class OnCores {
  public:
   OnCores(const cpu_set_t& cores, const cpu_set_t& afterwards) : afterwards_(afterwards) {
@@ -71,7 +70,7 @@ void FirstProcess::run(const std::function<void()>& work,
     follow(obey);
 }
 
-/// Until all processes are here. Waiting in MPI's own calls would take a core from those who work.
+/// Waits for all processes. Waiting in MPI calls would occupy a core.
 void FirstProcess::meet() const {
   constexpr std::chrono::microseconds longest(1000);
   std::chrono::microseconds nap(20);
@@ -92,7 +91,7 @@ std::string FirstProcess::from_first(const std::string& said) const {
 }
 
 void FirstProcess::end(char letter, const std::string& text) {
-  if (together_) return;  // the others have thrown the same
+  if (together_) return;  // the others throw the same error
   from_first(letter + text);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What one process does for all, as solving the contact problem: the others sleep until it calls
-// them for what all do together.
+// Work of one process for all, such as solving the contact problem: the others sleep until it calls
+// them for collective work.
 #pragma once
 
 #include <functional>
@@ -17,16 +17,16 @@ class FirstProcess {
   /// Collective.
   explicit FirstProcess(MPI_Comm communicator);
 
-  /// On the first process, with all cores and threads that the processes of its machine have:
-  /// `work`. The others sleep meanwhile, but for orders, which they obey, and return when it ends.
-  /// What it throws is thrown on all of them. Collective.
+  /// Runs `work` on the first process, with all cores and threads of the processes on its machine.
+  /// The others sleep except when executing orders, and return when it ends. Its exceptions are
+  /// thrown on all processes. Collective.
   void run(const std::function<void()>& work, const std::function<void(const Order&)>& obey = {});
 
-  /// Within `work`: what all do together, the others by `obey(order)`. It throws on all of them or
-  /// on none.
+  /// Within `work`: collective work, done by the others in `obey(order)`. It throws on all of them
+  /// or on none.
   void call(const Order& order, const std::function<void()>& own);
 
-  /// This one.
+  /// Whether this is the first process.
   bool here() const { return rank_ == 0; }
 
  private:
@@ -40,7 +40,7 @@ class FirstProcess {
   int rank_ = 0;
   int processes_ = 1;
   bool together_ = false;  ///< within a call
-  // Of its own, and of all processes of the machine.
+  // Cores of this process, and of all processes of the machine.
   cpu_set_t cores_{}, cores_of_machine_{};
   int threads_of_machine_ = 1;
 };

@@ -8,9 +8,9 @@
 
 namespace rollfem::fem {
 
-/// A smoother spreads a local load by one layer of cells a product, in powers of ten each: far away
-/// stand numbers below 1e-38, of which the processor computes each some hundred times slower. Of
-/// this thread, and only on processors that can.
+/// Every product of a smoother spreads a local load by one layer of cells, with values smaller by
+/// powers of ten: far away they are below 1e-38, where the processor is about a hundred times
+/// slower. Applies to this thread, and only on processors that support it.
 class FlushSubnormals {
  public:
 #ifdef __SSE2__

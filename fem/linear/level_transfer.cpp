@@ -19,8 +19,8 @@ namespace {
 
 using FloatVector = LevelTransfer::VectorType;
 
-/// Values at lines of nodes from values at lines of others: `before` and `after` count the nodes in
-/// the directions that run quicker and slower. Four lanes, three of which are the components.
+/// Values at lines of nodes from values at other lines: `before` and `after` count the nodes in the
+/// faster and slower directions. Four lanes, three of them components.
 constexpr int lanes = 4;
 template <int to, int from, int before, int after>
 void along_lines(const std::array<std::array<float, from>, to>& weight, const float* in,
@@ -36,7 +36,7 @@ void along_lines(const std::array<std::array<float, from>, to>& weight, const fl
       }
 }
 
-/// From the nodes of a cell to those of its eight children, by the polynomials of the cell.
+/// From the nodes of a cell to the nodes of its eight children, by the polynomials of the cell.
 template <int degree>
 class Children {
  public:
@@ -71,7 +71,7 @@ class Children {
   std::array<std::array<float, m>, n> to_coarse_;
 };
 
-/// A dof that constraints give: the sum of weight * that of the master over its terms, none for a
+/// A constrained dof: the sum over its terms of weight * value of the master; no terms for a
 /// boundary condition.
 struct ConstrainedRow {
   unsigned int row;
@@ -83,7 +83,7 @@ struct ConstraintTerm {
 };
 
 /// Coarse cell by coarse cell, each on the processes that own fine cells in it. Unknowns of the
-/// fine level are set by their owners, so that only those of the coarse level are exchanged.
+/// fine level are set by their owners, so that only unknowns of the coarse level are exchanged.
 template <int degree>
 class CellTransfer : public LevelTransfer {
  public:
@@ -103,13 +103,13 @@ class CellTransfer : public LevelTransfer {
   static constexpr int coarse_nodes =
       Children<degree>::n * Children<degree>::n * Children<degree>::n;
   static constexpr int fine_nodes = Children<degree>::m * Children<degree>::m * Children<degree>::m;
-  /// Of what another coarse cell has already, another process owns or constraints give.
+  /// Marks unknowns already in another coarse cell, owned by another process, or constrained.
   static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
   struct Same {
     unsigned int fine, coarse;
   };
 
-  /// Numbers of the unknowns of this process on the fine level, each given out once.
+  /// Numbers of the unknowns of this process on the fine level, each assigned once.
   class Untaken {
    public:
     explicit Untaken(const ElasticProblem& problem)
@@ -144,8 +144,8 @@ class CellTransfer : public LevelTransfer {
 
   Children<degree> children_;
   Indices coarse_;                    ///< [refined cell][node][component]
-  Indices fine_;                      ///< the same of its children's nodes; none: not ours
-  std::vector<Same> same_;            ///< unknowns of cells that both levels have
+  Indices fine_;                      ///< the same for its children's nodes; none: not owned
+  std::vector<Same> same_;            ///< unknowns of cells common to both levels
   std::vector<ConstrainedRow> rows_;  ///< of the coarse level
   std::vector<ConstraintTerm> terms_;
   mutable FloatVector whole_;  ///< coarse vector with its constrained unknowns and others' unknowns
@@ -160,7 +160,7 @@ CellTransfer<degree>::CellTransfer(const ElasticProblem& fine, const ElasticProb
     add_cells(cells, fine.dofs, untaken);
     add_constraints(cells);
   }
-  if (!untaken.empty()) throw std::logic_error("a fine cell is in no coarse one");
+  if (!untaken.empty()) throw std::logic_error("a fine cell has no coarse cell");
   coarse_.shrink_to_fit();
   fine_.shrink_to_fit();
   same_.shrink_to_fit();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Transfer between two multigrid levels: displacements from coarse cells to
-// the fine ones in them, forces the other way.
+// Transfer between two multigrid levels: displacements from coarse cells to the fine cells in them,
+// forces in the reverse direction.
 #pragma once
 
 #include "fem/linear/linear_solver.hpp"
@@ -13,16 +13,16 @@ class LevelTransfer {
  public:
   using VectorType = dealii::LinearAlgebra::distributed::Vector<float>;
   virtual ~LevelTransfer() = default;
-  /// fine += P coarse: what stands at constrained unknowns of `coarse` does not count, those of
-  /// `fine` stay as they are. Collective.
+  /// fine += P coarse: values at constrained unknowns of `coarse` are ignored, those of `fine`
+  /// unchanged. Collective.
   virtual void prolongate_and_add(VectorType& fine, const VectorType& coarse) const = 0;
   /// coarse += P^T fine. Collective.
   virtual void restrict_and_add(VectorType& coarse, const VectorType& fine) const = 0;
   virtual double memory_bytes() const = 0;
 };
 
-/// The cells of `fine` are those of `coarse`, refined once or not at all, on whichever processes
-/// either lie. Takes some ten bytes an unknown. Collective.
+/// The cells of `fine` are those of `coarse`, refined once or not at all, with any distribution
+/// over the processes. Takes about ten bytes per unknown. Collective.
 std::unique_ptr<LevelTransfer> make_level_transfer(const ElasticProblem& fine,
                                                    const ElasticProblem& coarse);
 

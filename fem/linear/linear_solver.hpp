@@ -16,16 +16,16 @@ class LinearSolver {
   virtual ~LinearSolver() = default;
   /// u = K^-1 b, constraints distributed and ghosts updated on return. `b` need not respect the
   /// constraints (it is condensed here). Throws contact::SolveError when the residual stays above
-  /// the tolerance the solver was made with.
+  /// the solver's tolerance.
   virtual void solve(Vector& u, const Vector& b) const = 0;
-  /// The same for several right-hand sides, which a factorisation reads its factor once for.
+  /// The same for several right-hand sides; a factorisation reads its factor only once.
   virtual void solve_all(std::vector<Vector>& u, const std::vector<Vector>& b) const {
     for (std::size_t k = 0; k < b.size(); ++k) solve(u[k], b[k]);
   }
   virtual int last_iterations() const = 0;  ///< 0 for a factorisation
   virtual double memory_bytes() const = 0;  ///< on this process
   virtual std::string description() const = 0;
-  /// Whether a solve may run on one thread while another solver's runs on the next.
+  /// Whether a solve may run in parallel with a solve of another solver.
   virtual bool runs_beside_others() const { return false; }
 };
 

@@ -24,14 +24,15 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 // Bytes, measured as largest resident memory.
 constexpr double program = 0.23e9;          ///< libraries, MPI, the contact problem
 constexpr double mesh_per_unknown = 200.0;  ///< triangulation, numbering, constraints
-/// Several processes have cells of others beside theirs, and the first the factor of the coarsest
-/// level.
+/// With several processes, each also stores neighbouring cells of others, and the first the factor
+/// of the coarsest level.
 constexpr double multigrid_per_unknown = 280.0, multigrid_per_unknown_of_several = 300.0;
 constexpr double algebraic_per_unknown = 5000.0;
 constexpr double fields_per_unknown = 70.0;
 constexpr double fields_per_unknown_and_point = 35.0;
 
-/// What the processes of this machine need and have together, taken where it is tightest.
+/// Total need and available memory of the processes on one machine, for the machine with the least
+/// margin.
 struct Balance {
   double needed = 0.0;
   double available = 0.0;
@@ -49,7 +50,7 @@ Balance balance(const MemoryDemand& demand, MPI_Comm communicator) {
   if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1) return here;
   const double spare = here.available - here.needed;
   const double least = dealii::Utilities::MPI::min(spare, communicator);
-  // Machines are told apart by how much they lack; equal ones are alike.
+  // Machines are compared by their shortage.
   const double tight = spare == least ? 1.0 : 0.0;
   here.needed = dealii::Utilities::MPI::max(tight * here.needed, communicator);
   here.available =
@@ -67,8 +68,8 @@ double per_unknown(const MemoryDemand& demand) {
 double predicted_bytes(const MemoryDemand& demand) {
   const double unknowns = demand.unknowns_of_wheel + demand.unknowns_of_rail;
   double shared = mesh_per_unknown * unknowns;
-  // The matrix beside the factors is within what these are predicted too large by: in all 3 to 15 %
-  // less was taken on cells of 1.88 to 0.47 mm, by half and by whole bodies.
+  // The matrix beside the factors is covered by the overestimate of the factors: the total was 3 to
+  // 15 % below the prediction for cells of 1.88 to 0.47 mm, for half and whole bodies.
   if (demand.factorisation)
     shared += predicted_factor_bytes(demand.unknowns_of_wheel) +
               predicted_factor_bytes(demand.unknowns_of_rail);

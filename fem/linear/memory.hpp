@@ -9,36 +9,36 @@
 
 namespace rollfem::fem {
 
-/// What memory depends on.
+/// Parameters of the memory estimate.
 struct MemoryDemand {
   double unknowns_of_wheel = 0.0;
   double unknowns_of_rail = 0.0;
-  bool factorisation = false;  ///< else multigrid
-  bool algebraic = false;      ///< of which this kind, on an assembled matrix
-  /// Bytes on every process of the factors of coarse meshes that are given; those of boxes are
-  /// small.
+  bool factorisation = false;  ///< otherwise multigrid
+  bool algebraic = false;      ///< algebraic multigrid on an assembled matrix
+  /// Bytes on every process for the factors of given coarse meshes; factors of boxes are small.
   double coarse_factors = 0.0;
-  int body_fields = 0;  ///< load points that keep displacement and stress of both bodies
+  int body_fields = 0;  ///< load points that store displacement and stress of both bodies
   bool half = false;    ///< half of each body is modelled; fields are mirrored
-  int processes = 1;    ///< in all
+  int processes = 1;    ///< total
 };
 
 /// Largest resident memory of one process, bytes. The constants are measured
 /// (tests/cli/fem_memory.cpp).
 double predicted_bytes(const MemoryDemand& demand);
 
-/// Throws contact::SolveError on every process when the processes of any machine need more than it
-/// has; the text has the figures and what to do. Collective.
+/// Throws contact::SolveError on every process when the processes of any machine need more memory
+/// than available; the text has figures and remedy. Collective.
 void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm communicator);
 
 /// "needs about 2.5 GB of 21.3 GB"; collective.
 std::string memory_note(const MemoryDemand& demand, MPI_Comm communicator);
 
-/// Whether the processes of this machine find room; the same on every process. Collective.
+/// Whether the processes fit into the memory of their machines; the same on every process.
+/// Collective.
 bool fits_memory(const MemoryDemand& demand, MPI_Comm communicator);
 
-/// Gives the system what has been freed and the C library keeps: after a set-up that is as much as
-/// what stays.
+/// Returns freed memory held by the C library to the system: after a set-up it is as much as the
+/// memory in use.
 void hand_back_memory();
 
 }  // namespace rollfem::fem

@@ -17,20 +17,20 @@ namespace {
 
 using Terms = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
-/// Nodes nearer to each other are one, relative to the size of the body.
+/// Nodes closer than this, relative to the size of the body, coincide.
 constexpr double same_place = 1e-10;
 
 struct Node {
   dealii::Point<3> place;
   std::array<int, 3> unknown;       ///< by component
-  std::array<bool, 3> constrained;  ///< a hanging node may lie where another one is
+  std::array<bool, 3> constrained;  ///< a hanging node may coincide with another one
 };
 
-/// The nodes of a body, and on which side of the plane its cells are.
+/// The nodes of a body, and the side of the plane of its cells.
 struct MirrorImages {
   std::vector<Node> nodes;
   std::vector<bool> positive_cells;  ///< in the order of the active cells
-  std::vector<int> image;            ///< of each unknown; its own number in the plane
+  std::vector<int> image;            ///< image of each unknown; itself in the plane
   std::vector<int> component;        ///< of each unknown
   std::vector<bool> positive;        ///< of each unknown: x > 0, or in the plane
   double tolerance = 0.0;            ///< mm
@@ -90,8 +90,8 @@ void MirrorImages::join(const Node& a, const Node& b) {
   }
 }
 
-/// False when a node has no image. Nodes are sorted by a number that images share and others by
-/// accident only.
+/// False when a node has no image. Nodes are sorted by a number shared by images and otherwise only
+/// by chance.
 bool MirrorImages::find() {
   const auto number = [](const dealii::Point<3>& p) {
     return 0.754877666 * std::abs(p[0]) + 0.569840291 * p[1] + 0.430159709 * p[2];
@@ -116,8 +116,8 @@ bool MirrorImages::find() {
   return true;
 }
 
-/// Whether material flows at images as if time ran backwards, which inertia, of second order in the
-/// velocity, does not notice.
+/// Whether the flow at images is time-reversed, which does not affect inertia because it is
+/// quadratic in the velocity.
 bool MirrorImages::flows_alike(const MaterialMotion& motion) const {
   return std::all_of(nodes.begin(), nodes.end(), [&](const Node& node) {
     const auto here = motion.at(node.place);

@@ -10,15 +10,15 @@
 
 namespace rollfem::fem {
 
-/// u = C_even x_even + C_odd x_odd. The matrix of either is that of the cells at x > 0 (`cells`),
-/// its right-hand side half of C^T b.
+/// u = C_even x_even + C_odd x_odd. Both matrices come from the cells at x > 0 (`cells`), with half
+/// of C^T b as right-hand side.
 struct MirroredHalves {
-  FreeUnknowns even;  ///< x components of mirror images are opposite, the others equal
+  FreeUnknowns even;  ///< x components of mirror images opposite, the others equal
   FreeUnknowns odd;
 };
 
-/// None when nodes or constraints are not their own mirror images, and for elements of degree 1,
-/// whose cells are bent between their nodes. One process only.
+/// Empty when nodes or constraints are not mirror-symmetric, and for elements of degree 1, whose
+/// cells are bent between their nodes. One process only.
 std::optional<MirroredHalves> find_mirrored_halves(const ElasticProblem& problem);
 
 }  // namespace rollfem::fem

@@ -34,25 +34,25 @@ using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
 /// iterations (measured: degree 4 to 8, ratios 15 to 100; flat from 8 to 20 times the degree).
 constexpr double range_per_degree = 10;
 
-/// Cells that are bent by less than this precondition as parallelepipeds: the range of eigenvalues
-/// widens by twice as much, which costs no iteration.
+/// Cells bent by less than this are parallelepipeds in the preconditioner: the range of eigenvalues
+/// widens by twice as much, without additional iterations.
 constexpr double straightened = 0.02;
 
-/// Stiffness of a level as deal.II's smoother asks for it. Beside the smoother of our own that it
-/// replaced: the same iterations, 1.01 times the time, 1.01 times the memory (0.2 to 0.7 million
+/// Stiffness of a level in the interface of deal.II's smoother. Compared with the own smoother that
+/// it replaced: the same iterations, 1.01 times the time, 1.01 times the memory (0.2 to 0.7 million
 /// unknowns).
 struct SmoothedMatrix : dealii::Subscriptor {
   explicit SmoothedMatrix(const LocalCells& cells)
       : stiffness(cells, straightened), rows(stiffness.make_vector().size()) {}
   void vmult(FloatVector& product, const FloatVector& x) const { stiffness.vmult(product, x); }
-  /// As deal.II makes the vector updates of its iterations within the product.
+  /// Interface through which deal.II does the vector updates of its iterations within the product.
   void vmult(FloatVector& product, const FloatVector& x,
              const ElasticityOperator<float>::Work& before,
              const ElasticityOperator<float>::Work& after) const {
     stiffness.vmult(product, x, before, after);
   }
   FloatVector::size_type m() const { return rows; }
-  /// Named in deal.II for a diagonal that is not given; it is.
+  /// Required by deal.II only if no diagonal is given, but one is.
   float el(FloatVector::size_type, FloatVector::size_type) const {
     throw std::logic_error("the smoother's diagonal is given");
   }
@@ -91,8 +91,8 @@ struct Level {
   }
 };
 
-/// From coarse to fine, the body's own mesh last. Coarsened meshes keep the memory of the mesh that
-/// they were; their copies have their own size.
+/// From coarse to fine, the body's mesh last. Coarsened meshes keep the memory of the original
+/// mesh; their copies have only the memory they need.
 std::vector<std::shared_ptr<const dealii::Triangulation<3>>> coarsened_meshes(
     const ElasticProblem& problem) {
   using Mesh = dealii::parallel::distributed::Triangulation<3>;
@@ -107,7 +107,8 @@ std::vector<std::shared_ptr<const dealii::Triangulation<3>>> coarsened_meshes(
   return meshes;
 }
 
-/// Unknowns and constraints of a level, needed while it is set up. Of the finest the body's own.
+/// Unknowns and constraints of a level, needed during set-up; on the finest level those of the
+/// body.
 class Discretisation {
  public:
   explicit Discretisation(const ElasticProblem& problem) : problem_(problem) {}
@@ -143,12 +144,12 @@ class Multigrid : public LinearSolver {
   int last_iterations() const override { return iterations_; }
   double memory_bytes() const override;
   std::string description() const override;
-  /// MPI knows one thread only; alone, a process does not call it.
+  /// MPI allows one thread only; a single process does not call it.
   bool runs_beside_others() const override {
     return coarse_right_.get_partitioner()->n_mpi_processes() == 1;
   }
 
-  /// As deal.II calls a preconditioner.
+  /// Interface of a deal.II preconditioner.
   void vmult(Vector& z, const Vector& r) const;
 
  private:
@@ -205,7 +206,7 @@ void Multigrid::factorise_coarsest(const LocalCells& cells) {
   coarse_right_.reinit(owned);
 }
 
-/// V-cycle: solution of level `level` (counted above the coarsest, which is 0) from its right side.
+/// V-cycle: solution on level `level` (the coarsest is 0) from its right-hand side.
 void Multigrid::cycle(std::size_t level) const {
   if (level == 0) {
     coarse_->solve(coarse_solution_, coarse_right_);
@@ -237,8 +238,8 @@ void Multigrid::vmult(Vector& z, const Vector& r) const {
                  [=](float value) { return norm * static_cast<double>(value); });
 }
 
-/// Conjugate gradients from x. The formula of Polak and Ribiere for beta, which deal.II calls
-/// flexible, forgives a preconditioner in single precision.
+/// Conjugate gradients from x. The Polak-Ribiere formula for beta ("flexible" in deal.II) tolerates
+/// a preconditioner in single precision.
 void Multigrid::iterate(Vector& x, const Vector& b, double target) const {
   dealii::SolverControl control(static_cast<unsigned int>(options_.max_iterations - iterations_),
                                 target, false, false);
@@ -246,7 +247,7 @@ void Multigrid::iterate(Vector& x, const Vector& b, double target) const {
   try {
     dealii::SolverFlexibleCG<Vector>(control, memory).solve(*stiffness_, x, b, *this);
   } catch (const dealii::SolverControl::NoConvergence&) {
-    // The true residual says it.
+    // Decided by the true residual.
   }
   iterations_ += static_cast<int>(control.last_step());
 }
@@ -260,7 +261,7 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
     throw contact::SolveError("multigrid: the load is not a finite number");
   iterations_ = 0;
   double norm = scale;
-  // The true residual decides; a second pass mends what rounding took from the recursive one.
+  // The true residual decides; a second pass corrects rounding errors of the recursive one.
   for (int pass = 0; pass < 3 && norm > target && scale > 0; ++pass) {
     iterate(x, right, pass == 0 ? target : 0.5 * target);
     Vector residual(right);
@@ -271,7 +272,7 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
   }
   if (!(norm <= target))
     throw contact::SolveError(fmt::format(
-        "multigrid: relative residual {:.2e} after {} iterations, wanted {:.1e} ({} unknowns)",
+        "multigrid: relative residual {:.2e} after {} iterations, required {:.1e} ({} unknowns)",
         norm / scale, iterations_, options_.tolerance, right.size()));
   stiffness_->distribute(x);
   std::copy(x.begin(), x.end(), u.begin());

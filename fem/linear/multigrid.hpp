@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Conjugate gradients with matrix-free geometric multigrid (global coarsening, Chebyshev
-// smoothing, direct coarse solve): for sizes beyond a factorisation and for several processes.
+// Conjugate gradients with matrix-free geometric multigrid (global coarsening, Chebyshev smoothing,
+// direct coarse solve): for bodies too large for a factorisation and for several processes.
 #pragma once
 
 #include "fem/linear/linear_solver.hpp"
@@ -13,8 +13,8 @@ struct MultigridOptions {
   int smoother_degree = 6;  ///< matrix products before, and again after, the coarse correction
 };
 
-/// Bodies nearer to incompressible are refused: point smoothing fails on the nearly singular
-/// volumetric part, and iterations grow without bound.
+/// Larger Poisson's ratios are rejected: point smoothing fails on the nearly singular volumetric
+/// part, and iterations grow without bound.
 inline constexpr double largest_multigrid_poisson_ratio = 0.49;
 
 /// Any number of MPI processes; collective. Throws contact::InputError above that Poisson's ratio.

@@ -37,27 +37,27 @@ double multigrid_solve_seconds(double n) {
   return 0.115 * n / 105e3;
 }
 
-/// The coarse mesh of a true section has some 120 000 unknowns: a solve with its factor in each of
-/// some ten iterations of multigrid comes on top.
+/// The coarse mesh of a true section has about 120 000 unknowns, which adds a solve with its factor
+/// in each of about ten multigrid iterations.
 constexpr double coarse_unknowns_of_section = 120e3;
 constexpr double multigrid_iterations = 10.0;
 
-/// A factor may take this much of the machine's memory for itself, bytes; multigrid needs a tenth.
+/// Largest memory of a factor, bytes; multigrid needs a tenth.
 constexpr double largest_factor = 5e9;
 
-/// FE solves of a body per load point and for the normal problem alone: case a takes 30 for its
-/// seven points and 4.
+/// FE solves of a body per load point and for the normal problem: case a takes 30 for its seven
+/// points and 4.
 constexpr double solves_per_point = 4.5;
 constexpr double solves_for_normal = 4.0;
 
-/// Geometric multigrid factorises the coarse mesh of a body whole; one that is given may be too
-/// large for that, and then algebraic multigrid goes on coarsening. A factor of so many unknowns
-/// takes 14 s and 3.2 GB and the ten solves by it of an iteration 3 s, while algebraic multigrid
-/// takes 18 s a solve and 3.5 GB on the refined body of 700 000.
+/// Geometric multigrid factorises the coarse mesh of a body; a given mesh may be too large for
+/// that, and algebraic multigrid then coarsens further. A factor of this many unknowns takes 14 s
+/// and 3.2 GB and its ten solves per iteration 3 s, while algebraic multigrid takes 18 s per solve
+/// and 3.5 GB on the refined body of 700 000.
 constexpr double most_coarse_unknowns = 400e3;
 
 std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
-  // Five digits beyond what the contact iteration asks for: 1e-10 took a tenth more iterations.
+  // Five digits beyond the tolerance of the contact iteration: 1e-10 took a tenth more iterations.
   constexpr double tolerance = 1e-9;
   if (takes_algebraic(scene, body)) return make_algebraic_multigrid(body.problem(), {tolerance});
   MultigridOptions options;
@@ -68,7 +68,7 @@ std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Bo
 }  // namespace
 
 double coarse_unknowns(const Body& body) {
-  // Of sections of 4200 cells: degree^3 nodes a cell, and a tenth more on the outside.
+  // For sections of 4200 cells: degree^3 nodes per cell, and a tenth more on the outside.
   return 1.1 * 3.0 * std::pow(body.options().degree, 3) *
          body.dofs().get_triangulation().n_cells(0);
 }
@@ -97,7 +97,7 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
   if (demand.processes > 1) return false;
   for (const contact::Material& material : {scene.wheel.material, scene.rail.material})
     if (!material.rigid() && material.poisson_ratio > largest_multigrid_poisson_ratio)
-      return true;  // multigrid refuses it
+      return true;  // multigrid rejects it
   const double solves =
       solves_for_normal + solves_per_point * static_cast<double>(scene.points.size());
   const double coarse =
@@ -113,8 +113,8 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
   return fits_memory(demand, MPI_COMM_WORLD);
 }
 
-/// Two factorisations side by side, one core each: together quicker than one after the other with
-/// two BLAS threads.
+/// Two factorisations in parallel, one core each: faster than one after the other with two BLAS
+/// threads.
 Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisation) {
   const auto make = [&](const Body* body) -> std::unique_ptr<LinearSolver> {
     if (body == nullptr) return nullptr;

@@ -39,10 +39,10 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
     throw contact::InputError("fem: extent, width, depth and length must be positive");
   const auto needs = [](const char* key, double given, double needed) {
     if (!(needed <= given))
-      throw contact::InputError(fmt::format(
-          "fem.{} gives the segment {} mm to one side, less than the finely meshed region needs "
-          "({} mm): enlarge it",
-          key, given, needed));
+      throw contact::InputError(
+          fmt::format("fem.{} extends the segment by {} mm to one side, less than the finely "
+                      "meshed region needs ({} mm): enlarge it",
+                      key, given, needed));
   };
   needs(options.half_length ? "length" : "extent", options.reach_s(), options.fine_half_length);
   needs(options.half_width ? "width" : "extent", options.reach_t(), options.fine_half_width);
@@ -50,13 +50,13 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
         options.fine_depth * options.cell_size);
   if (options.middle - options.fine_half_width < shape.lower_t() - 1e-9 ||
       options.middle + options.fine_half_width > shape.upper_t() + 1e-9)
-    throw contact::InputError(fmt::format(
-        "fem: the finely meshed region reaches from y = {:.4g} to {:.4g} mm; the profile of the {} "
-        "can be meshed from {:.4g} to {:.4g} mm (beyond that it ends or is steeper than {}): give "
-        "a smaller [fem] fine_extent",
-        options.middle - options.fine_half_width, options.middle + options.fine_half_width,
-        shape.is_wheel ? "wheel" : "rail", shape.lower_t(), shape.upper_t(),
-        ProfileShape::steepest));
+    throw contact::InputError(
+        fmt::format("fem: the finely meshed region extends from y = {:.4g} to {:.4g} mm; the "
+                    "profile of the {} can be meshed from {:.4g} to {:.4g} mm (beyond that it ends "
+                    "or is steeper than {}): give a smaller [fem] fine_extent",
+                    options.middle - options.fine_half_width,
+                    options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
+                    shape.lower_t(), shape.upper_t(), ProfileShape::steepest));
   const double inwards = shape.drop_at(options.reach_t()).value + options.reach_depth();
   if (shape.is_wheel && !(std::max(inwards, options.reach_s()) <= 0.7 * shape.rolling_radius))
     throw contact::InputError(fmt::format(
@@ -105,7 +105,7 @@ void mark_boundaries(const BodyOptions& options, Triangulation& mesh) {
 }
 
 /// The coarse box in (s, t, w), w = depth for the wheel and -depth for the rail so that cells stay
-/// right-handed, then placed in space.
+/// right-handed, then mapped to space.
 void make_structured_mesh(const SurfaceShape& shape, const BodyOptions& options,
                           Triangulation& mesh) {
   const double first = options.cell_size * std::exp2(coarse_level(options));
@@ -144,7 +144,7 @@ double distance_to_fine_region(const BodyOptions& options, const ChartBox& box) 
   return std::sqrt(squared);
 }
 
-/// Once over the mesh; whether anything was refined anywhere.
+/// One pass over the mesh; whether any cell on any process was refined.
 bool refine_once(const SurfaceShape& shape, const BodyOptions& options, Triangulation& mesh) {
   int flagged = 0;
   for (const auto& cell : mesh.active_cell_iterators()) {
@@ -198,8 +198,8 @@ void check_refined_cells(const dealii::Mapping<3>& mapping, const Triangulation&
         inside_out));
 }
 
-/// Cells that refine_towards_patch makes of a box, but for what octree balance and the bending of
-/// the chart add.
+/// Number of cells created by refine_towards_patch from a box, without the additional cells from
+/// octree balance and the bending of the chart.
 double cells_of(const BodyOptions& options, const ChartBox& box, int depth, double enough) {
   double size = 0.0;
   for (unsigned int d = 0; d < 3; ++d) size = std::max(size, box.upper[d] - box.lower[d]);
@@ -228,8 +228,8 @@ double predicted_unknowns(const BodyOptions& given, double enough) {
       meshes::outward_steps(first, options.fine_half_length, options.reach_s()),
       meshes::outward_steps(first, options.fine_half_width, options.reach_t()),
       meshes::outward_steps(first, options.fine_depth * options.cell_size, options.reach_depth())};
-  // degree^3 nodes a cell in a large mesh; the outside, steps between cell sizes and octree balance
-  // add a quarter (measured from 1.88 to 0.47 mm on case a: 0.79 to 0.81 without).
+  // degree^3 nodes per cell in a large mesh; the outside, steps between cell sizes and octree
+  // balance add a quarter (measured from 1.88 to 0.47 mm on case a: 0.79 to 0.81 without).
   const double of_cell = 1.25 * 3.0 * std::pow(options.degree, 3);
   const double mirrored = options.half ? 2.0 : 4.0;
   double cells = 0.0;

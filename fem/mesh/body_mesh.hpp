@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The mesh of a body: a coarse mesh (a graded box in chart coordinates, or one that is given) and
-// octree refinement towards the patch.
+// The mesh of a body: a coarse mesh (a graded box in chart coordinates, or a given mesh) and octree
+// refinement towards the patch.
 #pragma once
 
 #include "fem/mesh/body_options.hpp"
@@ -13,7 +13,7 @@ namespace rollfem::fem {
 
 using Triangulation = dealii::parallel::distributed::Triangulation<3>;
 
-/// The mesh of a segment by the program. Throws contact::InputError.
+/// The mesh of a segment by rollfem. Throws contact::InputError.
 void make_mesh(const SurfaceShape& shape, const BodyOptions& options, Triangulation& mesh);
 
 /// On a given coarse mesh, whose cells must keep their orientation under `mapping`. Throws
@@ -22,8 +22,8 @@ void refine_coarse_mesh(const SurfaceShape& shape, const BodyOptions& options,
                         const CoarseBody& coarse, const dealii::Mapping<3>& mapping,
                         Triangulation& mesh);
 
-/// About as many unknowns as a body of these options will have, found by counting cells without
-/// making a mesh (within 15 % in the family `structured`). Counting stops at `enough`.
+/// Estimated number of unknowns of a body with these options, by counting cells without creating a
+/// mesh (within 15 % in the family `structured`). Counting stops at `enough`.
 double predicted_unknowns(const BodyOptions& options, double enough);
 
 }  // namespace rollfem::fem

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What decides the mesh of a body, and the numbers by which it names its boundaries.
+// Parameters of a body's mesh, and its boundary numbers.
 #pragma once
 
 #include "contact/scene/scene.hpp"
@@ -17,37 +17,37 @@ enum BoundaryId : dealii::types::boundary_id {
   far_boundary = 0,
   contact_surface = 1,
   symmetry_plane = 2,
-  free_surface = 3  ///< sides of a given mesh that are in none of its groups
+  free_surface = 3  ///< sides of a given mesh outside its groups
 };
 
 using MeshFamily = contact::MeshFamily;
 
-/// What decides the mesh.
+/// Parameters of the mesh.
 struct BodyOptions {
   double cell_size = 0.5;       ///< mm, cells in the fine region (s and t), exactly
-  double fine_half_length = 5;  ///< mm, the fine region reaches at least so far in s
-  double fine_half_width = 5;   ///< mm, and so far in t to both sides of `middle`
-  double middle = 0;            ///< mm, t of the middle of the patch; a whole number of cells
+  double fine_half_length = 5;  ///< mm, smallest extent of the fine region in s
+  double fine_half_width = 5;   ///< mm, and in t to both sides of `middle`
+  double middle = 0;            ///< mm, t of the middle of the patch; an integer number of cells
   double extent = 60;           ///< mm, half length, half width and depth of the segment
   bool half = false;            ///< only t >= 0, symmetry plane t = 0
   int degree = 2;
-  double fine_depth = 2;  ///< the fine region reaches that many cells below the surface
+  double fine_depth = 2;  ///< depth of the fine region below the surface, in cells
   double growth = 1;      ///< cells may be cell_size + growth * distance from the fine region
   double speed = 0;       ///< mm/s, rolling speed: inertia in the stiffness (rolling_inertia.hpp)
   MeshFamily family = MeshFamily::structured;
-  std::optional<double> half_length = std::nullopt;  ///< mm, in place of extent along s
-  std::optional<double> half_width = std::nullopt;   ///< mm, in place of extent along t
-  std::optional<double> depth = std::nullopt;        ///< mm, in place of extent inwards
+  std::optional<double> half_length = std::nullopt;  ///< mm, instead of extent along s
+  std::optional<double> half_width = std::nullopt;   ///< mm, instead of extent along t
+  std::optional<double> depth = std::nullopt;        ///< mm, instead of extent inwards
   double reach_s() const { return half_length.value_or(extent); }
   double reach_t() const { return half_width.value_or(extent); }
   double reach_depth() const { return depth.value_or(extent); }
 };
 
-/// Of a coarse mesh that is given: which of its cells are bent to the surface. In the others new
-/// nodes lie on straight lines, of a wheel on circles about its axle.
+/// For a given coarse mesh: cells that are bent to the surface. In the others new nodes lie on
+/// straight lines, in a wheel on circles about its axle.
 struct CoarseBody {
   meshes::HexMesh mesh;
-  std::vector<bool> follows_surface;  ///< of each cell; empty: all of them
+  std::vector<bool> follows_surface;  ///< for each cell; empty: all of them
 };
 
 }  // namespace rollfem::fem

@@ -29,13 +29,13 @@ class SurfaceManifold : public dealii::ChartManifold<3, 3, 3> {
   SurfaceShape shape_;
 };
 
-/// Circles about the axle of a wheel, straight lines in its section: for the parts of a body that
-/// do not follow the chart of its surface.
+/// Circles about the axle of a wheel, straight lines in its section: for the parts of a body
+/// outside the chart of its surface.
 class AxleManifold : public dealii::ChartManifold<3, 3, 3> {
  public:
   explicit AxleManifold(std::shared_ptr<const ProfileShape> wheel) : wheel_(std::move(wheel)) {}
   std::unique_ptr<dealii::Manifold<3, 3>> clone() const override;
-  /// Angle about the axle (rad), y and z of the place turned back to x = 0 (mm).
+  /// Angle about the axle (rad), y and z of the point rotated back to x = 0 (mm).
   dealii::Point<3> pull_back(const dealii::Point<3>& place) const override;
   dealii::Point<3> push_forward(const dealii::Point<3>& chart) const override;
 

@@ -96,7 +96,7 @@ double ChartFace::overlap(const Interval& s, const Interval& t, unsigned int poi
   rule.clear();
   const Interval part_s{std::max(s.lower, s_.lower), std::min(s.upper, s_.upper)};
   const Interval part_t{std::max(t.lower, t_.lower), std::min(t.upper, t_.upper)};
-  // Slivers from rounding are no overlap.
+  // Ignores slivers from rounding.
   if (part_s.length() < 1e-9 * s.length() || part_t.length() < 1e-9 * t.length()) return 0.0;
   if (rectangle_) return rectangle_overlap(part_s, part_t, points, rule);
 
@@ -105,7 +105,7 @@ double ChartFace::overlap(const Interval& s, const Interval& t, unsigned int poi
   polygon = clipped(polygon, 0, s.upper, -1.0);
   polygon = clipped(polygon, 1, t.lower, 1.0);
   polygon = clipped(polygon, 1, t.upper, -1.0);
-  // A fan of triangles, each the image of a square that is folded at the common corner.
+  // A fan of triangles, each the image of a square collapsed at the common corner.
   const dealii::QGauss<2> gauss(points);
   double area = 0.0;
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {

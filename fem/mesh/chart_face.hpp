@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A finite-element face of the contact surface in chart coordinates (s, t): which part of a contact
-// element lies on it, and quadrature over that part. Internal to fem/.
+// A finite-element face of the contact surface in chart coordinates (s, t): the part of a contact
+// element on it, and quadrature over that part. Internal to fem/.
 #pragma once
 
 #include <deal.II/base/point.h>
@@ -17,8 +17,8 @@ struct Interval {
   double length() const { return upper - lower; }
 };
 
-/// Quadrature point on a face: place in the chart, on the reference face, and share of the area
-/// ds dt.
+/// Quadrature point on a face: position in the chart and on the reference face, and part of the
+/// area ds dt.
 struct FacePoint {
   double s;
   double t;
@@ -28,7 +28,7 @@ struct FacePoint {
 
 /// A convex quadrilateral in (s, t). Refined nodes are means in the chart, so that faces have
 /// straight sides there and their map from the reference face is bilinear: overlaps with contact
-/// elements are polygons, found exactly.
+/// elements are polygons, computed exactly.
 class ChartFace {
  public:
   /// Corners in deal.II's order: 0 1 along the first reference axis, 2 3 above them.
@@ -36,15 +36,15 @@ class ChartFace {
 
   const Interval& s() const { return s_; }
   const Interval& t() const { return t_; }
-  /// False for a face that is folded or has a corner that points inwards.
+  /// False for a folded or non-convex face.
   bool is_convex() const { return convex_; }
 
-  /// Area ds dt of the overlap with the box s x t. `rule` gets Gauss points over it, `points` in
-  /// each direction of every piece; exact for polynomials on parallelograms.
+  /// Area ds dt of the overlap with the box s x t. `rule` receives Gauss points over it, `points`
+  /// in each direction of every piece; exact for polynomials on parallelograms.
   double overlap(const Interval& s, const Interval& t, unsigned int points,
                  std::vector<FacePoint>& rule) const;
 
-  /// Place on the reference face of a point of the chart, by Newton's method.
+  /// Position on the reference face of a point in the chart, by Newton's method.
   dealii::Point<2> reference(const dealii::Point<2>& chart) const;
 
  private:

@@ -17,7 +17,7 @@
 #include <functional>
 #include <map>
 
-// How meshes are sent to other processes.
+// Serialisation of meshes for other processes.
 namespace rollfem::meshes {
 
 template <class Archive>
@@ -46,10 +46,11 @@ using meshes::Side;
 /// deal.II's corner k is gmsh's corner gmsh_corner[k], and the other way round.
 constexpr std::array<unsigned int, 8> gmsh_corner{0, 1, 3, 2, 4, 5, 7, 6};
 
-/// Contact faces may lie beside the surface by this part of the finely meshed region's half size.
+/// Allowed distance of contact faces from the surface, as a fraction of the finely meshed region's
+/// half size.
 constexpr double surface_tolerance = 0.01;
 
-/// What `make` gives or throws on process 0, on every process.
+/// Runs `make` on process 0 and returns its result, or throws its error, on every process.
 CoarseBody on_all_processes(MPI_Comm communicator, const std::function<CoarseBody()>& make) {
   CoarseBody body;
   std::string refusal;
@@ -90,7 +91,7 @@ HexMesh make_gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, in
   section.fine_depth = options.fine_depth * options.cell_size;
   section.half = options.half;
   section.cell_size = options.cell_size * std::exp2(level);
-  // The block of equal cells must leave room for the others.
+  // The block of equal cells must leave space for the others.
   while (level > 0 && (2 * section.cell_size > 0.4 * section.depth ||
                        section.fine_half_width + 2 * section.cell_size > 0.75 * section.half_width))
     section.cell_size = options.cell_size * std::exp2(--level);
@@ -108,8 +109,8 @@ HexMesh make_gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, in
     }
     return mesh;
   }
-  // Faces stay below cell_size along s at the largest radius of the patch, and where the slices of
-  // equal angle lean against lines of equal arc length.
+  // Faces stay below cell_size along s also at the largest radius of the patch, and where slices of
+  // equal angle are inclined to lines of equal arc length.
   const double width = options.fine_half_width;
   const double lean =
       std::abs(shape.drop_at(width).slope) * options.fine_half_length / shape.rolling_radius;
@@ -128,7 +129,7 @@ const char* const frame_advice =
     "the mesh is in mm with the contact point at the origin, x along rolling, y lateral, z into "
     "the wheel (which lies at z > 0, the rail at z < 0)";
 
-/// A mesh in metres or inches is far too small or large beside the patch and the wheel.
+/// A mesh in metres or inches is far too small or large compared with the patch and the wheel.
 void check_size(const HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
                 const BodyOptions& options) {
   auto lower = mesh.points.front(), upper = lower;
@@ -156,7 +157,7 @@ void check_size(const HexMesh& mesh, const std::string& name, const SurfaceShape
          "give coordinates in mm");
 }
 
-/// Nodes of contact faces onto the surface, if they are near it.
+/// Moves nodes of contact faces onto the surface if they are close to it.
 void project(HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
              const BodyOptions& options) {
   const double tolerance =
@@ -184,7 +185,7 @@ void project(HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
   }
 }
 
-/// Whether the contact faces reach around the patch.
+/// Whether the contact faces surround the patch.
 void check_covers_patch(const HexMesh& mesh, const std::string& name, const SurfaceShape& shape,
                         const BodyOptions& options) {
   std::array<double, 2> lower{HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL};
@@ -201,10 +202,10 @@ void check_covers_patch(const HexMesh& mesh, const std::string& name, const Surf
                        lower[1] <= (options.half ? 1e-6 : options.middle - needed[1]);
   if (!covered)
     fail(name,
-         fmt::format("its group `contact` reaches x = {:.4g} to {:.4g} mm and y = {:.4g} to {:.4g} "
-                     "mm; the contact needs {:.4g} mm along x and {:.4g} mm along y to each side "
-                     "of (0, {:.4g}) mm",
-                     lower[0], upper[0], lower[1], upper[1], needed[0], needed[1], options.middle),
+         fmt::format(
+             "its group `contact` covers x = {:.4g} to {:.4g} mm and y = {:.4g} to {:.4g} mm; the "
+             "contact needs {:.4g} mm along x and {:.4g} mm along y to each side of (0, {:.4g}) mm",
+             lower[0], upper[0], lower[1], upper[1], needed[0], needed[1], options.middle),
          fmt::format("enlarge the contact group or move the mesh: {}", frame_advice));
 }
 
@@ -228,10 +229,10 @@ void check_symmetry(const HexMesh& mesh, const std::string& name, const BodyOpti
       fail(name,
            fmt::format("it has a group `symmetry` and a node at y = {:.4g} mm, on the other side",
                        p[1]),
-           "mesh the half y >= 0, or leave the group out");
+           "mesh the half y >= 0, or remove the group");
 }
 
-/// Whether the chart is one to one over a cell: round a whole wheel it is not, behind the axle
+/// Whether the chart is one to one over a cell. Around a whole wheel it is not: behind the axle
 /// cells stay straight.
 bool is_charted(const SurfaceShape& shape, const dealii::CellAccessor<3>& cell) {
   if (!shape.is_revolved()) return true;
@@ -246,7 +247,7 @@ bool is_charted(const SurfaceShape& shape, const dealii::CellAccessor<3>& cell) 
 
 constexpr dealii::types::manifold_id on_surface = 0, about_axle = 1;
 
-/// Faces between cells of two kinds belong to the surface's.
+/// Faces between both kinds of cells belong to the cells at the surface.
 void set_manifolds(const SurfaceShape& shape, const std::vector<bool>& follows_surface,
                    dealii::Triangulation<3>& triangulation) {
   const bool everywhere = follows_surface.empty();

@@ -22,7 +22,7 @@ ProfileShape::ProfileShape(std::shared_ptr<const contact::PatchGeometry> geometr
   const double across = std::hypot(axle.direction[1], axle.direction[2]);
   cosine_ = axle.direction[1] / across;
   sine_ = axle.direction[2] / across;
-  // Above y = 0 a yawed axle crosses the plane x = 0, or nearly so: the normal meets the axle.
+  // A yawed axle crosses the plane x = 0 approximately above y = 0: the normal intersects the axle.
   const double way = -axle.point[1] / axle.direction[1];
   axle_y_ = 0.0;
   axle_z_ = axle.point[2] + way * axle.direction[2];
@@ -58,7 +58,7 @@ dealii::Point<3> ProfileShape::turned_about_axle(double y, double z, double angl
 dealii::Point<3> ProfileShape::turned_to_section(const dealii::Point<3>& place) const {
   const double below = distance_from_axle(place[1], place[2]);
   const double radius = std::hypot(place[0], below);
-  // By the difference of both distances, without cancellation.
+  // From the difference of both distances, without cancellation.
   const double outwards = place[0] * place[0] / (radius + below);
   return {std::atan2(place[0], below), place[1] + outwards * sine_, place[2] - outwards * cosine_};
 }
@@ -116,7 +116,7 @@ SurfaceFrame ProfileShape::frame(double s, double t, double climb) const {
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
   const dealii::Tensor<1, 3> rolling({cosine, -sine_ * sine, cosine_ * sine});
-  // Towards the axle after turning.
+  // Towards the axle after rotation.
   const dealii::Tensor<1, 3> up({-sine, -sine_ * cosine, cosine_ * cosine});
   const dealii::Tensor<1, 3> axle = axle_direction();
   // (0, 1, climb) and (0, -climb, 1) along the axle and towards it.

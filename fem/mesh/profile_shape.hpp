@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The chart of a body with a true profile, the counterpart of SurfaceShape for the section of a
-// PatchGeometry. A wheel's section is turned about its axle, which may be tilted in the plane x =
-// 0; for a yawed axle the trace of its contact is used (the yaw itself, below 25 mrad, is in
+// PatchGeometry. A wheel's section is revolved about its axle, which may be tilted in the plane x =
+// 0; for a yawed axle its trace at the contact is used (the yaw itself, below 25 mrad, is in
 // undeformed distance and slip). Internal to fem/.
 #pragma once
 
@@ -21,9 +21,9 @@ class ProfileShape {
 
   const std::shared_ptr<const contact::PatchGeometry>& geometry() const { return geometry_; }
 
-  /// Where the surface is a height over t that is known and not steeper than `steepest` (dz/dy, 75
-  /// degrees: cells below it, whose sides are along z, have a scaled Jacobian of 0.26); beyond, the
-  /// chart goes on along the tangent there (it stays one to one, but is not the surface any more).
+  /// Range in which the surface is a known height over t not steeper than `steepest` (dz/dy, 75
+  /// degrees: cells below it, whose sides are along z, have a scaled Jacobian of 0.26). Outside,
+  /// the chart continues along the tangent (one to one, but no longer the true surface).
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   static constexpr double steepest = 3.73;
@@ -34,18 +34,18 @@ class ProfileShape {
     double slope;
   };
   Height height(double t) const;
-  /// Distance of the surface from the axle, mm; infinite of a rail.
+  /// Distance of the surface from the axle, mm; infinite for a rail.
   double radius(double t) const;
 
   dealii::Point<3> place(double s, double t, double depth) const;
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;
   dealii::DerivativeForm<1, 3, 3> gradient(const dealii::Point<3>& chart) const;
-  /// Unit vectors at a surface that climbs by dz/dy = `climb` at s = 0, turned with the wheel.
+  /// Unit vectors at a surface with dz/dy = `climb` at s = 0, rotated with the wheel.
   SurfaceFrame frame(double s, double t, double climb) const;
 
-  /// A place of the wheel's section (y, z at x = 0) after turning by `angle` about the axle.
+  /// A point of the wheel's section (y, z at x = 0) after rotation by `angle` about the axle.
   dealii::Point<3> turned_about_axle(double y, double z, double angle) const;
-  /// And back: angle, y, z.
+  /// The inverse: angle, y, z.
   dealii::Point<3> turned_to_section(const dealii::Point<3>& place) const;
   dealii::Point<3> axle_point() const { return {0.0, axle_y_, axle_z_}; }
   dealii::Tensor<1, 3> axle_direction() const;

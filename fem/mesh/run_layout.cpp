@@ -17,7 +17,7 @@ namespace {
 using contact::ContactGrid;
 using contact::Scene;
 
-/// Finest cells reach this many semi-axes: on case a 1.5 gained nothing.
+/// Extent of the finest cells in semi-axes: on case a 1.5 was no improvement.
 constexpr double default_reach = 1.1;
 
 constexpr const char* of_grid = "contact elements across the patch (fem.cell_size)";
@@ -25,15 +25,15 @@ constexpr const char* of_grid = "contact elements across the patch (fem.cell_siz
 /// Elements of the potential contact area beyond the expected patch, each side.
 constexpr int margin = 3;
 
-/// On the lattice of the FE faces, an even number of elements each way.
+/// On the lattice of the FE faces, an even number of elements in each direction.
 ContactGrid lattice_grid(const PatchBox& patch, double cell) {
   const int half_x = contact::count_of(std::ceil(patch.half_length / cell), of_grid) + margin;
   const int half_y = contact::count_of(std::ceil(patch.half_width / cell), of_grid) + margin;
   return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell, 0.0, patch.middle);
 }
 
-/// How far segments reach where the case does not say: eight larger half sizes of the patch, but no
-/// further into a small wheel than is allowed (check in body_mesh.cpp) while that leaves four.
+/// Default extent of segments: eight larger half sizes of the patch, limited by the allowed extent
+/// in a small wheel (check in body_mesh.cpp) as long as four remain.
 double default_extent(const Scene& scene, const PatchBox& patch) {
   constexpr double most = 0.7, in_steps_of = 0.95;  // of the radius
   const contact::ContactSurface& surface = scene.geometry.surface;
@@ -51,7 +51,7 @@ double default_extent(const Scene& scene, const PatchBox& patch) {
   return extent;
 }
 
-/// Surfaces of a patch of true profiles on which there is a mesh.
+/// Meshed surfaces of a patch of true profiles.
 std::vector<SurfaceShape> meshed_surfaces(const Scene& scene) {
   std::vector<SurfaceShape> shapes;
   for (const bool is_wheel : {true, false})
@@ -60,14 +60,14 @@ std::vector<SurfaceShape> meshed_surfaces(const Scene& scene) {
   return shapes;
 }
 
-/// The box of the family `structured` ends where one of the profiles does or becomes steep, but has
-/// its least reach: up to there it follows the steep profile.
+/// The box of the family `structured` ends where one of the profiles ends or becomes steep, but has
+/// a least extent, up to which it follows the steep profile.
 void fit_to_profiles(const Scene& scene, const PatchBox& patch, BodyOptions& options) {
   for (const SurfaceShape& shape : meshed_surfaces(scene))
     if (std::min(options.middle - shape.lower_t(), shape.upper_t() - options.middle) <
         options.fine_half_width)
       throw contact::InputError(
-          fmt::format("{}: the patch and the cells around it reach from y = {:.4g} to {:.4g} mm, "
+          fmt::format("{}: the patch and the cells around it extend from y = {:.4g} to {:.4g} mm, "
                       "the profile of the {} can be meshed from {:.4g} to {:.4g} mm, where it ends "
                       "or becomes too steep for the frame of the patch; do: give a smaller [fem] "
                       "fine_extent or cell_size, a smaller load, or a longer profile",
@@ -116,12 +116,12 @@ double default_cell_size(const Scene& scene) {
 RunLayout run_layout(const Scene& scene, double cell) {
   RunLayout layout;
   layout.patch = PatchSearch(scene).box();
-  // To the lattice; what that moves is added on both sides.
+  // Aligns with the lattice; the displacement is added on both sides.
   const double exact = layout.patch.middle;
   layout.patch.middle = std::round(exact / cell) * cell;
   layout.patch.half_width += std::abs(layout.patch.middle - exact);
-  // Linear displacements cannot follow a traction of their own on every face: elements of one face
-  // let it oscillate, and the contact iteration then ends nowhere.
+  // Linear displacements cannot follow an independent traction on every face: with elements of one
+  // face the traction oscillates, and the contact iteration does not converge.
   layout.grid = lattice_grid(layout.patch, scene.options.fem.degree == 1 ? 2.0 * cell : cell);
   layout.bodies = body_options(scene, layout.patch, layout.grid, cell);
   return layout;

@@ -24,7 +24,7 @@ struct RunLayout {
                               ///< of degree 1 two by two
   BodyOptions bodies;
 };
-/// Throws contact::InputError when the profiles cannot be meshed so far.
+/// Throws contact::InputError when the profiles cannot be meshed over this extent.
 RunLayout run_layout(const contact::Scene& scene, double cell);
 
 }  // namespace rollfem::fem

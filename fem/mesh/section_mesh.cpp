@@ -23,7 +23,7 @@ using meshes::HexMesh;
 /// Coarse cells of true sections, mm.
 constexpr double largest_coarse_cell = 7.0;
 constexpr int deepest_level_of_section = 5;
-/// Cells with sharper corners than this are tried again with smaller ones near the patch.
+/// Meshes with sharper corners than this are retried with smaller cells near the patch.
 constexpr double good_scaled_jacobian = 0.2;
 
 constexpr const char* of_block = "cells under the patch (fem.cell_size, fem.extent)";
@@ -38,7 +38,7 @@ double smallest_scaled_jacobian(const HexMesh& mesh) {
   return smallest;
 }
 
-/// The section swept over the slices: along the rail, or about the axle by arcs that have the given
+/// Sweeps the section over the slices: along the rail, or about the axle by arcs of the given
 /// length on the surface of the block, so that its faces are rectangles in the chart.
 CoarseBody swept_section(const meshes::BlockedSection& blocked, const meshes::SectionBlock& block,
                          const SurfaceShape& shape, const std::vector<double>& places) {
@@ -89,7 +89,7 @@ CoarseBody make_true_section_mesh(const meshes::TrueSection& outline, const Surf
           meshes::outward_steps(block.cell_size, options.fine_half_length, options.reach_s());
       CoarseBody body = swept_section(meshes::mesh_true_section(outline, block), block, shape,
                                       meshes::points_both_ways(along));
-      meshes::check_mesh(body.mesh, "its section");  // free meshing may fold cells over each other
+      meshes::check_mesh(body.mesh, "its section");  // free meshing may produce overlapping cells
       const double quality = smallest_scaled_jacobian(body.mesh);
       if (quality > best_quality) {
         best = std::move(body);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Surfaces of wheel and rail: chart coordinates to places and back, local frames, the manifold.
+// Surfaces of wheel and rail: chart coordinates to points and back, local frames, the manifold.
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/profile_shape.hpp"
 
@@ -11,7 +11,7 @@ namespace rollfem::fem {
 
 namespace {
 
-/// Central differences: good enough for tangents, which is all that is asked of it.
+/// Central differences, accurate enough for tangents, the only use.
 dealii::DerivativeForm<1, 3, 3> difference_gradient(const ChartFunctions& functions,
                                                     const dealii::Point<3>& chart) {
   constexpr double step = 1e-4;  // mm
@@ -85,7 +85,7 @@ dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const 
 
 SurfaceFrame SurfaceShape::frame(double s, double t) const {
   if (profile) return profile->frame(s, t, profile->height(t).slope);
-  // Climb of the surface along t in the direction towards the wheel.
+  // Slope of the surface along t, positive towards the wheel.
   const double drop_slope = drop_at(t).slope;
   return tilted_frame(s, t, is_wheel ? drop_slope : -drop_slope);
 }
@@ -132,7 +132,7 @@ dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
   const double stretch = radius / on_surface;
-  // The angle of a given arc length grows where the radius falls.
+  // The angle of a given arc length grows where the radius decreases.
   const double turn = radius * angle / on_surface * drop.slope;
   gradient[0][0] = stretch * cosine;
   gradient[0][1] = -drop.slope * sine + turn * cosine;

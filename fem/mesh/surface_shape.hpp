@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The surface of a body: chart coordinates and places in space.
+// The surface of a body: chart coordinates and points in space.
 #pragma once
 
 #include "contact/base/profile_drop.hpp"
@@ -17,8 +17,8 @@ namespace rollfem::fem {
 /// Unit vectors of a surface: along rolling, lateral, normal into the wheel, for both bodies.
 using SurfaceFrame = std::array<dealii::Tensor<1, 3>, 3>;
 
-/// A chart of another surface than those of wheel and rail, for bodies that are built by hand (a
-/// disc in a hole). All three are given; what they mean is what SurfaceShape says.
+/// A chart of a surface other than wheel and rail, for manually built bodies (a disc in a hole).
+/// All three functions are required; their meaning is as in SurfaceShape.
 struct ChartFunctions {
   std::function<dealii::Point<3>(const dealii::Point<3>& chart)> place;
   std::function<dealii::Point<3>(const dealii::Point<3>& place)> coordinates;
@@ -28,34 +28,34 @@ struct ChartFunctions {
 class ProfileShape;
 
 /// Surface coordinates (s, t) = (arc length on the surface along rolling, lateral coordinate y) and
-/// depth d below the surface (along z on the rail, towards the axle on the wheel) -> place in
+/// depth d below the surface (along z on the rail, towards the axle on the wheel) -> point in
 /// space. s points along +x, the contact reference point is (0, 0, 0). For the wheel the material
 /// is above (z > 0), for the rail below.
 struct SurfaceShape {
   bool is_wheel = false;
   double rolling_radius = contact::infinity;     ///< wheel only
   double transverse_radius = contact::infinity;  ///< > 0 convex, < 0 concave
-  /// When given, these are the chart; the radii then say nothing of it.
+  /// If given, these define the chart; the radii are ignored.
   std::shared_ptr<const ChartFunctions> functions = nullptr;
-  /// When given, the chart of a true profile about an axle that may be tilted; the transverse
-  /// radius then says nothing, the rolling radius is that of t = 0.
+  /// If given, the chart of a true profile about an axle that may be tilted; the transverse radius
+  /// is ignored, the rolling radius applies to t = 0.
   std::shared_ptr<const ProfileShape> profile = nullptr;
-  double round_to = contact::usual_round_to;  ///< part of the transverse radius
-  /// How far the circle across has dropped at t.
+  double round_to = contact::usual_round_to;  ///< fraction of the transverse radius
+  /// Drop of the transverse circle at t.
   contact::ProfileDrop drop_at(double t) const;
   dealii::Point<3> place(double s, double t, double depth) const;
   /// Inverse of place(): (s, t, depth).
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;
   /// On the surface at (s, t).
   SurfaceFrame frame(double s, double t) const;
-  /// The same at a surface that climbs across by dz/dy = `climb` instead of the body's own slope
-  /// (of chart functions: their own frame).
+  /// The same at a surface with lateral slope dz/dy = `climb` instead of the body's slope (chart
+  /// functions keep their frame).
   SurfaceFrame tilted_frame(double s, double t, double climb) const;
-  /// Radius of the circle on which the wheel's surface runs at lateral coordinate t, mm.
+  /// Radius of the wheel's surface about the axle at lateral coordinate t, mm.
   double streamline_radius(double t) const;
-  /// A wheel of finite radius: its streamlines are circles.
+  /// Whether this is a wheel of finite radius, whose streamlines are circles.
   bool is_revolved() const;
-  /// Where the surface can be meshed between; infinite but for profiles.
+  /// Range in which the surface can be meshed; infinite except for profiles.
   double lower_t() const;
   double upper_t() const;
 };

@@ -82,7 +82,7 @@ BodyNodes::Cells BodyNodes::collect_cells() {
   return cells;
 }
 
-/// Cells in the order of their ids, which does not depend on who owns them; points as they come.
+/// Cells in the order of their ids, independent of their owners; points in order of occurrence.
 void BodyNodes::number(const std::vector<Cells>& processes) {
   struct Entry {
     const Cells* cells;
@@ -186,7 +186,7 @@ contact::BodyField BodyNodes::field(const Vector& displacement, const NodalStres
 
 contact::BodyField body_field(const Body& body, const Vector& displacement,
                               const std::string& name) {
-  Vector ghosted(displacement);  // copies come without ghost values: whoever copied it, fetch them
+  Vector ghosted(displacement);  // copies lack ghost values, so fetch them
   ghosted.update_ghost_values();
   return BodyNodes(body, name).field(ghosted, StressRecovery(body).recover(ghosted));
 }

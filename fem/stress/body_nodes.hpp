@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The nodes of a body as points of hexahedra for output: found once, so that displacement
-// and stress of every load point only need to be gathered.
+// The nodes of a body as points of hexahedra for output: collected once, so that displacement and
+// stress of every load point only need to be gathered.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -14,13 +14,13 @@ namespace rollfem::fem {
 
 class BodyNodes {
  public:
-  /// The body outlives this. Collective.
+  /// The body must outlive this object. Collective.
   BodyNodes(const Body& body, const std::string& name);
-  /// The whole body on process 0, mirrored when half of it is modelled; every cell becomes
-  /// degree^3 hexahedra. Points and cells are in the same order on any number of processes.
-  /// Elsewhere it has a name only.
+  /// The whole body on process 0, mirrored when half of it is modelled; every cell becomes degree^3
+  /// hexahedra. Points and cells are in the same order on any number of processes. On other
+  /// processes it has only a name.
   const contact::BodyField& mesh() const { return mesh_; }
-  /// At the points of mesh(); empty but on process 0. Both arguments with their ghost values.
+  /// Values at the points of mesh(); empty except on process 0. Both arguments with ghost values.
   /// Collective.
   contact::BodyValues values(const Vector& displacement, const NodalStress& stress) const;
   /// The same with the mesh and in double precision.
@@ -39,9 +39,9 @@ class BodyNodes {
   const Body& body_;
   contact::BodyField mesh_;
   std::vector<NodeIndex> nodes_;  ///< of this process: the unknowns u_x, u_y, u_z of each
-  /// On process 0, of the nodes of every process: their points.
+  /// On process 0: points of the nodes of every process.
   std::vector<std::vector<int>> point_of_;
-  std::vector<int> mirrored_;  ///< points whose mirror images follow behind all modelled ones
+  std::vector<int> mirrored_;  ///< points whose mirror images follow all modelled ones
 };
 
 /// Mesh, displacement and recovered stress at once.

@@ -35,7 +35,7 @@ EnergyError energy_error(const Body& body, const Vector& displacement, const Nod
   const unsigned int points = values.n_quadrature_points;
   std::vector<dealii::Tensor<2, 3>> gradients(points);
   std::vector<dealii::Tensor<1, 3>> direct(points), shear(points);
-  Vector ghosted(displacement);  // copies come without ghost values
+  Vector ghosted(displacement);  // copies lack ghost values
   ghosted.update_ghost_values();
   CellStress law(body.problem());
   double error = 0, energy = 0;

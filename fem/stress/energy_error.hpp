@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Error of a finite-element body in the energy norm, estimated from the difference between the
-// recovered stress and that of the elements (Zienkiewicz and Zhu 1992, "The superconvergent patch
+// recovered stress and the element stress (Zienkiewicz and Zhu 1992, "The superconvergent patch
 // recovery and a posteriori error estimates").
 #pragma once
 

@@ -61,12 +61,11 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
       body.shape().coordinates(dealii::Point<3>(place[0], place[1], place[2]));
   const double extent = body.options().extent;
   const bool above = chart[2] < 0.0 && std::max(std::abs(chart[0]), std::abs(chart[1])) <= extent;
-  const std::string where =
-      above ? fmt::format("{:.4g} mm above its surface", -chart[2])
-            : fmt::format(
-                  "beyond the segment, which reaches {:.4g} mm along, across and down from "
-                  "the middle of the patch",
-                  extent);
+  const std::string where = above ? fmt::format("{:.4g} mm above its surface", -chart[2])
+                                  : fmt::format(
+                                        "beyond the segment, which extends {:.4g} mm along, across "
+                                        "and down from the middle of the patch",
+                                        extent);
   throw contact::InputError(
       fmt::format("{}: {} (request {} of the case): ({:.6g}, {:.6g}, {:.6g}) mm is not in the {}, "
                   "but {}; allowed: points of the segment, at most {:.3g} mm (one finite element) "
@@ -75,14 +74,14 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
                   place[1], place[2], wheel ? "wheel" : "rail", where, reach,
                   above ? "move the points into the body, or follow its surface with "
                           "[[subsurface.surface]]"
-                        : "move the points nearer, or give a larger [fem] extent"));
+                        : "request closer points, or give a larger [fem] extent"));
 }
 
 }  // namespace
 
 Place place_below(const SurfaceShape& shape, double x, double y, double depth) {
   const double on_surface = shape.streamline_radius(y);
-  // Depth is along z, to which a tilted axle is not at a right angle.
+  // Depth is along z, which is not perpendicular to a tilted axle.
   const double radius =
       on_surface - depth * (shape.profile ? shape.profile->axle_direction()[1] : 1.0);
   double arc = x;
@@ -97,7 +96,7 @@ Place place_below(const SurfaceShape& shape, double x, double y, double depth) {
 }
 
 struct StressOutput::Implementation {
-  /// A body with what is asked of it.
+  /// A body with its requests.
   struct Part {
     Part(const Body& the_body, const std::string& the_name)
         : body(the_body), name(the_name), recovery(the_body), locator(the_body) {}
@@ -108,7 +107,7 @@ struct StressOutput::Implementation {
     std::vector<std::size_t> requests;   ///< of the case
     std::vector<BodyPoints> points;      ///< of each
     std::vector<SurfaceStress> surface;  ///< of each
-    std::unique_ptr<BodyNodes> nodes;    ///< where a load point keeps their values
+    std::unique_ptr<BodyNodes> nodes;    ///< for load points that store nodal values
   };
 
   Implementation(const contact::Scene& the_input, const BodyPair& bodies,
@@ -170,8 +169,8 @@ struct StressOutput::Implementation {
   }
 
   /// The node with the largest value of each measure, and the size of its cell in mm. Of equal
-  /// ones, as symmetry makes them, that with the largest x, then y: the same on any number of
-  /// processes.
+  /// values, as with symmetry, the node with the largest x, then y, so that the result is the same
+  /// on any number of processes.
   struct Start {
     ValueAt best{-contact::infinity, {}};
     double size = 0.0;
@@ -205,8 +204,8 @@ struct StressOutput::Implementation {
     return starts;
   }
 
-  /// Between the nodes. Places above the surface are moved onto it, so that a maximum on a curved
-  /// surface is followed along it.
+  /// Searches between the nodes. Points above the surface are moved onto it, so that a maximum on a
+  /// curved surface is followed along it.
   static StressMaximum refined(const Part& part, const NodalStress& stress, std::size_t measure,
                                const Start& start) {
     const contact::StressMeasure& of = contact::reported_measures()[measure];
@@ -230,7 +229,7 @@ struct StressOutput::Implementation {
   const contact::Scene& scene;
   bool maxima;
   bool keeps;
-  std::array<std::unique_ptr<Part>, 2> parts;  ///< wheel, rail; null: rigid, or nothing is wanted
+  std::array<std::unique_ptr<Part>, 2> parts;  ///< wheel, rail; null: rigid, or nothing requested
 };
 
 StressOutput::StressOutput(const contact::Scene& scene, const BodyPair& bodies,

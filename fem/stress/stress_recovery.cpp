@@ -23,10 +23,11 @@ using dealii::Tensor;
 using Stress6 = std::array<double, 6>;
 using GlobalIndex = dealii::types::global_dof_index;
 
-/// Distance from the symmetry plane y = 0 that is rounding, mm.
+/// Rounding tolerance of the distance from the symmetry plane y = 0, mm.
 constexpr double on_plane = 1e-9;
 
-/// Samples count by exp(-decay r^2), r their distance in cell lengths from the middle of the cell.
+/// Samples have the weight exp(-decay r^2), r their distance in cell lengths from the centre of the
+/// cell.
 constexpr double decay = 4.0;
 
 /// Monomials of total degree <= degree.
@@ -53,7 +54,7 @@ class Polynomials {
   std::vector<std::array<unsigned int, 3>> exponents_;
 };
 
-/// Affine coordinates in which a cell is about the cube [-1/2, 1/2]^3.
+/// Affine coordinates in which a cell is approximately the cube [-1/2, 1/2]^3.
 struct LocalFrame {
   Point<3> centre;
   Tensor<2, 3> inverse;
@@ -77,15 +78,15 @@ LocalFrame local_frame(const Cell& cell) {
 }  // namespace
 
 struct StressRecovery::Implementation {
-  /// A cell of this process or one beside it.
+  /// A cell of this process or an adjacent one.
   struct CellData {
     dealii::DoFHandler<3>::active_cell_iterator cell;
     std::vector<GlobalIndex> dofs;
-    std::vector<Point<3>> samples;      ///< places of the superconvergent points
-    std::vector<Tensor<2, 3>> inverse;  ///< d reference / d place there
+    std::vector<Point<3>> samples;      ///< positions of the superconvergent points
+    std::vector<Tensor<2, 3>> inverse;  ///< d reference / d position there
     bool at_plane = false;              ///< has a face on the symmetry plane
   };
-  /// A cell of this process: where it wants the stress, and from which cells.
+  /// A cell of this process: its nodes for the stress, and the cells of its patch.
   struct Patch {
     std::size_t cell;
     LocalFrame frame;
@@ -130,7 +131,7 @@ struct StressRecovery::Implementation {
     }
   }
 
-  /// Cells that share a vertex: those beyond a hanging face or edge do, too.
+  /// Cells that share a vertex, also those beyond a hanging face or edge.
   void collect_patches() {
     std::vector<std::vector<std::size_t>> around(body.dofs().get_triangulation().n_vertices());
     for (const auto& cell : body.dofs().active_cell_iterators())
@@ -160,8 +161,8 @@ struct StressRecovery::Implementation {
         shape_gradients.push_back(element.shape_grad(i, gauss.point(q)));
   }
 
-  /// Stress at the superconvergent points of a cell: those of Gauss's rule with degree^3 points
-  /// (Barlow 1976).
+  /// Stress at the superconvergent points of a cell: the Gauss points of the rule with degree^3
+  /// points (Barlow 1976).
   std::vector<Stress6> sample(const CellData& cell, const Vector& displacement,
                               CellStress& law) const {
     std::vector<Stress6> stress;
@@ -291,7 +292,7 @@ StressRecovery::StressRecovery(const Body& body)
 StressRecovery::~StressRecovery() = default;
 
 NodalStress StressRecovery::recover(const Vector& displacement) const {
-  Vector ghosted(displacement);  // copies come without ghost values
+  Vector ghosted(displacement);  // copies lack ghost values
   ghosted.update_ghost_values();
   return implementation_->recover(ghosted);
 }

@@ -19,17 +19,17 @@ struct NodalStress {
   Vector shear;   ///< components xy yz xz
 };
 
-/// Keeps what depends on the mesh alone, so that many load points cost little each.
+/// Stores the data that depend only on the mesh, so that every load point costs little.
 class StressRecovery {
  public:
-  /// The body outlives the recovery. Collective.
+  /// The body must outlive the recovery. Collective.
   explicit StressRecovery(const Body& body);
   ~StressRecovery();
   /// Collective. Displacement of an elastic body in mm, constraints distributed. On a symmetry
   /// plane xy and yz are 0. Continuous over the whole body, also across hanging nodes.
   NodalStress recover(const Vector& displacement) const;
-  /// Calls f(place, stress xx yy zz xy yz xz, size of the cell in mm) for the nodes of every cell
-  /// of this process; nodes that cells share come again.
+  /// Calls f(point, stress xx yy zz xy yz xz, size of the cell in mm) for the nodes of every cell
+  /// of this process; shared nodes occur several times.
   void for_each_node(const NodalStress& stress,
                      const std::function<void(const std::array<double, 3>&,
                                               const std::array<double, 6>&, double)>& f) const;

@@ -12,10 +12,11 @@ namespace {
 using Tensor1 = dealii::Tensor<1, 3>;
 using Tensor2 = dealii::Tensor<2, 3>;
 
-/// Depth, in cells, of a place that is on the surface: what a curved element strays from it.
+/// Depth in cells up to which a point is on the surface: deviation of a curved element from the
+/// surface.
 constexpr double surface_depth = 1e-3;
 
-/// Cells by which its neighbours may be off the surface of coarser elements.
+/// Distance in cells by which its neighbours may be off the surface of coarser elements.
 constexpr double around_reach = 0.1;
 
 Tensor1 vector(const std::array<double, 3>& v) {
@@ -36,7 +37,7 @@ struct SurfaceStrain {
   double ss, tt, st;
 };
 
-/// From differences of the displacement along two ways in the surface.
+/// From differences of the displacement along two directions in the surface.
 SurfaceStrain strain_of(const std::array<Tensor1, 2>& way, const std::array<Tensor1, 2>& change,
                         const SurfaceFrame& axes) {
   const dealii::Tensor<2, 2> ways(
@@ -54,8 +55,8 @@ SurfaceStrain strain_of(const Tensor2& stress, const contact::Material& material
           (stress[1][1] - nu * (stress[0][0] + stress[2][2])) / e, (1.0 + nu) / e * stress[0][1]};
 }
 
-/// Stress vector on the plane of the body's own normal into the wheel: the same for both bodies.
-/// Tractions are per area of the surface that both share; the ratio of areas is that of cosines.
+/// Stress vector on the plane of the body's normal into the wheel: the same for both bodies.
+/// Tractions are per area of the common surface; the ratio of areas is the ratio of cosines.
 Tensor1 surface_load(const std::array<double, 3>& on_wheel, const SurfaceFrame& own,
                      const SurfaceFrame& shared) {
   const double own_tilt = own[2][1];

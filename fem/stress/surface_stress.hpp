@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Stress at the contact surface of a finite-element body: the tractions are known there, so only
-// the strain within the surface has to come from the elements.
+// Stress at the contact surface of a finite-element body: the tractions are known there, so that
+// only the strain within the surface comes from the elements.
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"
@@ -11,14 +11,15 @@ namespace rollfem::fem {
 /// The points of a list that lie on the contact surface of a body, within a thousandth of a cell.
 class SurfaceStress {
  public:
-  /// The body of `locator` outlives this. `grid` and `surface` as in SurfaceCoupling. Collective.
+  /// The body of `locator` must outlive this object. `grid` and `surface` as in SurfaceCoupling.
+  /// Collective.
   SurfaceStress(const Body& body, const BodyLocator& locator, const BodyPoints& points,
                 const contact::ContactGrid& grid, const contact::ContactSurface& surface);
   /// Replaces the recovered stress, xx yy zz xy yz xz of every point (MPa, global): the three
-  /// components on the surface are those of the tractions on the wheel (zero outside of the patch),
-  /// the other three follow by Hooke's law from them and the strain within the surface, a
-  /// difference of the displacement over one cell (where the body ends within it, the strain of the
-  /// recovered stress). Collective.
+  /// components on the surface equal the tractions on the wheel (zero outside the patch), the other
+  /// three follow by Hooke's law from them and the strain within the surface, a difference of the
+  /// displacement over one cell (where the body ends within that cell, the strain of the recovered
+  /// stress). Collective.
   void combine(const Vector& displacement, const contact::SurfaceField& traction,
                std::vector<std::array<double, 6>>& stress) const;
 

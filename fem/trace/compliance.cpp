@@ -56,7 +56,7 @@ struct FemCompliance::Implementation {
     return force;
   }
 
-  /// Of body k under the tractions it was last solved for.
+  /// Displacement of body k under its last tractions.
   contact::SurfaceField surface_displacement(int k, const contact::SurfaceField& traction) const {
     const contact::Field none = contact::Field::Zero(grid.size());
     if (!coupling[k]) return {none, none, none};
@@ -73,8 +73,7 @@ struct FemCompliance::Implementation {
     parts[k].solver->solve(displacements[k], loads[k]);
   }
 
-  /// Stresses ask for the bodies under the tractions that the contact iteration has just ended
-  /// with.
+  /// Stresses use the bodies under the tractions with which the contact iteration has just ended.
   void solve(const contact::SurfaceField& traction) {
     if (solved_for && same(*solved_for, traction)) return;
     solved_for.reset();
@@ -103,7 +102,7 @@ struct FemCompliance::Implementation {
   std::optional<FarField> far_field[2];  ///< none: clamped
   Vector loads[2];
   Vector displacements[2];
-  std::optional<contact::SurfaceField> solved_for;  ///< what `displacements` belong to
+  std::optional<contact::SurfaceField> solved_for;  ///< tractions of `displacements`
   bool concurrent = false;
   bool first = true;  ///< process, whose surface displacement is whole
   int solves = 0;
@@ -138,7 +137,7 @@ std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceFiel
   auto& model = *implementation_;
   model.solve(traction);
   std::vector<Vector> displacements(model.displacements, model.displacements + 2);
-  // Copying a vector leaves its ghost values behind.
+  // Copying a vector drops its ghost values.
   for (int k = 0; k < 2; ++k) {
     if (!model.coupling[k]) continue;
     displacements[k].update_ghost_values();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The finite-element compliance A = sum over bodies of S^-1 B K^-1 B^T + M, S the true areas of the
 // contact elements: piecewise constant tractions are loaded consistently on the FE faces (B^T,
-// exact), displacement is averaged over the contact element (S^-1 B), and M makes it that of the
-// element's middle (middle_displacement.hpp). A is symmetric by construction.
+// exact), displacement is averaged over the contact element (S^-1 B), and M converts the mean to
+// the displacement at the element's centre (middle_displacement.hpp). A is symmetric by
+// construction.
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
@@ -18,15 +19,15 @@
 namespace rollfem::fem {
 
 /// One body's part. Tractions and displacement are along the lateral tangent and the normal of the
-/// contact surface that both bodies share, so that loads of both are equal and opposite; along
-/// rolling the frame turns with the body's own streamlines. The sign with which they enter the
-/// difference (wheel +, rail -, load -) is handled in FemCompliance.
+/// common contact surface, so that the loads on both bodies are equal and opposite; along rolling
+/// the frame turns with the body's streamlines. FemCompliance handles their sign in the difference
+/// (wheel +, rail -, load -).
 class SurfaceCoupling {
  public:
-  /// `grid`: contact elements in (s, t), t the lateral coordinate y; `surface`: what both share. A
-  /// half body is loaded with the mirror image understood: elements at t < 0 mirror those at t > 0
-  /// (x and n components even, y component odd). Throws contact::InputError when the grid reaches
-  /// beyond the body's surface or its elements are finer than the FE faces under them.
+  /// `grid`: contact elements in (s, t), t the lateral coordinate y; `surface`: the common surface.
+  /// A half body includes its mirror image: elements at t < 0 mirror those at t > 0 (x and n
+  /// components even, y component odd). Throws contact::InputError when the grid extends beyond the
+  /// body's surface or its elements are finer than the FE faces under them.
   SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,
                   const contact::ContactSurface& surface);
   /// On the body's own surface.
@@ -36,7 +37,7 @@ class SurfaceCoupling {
   void load(const contact::SurfaceField& traction, Vector& b) const;
   /// Mean displacement over each element; the same on every process.
   contact::SurfaceField sample(const Vector& displacement) const;
-  /// The cells under the grid, if every element consists of whole faces of one size.
+  /// The cells under the grid, if every element consists of whole faces of equal size.
   std::optional<Lattice> lattice() const;
 
  private:
@@ -44,31 +45,31 @@ class SurfaceCoupling {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// How the far boundary of the segments is held (far_field.hpp).
+/// Far boundary of the segments (far_field.hpp).
 using FarBoundary = contact::FarBoundary;
 
 class FemCompliance : public contact::Compliance {
  public:
-  /// Both null: a rigid body, which contributes nothing.
+  /// Both null: a rigid body, without contribution.
   struct Part {
     const Body* body;
     const LinearSolver* solver;
   };
-  /// Wheel and rail, of which one may be rigid, and the surface that they share; all outlive the
-  /// compliance. Parts are solved at the same time on two threads when both solvers allow it.
-  /// With FarBoundary::point_load the displacement that the far boundary brings is added, which is
-  /// linear in the resultant force (and costs three solves a body, here): then no longer exactly
-  /// symmetric, see docs/theory.md.
+  /// Wheel and rail, one of which may be rigid, and their common surface; all must outlive the
+  /// compliance. Parts are solved in parallel on two threads when both solvers allow it.
+  /// FarBoundary::point_load adds the displacement due to the far boundary, which is linear in the
+  /// resultant force (and costs three solves per body, here): the compliance is then no longer
+  /// exactly symmetric, see docs/theory.md.
   FemCompliance(const Part& wheel, const Part& rail, const contact::ContactSurface& surface,
                 const contact::ContactGrid& grid, FarBoundary far = FarBoundary::clamped);
   ~FemCompliance() override;
   const contact::ContactGrid& grid() const override;
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
-  /// With the curvature slip of the wheel. Collective; empty on other processes than the first, for
-  /// which this is done.
+  /// With the curvature slip of the wheel. Collective; empty on all processes except the first,
+  /// which receives the result.
   contact::Response respond(const contact::SurfaceField& traction) const override;
-  /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView; of a
-  /// rigid body empty.
+  /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView; empty
+  /// for a rigid body.
   std::vector<Vector> body_displacements(const contact::SurfaceField& traction) const;
   int solves() const;  ///< apply() calls so far
 

@@ -16,21 +16,21 @@ namespace {
 
 using contact::pi;
 
-/// Of a half-space in depth under a point load at a distance L, on the axis (Boussinesq: P (3 - 2
-/// nu) / (4 pi G L)); the surface moves less at that distance. mm.
+/// Displacement of a half-space on the axis under a point load, at depth L (Boussinesq: P (3 - 2
+/// nu) / (4 pi G L)), mm; the surface moves less at that distance.
 double displacement_at(const contact::Material& material, double force, double distance) {
   return force * (3.0 - 2.0 * material.poisson_ratio) /
          (4.0 * pi * contact::shear_modulus(material) * distance);
 }
 
-/// In which the circle of a profile ends; that of the usual 44.4 degrees is taken as 1.
+/// Slope at which the circle of a profile ends; 1 for the default of 44.4 degrees.
 double steepest_slope(double round_to) {
   return std::max(1.0, round_to / std::sqrt(1.0 - round_to * round_to));
 }
 
-/// What a surface of this curvature (1/mm, sum of both directions) changes in the displacement of a
-/// half-space from `extent` on, where the profile's last slope is `steepest`: to first order by the
-/// strain energy along its surface, which is small, and to second order in the slope L kappa / 4.
+/// Change of a half-space's displacement beyond `extent` by a surface of this curvature (1/mm, sum
+/// of both directions) with the last profile slope `steepest`: first order by the strain energy
+/// along the surface, which is small, and second order in the slope L kappa / 4.
 double curvature_error(const contact::Material& material, double force, double extent,
                        double curvature, double steepest) {
   const double kappa = std::abs(curvature);
@@ -39,7 +39,7 @@ double curvature_error(const contact::Material& material, double force, double e
   const double first = force * free_strain * free_strain * kappa /
                        (8.0 * pi * contact::shear_modulus(material)) *
                        std::log1p(1.0 / (kappa * extent));
-  // Profiles go on along their steepest tangent in one of two directions.
+  // Profiles continue along their steepest tangent in one of two directions.
   const double slope = std::min(0.25 * kappa * extent, 0.5 * steepest);
   return first + slope * slope * displacement_at(material, force, extent);
 }
@@ -80,12 +80,12 @@ double approach_left_out(const contact::Scene& scene, double normal_force, doubl
 std::string far_boundary_note(const contact::Scene& scene, double extent) {
   if (far_boundary_of(scene) == contact::FarBoundary::clamped)
     return fmt::format(
-        "wheel and rail segments reach {:.4g} mm from the patch and are clamped there: the "
-        "approach is that of these segments; its error estimate includes how much larger it may be "
-        "for large bodies",
+        "wheel and rail segments extend {:.4g} mm from the patch and are clamped there: the "
+        "approach is that of these segments; its error estimate includes the possible increase for "
+        "large bodies",
         extent);
   return fmt::format(
-      "wheel and rail segments reach {:.4g} mm from the patch and move there like half-spaces "
+      "wheel and rail segments extend {:.4g} mm from the patch and move there like half-spaces "
       "under the force on it: the approach is that of large bodies, within its error estimate",
       extent);
 }

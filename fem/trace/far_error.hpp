@@ -8,18 +8,18 @@
 
 namespace rollfem::fem {
 
-/// As the case says; if it does not, that of a half-space under a point load where the program
-/// meshes both bodies as boxes on the surface or around it, and clamped otherwise (true sections
-/// have free sides, which a half-space has not).
+/// As given in the case; by default that of a half-space under a point load if rollfem meshes both
+/// bodies as boxes on the surface or around it, and clamped otherwise (true sections have free
+/// sides, unlike a half-space).
 contact::FarBoundary far_boundary_of(const contact::Scene& scene);
 
-/// Upper estimate, mm, of what the approach at this force (N) would change by in segments that
-/// reach beyond `extent` (mm). Clamped: the half-spaces' displacement there. Point load: what its
-/// displacement there is off, by the spread of the pressure and the curvature of the bodies.
-/// Derivation: docs/theory.md, "Far boundary".
+/// Upper estimate, mm, of the change of the approach at this force (N) in segments larger than
+/// `extent` (mm). Clamped: the half-spaces' displacement there. Point load: error of its
+/// displacement there, from the spread of the pressure and the curvature of the bodies. Derivation:
+/// docs/theory.md, "Far boundary".
 double approach_left_out(const contact::Scene& scene, double normal_force, double extent);
 
-/// What the results say about it.
+/// Note for the results.
 std::string far_boundary_note(const contact::Scene& scene, double extent);
 
 }  // namespace rollfem::fem

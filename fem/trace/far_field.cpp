@@ -21,7 +21,7 @@ Vector values_on_far_boundary(const Body& body, unsigned int axis) {
   const auto& owned = body.dofs().locally_owned_dofs();
   std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
   for (const auto& cell : body.dofs().active_cell_iterators()) {
-    // Ghost cells too: an owned node may lie on a face that only a neighbour's cell has.
+    // Also ghost cells, because an owned node may lie on a face that only a neighbour's cell has.
     if (cell->is_artificial() || !cell->at_boundary()) continue;
     cell->get_dof_indices(indices);
     for (const unsigned int face : cell->face_indices()) {
@@ -45,7 +45,7 @@ dealii::Tensor<1, 3> point_load_displacement(const SurfaceShape& shape,
                                              const contact::Material& material, unsigned int axis,
                                              const dealii::Point<3>& place) {
   const halfspace::ElasticHalfspace body{contact::shear_modulus(material), material.poisson_ratio};
-  // The closed forms count z into the body; for the rail that turns the z axis round.
+  // In the closed forms z points into the body; for the rail this reverses the z axis.
   const double inwards = shape.is_wheel ? 1.0 : -1.0;
   const halfspace::Position at{place[0], place[1], std::max(0.0, inwards * place[2])};
   halfspace::Displacement u{};

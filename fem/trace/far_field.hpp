@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The far boundary of a segment of wheel or rail, which replaces the body it is cut from: it is
-// moved like that of a half-space under the force on the patch as a point load. Linear in the
+// The far boundary of a segment of wheel or rail, which represents the remainder of the body: it
+// moves like that of a half-space under the force on the patch as a point load. Linear in the
 // force: three elastic fields, solved once and together. Derivation: docs/theory.md, "Far
 // boundary".
 #pragma once
@@ -14,26 +14,28 @@
 namespace rollfem::fem {
 
 /// Displacement (mm/N) at `place` of a half-space of this material under a unit force along axis x,
-/// y or z (0, 1, 2) at the origin: Boussinesq's and Cerruti's. The wheel is the half-space z > 0,
-/// the rail z < 0; a place beyond the plane is taken as on it. Not at the origin.
+/// y or z (0, 1, 2) at the origin (Boussinesq, Cerruti). The wheel is the half-space z > 0, the
+/// rail z < 0; points beyond the plane are projected onto it. Not at the origin.
 dealii::Tensor<1, 3> point_load_displacement(const SurfaceShape& shape,
                                              const contact::Material& material, unsigned int axis,
                                              const dealii::Point<3>& place);
 
-/// Of tractions on the contact surface: force along the axes x, y, z, N (the turning of the wheel's
-/// frame along rolling, (s/R)^2 / 2 of it, is left out, as in contact::integrate_tractions).
+/// Force of tractions on the contact surface along the axes x, y, z, N (neglecting the rotation of
+/// the wheel's frame along rolling, a relative error of (s/R)^2 / 2, as in
+/// contact::integrate_tractions).
 std::array<double, 3> resultant_force(const contact::PatchShape& shape,
                                       const contact::ContactGrid& grid,
                                       const contact::SurfaceField& traction);
 
-/// One body's fields: displacement with the point load's on the far boundary and no load inside,
-/// for unit forces on this body along the axes. That along y is zero in half a body. Collective.
+/// One body's fields: displacement with that of the point load on the far boundary and no load
+/// inside, for unit forces on this body along the axes. The field for y is zero in half a body.
+/// Collective.
 class FarField {
  public:
   /// `solver` is that of body.problem().
   FarField(const Body& body, const LinearSolver& solver, const SurfaceCoupling& coupling);
-  /// Adds the displacement that the far boundary brings for a force on this body, N: as the
-  /// coupling samples it, and in the whole body.
+  /// Adds the displacement due to the far boundary for a force on this body, N: as sampled by the
+  /// coupling, and in the whole body.
   void add(const std::array<double, 3>& force, contact::SurfaceField& displacement) const;
   void add(const std::array<double, 3>& force, Vector& displacement) const;
 

@@ -25,10 +25,10 @@ using Eigen::Matrix3cd;
 using Eigen::MatrixXcd;
 
 /// Waves along each side: midpoints of [0, pi], of which the kernel is the mean. Its reach is a
-/// third of what 24 of them repeat after.
+/// third of the period of 24 waves.
 constexpr int waves = 12;
 
-/// Layers of cells, 2^8: the longest of the waves has fallen to 1e-20 there.
+/// Layers of cells, 2^8: the longest wave has decayed to 1e-20 there.
 constexpr int doublings = 8;
 
 /// One column of cells under a contact element, its sides joined with the phase of a wave.
@@ -77,7 +77,7 @@ class Column {
  private:
   struct Unknown {
     int component;
-    std::array<int, 3> step;  ///< place in the cell, in parts of it, the surface at 0 of the third
+    std::array<int, 3> step;  ///< relative position in the cell; third: 0 at the surface
     double mean;              ///< weight in the mean over the contact element
   };
 
@@ -101,8 +101,8 @@ class Column {
         layer(place[a], place[b]) += std::conj(phase[a]) * stiffness_[a * count + b] * phase[b];
   }
 
-  /// Of the upper nodes of all layers together, the lowest nodes fixed: nodes between are
-  /// eliminated, and two equal stacks on each other make the next.
+  /// Stiffness of the upper nodes of all layers, with the lowest nodes fixed: nodes in between are
+  /// eliminated, and two equal stacks form the next one.
   static MatrixXcd surface_stiffness(const MatrixXcd& layer, Index n) {
     const Index inner = layer.rows() - 2 * n;
     const Index low = layer.rows() - n;
@@ -140,9 +140,9 @@ double sinc(double x) {
   return x == 0.0 ? 1.0 : std::sin(x) / x;
 }
 
-/// The same of the half-space (Cerruti and Boussinesq in wave numbers: 1/(G k) times 1 - nu k_x^2 /
-/// k^2, 1 - nu k_y^2/k^2, -nu k_x k_y/k^2 and 1 - nu): the wave on the elements is a sum of waves,
-/// each of which the mean takes with the same factor as the load.
+/// The same for the half-space (Cerruti and Boussinesq in wave numbers: 1/(G k) times 1 - nu k_x^2
+/// / k^2, 1 - nu k_y^2/k^2, -nu k_x k_y/k^2 and 1 - nu): the wave on the elements is a sum of
+/// waves, each with the same factor in the mean as in the load.
 ElementResponse halfspace_response(const Lattice& lattice, double along_x, double along_y) {
   constexpr int shorter = 60;
   const double nu = lattice.material.poisson_ratio;

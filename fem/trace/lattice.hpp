@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Finite elements on a regular lattice of cells as deep as a half-space, under tractions constant
-// on every contact element: the error of their mean displacement of the elements against the
-// elastic half-space. A lattice answers a wave of tractions with a wave (Bloch), so one column of
-// cells, its sides joined with the wave's phase, gives all of it: no mesh, no fit.
+// on every contact element: the error of their mean element displacement relative to the elastic
+// half-space. The response of a lattice to a wave of tractions is a wave (Bloch), so one column of
+// cells with sides joined by the wave's phase is sufficient, without mesh or fit.
 #pragma once
 
 #include "contact/base/material.hpp"
@@ -12,7 +12,7 @@
 
 namespace rollfem::fem {
 
-/// Cells under a contact element: `cells` by `cells` of them make one.
+/// Cells under a contact element: `cells` by `cells`.
 struct Lattice {
   contact::Material material;
   int degree = 2;                   ///< of the elements, FE_Q(degree)^3
@@ -20,7 +20,7 @@ struct Lattice {
   std::array<double, 3> cell_size;  ///< mm: along x, along y, inwards
 };
 
-/// Displacements (mm) of one element under unit traction (MPa) on another; not the coupling of
+/// Displacements (mm) of one element under unit traction (MPa) on another; without the coupling of
 /// normal and tangential directions.
 struct ElementResponse {
   double xx = 0.0;
@@ -29,10 +29,9 @@ struct ElementResponse {
   double nn = 0.0;
 };
 
-/// Of elements (i, j) from the loaded one, 0 <= i, j <= lattice_reach, index j * (lattice_reach +
-/// 1)
-/// + i; xy changes its sign with i and with j, the others do not. Beyond it is below 1e-5 of that
-/// of the loaded element itself.
+/// For elements (i, j) from the loaded one, 0 <= i, j <= lattice_reach, index j * (lattice_reach +
+/// 1) + i; xy is odd in i and in j, the others are even. Beyond the reach the value is below 1e-5
+/// of that of the loaded element.
 inline constexpr int lattice_reach = 8;
 
 /// Mean displacement of the half-space less that of the lattice.

@@ -34,7 +34,7 @@ void add(double factor, const ElementResponse& what, ElementResponse& sum) {
 }
 
 /// The half-space's displacement in the middle of element (i, j) from the loaded one, less its mean
-/// over it. Its slope is infinite, as a logarithm is, at the loaded element's border.
+/// over it. Its slope has a logarithmic singularity at the loaded element's border.
 ElementResponse middle_less_mean(int i, int j, const ContactGrid& grid,
                                  const CombinedMaterial& material) {
   const int distance = std::max(std::abs(i), std::abs(j));
@@ -50,7 +50,7 @@ ElementResponse middle_less_mean(int i, int j, const ContactGrid& grid,
   return result;
 }
 
-/// Of offsets from 0 on, index j * nx + i.
+/// For offsets from 0 on, index j * nx + i.
 std::vector<ElementResponse> quadrant(const ContactGrid& grid, const contact::Material& material,
                                       const std::optional<Lattice>& lattice) {
   constexpr contact::Material rigid{contact::infinity};
@@ -67,8 +67,8 @@ std::vector<ElementResponse> quadrant(const ContactGrid& grid, const contact::Ma
   return kernel;
 }
 
-/// Transform of the periodic kernel, which is even under (x, y) -> (-x, -y); `odd`: it changes its
-/// sign with x and with y.
+/// Transform of the periodic kernel, which is even under (x, y) -> (-x, -y); `odd`: odd in x and in
+/// y.
 Symbol symbol_of(const PaddedFft& plane, const ContactGrid& grid,
                  const std::vector<ElementResponse>& quadrant, double ElementResponse::*component,
                  bool odd = false) {

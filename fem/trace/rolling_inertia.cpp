@@ -39,7 +39,7 @@ Vector centrifugal_load(const ElasticProblem& problem) {
   const auto& element = problem.dofs.get_fe();
   for_each_cell(problem, [&](const auto& indices, const auto& values) {
     for (const auto q : values.quadrature_point_indices()) {
-      // (v.grad)v = rotation x v, of which the translation along the axle is no part.
+      // (v.grad)v = rotation x v, which does not include translation along the axle.
       const auto force =
           -problem.material.density * values.JxW(q) *
           dealii::cross_product_3d(motion.rotation, motion.at(values.quadrature_point(q)));

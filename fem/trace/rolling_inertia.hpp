@@ -9,25 +9,24 @@
 
 namespace rollfem::fem {
 
-/// int rho (-(v.grad)v) . N: the centrifugal load of material that turns, N. Constraints ignored.
+/// int rho (-(v.grad)v) . N: the centrifugal load of rotating material, N. Constraints are ignored.
 Vector centrifugal_load(const ElasticProblem& problem);
 
-/// Displacement of a free disc that turns with this motion, in equilibrium everywhere in it: in its
-/// middle plane (y = 0) that of plane stress,
-/// u_r = rho omega^2 (1 - nu) ((3 + nu) R^2 r - (1 + nu) r^3)/(8 E), and off it
-/// -rho omega^2 nu (1 + nu) y^2 r / (2 E) more; along the axle -nu/E times the integral of
-/// sigma_r + sigma_theta (Timoshenko and Goodier, Theory of Elasticity, the rotating disk
-/// as a three-dimensional problem).
+/// Displacement of a free disc rotating with this motion, in equilibrium everywhere: in its middle
+/// plane (y = 0) that of plane stress, u_r = rho omega^2 (1 - nu) ((3 + nu) R^2 r - (1 + nu)
+/// r^3)/(8 E), plus -rho omega^2 nu (1 + nu) y^2 r / (2 E) outside it; along the axle -nu/E times
+/// the integral of sigma_r + sigma_theta (Timoshenko and Goodier, Theory of Elasticity, the
+/// rotating disk as a three-dimensional problem).
 dealii::Tensor<1, 3> spinning_disc_displacement(const contact::Material& material,
                                                 const MaterialMotion& motion, double outer_radius,
                                                 const dealii::Point<3>& place);
 
-/// What the wheel does at its rolling speed before anything touches it, mm: its far boundary moves
-/// as that of a spinning disc of its rolling radius, between there and the free surface the finite
-/// elements balance the centrifugal load. `solver` is that of wheel.problem(). Collective.
+/// Displacement of the wheel at its rolling speed before contact, mm: its far boundary moves like a
+/// spinning disc of its rolling radius; between there and the free surface the finite elements
+/// balance the centrifugal load. `solver`: solver of wheel.problem(). Collective.
 Vector spinning_displacement(const Body& wheel, const LinearSolver& solver);
 
-/// The same as the contact sees it.
+/// The same at the contact.
 struct WheelExpansion {
   Vector displacement;
   contact::Field distance;        ///< mm, added to the undeformed distance; negative where it grows

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact grid and FE surface: integrals of the shape functions over the overlap of contact
-// elements and FE faces (chart_face.hpp), the same for loading and sampling.
+// Coupling of contact grid and FE surface: integrals of the shape functions over the overlap of
+// contact elements and FE faces (chart_face.hpp), the same for loading and sampling.
 #include "contact/base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/chart_face.hpp"
@@ -22,10 +22,10 @@ namespace rollfem::fem {
 namespace {
 
 constexpr double lattice_tolerance = 1e-6;
-/// Of faces that make up the elements of a lattice: of a wheel they are a little longer or shorter
-/// beside the running circle.
+/// Tolerance for faces on the lattice of the elements: on a wheel they are slightly longer or
+/// shorter beside the running circle.
 constexpr double lattice_misfit = 0.03;
-/// Faces that follow no lattice may be larger than the contact elements by this much.
+/// Relative excess over the contact elements allowed for faces without lattice.
 constexpr double size_tolerance = 2e-3;
 
 /// Number of an unknown of the body and int N_i e_k dA over one contact element, e_k the local
@@ -35,13 +35,13 @@ struct Entry {
   std::array<double, 3> weight;
 };
 
-/// Where a contact element's mirror image at -y lies in the grid.
+/// Index of a contact element's mirror image at -y in the grid.
 int mirrored(const contact::ContactGrid& grid, int element) {
   const int j = element / grid.nx;
   return grid.index(element % grid.nx, grid.ny - 1 - j);
 }
 
-/// What a body shares with another of exactly its shape; of a profile what it shares with the other
+/// The common surface of a body and another one of the same shape; for a profile, with the other
 /// body of its patch.
 contact::ContactSurface own_surface(const SurfaceShape& shape) {
   if (shape.profile) return profile_contact(*shape.profile);
@@ -94,7 +94,8 @@ struct SurfaceCoupling::Implementation {
       const Cell& cell, unsigned int face,
       std::vector<std::map<dealii::types::global_dof_index, std::array<double, 3>>>& rows) {
     const ChartFace chart(face_corners(cell, face));
-    // On a whole wheel one row of faces lies where the arc length jumps from one end to the other.
+    // On a whole wheel one row of faces crosses the jump of the arc length from one end to the
+    // other.
     if (chart.s().length() > body.shape().streamline_radius(0.0)) return;
     const auto [i0, i1] = overlapped(chart.s(), grid.x_first, grid.dx, grid.nx);
     const auto [j0, j1] = overlapped(chart.t(), grid.y_first, grid.dy, grid.ny);
@@ -105,7 +106,7 @@ struct SurfaceCoupling::Implementation {
     std::vector<FacePoint> rule;
     for (int j = j0; j <= j1; ++j)
       for (int i = i0; i <= i1; ++i) {
-        // The shape functions are exact with degree + 1 points; one more for the turning frame.
+        // degree + 1 points integrate the shape functions exactly; one more for the rotating frame.
         const double shared =
             chart.overlap(element_x(i), element_y(j), cell->get_fe().degree + 2, rule);
         if (rule.empty()) continue;
@@ -119,7 +120,7 @@ struct SurfaceCoupling::Implementation {
       }
   }
 
-  /// In the standard orientation of this cell's face, whatever the neighbour's.
+  /// In the standard orientation of this cell's face, independent of the neighbour.
   template <class Cell>
   std::array<dealii::Point<2>, 4> face_corners(const Cell& cell, unsigned int face) const {
     std::array<dealii::Point<2>, 4> corners;
@@ -131,10 +132,10 @@ struct SurfaceCoupling::Implementation {
     return corners;
   }
 
-  /// Faces along the side of an element when degree and contact grid are those of the model.
+  /// Faces along the side of an element for the degree and contact grid of the model.
   int faces_along() const { return body.dofs().get_fe().degree == 1 ? 2 : 1; }
 
-  /// How far a face is from one of those faces of an element, in faces.
+  /// Deviation of a face from those faces of an element, in faces.
   double misfit(const Interval& face, const Interval& element) const {
     const double size = element.length() / faces_along();
     const double place = (face.lower - element.lower) / size;
@@ -193,10 +194,10 @@ struct SurfaceCoupling::Implementation {
     for (int element = 0; element < grid.size(); ++element) {
       const double expected = grid.element_area() * share(element);
       if (std::abs(covered[element] - expected) > lattice_tolerance * grid.element_area())
-        throw contact::InputError(fmt::format(
-            "the contact grid reaches beyond the finite-element body at x = {:.4g}, y = {:.4g} "
-            "mm: enlarge fem.extent",
-            grid.x(element % grid.nx), grid.y(element / grid.nx)));
+        throw contact::InputError(
+            fmt::format("the contact grid extends beyond the finite-element body at x = {:.4g}, y "
+                        "= {:.4g} mm: enlarge fem.extent",
+                        grid.x(element % grid.nx), grid.y(element / grid.nx)));
     }
   }
 
@@ -268,8 +269,8 @@ contact::SurfaceField SurfaceCoupling::sample(const Vector& displacement) const 
   for (int element = 0; element < size; ++element) {
     std::array<double, 3> u{mean[3 * element], mean[3 * element + 1], mean[3 * element + 2]};
     if (coupling.body.options().half) {
-      // What the unmeshed side adds: nothing to an element beyond the plane, the same again with
-      // mirrored signs to one that straddles it.
+      // Contribution of the unmeshed side: nothing for an element beyond the plane, the same again
+      // with mirrored signs for one that straddles it.
       const int image = mirrored(grid, element);
       u = {u[0] + mean[3 * image], u[1] - mean[3 * image + 1], u[2] + mean[3 * image + 2]};
     }

@@ -9,10 +9,11 @@
 
 namespace rollfem::fem {
 
-/// Near the edge of a smooth contact pressure squared falls linearly to zero. It is continued so to
-/// the unloaded elements beside the patch, and goes between the elements by cubic convolution
-/// (Keys 1981); where it is negative there is no contact. The ratio of tangential traction to
-/// pressure is bilinear over the loaded elements around, so that it keeps the traction bound.
+/// Near the edge of a smooth contact pressure squared falls linearly to zero. It is extrapolated
+/// linearly to the unloaded elements beside the patch and interpolated between the elements by
+/// cubic convolution (Keys 1981); there is no contact where it is negative. The ratio of tangential
+/// traction to pressure is bilinear over the surrounding loaded elements, which preserves the
+/// traction bound.
 class SurfaceTractions {
  public:
   /// `traction`: MPa, on the wheel.
@@ -25,7 +26,7 @@ class SurfaceTractions {
 
   contact::ContactGrid grid_;
   contact::SurfaceField traction_;
-  contact::Field squared_;  ///< p^2, continued by negative values
+  contact::Field squared_;  ///< p^2, extrapolated to negative values
 };
 
 }  // namespace rollfem::fem

@@ -20,8 +20,9 @@ using contact::pi;
 
 namespace {
 
-// Carlson's symmetric integrals in place of Legendre's K and E: they know no major and minor axis
-// and lose no digits at the circle. With k = b/a, for any k > 0 [Johnson 1985, eqs. 4.26, 4.27]:
+// Carlson's symmetric integrals instead of Legendre's K and E: they need no distinction of major
+// and minor axis and lose no digits at the circle. With k = b/a, for any k > 0 [Johnson 1985,
+// eqs. 4.26, 4.27]:
 //   A = p0/E* (b/a^2) R_D(0, k^2, 1)/3,  B = p0/E* (b/a^2) R_D(0, 1, k^2)/3,
 //   approach = p0/E* b R_F(0, k^2, 1).
 struct Shape {
@@ -30,7 +31,7 @@ struct Shape {
   double rf;  ///< R_F(0, k^2, 1)
 };
 
-/// A/B as a function of ln k, which rises from 0 to infinity.
+/// A/B as a function of ln k, which increases from 0 to infinity.
 double log_curvature_ratio(double log_k) {
   const double k2 = std::exp(2.0 * log_k);
   return std::log(ellint_rd(0.0, k2, 1.0) / ellint_rd(0.0, 1.0, k2));

@@ -23,16 +23,16 @@ struct HertzContact {
 HertzContact hertz_from_force(double A, double B, double contact_modulus, double normal_force);
 HertzContact hertz_from_approach(double A, double B, double contact_modulus, double approach);
 
-/// A and B of the bodies whose contact this is.
+/// A and B of the bodies.
 contact::Curvatures hertz_curvatures(const HertzContact& contact, double contact_modulus);
 
 /// Hertz's contact for the radii (or quadratic undeformed distance), materials and load of a case;
-/// or the given pressure. Of a line contact semi_axis_y is half its width, and nothing depends on
-/// y: pressure() holds on y = 0, where the row of elements is. Throws contact::InputError when the
-/// bodies do not make an elliptic contact, or are given point by point.
+/// or the given pressure. For a line contact semi_axis_y is half its width, and nothing depends on
+/// y: pressure() holds on y = 0, the row of elements. Throws contact::InputError when the contact
+/// is not elliptic, or the bodies are given point by point.
 HertzContact hertz_of_scene(const contact::Scene& scene);
 
-/// A and B of the case, with a given pressure those that belong to it. Throws as hertz_of_scene.
+/// A and B of the case; for a given pressure, the A and B of its ellipse. Throws as hertz_of_scene.
 contact::Curvatures curvatures_of_scene(const contact::Scene& scene);
 
 /// u_wheel - u_rail in mm, normal component, at any point of the surface: inside the patch
@@ -45,9 +45,9 @@ double hertz_displacement(const HertzContact& contact, double contact_modulus, d
 struct LineHertz {
   double half_width = 0.0;    ///< a, mm, along rolling
   double max_pressure = 0.0;  ///< p0, MPa
-  /// mm, relative to the surface at the distance `reference` from a line load of the same force:
-  /// (2 P / (pi E*)) (ln(2 reference / a) + 1/2). Of rollers as wide as `reference` it is what
-  /// their middles approach each other by.
+  /// mm, relative to the surface at the distance `reference` from a line load of the same force: (2
+  /// P / (pi E*)) (ln(2 reference / a) + 1/2). For rollers as wide as `reference` it is the
+  /// approach of their middles.
   double approach = 0.0;
 };
 

@@ -21,7 +21,7 @@ constexpr std::array<Coefficient, 4> all_coefficients{
     &KalkerCoefficients::c11, &KalkerCoefficients::c22, &KalkerCoefficients::c23,
     &KalkerCoefficients::c33};
 
-/// Lagrange's weights of `nodes` at a place.
+/// Lagrange weights of `nodes` at a point.
 template <std::size_t count>
 std::array<double, count> lagrange_weights(const std::array<double, count>& nodes, double place) {
   std::array<double, count> result;
@@ -73,8 +73,8 @@ KalkerCoefficients asymptotes_short(double ratio, double nu) {
 }
 
 /// b/a = ratio -> 0. Kalker's first terms 1/L (1 + n/L) as 1/(L - n), which is the same to that
-/// order and ten times closer to the table at 0.01; C33 to its leading order, found from the series
-/// of benchmarks/kalker_table.py, whose values it meets within 1e-3 at 0.01 and 1e-4 at 0.001.
+/// order and ten times closer to the table at 0.01; C33 to its leading order, from the series of
+/// benchmarks/kalker_table.py, with which it agrees within 1e-3 at 0.01 and 1e-4 at 0.001.
 KalkerCoefficients asymptotes_long(double ratio, double nu) {
   const double logarithm = std::log(16.0 / (ratio * ratio));
   const double shortened = logarithm - 3.0 + std::log(4.0);

@@ -9,8 +9,8 @@
 
 namespace rollfem::halfspace {
 
-/// Creepage coefficients (Kalker 1967; 1990, table E.3) over G and the powers of c = sqrt(a b) that
-/// linear_creep_forces has; C32 = -C23.
+/// Creepage coefficients (Kalker 1967; 1990, table E.3) over G and the powers of c = sqrt(a b) in
+/// linear_creep_forces; C32 = -C23.
 struct KalkerCoefficients {
   double c11 = 0.0;  ///< longitudinal
   double c22 = 0.0;  ///< lateral
@@ -18,12 +18,11 @@ struct KalkerCoefficients {
   double c33 = 0.0;  ///< moment by spin
 };
 
-/// Coefficients of an ellipse with semi-axis a along rolling and b across, any a/b > 0,
-/// 0 <= nu <= 0.5: within 1e-4 from a/b = 0.2 to 20 and within 3e-4 from 0.01 to 100, by
-/// polynomials through kalker_table. Beyond, the asymptotes (Kalker 1990, table E.3; C33 of long
-/// patches is corrected), multiplied by a factor that makes them continuous there and tends to 1
-/// with the square of the ratio: within 1e-3. Throws contact::InputError when an argument is out of
-/// range.
+/// Coefficients of an ellipse with semi-axis a along rolling and b across, any a/b > 0, 0 <= nu <=
+/// 0.5: within 1e-4 from a/b = 0.2 to 20 and within 3e-4 from 0.01 to 100, by polynomials through
+/// kalker_table. Outside this range, the asymptotes (Kalker 1990, table E.3; C33 of long patches is
+/// corrected), multiplied by a factor that makes them continuous there and tends to 1 with the
+/// square of the ratio: within 1e-3. Throws contact::InputError when an argument is out of range.
 KalkerCoefficients kalker_coefficients(double semi_axis_x, double semi_axis_y,
                                        double poisson_ratio);
 
@@ -51,8 +50,8 @@ struct KalkerEntry {
 
 using KalkerTable = std::array<KalkerEntry, 25>;
 
-/// By rising a/b: 0.01, 0.02, 0.05, 0.1, 0.2, ... 1 and the reciprocals to 100; six digits are
-/// kept, of which five are certain (four beyond 0.02 and 20).
+/// By increasing a/b: 0.01, 0.02, 0.05, 0.1, 0.2, ... 1 and the reciprocals to 100; six digits,
+/// five of them certain (four beyond 0.02 and 20).
 const KalkerTable& kalker_table();
 
 }  // namespace rollfem::halfspace

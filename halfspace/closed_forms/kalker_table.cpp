@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Written by benchmarks/kalker_table.py --cpp: a series for Kalker's problem of steady rolling
-// without slip, of which two degrees differ by 4e-5 at most (8e-5 in C23 at a/b = 0.01).
+// without slip; two degrees differ by at most 4e-5 (8e-5 in C23 at a/b = 0.01).
 #include "halfspace/closed_forms/kalker.hpp"
 
 namespace rollfem::halfspace {

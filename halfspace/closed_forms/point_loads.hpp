@@ -27,7 +27,7 @@ using Displacement = std::array<double, 3>;  ///< u_x, u_y, u_z in mm
 Displacement boussinesq_displacement(const ElasticHalfspace& body, double force,
                                      const Position& at);
 
-/// Force in N along x at the origin. One along y: exchange x and y in position and result.
+/// Force in N along x at the origin. For a force along y, exchange x and y in position and result.
 Displacement cerruti_displacement(const ElasticHalfspace& body, double force, const Position& at);
 
 }  // namespace rollfem::halfspace

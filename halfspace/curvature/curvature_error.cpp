@@ -18,17 +18,18 @@ namespace rollfem::halfspace {
 
 namespace {
 
-/// What is given, as the normal force, comes back so closely: no model error.
+/// Tolerance for prescribed values such as the normal force, which have no model error.
 constexpr double rounding = 1e-8;
 
-/// Errors of a hundredth, to a hundredth of themselves: as with 1e-6 to three digits where both
-/// converge, which with this more do, and without minutes spent on what goes round.
+/// Errors of a hundredth are needed to a hundredth of themselves. Where both tolerances converge,
+/// the result agrees with that for 1e-6 to three digits; more cases converge with this one, and
+/// none spends minutes in a cycle.
 constexpr contact::OuterOptions of_estimate{1e-4, 60, 5};
 
 /// Before the stage names of progress events.
 constexpr const char* of_model_error = "model error: ";
 
-/// The surface that curved bodies meet on. A pressure that is given lies in the plane.
+/// The common surface of curved bodies. A given pressure lies in the plane.
 contact::Scene on_common_surface(contact::Scene scene) {
   scene.subsurface.clear();
   scene.output.stress_maxima = false;
@@ -53,8 +54,7 @@ std::map<std::string, double> changes(const contact::PrescribedForce& force,
 }
 
 /// The contact problem on gently curved bodies: the common driver on CurvedCompliance, by defect
-/// correction on the half-space. All load points on the grid; none where a patch reaches its
-/// border.
+/// correction on the half-space. All load points on the grid; empty if a patch reaches its border.
 std::optional<contact::LevelResult> solve_curved_level(const contact::Scene& scene,
                                                        const contact::ContactGrid& grid,
                                                        const contact::Progress& progress) {

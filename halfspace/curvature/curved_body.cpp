@@ -17,14 +17,15 @@ using contact::SurfaceField;
 
 namespace {
 
-/// Heights up to this part of the shorter side of an element multiply tractions element by element:
-/// there u_,z of tractions that change from element to element stays below what they displace
-/// anyway. The gradients in it are means over corners, which such tractions do not have.
+/// Heights up to this fraction of the shorter side of an element multiply tractions element by
+/// element: there u_,z of tractions that alternate between elements stays below their own
+/// displacement. The gradients for larger heights are means over corners, which miss alternating
+/// tractions.
 constexpr double height_in_elements = 0.25;
 
 constexpr double rigid_modulus = std::numeric_limits<double>::infinity();
 
-/// The grid with half its longer side around it.
+/// The grid extended by half its longer side all around.
 ContactGrid surroundings(const ContactGrid& grid) {
   const double way = 0.5 * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
   const int columns = contact::count_of(std::ceil(way / grid.dx), "columns beside the contact");
@@ -58,13 +59,13 @@ struct CurvedBody::Implementation {
   ContactGrid grid;
   ContactGrid wide;
   Corners corners;
-  HalfspaceCompliance half;  ///< of this body alone
+  HalfspaceCompliance half;  ///< of this body
   FarSurface far;
   double shear;
   double nu;
   Plane corner_height;  ///< mm, at the corners of `wide`
-  Plane low;            ///< mm, at its elements, limited as height_in_elements says
-  Plane corner_rest;    ///< mm, what of corner_height is beyond that
+  Plane low;            ///< mm, at its elements, limited by height_in_elements
+  Plane corner_rest;    ///< mm, the remainder of corner_height
   Plane slope_x;
   Plane slope_y;
 };
@@ -97,8 +98,8 @@ Planes CurvedBody::Implementation::solve(const Planes& traction) const {
   return {plane_of(u.x, wide), plane_of(u.y, wide), plane_of(u.n, wide)};
 }
 
-/// What must be added to the tractions on the plane for the true surface to have those wanted:
-/// -d_b(h sigma_ab) - p s_a along a, d_b(h q_b) + q_a s_a inwards.
+/// Additional tractions on the plane for the true surface to have the required ones: -d_b(h
+/// sigma_ab) - p s_a along a, d_b(h q_b) + q_a s_a inwards.
 Planes CurvedBody::Implementation::left_on_surface(const Planes& t, const Planes& u) const {
   const Plane xx = corners.along_x(u.x), yy = corners.along_y(u.y);
   const double modulus = 2.0 * shear / (1.0 - nu), across = nu / (1.0 - nu);
@@ -113,8 +114,8 @@ Planes CurvedBody::Implementation::left_on_surface(const Planes& t, const Planes
               corners.from_y(corner_height * Corners::mean(t.y))};
 }
 
-/// The half-space's displacement from the plane to the surface, h u_,z, and along its normal and
-/// tangents.
+/// The half-space's displacement transferred from the plane to the surface, h u_,z, in components
+/// along its normal and tangents.
 Planes CurvedBody::Implementation::carried_to_surface(const Planes& t, const Planes& u) const {
   const Plane dilatation = corners.along_x(u.x) + corners.along_y(u.y);
   const auto spread = [&](const Plane& values) -> Plane {

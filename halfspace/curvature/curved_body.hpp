@@ -13,16 +13,17 @@
 
 namespace rollfem::halfspace {
 
-/// A body seen from the contact: x and y of the contact grid, z into the body.
+/// A body in the frame of the contact: x and y of the contact grid, z into the body.
 struct BodySurface {
   contact::Material material;  ///< elastic
-  /// How far the surface has gone into the body at (x, y), mm; > 0 beside the middle of a convex
-  /// one.
+  /// Depth of the surface in the body at (x, y), mm; > 0 beside the middle of a convex one.
   std::function<double(double x, double y)> height;
-  /// Slopes dz/dx, dz/dy of the surface whose normal and tangents tractions and displacements have.
+  /// Slopes dz/dx, dz/dy of the surface that defines normal and tangents of tractions and
+  /// displacements.
   std::function<double(double x)> slope_x;
   std::function<double(double y)> slope_y;
-  /// How far in x and y from the contact the body is so curved, mm; beyond that it is a half-space.
+  /// Extent of the curved surface in x and y from the contact, mm; beyond it the body is a
+  /// half-space.
   double extent = std::numeric_limits<double>::infinity();
 };
 
@@ -36,7 +37,7 @@ class CurvedBody {
 
   struct Displacement {
     contact::SurfaceField plane;       ///< of the half-space
-    contact::SurfaceField correction;  ///< what the curved surface adds
+    contact::SurfaceField correction;  ///< the effect of the curved surface
   };
   Displacement apply(const contact::SurfaceField& traction) const;
 

@@ -19,12 +19,12 @@ using contact::SurfaceField;
 
 namespace {
 
-/// Far from the contact no body is what its curvature there says: heights stay below this part of
-/// the distance.
+/// The curvature at the contact does not describe the distant body: heights are limited to this
+/// fraction of the distance.
 constexpr double steepest_way = 0.5;
 
-/// Larger semi-axes of the patch within which finite elements have the shape of the bodies, without
-/// [fem] extent.
+/// Extent of the true shape in the default finite-element bodies (without [fem] extent), in larger
+/// semi-axes of the patch.
 constexpr double extent_in_semi_axes = 8.0;
 
 double extent_of_bodies(const Scene& scene) {
@@ -39,7 +39,7 @@ void check_bodies_known(const Scene& scene) {
   if (scene.geometry.has_surfaces()) return;
   throw contact::InputError(fmt::format(
       "{}: halfspace.model_error = true: only the undeformed distance of the bodies is known; "
-      "allowed: wheel and rail with radii or profiles; do: give those, or leave model_error out",
+      "allowed: wheel and rail with radii or profiles; do: give those, or remove model_error",
       scene.file));
 }
 
@@ -57,7 +57,8 @@ BodySurface body_surface(const Scene& scene, bool wheel) {
     return std::clamp(height, -most, most);
   };
   body.extent = extent_of_bodies(scene);
-  // Each body has the frame of its own streamline, and both that of the common surface across.
+  // Each body uses the frame of its own streamline along rolling, and both use the common surface
+  // across.
   body.slope_x = [=](double x) { return std::isfinite(along) ? x / along : 0.0; };
   body.slope_y = [=](double y) { return sign * surface.climb(y); };
   return body;
@@ -87,7 +88,7 @@ contact::Response CurvedCompliance::respond(const SurfaceField& traction) const 
     response.curvature_slip.x = own.plane.n / rolling_radius_;
   }
   if (rail_) {
-    // Seen from the rail z points the other way: pressure stays, tangential tractions turn.
+    // In the rail's frame z is reversed: pressure keeps its sign, tangential tractions change it.
     const CurvedBody::Displacement own = rail_->apply({-traction.x, -traction.y, traction.n});
     u.x -= own.correction.x;
     u.y -= own.correction.y;

@@ -14,8 +14,8 @@ namespace rollfem::halfspace {
 
 class CurvedCompliance : public contact::Compliance {
  public:
-  /// Of the wheel and rail of a scene whose surfaces are known. Throws contact::InputError where a
-  /// quadratic form or a file stands for them.
+  /// For the wheel and rail of a scene with known surfaces. Throws contact::InputError if a
+  /// quadratic form or a file replaces them.
   CurvedCompliance(const contact::Scene& scene, const contact::ContactGrid& grid);
 
   const contact::ContactGrid& grid() const override { return half_.grid(); }
@@ -30,10 +30,10 @@ class CurvedCompliance : public contact::Compliance {
   std::optional<CurvedBody> rail_;
 };
 
-/// Throws contact::InputError where a quadratic form or a file stands for wheel and rail.
+/// Throws contact::InputError if a quadratic form or a file replaces wheel and rail.
 void check_bodies_known(const contact::Scene& scene);
 
-/// A body of a scene as CurvedBody takes it.
+/// A body of a scene as input of CurvedBody.
 BodySurface body_surface(const contact::Scene& scene, bool wheel);
 
 }  // namespace rollfem::halfspace

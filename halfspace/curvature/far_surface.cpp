@@ -28,7 +28,7 @@ constexpr std::array<double, 8> gauss_weights{
     0.1012285362903763, 0.2223810344533745, 0.3137066458778873, 0.3626837833783620,
     0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
-/// Chebyshev's nodes over the elements of a side.
+/// Chebyshev nodes over the elements of a side.
 std::array<double, far_nodes> nodes_between(double first, double last) {
   std::array<double, far_nodes> nodes{};
   for (int k = 0; k < far_nodes; ++k)
@@ -78,13 +78,13 @@ Eigen::Matrix3d membrane_stiffness(double shear_modulus, double nu) {
   return stiffness;
 }
 
-/// A place beyond the rectangle and the area that it stands for.
+/// A quadrature point outside the rectangle with its area.
 struct FarPlace {
   double x, y, area;
 };
 
-/// Gauss in the angle over each side of the rectangle, in 1/r from there to the square of half side
-/// `extent`.
+/// Gauss quadrature in the angle over each side of the rectangle, and in 1/r from there to the
+/// square of half side `extent`.
 std::vector<FarPlace> places_beyond(double half_length, double half_width, double extent) {
   const double corner = std::atan2(half_width, half_length);
   const std::array<double, 5> angles{-corner, corner, pi - corner, pi + corner, 2.0 * pi - corner};

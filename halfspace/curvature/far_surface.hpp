@@ -11,8 +11,8 @@ namespace rollfem::halfspace {
 
 class FarSurface {
  public:
-  /// `half_length`, `half_width`: mm, of the rectangle about the middle of the grid, which the
-  /// near part covers.
+  /// `half_length`, `half_width`: mm, of the rectangle around the middle of the grid, covered by
+  /// the near part.
   FarSurface(const contact::ContactGrid& grid, const BodySurface& surface, double half_length,
              double half_width);
 
@@ -21,9 +21,9 @@ class FarSurface {
 
  private:
   contact::ContactGrid grid_;
-  Eigen::MatrixXd along_x_;  ///< Lagrange's polynomials of the nodes at the columns of the grid
+  Eigen::MatrixXd along_x_;  ///< Lagrange polynomials of the nodes at the columns of the grid
   Eigen::MatrixXd along_y_;  ///< and at its rows
-  Eigen::MatrixXd matrix_;   ///< forces at the nodes (x, y, n one after another) to displacements
+  Eigen::MatrixXd matrix_;   ///< forces at the nodes (x, then y, then n) to displacements
 };
 
 // Gradients and means of element values, taken at the corners shared by four elements, and the
@@ -36,7 +36,7 @@ struct Corners {
   double dx = 0.0;  ///< mm
   double dy = 0.0;
 
-  /// d/dx, d/dy and mean at the corners; one value less each way.
+  /// d/dx, d/dy and mean at the corners; one value less in each direction.
   Plane along_x(const Plane& u) const;
   Plane along_y(const Plane& u) const;
   static Plane mean(const Plane& u);

@@ -20,23 +20,23 @@ using Complex = std::complex<double>;
 
 constexpr double two_pi = 6.28318530717958647692;
 
-/// The preconditioners work on a plane that is padded only a little beyond the grid: they are
-/// approximate anyway and a quarter of the padded size costs a quarter of the time.
+/// The preconditioners work on a plane padded only slightly beyond the grid: they are approximate
+/// anyway, and a quarter of the padded size takes a quarter of the time.
 int preconditioner_size(int n) {
   return n + n / 4;
 }
 
-/// In D A material takes what it has met upstream along with it. On a periodic line that comes in
-/// again at the leading edge: in exp(x) p in place of p it has decayed by this power of e when it
-/// does. Between 2 and 4 the iterations are the same.
+/// D A transports upstream effects with the material. On a periodic line they re-enter at the
+/// leading edge; in terms of exp(x) p instead of p they have decayed by this power of e by then.
+/// Iteration counts are the same between 2 and 4.
 constexpr double decay_over_period = 3.0;
 
-/// Place of an offset between -p/2 and p/2 on a periodic line of p.
+/// Index of an offset between -p/2 and p/2 on a periodic line of p.
 Eigen::Index periodic_index(int offset, int p) {
   return offset < 0 ? offset + p : offset;
 }
 
-/// Which way a kernel changes its sign with the offset.
+/// Parity of a kernel: how its sign changes with the offset.
 struct Odd {
   bool x = false;
   bool y = false;
@@ -120,8 +120,8 @@ std::vector<Complex> difference_symbol(Difference difference, int px, double dx,
 NormalCirculant::NormalCirculant(const ContactGrid& grid, const InfluenceQuadrant& quadrant)
     : fft_(grid.nx, grid.ny, circulant_size(grid)[0], circulant_size(grid)[1]),
       inverse_(normal_symbol(quadrant, fft_.px(), fft_.py())) {
-  // The true symbol, ~1/|k|, is positive; cutting the kernel off at the period may spoil that for
-  // the smallest ones.
+  // The true symbol, ~1/|k|, is positive; truncating the kernel at the period may make the smallest
+  // values negative.
   const double floor =
       1e-3 * *std::max_element(inverse_.begin(), inverse_.end()) / std::max(fft_.px(), fft_.py());
   for (double& value : inverse_) value = 1.0 / std::max(value, floor);

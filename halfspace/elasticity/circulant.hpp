@@ -18,19 +18,19 @@ namespace rollfem::halfspace {
 using Symbol = std::vector<double>;
 
 /// Symbols of the kernels. xx, yy, xy, nn are even under (x, y) -> (-x, -y): real. xn and yn are
-/// odd: the symbol is i times what is kept here; empty for like materials.
+/// odd: the symbol is i times the stored values; empty for like materials.
 struct Symbols {
   Symbol xx, yy, xy, nn, xn, yn;
 };
 
-/// Which difference along x stands in front of A_tt.
+/// Difference along x applied to A_tt.
 enum class Difference { none = 0, first = 1, second = 2 };
 
-/// Sizes of the plane on which the circulants of a grid are periodic.
+/// Size of the periodic plane for the circulants of a grid.
 std::array<int, 2> circulant_size(const contact::ContactGrid& grid);
 
-/// Influence coefficients of a grid at offsets from none to nx columns and ny rows, from which the
-/// others follow by symmetry.
+/// Influence coefficients of a grid at offsets from 0 to nx columns and ny rows; the others follow
+/// by symmetry.
 class InfluenceQuadrant {
  public:
   InfluenceQuadrant(const contact::ContactGrid& grid, const contact::CombinedMaterial& material,
@@ -45,8 +45,8 @@ class InfluenceQuadrant {
 };
 
 /// Transforms of the influence coefficients laid out periodically on px by py elements: a product
-/// of spectra is exact for offsets below px/2 and py/2, as far as the quadrant must reach. Of the
-/// pressure alone; of the tangential tractions; of what couples both.
+/// of spectra is exact for offsets below px/2 and py/2, the required extent of the quadrant. Three
+/// parts: pressure only, tangential tractions, and the coupling of both.
 Symbol normal_symbol(const InfluenceQuadrant& quadrant, int px, int py);
 void set_tangential_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols);
 void set_coupling_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols);
@@ -73,9 +73,9 @@ class NormalCirculant {
   mutable PaddedFft::Spectrum spectrum_;
 };
 
-/// Approximation of (r T + shift I)^-1, T = D A_tt or A_tt: for D A_tt a circulant of what is left
-/// of it when everything decays downstream by the same factor from column to column, which is a
-/// scaling of rows and columns of T.
+/// Approximation of (r T + shift I)^-1, T = D A_tt or A_tt: for D A_tt a circulant of T after
+/// scaling its rows and columns so that everything decays downstream by the same factor from column
+/// to column.
 class TangentialCirculant {
  public:
   TangentialCirculant(const contact::ContactGrid& grid, const InfluenceQuadrant& quadrant,
@@ -94,7 +94,7 @@ class TangentialCirculant {
   Inverse inverted(double r, double shift) const;
   const Inverse& inverse(double r, double shift) const;
 
-  /// Those of the adhering and of the slipping elements.
+  /// Blocks of the adhering and of the slipping elements.
   static constexpr std::size_t most_inverses = 2;
 
   int nx_;
@@ -103,7 +103,7 @@ class TangentialCirculant {
   Symbols symbols_;
   std::vector<std::complex<double>> factors_;
   contact::Field growth_;                  ///< of a column
-  mutable std::vector<Inverse> inverses_;  ///< last used last
+  mutable std::vector<Inverse> inverses_;  ///< most recently used last
   mutable PaddedFft::Spectrum x_, y_;
 };
 

@@ -119,7 +119,7 @@ class HalfspaceTangential : public contact::TangentialOperator {
   double diagonal_;
   const InfluenceQuadrant& quadrant_;
   Difference difference_;
-  mutable std::unique_ptr<TangentialCirculant> inverse_;  ///< made when first asked for
+  mutable std::unique_ptr<TangentialCirculant> inverse_;  ///< created at first use
   mutable Spectrum x_;
   mutable Spectrum y_;
 };
@@ -145,12 +145,12 @@ double mean_diagonal(const ContactGrid& grid, const InfluenceQuadrant& quadrant,
 
 }  // namespace
 
-/// Symbols are made when first asked for: a search for the patch wants those of the pressure alone.
+/// Symbols are created at first use: a search for the patch needs only the symbol of the pressure.
 struct HalfspaceCompliance::Implementation {
   ContactGrid grid;
   bool couples;
-  // Displacements are wanted up to two columns upstream of the grid, for D: 2 nx + 3 keeps the
-  // images apart and the kernels even.
+  // D needs displacements up to two columns upstream of the grid: 2 nx + 3 separates the images and
+  // keeps the kernels even.
   PaddedFft fft;
   InfluenceQuadrant quadrant;
   mutable Symbols symbols;

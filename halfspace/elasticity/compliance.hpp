@@ -24,7 +24,7 @@ class HalfspaceCompliance : public contact::SolvableCompliance {
   const contact::NormalOperator& normal() const override;
   /// T = A_tt: shift problems.
   const contact::TangentialOperator& shift() const override;
-  /// T = D A_tt: steady rolling. Made at the first call for each order and kept.
+  /// T = D A_tt: steady rolling. Created at the first call for each order and kept.
   const contact::TangentialOperator& rolling(contact::UpwindOrder order) const override;
 
  private:

@@ -9,7 +9,7 @@ namespace {
 
 #define ROLLFEM_INLINE inline __attribute__((always_inline))
 
-/// A register of so many bytes, in memory of any alignment as well.
+/// A register of this many bytes, also for unaligned memory.
 template <int bytes>
 struct Register {
   static constexpr int lanes = bytes / static_cast<int>(sizeof(double));

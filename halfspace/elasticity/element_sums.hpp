@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Inner loops of few_elements.hpp, compiled for each width of vector registers; the widest that the
-// processor has is taken at run time.
+// Inner loops of few_elements.hpp, compiled for each width of vector registers; the widest
+// supported by the processor is chosen at run time.
 #pragma once
 
 #include <cstddef>
 
 namespace rollfem::halfspace {
 
-/// An element that is not 0.
+/// A nonzero element.
 struct Source {
   int i = 0, j = 0;  ///< column, row
   double value = 0.0;
 };
 
-/// Values read beyond the end of a list of influence coefficients, which count for nothing.
+/// Padding read beyond the end of a list of influence coefficients, without effect on results.
 inline constexpr std::size_t read_beyond = 16;
-/// Columns of a grid at most.
+/// Largest number of columns of a grid.
 inline constexpr int most_columns = 28;
 
-/// Influence coefficients by distance, as InfluenceTable has them.
+/// Influence coefficients by distance, as in InfluenceTable.
 struct InfluenceRows {
   const double* middle = nullptr;  ///< of the row of distance 0
   std::ptrdiff_t to_next = 0;      ///< from row to row

@@ -44,7 +44,7 @@ bool FewElementsRolling::gather(const Field& pressure) {
   return count_ > 0;
 }
 
-/// D u at an element is (1 + w) d - w d', d' that of the next element upstream.
+/// D u at an element is (1 + w) d - w d', d' the difference of the next element upstream.
 void FewElementsRolling::fill_matrix(const InfluenceTable& table, const Field& weights) {
   for (Index a = 0; a < count_; ++a) {
     const Index place = places_[static_cast<std::size_t>(a)], i = place % nx_;
@@ -74,7 +74,7 @@ void FewElementsRolling::apply(const Given& p, Vector result) {
                           result.data());
 }
 
-/// The Jacobian of a row of elements by itself.
+/// The Jacobian of a single row of elements.
 void FewElementsRolling::fill_block(const Row& row, const contact::Linearisation& at, double r,
                                     double drag) {
   const Index length = row.length;

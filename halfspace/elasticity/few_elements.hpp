@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The half-space on few elements, for which sums over the elements are quicker than transforms: the
-// rolling block that the contact solvers apply without taking memory, from influence coefficients
-// that are computed once (influence_tables.hpp).
+// The half-space on few elements, for which sums over the elements are faster than transforms: the
+// rolling block for the contact solvers without memory allocation, from influence coefficients
+// computed once (influence_tables.hpp).
 #pragma once
 
 #include "contact/iteration/linearisation.hpp"
@@ -17,10 +17,10 @@ namespace rollfem::halfspace {
 /// the Jacobian of each row of elements along rolling.
 class FewElementsRolling : public contact::ElementOperator {
  public:
-  /// On grids of nx by ny elements.
+  /// For grids of nx by ny elements.
   FewElementsRolling(int nx, int ny, int most_elements);
 
-  /// Takes in the elements under pressure. `weights`: contact::upwind_weights. False when there are
+  /// Sets the elements under pressure. `weights`: contact::upwind_weights. False when there are
   /// none, more than `most_elements` or too many in a row.
   bool set(const InfluenceTable& table, const contact::Field& pressure,
            const contact::Field& weights);
@@ -39,7 +39,7 @@ class FewElementsRolling : public contact::ElementOperator {
   using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * most_in_row, 1>;
   using Index = Eigen::Index;
 
-  /// Elements of one row of the grid, and the factors of their own Jacobian.
+  /// Elements of one row of the grid, and the factors of their Jacobian.
   struct Row {
     Index first = 0;
     Index length = 0;
@@ -56,7 +56,7 @@ class FewElementsRolling : public contact::ElementOperator {
   double diagonal_ = 1.0;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix_;
   std::vector<Index> places_;
-  std::vector<Row> rows_;  ///< the first of them in use
+  std::vector<Row> rows_;  ///< the first rows_in_use_ are in use
   std::size_t rows_in_use_ = 0;
   Block block_;
 };

@@ -21,10 +21,10 @@ std::size_t points_of(const ContactGrid& grid) {
   return static_cast<std::size_t>(points_over(grid.nx) * points_over(grid.ny));
 }
 
-/// The points before and behind an element, which share what it has.
+/// The points before and behind an element, between which its values are distributed.
 struct Between {
   int before;
-  double behind;  ///< share of the point behind
+  double behind;  ///< fraction of the point behind
 
   Between(int element, int elements) {
     const int intervals = points_over(elements) - 1;
@@ -38,7 +38,7 @@ struct Place {
   double x, y;
 };
 
-/// On the common surface rolled out.
+/// Position on the rolled-out common surface.
 Place place_of(const NormalBlock& block, int a, int b) {
   const ContactGrid& grid = block.grid;
   const auto elements_to = [](int point, int elements) {

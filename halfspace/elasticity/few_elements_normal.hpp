@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The normal blocks of one or several patches of few elements that carry a load together.
+// The normal blocks of one or several patches of few elements that share a load.
 #pragma once
 
 #include "contact/base/grid.hpp"
@@ -13,27 +13,27 @@ namespace rollfem::halfspace {
 struct NormalBlock {
   const InfluenceTable* table = nullptr;
   contact::ContactGrid grid;
-  /// Per row of the grid: the part of a pressure along the load.
+  /// Per row of the grid: component of a pressure along the load.
   const double* carried = nullptr;
-  /// Where x = y = 0 of the grid is on the common surface rolled out, mm.
+  /// Position of x = y = 0 of the grid on the rolled-out common surface, mm.
   double x_place = 0.0, y_place = 0.0;
-  double y_direction = 1.0;  ///< of the grid's y on that surface, 1 or -1
+  double y_direction = 1.0;  ///< direction of the grid's y on that surface, 1 or -1
 };
 
-/// For contact::BoundConstrainedCg: displacements along the load, mm, under the forces along it
-/// that the elements carry, N. Fields hold one patch after the other. Patches displace each other
-/// as point loads on the half-space (neighbour_displacement) from points at every other element,
+/// For contact::BoundConstrainedCg: displacements along the load, mm, under the forces of the
+/// elements along it, N. Fields hold one patch after the other. Patches displace each other as
+/// point loads on the half-space (neighbour_displacement) from points at every other element,
 /// between which forces and displacements are linear.
 class FewElementsNormal {
  public:
   /// `modulus`: contact modulus, MPa.
   explicit FewElementsNormal(double modulus) : modulus_(modulus) {}
 
-  /// What the blocks point to must outlive the use.
+  /// Objects referenced by the blocks must outlive this object.
   void set(const std::vector<NormalBlock>& blocks);
 
   void apply(const contact::Field& forces, contact::Field& displacement) const;
-  /// By what an element displaces itself: those of several patches differ in size.
+  /// Self-displacement of an element; element sizes differ between patches.
   void precondition(const contact::Field& residual, contact::Field& result) const;
 
  private:

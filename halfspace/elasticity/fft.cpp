@@ -33,10 +33,10 @@ bool has_small_factors_only(int n) {
 
 using Plan = std::shared_ptr<fftw_plan_s>;
 
-/// Plans that the process has made: grids of one size follow each other, and planning takes as long
-/// as some ten transforms. All are of complex lines from one place to another: those of real lines
-/// and those that overwrite take FFTW four times as long to plan. They are executed on any memory,
-/// by several threads at once where need be; all memory is aligned alike.
+/// Plans of this process: grids of one size often follow each other, and planning takes as long as
+/// about ten transforms. All are out-of-place complex plans, because FFTW takes four times as long
+/// to plan real or in-place transforms. They are executed on any memory, if necessary by several
+/// threads at once; all memory has the same alignment.
 class KnownPlans {
  public:
   /// `count` lines of n that follow each other; sign: FFTW_FORWARD or FFTW_BACKWARD.
@@ -66,7 +66,7 @@ class KnownPlans {
                               FFTW_ESTIMATE);
   }
 
-  /// Some ten grids with their preconditioners.
+  /// About ten grids with their preconditioners.
   static constexpr std::size_t most_kept = 128;
 
   std::mutex mutex_;
@@ -79,7 +79,7 @@ KnownPlans& known_plans() {
 }
 
 void execute(const Plan& plan, const Complex* from, Complex* to) {
-  // FFTW takes no pointer to const, but leaves what it reads from as it is.
+  // FFTW's interface is not const-correct, but the input is not modified.
   fftw_execute_dft(plan.get(), reinterpret_cast<fftw_complex*>(const_cast<Complex*>(from)),
                    reinterpret_cast<fftw_complex*>(to));
 }
@@ -106,13 +106,13 @@ void pair_up(const double* a, const double* b, int n, int length, double* line) 
   std::fill(line + 2 * n, line + 2 * length, 0.0);
 }
 
-/// Where the second of two threads begins in n lines; it is the same for one, so that it rounds
-/// alike.
+/// First line of the second of two threads; also used with one thread, so that rounding is
+/// identical.
 int middle_of(int n, bool two) {
   return two ? std::min(n, (n / 2 + rows_at_once - 1) / rows_at_once * rows_at_once) : n;
 }
 
-/// Plans of one direction; null until asked for.
+/// Plans of one direction; null until needed.
 struct Direction {
   Plan rows;
   std::array<Plan, 2> columns;  ///< of each thread
@@ -144,7 +144,7 @@ void fft_free(void* memory) {
 }
 
 struct PaddedFft::Plans {
-  int middle = 0;  ///< the column with which a second thread begins
+  int middle = 0;  ///< first column of a second thread
   Direction forward, backward;
 };
 
@@ -223,7 +223,7 @@ void PaddedFft::rows_forward(const contact::Field& field, int first, int last, W
   }
 }
 
-/// Real rows know nothing of the imaginary parts of the first and the last frequency.
+/// In real rows the imaginary parts of the first and the last frequency have no effect.
 void PaddedFft::rows_backward(const Spectrum& columns, int first, int last, Work& work,
                               contact::Field& field) const {
   const double scale = 1.0 / (static_cast<double>(px_) * py_);

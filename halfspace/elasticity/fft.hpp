@@ -21,7 +21,7 @@ int good_fft_size(int n);
 void* fft_allocate(std::size_t bytes);
 void fft_free(void* memory);
 
-/// Memory as FFTW wants it, so that spectra are transformed where they are.
+/// Memory aligned for FFTW, so that spectra are transformed without copies.
 template <typename T>
 struct FftAllocator {
   using value_type = T;
@@ -30,7 +30,7 @@ struct FftAllocator {
   explicit FftAllocator(const FftAllocator<U>& /*other*/) {}
   T* allocate(std::size_t count) { return static_cast<T*>(fft_allocate(count * sizeof(T))); }
   void deallocate(T* memory, std::size_t /*count*/) { fft_free(memory); }
-  /// What is transformed is written first: not set to zero.
+  /// Not set to zero, because it is written before use.
   template <typename U>
   void construct(U* /*place*/) const noexcept {}
   template <typename U, typename... Values>
@@ -42,14 +42,14 @@ struct FftAllocator {
 };
 
 /// Transforms between a field of nx by ny values and the spectrum of the padded field. The
-/// transform of a real field is kept for the frequencies kx = 0 .. px/2, index kx * py + ky.
+/// transform of a real field is stored for the frequencies kx = 0 .. px/2, index kx * py + ky.
 /// forward() and backward() are const but share work space: one thread at a time per object. Large
 /// transforms take a second thread.
 class PaddedFft {
  public:
   using Spectrum = std::vector<std::complex<double>, FftAllocator<std::complex<double>>>;
 
-  /// Fields of nx by ny, padded to at least `px` by `py` (made good sizes).
+  /// Fields of nx by ny, padded to at least `px` by `py` (rounded up to fast sizes).
   PaddedFft(int nx, int ny, int px, int py);
   ~PaddedFft();
   PaddedFft(const PaddedFft&) = delete;
@@ -64,11 +64,11 @@ class PaddedFft {
   /// The nx by ny window of the inverse transform, normalised.
   void backward(const Spectrum& spectrum, contact::Field& field) const;
 
-  /// Both components, at once where they are large.
+  /// Both components, in parallel if they are large.
   void forward(const contact::TangentialField& field, Spectrum& x, Spectrum& y) const;
   void backward(const Spectrum& x, const Spectrum& y, contact::TangentialField& field) const;
 
-  /// Whether a transform takes long enough for a second thread to pay.
+  /// Whether a transform is long enough to benefit from a second thread.
   bool large() const;
 
  private:

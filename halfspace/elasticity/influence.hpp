@@ -25,20 +25,20 @@ struct Influence {
   double yn = 0.0;  ///< u_y under pressure
 };
 
-/// Coefficients for a uniformly loaded rectangle of dx by dy mm, seen from a point at offset (x, y)
-/// mm from its middle. Accurate to about 1e-12 of itself at any distance: corner functions near,
-/// Gauss quadrature where their cancellation would show.
+/// Coefficients for a uniformly loaded rectangle of dx by dy mm, at a point with offset (x, y) mm
+/// from its centre. Relative accuracy about 1e-12 at any distance: corner functions near, Gauss
+/// quadrature where they would suffer from cancellation.
 Influence rectangle_influence(double x, double y, double dx, double dy,
                               const contact::CombinedMaterial& material);
 
-/// The same for an element of dx mm without ends across, in plane strain, relative to what a line
-/// load causes at the distance `reference` (mm): the rectangle's without its constant, in closed
-/// form (Johnson 1985, eq. 2.30 to 2.33). Of nn that is the middle of a load as wide as
-/// `reference`.
+/// The same for a laterally endless element of dx mm in plane strain, relative to the displacement
+/// at the distance `reference` (mm) from a line load: the rectangle's coefficient without its
+/// constant, in closed form (Johnson 1985, eq. 2.30 to 2.33). For nn this is the middle of a load
+/// as wide as `reference`.
 Influence line_influence(double x, double dx, double reference,
                          const contact::CombinedMaterial& material);
 
-/// Under an element of the grid, seen from one that is i columns and j rows farther.
+/// Effect of an element of the grid on the element i columns and j rows farther.
 Influence element_influence(const contact::ContactGrid& grid, int i, int j,
                             const contact::CombinedMaterial& material);
 
@@ -50,7 +50,7 @@ Influence element_influence(const contact::ContactGrid& grid, int i, int j,
 double neighbour_displacement(const std::vector<contact::NeighbourLoad>& loads,
                               const contact::CombinedMaterial& material, double x, double y);
 
-/// The same at the element centres; empty where nothing loads.
+/// The same at the element centres; empty without loads.
 contact::Field neighbour_displacement(const std::vector<contact::NeighbourLoad>& loads,
                                       const contact::CombinedMaterial& material,
                                       const contact::ContactGrid& grid);
@@ -59,7 +59,7 @@ contact::Field neighbour_displacement(const std::vector<contact::NeighbourLoad>&
 std::array<double, 2> neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
                                      const contact::CombinedMaterial& material, double x, double y);
 
-/// The same at the element centres; empty as well.
+/// The same at the element centres; empty without loads.
 contact::TangentialField neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
                                         const contact::CombinedMaterial& material,
                                         const contact::ContactGrid& grid);

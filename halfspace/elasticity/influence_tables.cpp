@@ -10,7 +10,7 @@ namespace rollfem::halfspace {
 namespace {
 
 constexpr int steps_of_two = 4;  ///< tables from one ratio to its double
-constexpr int octaves = 6;       ///< from 1 either way
+constexpr int octaves = 6;       ///< in both directions from 1
 
 InfluenceTable table_of(int nx, int ny, double ratio, const contact::CombinedMaterial& material) {
   InfluenceTable table;

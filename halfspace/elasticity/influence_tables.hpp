@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Influence coefficients of half-spaces that are computed once for a pair: they are proportional to
-// the size of the elements, so that a ladder of ratios of the sides serves every patch.
+// Influence coefficients of half-spaces, computed once for a pair of bodies: they are proportional
+// to the size of the elements, so that a series of aspect ratios covers every patch.
 #pragma once
 
 #include "contact/base/material.hpp"
@@ -11,10 +11,10 @@
 
 namespace rollfem::halfspace {
 
-/// Of elements of 1 by `ratio`; an element's effect `i` columns and `j` rows farther is at
-/// row(j)[i], |i| <= nx, 0 <= j < ny. The normal one times dx is that of elements of dx; the
-/// tangential ones are those of the difference (u_i - u_{i+1}) / dx, which has no size. All are
-/// even in j but xy, which is odd.
+/// For elements of 1 by `ratio`; an element's effect `i` columns and `j` rows farther is at
+/// row(j)[i], |i| <= nx, 0 <= j < ny. The normal coefficient times dx applies to elements of dx;
+/// the tangential ones are for the dimensionless difference (u_i - u_{i+1}) / dx. All are even in j
+/// except xy, which is odd.
 struct InfluenceTable {
   double ratio = 1.0;     ///< dy / dx
   double diagonal = 0.0;  ///< mean of the second-order difference under the element itself
@@ -38,7 +38,7 @@ class InfluenceTables {
 
   int nx() const { return nx_; }
   int ny() const { return ny_; }
-  /// The one nearest on a logarithmic scale, within a tenth; null beyond 1:64 and 64:1.
+  /// The closest one on a logarithmic scale, within a tenth; null outside 1:64 to 64:1.
   const InfluenceTable* nearest(double ratio) const;
 
  private:

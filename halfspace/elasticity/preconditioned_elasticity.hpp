@@ -16,7 +16,7 @@ namespace rollfem::halfspace {
 
 class PreconditionedElasticity : public contact::Elasticity {
  public:
-  /// The scene must outlive this.
+  /// The scene must outlive this object.
   PreconditionedElasticity(const contact::Scene& scene, const contact::ContactGrid& grid,
                            std::unique_ptr<const contact::Compliance> whole);
 
@@ -43,12 +43,12 @@ Eigen::Vector2d rolling_stiffness(const contact::PatchSize& patch,
                                   const contact::CombinedMaterial& material);
 
 /// -dF/d(shift) without slip, N/mm: 4 c G / (2 - nu) of a circle with c = sqrt(a b) (Johnson 1985,
-/// eq. 7.43), a measure for other shapes.
+/// eq. 7.43), an estimate for other shapes.
 Eigen::Vector2d shift_stiffness(const contact::PatchSize& patch,
                                 const contact::CombinedMaterial& material);
 
-/// Of a line contact: Carter's, and that of Hertz's distribution of tractions, whose displacement
-/// in the middle is relative to the reference distance.
+/// For a line contact: Carter's stiffness, and the shift stiffness of Hertz's distribution of
+/// tractions, whose displacement in the middle is relative to the reference distance.
 Eigen::Vector2d line_rolling_stiffness(const contact::PatchSize& patch,
                                        const contact::CombinedMaterial& material);
 Eigen::Vector2d line_shift_stiffness(const contact::PatchSize& patch, double reference,

@@ -28,7 +28,7 @@ class RowDeflection {
  private:
   static double integral(double t) {
     constexpr int points = 400;
-    // u = t sinh(v), v even over its range: the peak at 0 and the tails have points alike.
+    // u = t sinh(v) with v evenly spaced: resolves both the peak at 0 and the tails.
     const double end = std::asinh(1.0 / t);
     const double ratio = std::exp(end / points);
     double power = std::exp(0.5 * end / points);  // e^v

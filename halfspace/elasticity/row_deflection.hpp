@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a row of elements along rolling under a semi-elliptic pressure deflects beside itself.
+// Deflection beside a row of elements along rolling under a semi-elliptic pressure.
 #pragma once
 
 namespace rollfem::halfspace {
 
-/// G(t), the integral over |u| < 1 of sqrt(1 - u^2) / sqrt(u^2 + t^2): a row of half length a and
-/// of unit pressure in its middle deflects the half-space by G(s / a) / (pi E*) of its width, at a
-/// distance s beside its middle. From a table over ln t, to 1e-3 of itself.
+/// G(t), the integral over |u| < 1 of sqrt(1 - u^2) / sqrt(u^2 + t^2): at lateral distance s from
+/// its middle, a row of half length a with unit pressure in its middle deflects the half-space by
+/// G(s / a) / (pi E*) times its width. From a table over ln t, with relative accuracy 1e-3.
 double row_deflection(double t);
 
 }  // namespace rollfem::halfspace

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// T_0 ... T_degree, a column each.
+/// T_0 ... T_degree, one column each.
 MatrixXd chebyshev(int degree, const Field& at) {
   MatrixXd values(at.size(), degree + 1);
   values.col(0).setOnes();

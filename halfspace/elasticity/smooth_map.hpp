@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The smooth part of the difference between a curved, finite body and its half-space, as a map
 // between polynomials over the patch: tractions enter by their moments, displacement is a
-// polynomial. It is the same on every contact grid and costs next to nothing.
+// polynomial. It is the same on every contact grid and costs almost nothing.
 #pragma once
 
 #include "contact/base/grid.hpp"
@@ -14,8 +14,8 @@
 
 namespace rollfem::halfspace {
 
-/// Where polynomials are scaled to [-1, 1]: x along rolling, y along the common surface of the
-/// bodies (arc length), mm.
+/// Box in which polynomials are scaled to [-1, 1]: x along rolling, y along the common surface of
+/// the bodies (arc length), mm.
 struct SmoothBox {
   double half_length = 1.0;
   double half_width = 1.0;
@@ -26,46 +26,46 @@ struct SmoothBox {
 /// order of the columns of polynomials().
 std::vector<std::array<int, 2>> polynomial_powers(int degree);
 
-/// Their values at places (x, y), a column each.
+/// Their values at points (x, y), one column for each polynomial.
 Eigen::MatrixXd polynomials(const SmoothBox& box, int degree, const contact::Field& x,
                             const contact::Field& y);
 
-/// What one body adds to u_wheel - u_rail under tractions on the wheel.
+/// Contribution of one body to u_wheel - u_rail under tractions on the wheel.
 struct SmoothMap {
   SmoothBox loads;   ///< of the moments
   SmoothBox fields;  ///< of the displacement
   int load_degree = 0;
   int field_degree = 0;
-  /// Coefficients (mm) of u_x, u_y, u_n one after the other, from the moments (N) of p_x, p_y, p_n.
-  /// Empty: nothing.
+  /// Coefficients (mm) of u_x, then u_y, then u_n, from the moments (N) of p_x, p_y, p_n. Empty:
+  /// zero.
   Eigen::MatrixXd coefficients;
 
   bool empty() const { return coefficients.size() == 0; }
 };
 
-/// What one body has below its surface beyond its half-space (stress/smooth_stress.hpp).
+/// Difference between one body and its half-space below the surface (stress/smooth_stress.hpp).
 struct SmoothDepthMap {
   SmoothBox loads;     ///< of the moments
-  SmoothBox fields;    ///< of what comes out
-  double depth = 0.0;  ///< mm, to which that goes
+  SmoothBox fields;    ///< of the result
+  double depth = 0.0;  ///< mm, depth of the map
   int load_degree = 0;
   int field_degree = 0;
-  /// Coefficients of the components of smooth_stress.hpp one after the other (mm, MPa), from the
-  /// moments (N) of p_x, p_y, p_n on the wheel. Empty: nothing.
+  /// Coefficients of the components of smooth_stress.hpp in order (mm, MPa), from the moments (N)
+  /// of p_x, p_y, p_n on the wheel. Empty: zero.
   Eigen::MatrixXd coefficients;
 
   bool empty() const { return coefficients.size() == 0; }
 };
 
-/// Of both bodies.
+/// Maps of both bodies.
 struct SmoothParts {
   SmoothMap wheel;
   SmoothMap rail;
   SmoothDepthMap wheel_below;
   SmoothDepthMap rail_below;
-  bool stresses = false;           ///< those below the surface were looked for
-  long unknowns = 0;               ///< of the finite elements behind them
-  std::vector<std::string> notes;  ///< on what they were found
+  bool stresses = false;           ///< the subsurface maps were computed
+  long unknowns = 0;               ///< of the finite elements
+  std::vector<std::string> notes;  ///< description of the computation
 };
 
 /// A map with its polynomials at the elements of a grid whose y runs along the common surface.

@@ -22,18 +22,18 @@ using contact::Scene;
 
 namespace {
 
-/// A bar is a factor times the root of the sum of squares of the change from 2h to h, of `before`
-/// times the change from 4h to 2h, since two changes rarely vanish together by chance, and of what
-/// else is known of the quantity. Factors and weights: the smallest median bar that holds in 96 %
-/// of some 1400 random load points (benchmarks/bar_coverage.cpp, seeds 21 and 22 and the first 400
-/// contacts of seed 23; docs/accuracy.md).
+/// An error bar is a factor times the root of the sum of squares of the change from 2h to h, of
+/// `before` times the change from 4h to 2h (because two changes rarely vanish together by chance),
+/// and of other known contributions. Factors and weights: the smallest median bar that holds in 96
+/// % of about 1400 random load points (benchmarks/bar_coverage.cpp, seeds 21 and 22 and the first
+/// 400 contacts of seed 23; docs/accuracy.md).
 struct Rule {
   double before;
   double with_three;  ///< factor with a grid of 4h
   double with_two;    ///< without one
 };
 
-/// What is as smooth as the pressure; besides the changes `size` of the value over n^1.5, n
+/// Quantities as smooth as the pressure; besides the changes, `size` of the value over n^1.5, n
 /// elements across.
 struct SmoothQuantity {
   const char* name;
@@ -50,9 +50,10 @@ constexpr SmoothQuantity smooth_quantities[] = {
 constexpr SmoothQuantity normal_force{
     "normal_force", 0.30, {0.0, 0.30, 0.45}, &WaveErrors::normal_force};
 
-/// A force or moment has an error of every row of elements, whose leading edge lies anywhere in an
-/// element: the rows' forces are rough by it. Of the other two forces it has a part that is larger
-/// the larger its own share is, as of what friction and creepages do not agree about.
+/// A force or moment has an error from every row of elements, whose leading edge lies anywhere in
+/// an element, which makes the forces of the rows rough. It also inherits a fraction of the errors
+/// of the other two forces, and of the disagreement between the works of friction and creepages,
+/// that grows with its own share.
 constexpr const char* forces[] = {"longitudinal_force", "lateral_force", "spin_moment"};
 constexpr Rule of_force{0.1, 0.90, 0.90};
 
@@ -75,7 +76,7 @@ double combined(const Rule& rule, bool three, std::initializer_list<double> term
   return (three ? rule.with_three : rule.with_two) * root_of_squares(terms);
 }
 
-/// Of the forces in the order of `forces`, N and N mm.
+/// In the order of `forces`, N and N mm.
 using Roughness = std::array<double, 3>;
 
 class Bars {
@@ -119,15 +120,15 @@ class Bars {
   std::optional<double> of_waves(double WaveErrors::*member, double times = 1.0) const {
     return waves_ ? std::optional(times * (waves_->*member)) : std::nullopt;
   }
-  /// `of_waves`: what narrower elements change, where waves are too short for these. What coarser
-  /// ones say then counts `of_changes` times.
+  /// `of_waves`: change by narrower elements, where waves are too short for the current ones.
+  /// Changes from coarser grids are then multiplied by `of_changes`.
   void set(const char* name, const Rule& rule, double rest, std::optional<double> of_waves = {},
            double of_changes = 1.0) const {
     if (!known(name)) return;
     const contact::Quantity& quantity = contact::quantity_named(name);
     const double full = contact::full_sliding(quantity, fine_, friction_);
     const double largest = std::max(std::abs(value(fine_, name)), std::abs(value(coarse_, name)));
-    // What vanishes by symmetry is rounding on every grid.
+    // Quantities that vanish by symmetry are rounding on every grid.
     constexpr double rounding = 1e-7;
     const bool vanishes = quantity.of_friction() && largest <= rounding * full;
     constexpr double of_narrower = 1.3;
@@ -136,7 +137,7 @@ class Bars {
     fine_.error_estimate[name] =
         vanishes ? largest : std::hypot(of_grids, of_narrower * of_waves.value_or(0.0));
   }
-  /// Of order 2. What has less, or none, is farther off when it is extrapolated.
+  /// Quantities of order 2. For lower orders, extrapolation increases the error.
   void extrapolate(const char* name) const {
     if (known(name)) fine_.richardson[name] = value(fine_, name) + change(name) / 3.0;
   }
@@ -149,21 +150,21 @@ class Bars {
     return fine_.contact_area > 0.0 ? fine_.adhesion_area / fine_.contact_area : 0.0;
   }
   Roughness roughness() const;
-  /// Besides its changes, what is known of force i of `forces`; of its part of the load where that
-  /// is asked for, in its unit.
+  /// Contributions to the bar of force i of `forces` besides its changes; in its unit, including
+  /// its part of the load if requested.
   double rest_of_force(std::size_t i, const Roughness& rough, bool over_load) const;
   double bar_of(const char* name) const {
     const auto found = fine_.error_estimate.find(name);
     return found == fine_.error_estimate.end() ? 0.0 : found->second;
   }
-  /// N mm per mm rolled, by which the works of friction and creepages differ; 0 but in steady
+  /// N mm per mm rolled, difference between the works of friction and creepages; 0 except in steady
   /// rolling.
   static double imbalance_of(const PointResult& point) {
     if (!point.frictional_work || !point.creepage_work) return 0.0;
     return *point.frictional_work - *point.creepage_work;
   }
-  /// What of it the grid makes. Between unlike materials pressure, shifted by friction, works as
-  /// well, on every grid alike.
+  /// Part of it due to the grid. Between unlike materials the pressure, shifted by friction, also
+  /// does work, equally on every grid.
   double imbalance() const {
     return imbalance_of(fine_) - (couples_ ? imbalance_of(coarse_) : 0.0);
   }
@@ -189,7 +190,7 @@ void Bars::set_normal() const {
   }
 }
 
-/// Under a given force F_z is off by what friction along the force's direction is.
+/// Under a given force, the error of F_z is that of friction along the direction of the force.
 void Bars::set_normal_force() const {
   const bool given = load_.load.force.has_value();
   set(normal_force.name, normal_force.rule,
@@ -216,7 +217,7 @@ void Bars::set_extents() const {
   if (!grid_.is_line())
     extent("semi_axis_y", "contact_width", "patch_y_middle", size_.width_unsure,
            &WaveErrors::width);
-  // Of many rows the elements cut by the front cancel; a line has one row.
+  // With many rows, the errors of elements cut by the front cancel; a line contact has one row.
   const double front = area_of_front(grid_, fine_.fields.state);
   const double unsure = grid_.is_line() ? 1.3 * std::max(front, grid_.element_area()) : 0.3 * front;
   set("adhesion_area", of_adhesion, std::hypot(over_grid(1.2 * fine_.contact_area), unsure),
@@ -252,8 +253,8 @@ double Bars::rest_of_force(std::size_t i, const Roughness& rough, bool over_load
   }
   const double own = std::abs(value(fine_, forces[i])) / arms[i];
   const double share = whole > 0.0 ? std::min(1.0, own / whole) : 0.0;
-  // Where next to nothing slips the work of friction is that of single elements; where all does,
-  // rows are as rough as the load.
+  // With almost no slip, the work of friction comes from single elements; in full sliding, rows are
+  // as rough as the load.
   const double adhering = part_in_adhesion();
   const double balance = slip > 0.0 ? (1.0 - adhering) * imbalance() / slip : 0.0;
   const double row = rough[i] / arms[i] * (over_load ? std::sqrt(adhering) : 1.0);
@@ -272,7 +273,7 @@ void Bars::set_forces() const {
     set(forces[i], of_force, given[i] ? 0.0 : rest_of_force(i, rough, false));
   set_normal_force();
   if (!(fine_.normal_force > 0.0) || !(coarse_.normal_force > 0.0)) return;
-  // Under a given F_x F_z alone is uncertain.
+  // Under a given F_x only F_z is uncertain.
   const double rest = given[0] ? fine_.traction_coefficient * bar_of("normal_force")
                                : rest_of_force(0, rough, true);
   set("traction_coefficient", of_force, rest / fine_.normal_force);
@@ -282,8 +283,8 @@ void Bars::set_tractions() const {
   constexpr double along = 0.4, across = 0.2, of_fall = 3.0, of_pressure = 1.5;
   const contact::SurfaceField& traction = fine_.fields.traction;
   if (traction.x.size() != grid_.size() || traction.y.size() != grid_.size()) return;
-  // Where slip is all but everywhere the largest traction is as smooth as the pressure; else it is
-  // where adhesion ends, and falls from there on both sides.
+  // With slip almost everywhere, the largest traction is as smooth as the pressure; otherwise it is
+  // at the end of adhesion and decreases on both sides.
   const double bound = friction_ * fine_.max_pressure;
   const auto largest = [&](const char* name, const Rule& rule, const Field& field) {
     const Peak peak = peak_of(grid_, field);
@@ -301,7 +302,7 @@ void Bars::set_tractions() const {
 void Bars::set_works() const {
   set("frictional_work", of_friction_work, imbalance());
   if (!fine_.creepage_work) return;
-  // Where all slips it is the bound times the creepage.
+  // In full sliding it is the bound times the creepage.
   constexpr double of_balance = 0.05, size = 1.5, of_found = 0.3;
   const double adhering = part_in_adhesion();
   const double found = std::hypot(fine_.longitudinal_force * change("longitudinal_creepage"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a solution shows of the errors of its grid: its largest value beside the neighbours, how
-// rough its rows of elements are, the elements along its front, and how many there are across.
+// Indicators of grid errors in a solution: its largest value compared with the neighbours, the
+// roughness of its rows of elements, the elements along its front, and the number of elements
+// across.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -9,15 +10,15 @@
 
 namespace rollfem::halfspace {
 
-/// The largest value of a field beside its neighbours.
+/// The largest value of a field compared with its neighbours.
 struct Peak {
-  double fall = 0.0;                ///< to the nearer of the neighbours along rolling
+  double fall = 0.0;                ///< difference to the closer neighbour along rolling
   double sag_x = 0.0, sag_y = 0.0;  ///< above the mean of both, along and across
 };
 Peak peak_of(const contact::ContactGrid& grid, const contact::Field& field);
 
-/// What is rough in the sums of a field over the rows of the grid: the root of the sum of squares
-/// of their fourth differences, as parts of those of uncorrelated errors.
+/// Roughness of the sums of a field over the rows of the grid: the root of the sum of squares of
+/// their fourth differences, relative to those of uncorrelated errors.
 double roughness_of_rows(const contact::ContactGrid& grid, const contact::Field& field);
 
 /// Area of the elements along the border between adhesion and slip, mm^2.

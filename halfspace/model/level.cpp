@@ -29,7 +29,7 @@ using contact::Scene;
 
 namespace {
 
-/// Transient rolling looks up to two steps upstream.
+/// Transient rolling uses values up to two steps upstream.
 int columns_for_steps(const Scene& scene, const PatchSearch& area, double dx) {
   if (scene.problem != contact::Problem::transient || scene.contact_grid.extent ||
       scene.geometry.distance_values)

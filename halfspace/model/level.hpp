@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One resolution of the model "halfspace": the contact run on the half-space's elasticity. Levels
-// start from each other: the next coarser one gives the first guess and the error estimate.
+// One resolution of the model "halfspace": the contact run on the half-space's elasticity. Every
+// level starts from the next coarser one, which provides the first guess and the error estimate.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -12,13 +12,13 @@
 
 namespace rollfem::halfspace {
 
-/// Solutions behind a force that is searched for must be sharper than the search.
+/// Solutions for a prescribed force must be more accurate than the search.
 inline constexpr contact::ContactAccuracy accuracy_of_force_search{1e-8, {1e-7, 600, 5, true}};
 
 /// Solves all load points with cells of dx by dy, on a larger grid when the patch reaches its
-/// border. `area`: of this scene. `coarser` may be null. `stage_prefix` stands before the stage
-/// names of the progress events. With a `checkpoint` (may be null) load points that it holds are
-/// taken up and others are kept there.
+/// border. `area`: of this scene. `coarser` may be null. `stage_prefix` precedes the stage names of
+/// the progress events. Load points are restored from the `checkpoint` (may be null) and stored
+/// there.
 contact::LevelResult solve_level(const contact::Scene& scene, const PatchSearch& area, double dx,
                                  double dy, const contact::LevelResult* coarser,
                                  const std::string& stage_prefix, const contact::Progress& progress,

@@ -29,12 +29,12 @@ using contact::Scene;
 
 namespace {
 
-/// Elements of a line contact are as wide as it on every level.
+/// Elements of a line contact have its full width on every level.
 double factor_across(const Scene& scene, double factor) {
   return scene.geometry.line ? 1.0 : factor;
 }
 
-/// Below this many elements across, a coarser level helps nobody.
+/// Below this many elements across, a coarser level is not worth solving.
 constexpr int fewest_elements_across = 10;
 
 struct Cell {
@@ -55,11 +55,11 @@ Cell finest_cell(const Scene& scene, const PatchSearch& area) {
   return {length / across, scene.geometry.line ? width : width / across, across};
 }
 
-/// Elements across of a level that has but to say how numbers change.
+/// Fewest elements across of a level used only for error bars.
 constexpr int fewest_for_bars = 4;
 
-/// The finest level last: two always, for the error bars, and a third one where it can be had. A
-/// history gains nothing from more, for its steps start from each other.
+/// The finest level last: always two, for the error bars, and a third one if possible. More do not
+/// help a history, because its steps start from each other.
 std::vector<Cell> cells_of_levels(const Scene& scene, const PatchSearch& area) {
   std::vector<Cell> cells{finest_cell(scene, area)};
   const auto another = [&] {
@@ -75,14 +75,15 @@ std::vector<Cell> cells_of_levels(const Scene& scene, const PatchSearch& area) {
   return cells;
 }
 
-/// Whether the level after one of these cells begins with its solution: `last`, the finest one. A
-/// level that is only there for the bars must not change where the others come from.
+/// Whether the level after one with these cells starts from its solution; `last`: the finest level.
+/// A level used only for error bars must not influence the start of the others.
 bool is_a_start(const Scene& scene, const Cell& cell, bool last) {
   return last || (!scene.is_history() && cell.across >= fewest_elements_across);
 }
 
-/// A given extent need not hold the patch on coarser elements, which reach farther than it by a
-/// part of one and are fewer than the whole ones that fit: there it is two larger on each side.
+/// A given extent need not hold the patch on coarser elements, because fewer whole elements fit
+/// into it and the patch reaches further by a fraction of an element: there the grid has two more
+/// on each side.
 Scene with_room(Scene scene, const Cell& cell) {
   if (auto& extent = scene.contact_grid.extent; extent && !scene.geometry.distance_values) {
     (*extent)[0] += 4.0 * cell.dx;
@@ -102,10 +103,10 @@ bool shares_load(const Scene& scene) {
   });
 }
 
-/// A level that only helps the finer ones: none where its elements do not fit, or where no state
-/// of unlike materials is found on it: the finest one says so if there is none. Past the limit of
-/// Nadal each level says so itself: without a start from coarser ones the finest may come upon a
-/// balance at many times the load. `dispensable`: nothing starts from it.
+/// A level that only helps the finer ones: skipped if its elements do not fit, or if no solution
+/// for unlike materials is found on it; the finest level reports an error if it has none. Beyond
+/// Nadal's limit every level reports the error, because without a start from coarser levels the
+/// finest may find a balance at many times the load. `dispensable`: no level starts from it.
 std::optional<contact::LevelResult> coarser_level(const Scene& scene, const PatchSearch& area,
                                                   const Cell& cell,
                                                   const contact::LevelResult* start,
@@ -120,21 +121,21 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Patc
   } catch (const contact::UnfitGrid&) {
     return {};
   } catch (const contact::SolveError&) {
-    // Only between unlike materials may one grid have a state that is found and another none.
+    // Only for unlike materials may one grid have a solution and another none.
     if (!dispensable && (shares_load(scene) || !scene.material.couples())) throw;
     return {};
   } catch (const contact::InputError&) {
-    return {};  // they may reach beyond the points of a file
+    return {};  // they may extend beyond the points of a file
   }
 }
 
 std::string discretisation_words(const Scene& scene) {
   const bool first = scene.upwind_order == contact::UpwindOrder::first;
   const char* order = first ? "first" : "second";
-  const char* spin = first ? ", the spin taken a sixth of its step upstream, as CONTACT does" : "";
+  const char* spin = first ? ", the spin taken a sixth of its step upstream, as in CONTACT" : "";
   switch (scene.problem) {
     case contact::Problem::frictionless:
-      return "with constant pressure; normal problem alone";
+      return "with constant pressure; normal problem only";
     case contact::Problem::shift:
       return "with constant tractions; shift without rolling";
     case contact::Problem::transient:
@@ -183,7 +184,7 @@ void add_notes(const Scene& scene, ModelResult& result) {
                     difference));
 }
 
-/// The finest level so far and those below it; null where there is none.
+/// The finest level so far and the coarser ones; null if missing.
 struct Levels {
   std::optional<contact::LevelResult> coarsest, coarse, fine;
 
@@ -213,7 +214,7 @@ std::string set_bars(const Scene& scene, Levels& levels) {
   return warning;
 }
 
-/// Stresses below the surface as far as the case asks for them, with their bars.
+/// Subsurface stresses requested by the case, with their error bars.
 void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& levels,
                   ModelResult& result) {
   const bool maxima = scene.output.stress_maxima;
@@ -237,7 +238,7 @@ void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& 
 }
 
 /// Largest resident memory, measured with 42 to 165 thousand elements and up to 10 load points:
-/// this within 15 %, for unlike materials up to two thirds more.
+/// within 15 % of this, for unlike materials up to two thirds more.
 double predicted_bytes(double elements, double points) {
   constexpr double program = 30e6, per_element = 1300.0, per_element_and_point = 200.0;
   return program + elements * (per_element + per_element_and_point * points);
@@ -250,12 +251,12 @@ void refuse_beyond_memory(const Scene& scene, const contact::ContactGrid& grid) 
   if (needed <= available) return;
   throw contact::SolveError(fmt::format(
       "this run needs about {} and {} are available: {:.3g} million elements of the contact grid "
-      "and {} load points, whose fields are kept; do: use fewer elements "
-      "(contact_grid.elements_across or cell_size), or fewer load points",
+      "and {} load points with stored fields; do: use fewer elements (contact_grid.elements_across "
+      "or cell_size), or fewer load points",
       contact::in_gigabytes(needed), contact::in_gigabytes(available), 1e-6 * grid.size(), points));
 }
 
-/// Beyond this many elements across nothing is refined further for an accuracy.
+/// Largest number of elements across for a requested accuracy.
 constexpr int most_elements_across = 320;
 
 contact::Rung rung_of(const Scene& scene, const PatchSearch& area, const Cell& cell) {
@@ -282,7 +283,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   const PatchSearch area(scene, detail_for(scene));
   std::vector<Cell> cells = cells_of_levels(scene, area);
   area.check_shape_of_cells(cells.back().dx, cells.back().dy);
-  // A grid too large to have is refused before the coarser ones are computed.
+  // A grid too large for memory is rejected before the coarser ones are computed.
   refuse_beyond_memory(scene, area.grid(cells.back().dx, cells.back().dy, 0));
   ModelResult result;
   std::string warning;

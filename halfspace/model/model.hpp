@@ -18,28 +18,27 @@ std::unique_ptr<contact::Elasticity> halfspace_elasticity(const contact::Scene& 
                                                           const contact::ChartedGeometry& geometry,
                                                           const contact::ContactGrid& grid);
 
-/// What elasticity the grids of a model have: the half-space's, or one that a half-space
-/// preconditions.
+/// Elasticity on the grids of a model: the half-space, or one preconditioned by a half-space.
 struct GridElasticity {
   std::string model = "halfspace";  ///< in progress events and names of records
   std::function<std::unique_ptr<contact::Elasticity>(
       const contact::Scene&, const contact::ChartedGeometry&, const contact::ContactGrid&)>
       make = halfspace_elasticity;
-  /// Adds stresses below the surface to a load point solved on the grid; empty: those that the
-  /// scene asks for, of half-spaces.
+  /// Adds subsurface stresses to a load point solved on the grid; empty: the stresses requested by
+  /// the scene, for half-spaces.
   std::function<void(const contact::ContactGrid&, contact::PointResult&)> add_stresses = {};
 };
 
 /// Solves every load point; enlarges the grid when the patch touches its border; runs at a half and
-/// a quarter of the resolution give the error bars, the former also the first guess. Stresses below
-/// the surface as the case asks for them. Load points of the finest grid are kept in the
-/// `checkpoint` and taken up from there (null: none).
+/// a quarter of the resolution give the error bars, the former also the first guess. Includes the
+/// subsurface stresses requested by the case. Load points of the finest grid are stored in the
+/// `checkpoint` and restored from there (null: none).
 contact::ModelResult run_halfspace(const contact::Scene& scene, const contact::Progress& progress,
                                    contact::Checkpoint* checkpoint = nullptr,
                                    const GridElasticity& elasticity = {});
 
-/// The scene on so few elements across, without stresses or an accuracy asked for: for the
-/// difference between two models. Points of a file come with their grid, which stays.
+/// The scene on a given number of elements across, without stresses and requested accuracy: for the
+/// difference between two models. The grid of points from a file is kept.
 contact::Scene on_few_elements(contact::Scene scene, int elements_across);
 
 }  // namespace rollfem::halfspace

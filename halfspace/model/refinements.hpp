@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How a study refines the half-space.
+// Refinement levels of the half-space in a study.
 #pragma once
 
 #include "contact/solve/model.hpp"

@@ -23,12 +23,12 @@ using contact::Scene;
 
 namespace {
 
-/// Elements kept free around the patch; the second-order difference looks two columns upstream.
+/// Free elements around the patch; the second-order difference uses two columns upstream.
 constexpr int free_around = 2;
 
 constexpr int coarsest = 10;  ///< elements across
 
-/// Starts leave traces of this size in the forces.
+/// Effect of the starting tractions on the forces.
 constexpr double tolerance = 1e-11;
 
 /// The ellipse with G = 1, mu = 1, a b = 1 and F_n = 1, so that creepages, forces and moments of
@@ -64,14 +64,14 @@ LevelResult solve_level(const Scene& scene, const ContactGrid& grid, const Level
   return run.take_result();
 }
 
-/// The pressure of elements that the ellipse cuts is not their mean: forces are parts of what the
-/// elements carry together.
+/// The pressure of elements cut by the ellipse is not their mean: forces are fractions of the total
+/// carried by the elements.
 ScaledForces forces_of(const contact::PointResult& point) {
   const double bound = point.normal_force;
   return {point.longitudinal_force / bound, point.lateral_force / bound, point.spin_moment / bound};
 }
 
-/// What is left from `coarse` to `fine` over what is left from `fine` to the limit: order 3/2.
+/// Ratio of the change from `coarse` to `fine` to the change from `fine` to the limit: order 3/2.
 EllipseForces limit_of(const ScaledForces& fine, const ScaledForces& coarse, int across) {
   const double weight = 1.0 / (std::pow(2.0, 1.5) - 1.0);
   const ScaledForces rest{weight * (fine.longitudinal - coarse.longitudinal),
@@ -104,7 +104,7 @@ void check(const EllipseShape& shape, const std::vector<ScaledCreepage>& creepag
     refuse(fmt::format("most_across = {}", accuracy.most_across), "20 and more");
 }
 
-/// The load points at these places, with what the finer level starts from.
+/// The load points at these indices, with the start of the finer level.
 std::pair<Scene, LevelResult> part_of(const Scene& scene, const LevelResult& level,
                                       const std::vector<std::size_t>& places) {
   std::pair<Scene, LevelResult> part{scene, {}};
@@ -122,7 +122,7 @@ std::pair<Scene, LevelResult> part_of(const Scene& scene, const LevelResult& lev
 std::vector<EllipseForces> all_levels(const EllipseShape& shape, Scene scene,
                                       const EllipseAccuracy& accuracy) {
   std::vector<EllipseForces> results(scene.points.size());
-  std::vector<std::size_t> open;  // places in the results
+  std::vector<std::size_t> open;  // indices in the results
   for (std::size_t k = 0; k < results.size(); ++k) open.push_back(k);
   LevelResult coarse = solve_level(scene, grid_of(shape, coarsest), nullptr);
   for (int across = 2 * coarsest; !open.empty(); across *= 2) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Steady rolling of a Hertzian ellipse at many creepages, as tables of vehicle dynamics need it.
+// Steady rolling of a Hertzian ellipse at many creepages, for tables of vehicle dynamics.
 // Everything is scaled, so that one value covers contacts of any size, load and stiffness.
 #pragma once
 
@@ -31,16 +31,16 @@ struct ScaledForces {
 /// The limit of the two finest grids.
 struct EllipseForces {
   ScaledForces limit;
-  ScaledForces correction;  ///< of the finer one to the limit: the size of the error, no bound
+  ScaledForces correction;  ///< from the finer one to the limit: size of the error, not a bound
   int elements_across = 0;  ///< of the finer one
 };
 
 struct EllipseAccuracy {
-  /// Grids are doubled from 10 across on until the correction of the forces is at most this of
-  /// mu F_n and that of the moment four times as much of mu F_n c. 0.003: forces within 0.2 %, the
-  /// moment within 1 % (docs/tables.md).
+  /// Grids are doubled from 10 across until the correction of the forces is at most this fraction
+  /// of mu F_n and that of the moment at most four times this fraction of mu F_n c. 0.003: forces
+  /// within 0.2 %, the moment within 1 % (docs/tables.md).
   double largest_correction = 0.003;
-  int most_across = 80;  ///< where that ends: 20, 40, 80 or 160
+  int most_across = 80;  ///< largest grid: 20, 40, 80 or 160
 };
 
 /// Forces at all creepages, in their order, on one thread. Throws contact::InputError for shapes

@@ -26,9 +26,9 @@ namespace {
 
 constexpr int times_narrower = 4;
 
-/// The pressure of what the profiles do within the elements beyond a parabola through the middles
-/// of three, MPa: rms over the rows that carry load. Waves under pressure all along press with
-/// E*/2 times their slope.
+/// Pressure of the profile variation within the elements beyond a parabola through the centres of
+/// three, MPa: rms over the loaded rows. Waves in full contact have a pressure of E*/2 times their
+/// slope.
 double pressure_within_elements(const Scene& scene, const contact::ChartedGeometry& geometry,
                                 const ContactGrid& grid, const Field& pressure) {
   const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
@@ -54,8 +54,8 @@ double pressure_within_elements(const Scene& scene, const contact::ChartedGeomet
   return rows > 0 ? 0.5 * scene.material.contact_modulus * std::sqrt(squares / rows) : 0.0;
 }
 
-/// The part of a grid that carries load, with some elements around it: on narrower elements crests
-/// touch that no wider one raises.
+/// The loaded part of a grid, with some elements around it, because narrower elements resolve
+/// additional crests.
 ContactGrid around_patch(const ContactGrid& grid, const Field& pressure) {
   constexpr int room = 4;
   int left = grid.nx, right = 0, lower = grid.ny, upper = 0;
@@ -122,7 +122,7 @@ WaveErrors errors_between(const Pressed& here, const Pressed& there) {
 std::optional<WaveErrors> wave_errors(const Scene& scene, std::size_t k, const ContactGrid& grid,
                                       const PointResult& point) {
   constexpr double negligible = 0.005;      // of the largest pressure
-  constexpr int most_elements = 2'000'000;  // of the narrow ones, some 1 GB
+  constexpr int most_elements = 2'000'000;  // of the narrow ones, about 1 GB
   if (!scene.has_profiles() || scene.given_pressure) return {};
   const Field& pressure = point.fields.traction.n;
   const contact::ChartedGeometry geometry = halfspace_geometry(scene);
@@ -143,7 +143,7 @@ std::optional<WaveErrors> wave_errors(const Scene& scene, std::size_t k, const C
                                 contact::interpolated(wide, here.normal.pressure, narrow));
     return errors_between(here, there);
   } catch (const contact::SolveError&) {
-    return {};  // then bars are from the grids alone
+    return {};  // then error bars are from the grids only
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Waves of rough profiles that are too short for the elements of a grid: what they cost, found on
-// elements a quarter as wide, and a sentence for the reader.
+// Waves of rough profiles that are too short for the elements of a grid: the resulting error, from
+// elements a quarter as wide, and a warning for the reader.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -10,7 +10,7 @@
 
 namespace rollfem::halfspace {
 
-/// How much numbers change without friction where elements are a quarter as wide, absolute.
+/// Absolute change of frictionless results with elements a quarter as wide.
 struct WaveErrors {
   double max_pressure = 0.0;    ///< MPa
   double approach = 0.0;        ///< mm
@@ -21,13 +21,13 @@ struct WaveErrors {
   double elastic_energy = 0.0;  ///< N mm
 };
 
-/// Of load point k, solved on `grid` as `point`. Nothing where the elements follow the profiles, or
-/// where there are none.
+/// For load point k, solved on `grid` as `point`. Empty where the elements follow the profiles, or
+/// without profiles.
 std::optional<WaveErrors> wave_errors(const contact::Scene& scene, std::size_t k,
                                       const contact::ContactGrid& grid,
                                       const contact::PointResult& point);
 
-/// A warning with the cells that would do; empty where these do.
+/// A warning with sufficiently small cells; empty if the cells are sufficient.
 std::string wave_warning(const contact::ContactGrid& grid, const contact::PointResult& point,
                          const WaveErrors& errors);
 

@@ -24,12 +24,12 @@ const double correction_load_ratio = 1.2;
 
 namespace {
 
-/// The box of the round load is no larger than this times that of the load itself: else it holds
-/// another contact of the profiles.
+/// The box of the rounded load is at most this many times that of the load itself; otherwise it
+/// contains another contact of the profiles.
 constexpr double largest_growth = 1.5;
 
 double rounded_up(double value) {
-  // What is on a step already stays there.
+  // Values already on a step stay there.
   const double steps = std::log(value) / std::log(correction_load_ratio);
   return std::pow(correction_load_ratio, std::ceil(steps - 1e-6));
 }
@@ -46,7 +46,7 @@ bool is_alike(const PatchBox& larger, const PatchBox& box) {
          std::abs(larger.middle - box.middle) <= 0.5 * box.half_width;
 }
 
-/// Segments of a given size hold the finest cells around the box with room to spare.
+/// Segments of a given size must hold the finest cells around the box with some margin.
 bool fits(const PatchBox& box, const contact::FemOptions& fem) {
   constexpr double half_sizes = 4.0;
   const auto holds = [&](const std::optional<double>& reach) {
@@ -71,7 +71,7 @@ void add(std::string& text, const char* name, const contact::HeightCurve& curve)
   text += name;
   for (const double y : curve.knots()) {
     const contact::CurveValue at = curve.at(y);
-    // Heights are computed from places found as roots: the last digits are theirs.
+    // Heights are computed at positions found as roots, whose error affects the last digits.
     fmt::format_to(std::back_inserter(text), " {:.8f} {:.8f} {:.8f}", y, at.value, at.slope);
   }
   text += '\n';
@@ -90,7 +90,7 @@ void add_surface(std::string& text, const contact::ContactSurface& surface) {
     text += fmt::format("axle {:.8f} {:.8f} {:.8f}\n", vector[0], vector[1], vector[2]);
 }
 
-/// What decides bodies that are not boxes under their surface.
+/// Parameters of bodies that are not boxes under their surface.
 void add_given_bodies(std::string& text, const Scene& scene) {
   const contact::FemOptions& fem = scene.options.fem;
   if (fem.mesh == contact::MeshFamily::gmsh)
@@ -99,7 +99,7 @@ void add_given_bodies(std::string& text, const Scene& scene) {
   for (const std::string& mesh : {scene.wheel.mesh, scene.rail.mesh}) {
     if (mesh.empty()) continue;
     const auto path = std::filesystem::path(scene.file).parent_path() / mesh;
-    std::error_code missing;  // said by the one who reads it
+    std::error_code missing;  // reported by the reader of the mesh
     text += fmt::format("mesh {} {} {}\n", std::filesystem::absolute(path).string(),
                         std::filesystem::file_size(path, missing),
                         std::filesystem::last_write_time(path, missing).time_since_epoch().count());
@@ -172,7 +172,7 @@ void check_curved(const Scene& scene) {
     throw contact::InputError(
         fmt::format("{}: halfspace.surface = \"curved\": cannot be combined with {}; allowed: "
                     "wheel and rail with radii or profiles, and no stresses below the surface; do: "
-                    "leave that out, or run with surface = \"planar\"",
+                    "remove it, or run with surface = \"planar\"",
                     scene.file, what));
   };
   refuse(!scene.geometry.has_surfaces(), "undeformed_distance");

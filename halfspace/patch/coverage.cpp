@@ -20,7 +20,7 @@ using contact::ContactGrid;
 
 namespace {
 
-/// Overlaps below this part of the approach are those of the point loads, not of the bodies.
+/// Overlaps below this fraction of the approach are due to the point loads, not to the bodies.
 constexpr double least_overlap = 1e-3;
 
 /// Normal displacement at (x, y) of the grid by pressure elsewhere on it, mm.
@@ -34,10 +34,10 @@ double displacement_at(double x, double y, const ContactGrid& grid, const contac
   return sum * grid.element_area() / (contact::pi * modulus);
 }
 
-/// Of a grid's lateral coordinate, mm: from the first to the last place beyond the grid where the
-/// bodies would overlap under this load point, each element of the patch taken as a point load on
-/// the half-space. Nothing for bodies without profiles. Where the undeformed bodies are farther
-/// apart than the approach nothing touches, for displacement only ever opens the gap.
+/// Range of the grid's lateral coordinate, mm: first and last position beyond the grid where the
+/// bodies would overlap under this load point, with each element of the patch as a point load on
+/// the half-space. Empty for bodies without profiles. There is no contact where the undeformed
+/// distance exceeds the approach, because displacement always opens the gap.
 std::optional<std::array<double, 2>> touched_beyond(
     const contact::Scene& scene, const contact::ChartedGeometry& geometry, const PatchSearch& area,
     const ContactGrid& grid, const contact::PointResult& point, const contact::NormalLoad& load) {
@@ -53,7 +53,7 @@ std::optional<std::array<double, 2>> touched_beyond(
         geometry.undeformed_distance(place)[0] +
         displacement_at(x, y, grid, point.fields.traction.n, scene.material.contact_modulus) +
         neighbour_displacement(scene.neighbour_loads, scene.material, x, y);
-    // The bodies approach along the load, of which the plane knows the part along z.
+    // The bodies approach along the load; the plane uses its component along z.
     const double along_normal =
         geometry.curved()
             ? (1.0 - climb * load.direction[0] / load.direction[1]) / std::sqrt(1.0 + climb * climb)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Checks that a solved grid holds all of a contact: wheel and rail must not overlap beyond it, nor
-// press on each other up to where another contact of the wheel begins.
+// Checks that a solved grid contains the whole contact: wheel and rail must not overlap beyond it,
+// and pressure must not reach another contact of the wheel.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -10,12 +10,12 @@
 
 namespace rollfem::halfspace {
 
-/// Elements kept free around the patch; second-order upwind looks two columns upstream.
+/// Free elements around the patch; the second-order upwind difference uses two columns upstream.
 inline constexpr int free_elements = 3;
 
-/// The grid, with more rows where the bodies would overlap beyond it under one of the load points
-/// of the scene, solved as `points`; `area`: the search that has found the patch. Throws
-/// contact::SolveError where the patch is not this contact's alone.
+/// The grid, extended by rows where the bodies would overlap beyond it under one of the scene's
+/// load points, solved as `points`; `area`: the search that found the patch. Throws
+/// contact::SolveError if another contact takes part in the patch.
 contact::ContactGrid grid_of_all_patches(const contact::Scene& scene,
                                          const contact::ChartedGeometry& geometry,
                                          const PatchSearch& area, const contact::ContactGrid& grid,

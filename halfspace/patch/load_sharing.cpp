@@ -30,16 +30,17 @@ namespace {
 
 /// First guess of the sinking, mm; a wheel's patch approaches by 0.05 to 0.2.
 constexpr double first_sinking = 0.05;
-/// No wheel sinks deeper than this, mm.
+/// Deepest sinking of a wheel, mm.
 constexpr double deepest_sinking = 20.0;
-/// Forces that change by less than this part of their sum no longer feel each other.
+/// Convergence: forces change by less than this fraction of their sum.
 constexpr double settled = 1e-8;
 constexpr int most_turns = 60;
-/// Elements along x, and along y over what overlaps.
+/// Elements along x, and along y over the overlap.
 constexpr int elements_of_law = 50;
-/// Elements along y at most, in times of that: gaps between patches have as many as patches.
+/// Largest number of elements along y, as a multiple of that: gaps between patches are meshed like
+/// patches.
 constexpr double most_gaps = 24.0;
-/// Of the point loads that stand for a pressure.
+/// Number of point loads that represent a pressure.
 constexpr int blocks_along = 5, blocks_across = 10;
 
 struct Patch {
@@ -47,7 +48,7 @@ struct Patch {
   std::array<double, 2> up;  ///< y, z of the vertical
   double separation;
   Ridge ridge;
-  double touch;  ///< mm, the least distance at first touch: the patch's own zero of the approach
+  double touch;  ///< mm, least distance at first touch: the patch's zero of the approach
 
   double approach_at(double sinking) const { return touch + sinking * up[1] - separation; }
   /// y of a patch frame points to the field on the left wheel, to the middle on the right.
@@ -57,8 +58,8 @@ struct Patch {
 Patch patch_of(const Scene& scene) {
   if (!scene.has_profiles() || !scene.place)
     throw contact::InputError(
-        "sharing of the load between patches: every scene needs the geometry and the place of its "
-        "patch; do: make scenes of a case with profiles");
+        "sharing of the load between patches: every scene needs the geometry and the position of "
+        "its patch; do: use scenes of a case with profiles");
   const double angle = scene.place->contact_angle;
   const double sine = scene.place->left ? std::sin(angle) : -std::sin(angle);
   const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
@@ -77,18 +78,18 @@ std::vector<Patch> patches_of(const std::vector<Scene>& scenes) {
 }
 
 /// Force of the pressure of a scene with profiles on one grid that holds every patch up to a
-/// largest approach: one continuous function of the approach, good to some 0.5 % there and less at
-/// a small part of it.
+/// largest approach: one continuous function of the approach, accurate to about 0.5 % there and
+/// less accurate for a small fraction of it.
 class ForceLaw {
  public:
   /// `largest_approach`: mm along z.
   ForceLaw(const Patch& patch, double largest_approach);
 
-  /// Presses at an approach; `beside`: what loads the surface beside the contact.
+  /// Solves at an approach; `beside`: loads on the surface beside the contact.
   void press(double approach, const std::vector<NeighbourLoad>& neighbour_loads);
 
-  double normal_force() const { return force_[1]; }   ///< N, along z; 0 where nothing touches
-  double lateral_force() const { return force_[0]; }  ///< N, along y: not 0 on a curved surface
+  double normal_force() const { return force_[1]; }   ///< N, along z; 0 without contact
+  double lateral_force() const { return force_[0]; }  ///< N, along y: nonzero on a curved surface
 
   /// The pressure as point loads, each that of a block of elements.
   std::vector<NeighbourLoad> point_loads() const;
@@ -189,7 +190,7 @@ class SinkingWheel {
       laws_.emplace_back(patch, patch.approach_at(largest_sinking));
   }
 
-  /// Presses every patch under what the others displace, in turn until all agree.
+  /// Solves every patch under the displacement due to the others, in turn until all agree.
   void sink(double sinking) {
     for (int round = 0; round < most_turns; ++round) {
       const std::vector<std::size_t> loaded_before = loaded();
@@ -233,7 +234,8 @@ class SinkingWheel {
   }
 
  private:
-  /// Patches that carry something. One that carries all feels no other, it only keeps them off.
+  /// Loaded patches. A patch that carries the whole load is not affected by others, it only keeps
+  /// them open.
   std::vector<std::size_t> loaded() const {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < laws_.size(); ++i)
@@ -241,7 +243,7 @@ class SinkingWheel {
     return found;
   }
 
-  /// What patch j presses beside patch i, where it is on the surface of i rolled out.
+  /// Load of patch j beside patch i, at its position on the rolled-out surface of i.
   std::vector<NeighbourLoad> neighbour_loads(std::size_t i, std::size_t j) const {
     if (i == j) return {};
     const contact::ContactPlace& here = *patches_[i].scene.place;

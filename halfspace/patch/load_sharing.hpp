@@ -9,12 +9,12 @@
 
 namespace rollfem::halfspace {
 
-/// What one contact carries of it, without friction.
+/// Share of one contact, without friction.
 struct Share {
-  double normal_force = 0.0;   ///< N, along z of the patch; 0 where it does not touch
-  double lateral_force = 0.0;  ///< N, of the pressure along y: not 0 on a curved surface
-  /// The loads of each of the other contacts, without friction, as Scene::beside has them; by the
-  /// index of the scene, its own none.
+  double normal_force = 0.0;   ///< N, along z of the patch; 0 without contact
+  double lateral_force = 0.0;  ///< N, of the pressure along y: nonzero on a curved surface
+  /// The loads of all other contacts on each scene, without friction, as in Scene::beside; indexed
+  /// by scene.
   std::vector<std::vector<contact::NeighbourLoad>> neighbour_loads;
 };
 
@@ -23,14 +23,13 @@ struct SharedLoad {
   std::vector<Share> shares;  ///< one for each scene
 };
 
-/// Shares whose forces have the sum `vertical_force` (N) along the vertical, at the approaches
-/// w cos(delta_i) - separation_i of one sinking w. `scenes`: patches with a `place`, of which
-/// contact angle, separation (along the normal) and place on the surface are taken; neither their
-/// loads nor their loads beside are read. Contacts act on each other through the half-space as the
-/// patches of one contact do, at the distance along the common surface. Friction is left out.
-/// Forces at an approach are good to some 0.5 %. Throws contact::SolveError when no sinking carries
-/// the load, contact::InputError for a scene without profiles or place or a force that is not
-/// positive.
+/// Shares whose forces have the sum `vertical_force` (N) along the vertical, at the approaches w
+/// cos(delta_i) - separation_i of one sinking w. `scenes`: patches with a `place`, which supplies
+/// contact angle, separation (along the normal) and position on the surface; their loads and loads
+/// beside are ignored. Contacts interact through the half-space like the patches of one contact, at
+/// the distance along the common surface. Friction is neglected. Forces at an approach are accurate
+/// to about 0.5 %. Throws contact::SolveError when no sinking carries the load, contact::InputError
+/// for a scene without profiles or place or a force that is not positive.
 SharedLoad share_load(const std::vector<contact::Scene>& scenes, double vertical_force);
 
 /// The same at a given sinking, mm.

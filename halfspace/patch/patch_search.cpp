@@ -28,20 +28,20 @@ using contact::Scene;
 
 namespace {
 
-/// Elements across the box of a search, and across the patch that it must find at least.
+/// Elements across the box of a search, and fewest elements across the patch found.
 constexpr int elements_of_box = 30;
 constexpr int fewest_across_patch = 20;
-/// Elements over what carries load in the last solution, on a lattice that moves with the origin:
-/// as many as keep it steady where several waves of a rough profile carry the load.
+/// Elements over the loaded part in the last solution, on a lattice that moves with the origin:
+/// enough for steady results where several waves of a rough profile carry the load.
 constexpr int elements_of_lattice = 64;
 constexpr int most_rows = 720;
 constexpr int most_rounds = 12;
-/// On each side of the patch of the round before, relative to its extent.
+/// Margin on each side of the previous round's patch, relative to its extent.
 constexpr double box_margin = 0.2;
 
 constexpr const char* of_search = "elements of the search for the patch";
 
-/// An overlap that is likely to carry the force: that of Hertz's ellipse for a parabola as wide as
+/// An overlap likely to carry the force: the overlap of Hertz's ellipse for a parabola as wide as
 /// the overlap of the profiles.
 double overlap_for_force(const Ridge& ridge, double A, double modulus, double force) {
   double overlap = 1e-6;  // mm
@@ -80,15 +80,15 @@ std::vector<std::array<double, 2>> loaded_rows(const ContactGrid& grid,
   return runs;
 }
 
-/// Several patches want their elements each; rough profiles touch at many.
+/// Every one of several patches needs its elements; rough profiles touch at many points.
 constexpr int most_to_resolve = 3;
 
 int to_resolve(std::size_t runs) {
   return std::clamp(static_cast<int>(runs), 1, most_to_resolve);
 }
 
-/// Elements along x and y of a box in which `runs` patches have `gaps` (mm) between them: as many
-/// over each as over one.
+/// Elements along x and y of a box with `runs` patches and `gaps` (mm) between them: as many over
+/// each patch as over a single one.
 std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs) {
   constexpr double most_times = 24.0;
   const double width = box.y_upper - box.y_lower;
@@ -122,7 +122,7 @@ Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& lo
                   load);
 }
 
-/// mm that a load takes along a line of elements of size h: its extent where it is a parabola.
+/// mm, loaded length along a line of elements of size h: the extent for a parabolic load.
 double carrying(const contact::Field& load, double h) {
   const double sum = load.sum();
   return sum > 0.0 ? 1.2 * h * sum * sum / load.squaredNorm() : 0.0;
@@ -153,8 +153,8 @@ Box next_box(const Found& found) {
   return next;
 }
 
-/// Elements with a corner at the origin, as many over what carries load along x as along y. The
-/// boxes of the search jump from one place to the next; this lattice moves with the bodies.
+/// Elements with a corner at the origin, equally many along x and y over the loaded part. The boxes
+/// of the search jump from one position to the next; this lattice moves with the bodies.
 ContactGrid lattice_over(const Found& found) {
   const Box box = next_box(found);
   const auto [length, width] = carrying_lengths(found);
@@ -200,7 +200,7 @@ ExpectedPatch summary(const Found& found) {
   return patch;
 }
 
-/// Of bodies given point by point: the patch on their points, then in a box about it.
+/// For bodies given point by point: the patch on their points, then in a box around it.
 ExpectedPatch patch_of_points(const Scene& scene) {
   const contact::Lattice& points = *scene.geometry.distance_values;
   const Box all{points.x_first, points.x_first + (points.nx - 1) * points.dx, points.y_first,
@@ -229,7 +229,7 @@ ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDe
       throw contact::SolveError(fmt::format(
           "{}: no contact: the approach {} mm does not exceed the smallest distance {} mm",
           scene.file, level, ridge.least_distance()));
-    // Nothing touches outside of the overlap: the elastic displacement only ever opens the gap, so
+    // There is no contact outside the overlap: the elastic displacement always opens the gap, so
     // that h < approach wherever there is pressure.
     return solve_in(scene, overlap.box, load,
                     counts(overlap.box, overlap.gaps, overlap.regions.size()));
@@ -263,9 +263,9 @@ ExpectedPatch patch_of_ellipse(const Scene& scene) {
   return patch;
 }
 
-/// The patches of true profiles found last, each with the ridge it was found on. A run asks for the
-/// same one wherever a model begins: to choose a model, to lay out grids, bodies and ellipses, to
-/// look for smooth parts that are kept.
+/// Cache of the latest patches of true profiles, each with its ridge. A run requests the same patch
+/// many times: to choose a model, to lay out grids, bodies and ellipses, and to find stored smooth
+/// parts.
 class FoundPatches {
  public:
   struct Entry {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Finds out where the bodies of a scene touch under load before any grid or mesh exists: from Hertz
-// for radii, from coarse half-space solutions of a few milliseconds for true profiles.
+// Locates the contact of a scene's bodies under load before any grid or mesh exists: from Hertz for
+// radii, from coarse half-space solutions of a few milliseconds for true profiles.
 #pragma once
 
 #include "contact/scene/scene.hpp"
@@ -12,9 +12,9 @@
 
 namespace rollfem::halfspace {
 
-/// Bounding box of the patch in the patch frame; it need not be an ellipse nor about the origin,
-/// and may hold several regions. Coarse: extents to 1 %, area to 2 %, pressure and approach to 0.5
-/// %.
+/// Bounding box of the patch in the patch frame; it need not be an ellipse nor centred at the
+/// origin, and may hold several regions. Approximate: extents to 1 %, area to 2 %, pressure and
+/// approach to 0.5 %.
 struct ExpectedPatch {
   double x_lower = 0.0, x_upper = 0.0;    ///< mm
   double y_lower = 0.0, y_upper = 0.0;    ///< mm
@@ -23,13 +23,12 @@ struct ExpectedPatch {
   double max_pressure = 0.0;              ///< MPa
   double normal_force = 0.0;              ///< N
   double area = 0.0;                      ///< mm^2
-  /// y between which rows carry pressure, mm: the first begins at y_lower, the last ends at
-  /// y_upper.
+  /// Ranges of y with pressure, mm: the first begins at y_lower, the last ends at y_upper.
   std::vector<std::array<double, 2>> loaded;
-  double gaps = 0.0;  ///< mm, of the width: rows between regions that carry nothing
-  /// mm along x and y that the load takes: 6/5 (integral f)^2 / integral f^2 of the load f per mm,
-  /// the axes of an ellipse under Hertz's pressure. Unlike the box they change steadily while
-  /// patches come, join and go.
+  double gaps = 0.0;  ///< mm, of the width: unloaded rows between regions
+  /// mm, loaded extents along x and y: 6/5 (integral f)^2 / integral f^2 of the load f per mm, the
+  /// axes of an ellipse under Hertz's pressure. Unlike the box, they change continuously while
+  /// patches appear, join and vanish.
   double carrying_length = 0.0, carrying_width = 0.0;
 
   double length() const { return x_upper - x_lower; }
@@ -39,7 +38,7 @@ struct ExpectedPatch {
   double y_middle() const { return 0.5 * (y_lower + y_upper); }
 };
 
-/// Where the patch is expected, as bodies are laid out about it.
+/// Expected position of the patch, around which bodies are laid out.
 struct PatchBox {
   double half_length = 0.0;  ///< mm, to both sides of x = 0
   double half_width = 0.0;   ///< mm, to both sides of y = middle
@@ -48,38 +47,38 @@ struct PatchBox {
   double smaller() const { return half_length > half_width ? half_width : half_length; }
 };
 
-/// Extent in which elements_across are counted: what of the expected patch carries load, without
-/// the gaps between several patches; for bodies given point by point the potential contact area.
+/// Extent in which elements_across are counted: the loaded part of the expected patch, without the
+/// gaps between several patches; for bodies given point by point the potential contact area.
 struct PatchExtent {
   double length = 0.0;  ///< mm, along x
   double width = 0.0;   ///< mm, along y
 };
 
-/// How far the search of true profiles goes. What elements or bodies are measured by must change
-/// steadily with the bodies: the last solution is on a fine lattice that moves with them. A grid of
-/// given elements needs but a box, which it checks itself: that takes half the time.
+/// Depth of the search of true profiles. The sizes that determine elements or bodies must change
+/// continuously with the bodies: the last solution is on a fine lattice that moves with them. A
+/// grid of given elements needs only a box, which it checks itself: that takes half the time.
 enum class SearchDetail { box, extents };
 
-/// The search for the patch of one scene under its largest load (normal force or approach), which
-/// every model asks for the patch, for what bodies are laid out about and for grids. It searches
-/// when it is first asked, and not at all where the same contact has been searched before.
+/// The search for the patch of one scene under its largest load (normal force or approach), used by
+/// every model for the patch, the layout of bodies and grids. It runs at the first request, and not
+/// at all if the same contact has been searched before.
 class PatchSearch {
  public:
-  /// The scene must outlive this.
+  /// The scene must outlive this object.
   explicit PatchSearch(const contact::Scene& scene, SearchDetail detail = SearchDetail::extents)
       : scene_(scene), detail_(detail) {}
 
   /// Throws contact::InputError when the patch reaches the end of a profile or the radii make no
-  /// elliptic contact, contact::SolveError when nothing touches; so do all others.
+  /// elliptic contact, contact::SolveError without contact; so do all other members.
   const ExpectedPatch& patch() const;
-  /// Of true profiles: what the patch was found on.
+  /// For true profiles: the ridge on which the patch was found.
   const Ridge& ridge() const;
-  /// Of radii Hertz's ellipse about the origin.
+  /// For radii, Hertz's ellipse around the origin.
   PatchBox box() const;
   PatchExtent extent() const;
 
-  /// Throws contact::InputError where elements of dx by dy are many times more one way over the
-  /// extent than the other: solvers are lost in them.
+  /// Throws contact::InputError where elements of dx by dy over the extent are many times more
+  /// numerous in one direction than in the other: the iterations do not converge on them.
   void check_shape_of_cells(double dx, double dy) const;
   /// Potential contact area of elements of dx by dy: the box of the patch and `margin` elements on
   /// each side; or as many elements as fit into contact_grid.extent, or into the points of the

@@ -15,7 +15,7 @@ using contact::ContactGrid;
 
 namespace {
 
-/// More elements than this are a mistake in the case file, not a wish.
+/// More elements than this are a mistake in the case file.
 constexpr double largest_number_of_elements = 4e7;
 constexpr const char* of_grid = "elements of the contact grid (contact_grid)";
 
@@ -37,9 +37,9 @@ void check_cells(const contact::Scene& scene, const PatchExtent& extent, double 
       scene.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
 }
 
-/// Elements of dx by dy that hold the patch, the origin and a margin, of the lattice with a corner
-/// at the origin (and the middle that the case asks for): the same elements about a patch whether
-/// the grid holds another one beside it or not.
+/// Elements of dx by dy that contain the patch, the origin and a margin, on the lattice with a
+/// corner at the origin (and at the requested middle): a patch has the same elements whether or not
+/// the grid contains another patch.
 ContactGrid anchored_grid(const ExpectedPatch& patch, const std::array<double, 2>& middle,
                           double dx, double dy, int margin) {
   const auto first = [&](double lower, double cell) {
@@ -69,7 +69,7 @@ PatchExtent PatchSearch::extent() const {
   return {patch().carrying_length, patch().carrying_width};
 }
 
-/// Far beyond the profiles there is nothing to touch.
+/// There is no contact far beyond the profiles.
 void PatchSearch::check_extent_of_profiles() const {
   const auto& extent = scene_.contact_grid.extent;
   if (!extent) return;
@@ -79,13 +79,13 @@ void PatchSearch::check_extent_of_profiles() const {
   if (std::max((*extent)[0], (*extent)[1]) <= most) return;
   throw contact::InputError(fmt::format(
       "{}: contact_grid.extent = [{:.4g}, {:.4g}] mm: the rail's profile is {:.4g} mm wide; "
-      "allowed: up to {:g} times that, {:.4g} mm; do: give the extent of the patches, or leave it "
-      "out",
+      "allowed: up to {:g} times that, {:.4g} mm; do: give the extent of the patches, or remove it",
       scene_.file, (*extent)[0], (*extent)[1], rail.last() - rail.first(), most_times, most));
 }
 
-/// An area that cannot hold the patch, or is lost around it, by the closed form. The true patch of
-/// strongly curved bodies may be some ten per cent smaller than Hertz's ellipse, not half of it.
+/// Rejects an area that cannot contain the patch, or is far too large for it, by the closed form.
+/// The true patch of strongly curved bodies may be about ten per cent smaller than Hertz's ellipse,
+/// but not half of it.
 void PatchSearch::check_extent() const {
   const contact::GridOptions& options = scene_.contact_grid;
   if (scene_.geometry.distance_values) return;
@@ -108,7 +108,7 @@ void PatchSearch::check_extent() const {
       fmt::format("{}: contact_grid.extent = [{:.4g}, {:.4g}] mm about [{:g}, {:g}]: the patch, of "
                   "about {:.4g} by {:.4g} mm about [0, 0] by Hertz, is not inside it, or smaller "
                   "than a hundredth of it; allowed: an extent from that of the patch to {:g} times "
-                  "as much; do: correct contact_grid.extent or middle, or leave them out",
+                  "as much; do: correct contact_grid.extent or middle, or remove them",
                   scene_.file, extent[0], extent[1], options.middle[0], options.middle[1], size[0],
                   size[1], most_times));
 }
@@ -120,15 +120,15 @@ void PatchSearch::check_shape_of_cells(double dx, double dy) const {
   const double nx = extent.length / dx, ny = extent.width / dy;
   if (std::max(nx, ny) <= most_times * std::min(nx, ny)) return;
   throw contact::InputError(
-      fmt::format("{}: contact_grid.cell_size = [{:g}, {:g}] mm makes {:.4g} by {:.4g} elements of "
+      fmt::format("{}: contact_grid.cell_size = [{:g}, {:g}] mm gives {:.4g} by {:.4g} elements in "
                   "the box of {:.4g} by {:.4g} mm around the patch; allowed: up to {:g} times as "
                   "many in one direction as in the other; do: choose cells in the shape of the "
                   "patch, or give contact_grid.elements_across",
                   scene_.file, dx, dy, nx, ny, extent.length, extent.width, most_times));
 }
 
-/// Elements within twice the reference distance keep the compliance positive: the logarithm in it
-/// is, of whatever is closer than four times the reference.
+/// A grid within twice the reference distance keeps the compliance positive: its logarithm is
+/// positive up to four times the reference distance.
 ContactGrid PatchSearch::line_grid(double dx, int margin) const {
   const contact::GridOptions& options = scene_.contact_grid;
   const contact::LineContact& line = *scene_.geometry.line;

@@ -11,7 +11,7 @@ namespace {
 
 /// Samples across, mm: patches of wheels on rails are 2 to 40 mm wide.
 constexpr double sample_distance = 0.1;
-/// Steeper than this against the plane of the patch, nothing belongs to it.
+/// Largest slope of the surface relative to the plane of the patch.
 constexpr double steepest = 1.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -20,7 +20,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 RidgePoint ridge_point(const contact::PatchGeometry& patch, double y) {
   constexpr double step = 0.5;  // mm
   RidgePoint point;
-  // One parabola through three places is exact to (step / radius)^2; yaw moves its vertex.
+  // A parabola through three points is exact to (step / radius)^2; yaw moves its vertex.
   const int rounds = patch.axle().direction[0] == 0.0 ? 1 : 3;
   for (int round = 0; round < rounds; ++round) {
     const double before = patch.distance(point.x - step, y);

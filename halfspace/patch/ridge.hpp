@@ -9,7 +9,7 @@
 
 namespace rollfem::halfspace {
 
-/// Undeformed distance about its least place along x: distance + curvature (x - x_m)^2.
+/// Undeformed distance around its minimum along x: distance + curvature (x - x_m)^2.
 struct RidgePoint {
   double x = 0.0;          ///< x_m, mm
   double distance = 0.0;   ///< mm
@@ -23,7 +23,7 @@ RidgePoint ridge_point(const contact::PatchGeometry& patch, double y);
 struct RidgeRegion {
   double y_lower = 0.0, y_upper = 0.0;  ///< mm
   double x_lower = 0.0, x_upper = 0.0;  ///< mm, where the distance is below the level
-  double angle = 0.0;                   ///< rad, of the rail against y where it is nearest
+  double angle = 0.0;                   ///< rad, slope angle of the rail at the least distance
   double distance = 0.0;                ///< mm, the least
 };
 
@@ -31,15 +31,15 @@ struct Box {
   double x_lower = 0.0, x_upper = 0.0, y_lower = 0.0, y_upper = 0.0;  ///< mm
 };
 
-/// Where the ridge is below a level.
+/// The ranges in which the ridge is below a level.
 struct Overlap {
-  std::vector<RidgeRegion> regions;  ///< by rising y
-  Box box;                           ///< that holds them
+  std::vector<RidgeRegion> regions;  ///< by increasing y
+  Box box;                           ///< that contains them
   double gaps = 0.0;                 ///< mm of y between them
   double covered() const { return box.y_upper - box.y_lower - gaps; }
 };
 
-/// The ridge sampled over all that is known of both profiles and belongs to this contact
+/// The ridge sampled over the known range of both profiles within this contact
 /// (PatchGeometry::limits).
 class Ridge {
  public:

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How wheel and rail with true profiles are meshed, and how far their profiles are gentle beside
-// the patch: questions that others than finite elements ask before these are chosen.
+// Kind of mesh of wheel and rail with true profiles, and extent of their gentle part beside the
+// patch: needed by other modules before finite elements are chosen.
 #pragma once
 
 #include "contact/scene/scene.hpp"
 
 namespace rollfem::halfspace {
 
-/// The scene has a patch of true profiles and its bodies are the true sections of wheel and rail,
-/// as [fem] mesh says, not boxes laid on the surface.
+/// Whether the scene has a patch of true profiles and its bodies are the true sections of wheel and
+/// rail according to [fem] mesh, not boxes under the surface.
 bool has_true_sections(const contact::Scene& scene);
 
-/// A box on the surface reaches this many larger half sizes of the patch to each side at least,
-/// however steep the profile is there.
+/// Least extent of a box to each side, in larger half sizes of the patch, regardless of the
+/// steepness of the profile.
 constexpr double least_box_reach = 2.5;
 
-/// How far the profiles of the bodies that are not rigid go to both sides of y = `middle` before
-/// they end or are steeper than 56 degrees, mm; infinite without profiles.
+/// Extent of the profiles of elastic bodies to both sides of y = `middle` before they end or exceed
+/// 56 degrees, mm; infinite without profiles.
 double gentle_reach(const contact::Scene& scene, double middle);
 
-/// Beside the patch a profile becomes steep nearer than the least reach of a box.
+/// Whether a profile becomes steep beside the patch within the least extent of a box.
 bool is_steep(const contact::Scene& scene);
 
 }  // namespace rollfem::halfspace

@@ -12,11 +12,11 @@ namespace rollfem::halfspace {
 
 namespace {
 
-/// From how many times the longer side on the point sources are summed by Gauss's rule.
+/// Distance in longer sides beyond which point sources are summed by the Gauss rule.
 constexpr double far_distance = 20.0;
 
-/// A point this near to the line of an edge (in units of the longer side) lies on it: coordinates
-/// of points and elements are sums, so that rounding must not decide on which side.
+/// A point this close to the line of an edge (in units of the longer side) lies on it: coordinates
+/// are sums, and rounding must not decide on which side the point lies.
 constexpr double on_the_edge = 1e-11;
 
 double snapped(double offset) {
@@ -24,7 +24,7 @@ double snapped(double offset) {
 }
 
 /// asinh(along/across) up to terms of `across` alone, which the caller's differences cancel; on the
-/// edge itself its finite part.
+/// edge, its finite part.
 double edge_logarithm(double along, double r, double across) {
   const double length = std::abs(along) + r;
   if (length == 0.0) return 0.0;
@@ -123,7 +123,7 @@ Potentials point_potentials(double X, double Y, double z) {
 
 namespace {
 
-/// In units in which the longer side is 1.
+/// In units of the longer side.
 Potentials near_rectangle(double x, double y, double z, double a, double b) {
   return corner_potentials(x + a, y + b, z) - corner_potentials(x - a, y + b, z) -
          corner_potentials(x + a, y - b, z) + corner_potentials(x - a, y - b, z);

@@ -16,8 +16,8 @@
 
 namespace rollfem::halfspace {
 
-/// With r the distance from a surface point, phi = 1/r, chi = ln(r + z), omega = z ln(r + z) - r:
-/// d omega/dz = chi, d chi/dz = phi, all harmonic. What is listed suffices for all fields; the
+/// With r the distance from a surface point, phi = 1/r, chi = ln(r + z), omega = z ln(r + z) - r: d
+/// omega/dz = chi, d chi/dz = phi, all harmonic. The listed potentials suffice for all fields; the
 /// others follow from the Laplace equation. Entries named z_... are multiplied by z, which keeps
 /// them bounded on the surface.
 enum Potential : int {
@@ -67,7 +67,7 @@ Potentials corner_potentials(double X, double Y, double z);
 Potentials point_potentials(double X, double Y, double z);
 
 /// Potentials of unit density on a rectangle of dx by dy mm centred at (0, 0), seen from (x, y, z).
-/// Near: corner functions. Further than 20 times the longer side: Gauss's rule, since the
+/// Near: corner functions. Further than 20 times the longer side: the Gauss rule, because the
 /// differences cancel. Relative error below 1e-10 for sides up to 8:1.
 Potentials rectangle_potentials(double x, double y, double z, double dx, double dy);
 

@@ -10,7 +10,7 @@ using Eigen::Index;
 
 namespace {
 
-/// T_0 ... T_degree at one place.
+/// T_0 ... T_degree at one point.
 Eigen::VectorXd chebyshev_at(int degree, double at) {
   Eigen::VectorXd values(degree + 1);
   values[0] = 1.0;
@@ -19,7 +19,7 @@ Eigen::VectorXd chebyshev_at(int degree, double at) {
   return values;
 }
 
-/// In parts of the box: within it all are between -1 and 1.
+/// Coordinates relative to the box, between -1 and 1 inside.
 std::array<double, 3> scaled(const SmoothBox& box, double depth, const SubsurfacePoint& at) {
   return {at.x / box.half_length, (at.y - box.middle) / box.half_width,
           2.0 * at.depth / depth - 1.0};

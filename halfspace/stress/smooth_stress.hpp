@@ -13,20 +13,21 @@ namespace rollfem::halfspace {
 /// xy yz xz along these.
 inline constexpr int smooth_components = 9;
 
-/// Values of the polynomials of total degree up to `degree` at a place, whose depth goes from 0 to
-/// `depth` mm. Beyond box and depth the place is moved to where they end.
+/// Values of the polynomials of total degree up to `degree` at a point with a depth from 0 to
+/// `depth` mm. Points outside box and depth are moved to the nearest limit.
 Eigen::VectorXd depth_polynomials(const SmoothBox& box, double depth, int degree,
                                   const SubsurfacePoint& at);
-/// How many there are.
+/// Number of polynomials.
 Eigen::Index depth_polynomial_count(int degree);
 
-/// What one body has beyond its half-space with the tractions of a grid.
+/// Difference between one body and its half-space under the tractions of a grid.
 class SmoothStressOnGrid {
  public:
   /// `map` is not empty.
   SmoothStressOnGrid(const SmoothDepthMap& map, const contact::ContactGrid& grid,
                      const contact::SurfaceField& traction);
-  /// Adds it to the state at a place. Beyond the box it fades with the square of the distance.
+  /// Adds the difference to the state at a point. Outside the box it fades with the square of the
+  /// distance.
   void add(const SubsurfacePoint& at, SubsurfaceState& state) const;
 
  private:

@@ -70,8 +70,9 @@ bool same_spacing(const contact::ContactGrid& grid, const contact::ContactGrid& 
   return same(grid.dx, points.dx, points.nx) && same(grid.dy, points.dy, points.ny);
 }
 
-/// Costs counted in corner functions: the direct sum needs one per point and element, a layer of
-/// the convolution one per offset, and its transforms some four times as much again (measured).
+/// Costs in corner functions: the direct sum needs one per point and element, a layer of the
+/// convolution one per offset, and its transforms cost about four times as much in addition
+/// (measured).
 bool fft_is_cheaper(const LocalProblem& problem, const contact::ContactGrid& points,
                     long loaded_elements) {
   const double offsets = static_cast<double>(problem.grid.nx + points.nx) *

@@ -3,9 +3,9 @@
 // of a solved (or given) contact: at points, on lines, on planes of constant depth and in boxes.
 //
 // Output is in the global frame (x rolling, y lateral, z into the wheel) for both bodies: the wheel
-// is z = +depth, the rail z = -depth. Tractions are given as everywhere else, on the wheel; on the
-// rail the opposite ones act. Only the constants of the body itself enter: nu in the stress, nu and
-// G in the displacement, which is that of the half-space, zero at infinity.
+// is z = +depth, the rail z = -depth. Tractions are those on the wheel, as everywhere else; the
+// opposite ones act on the rail. Only the constants of the body itself matter: nu in the stress, nu
+// and G in the displacement, which is that of the half-space, zero at infinity.
 #pragma once
 
 #include "contact/base/grid.hpp"
@@ -52,21 +52,22 @@ struct SubsurfaceLayer {
   SubsurfaceState at(int index) const;
 };
 
-/// How the sum over contact elements is done.
+/// Method of summation over contact elements.
 enum class Summation {
-  automatic,  ///< the cheaper of the two that is possible
+  automatic,  ///< the cheaper possible method
   direct,     ///< every point with every loaded element
   fft,        ///< convolution by layers: only for points at the spacing of the contact grid
 };
 
-/// State at any points. On the surface under the edge of an element see corner_potentials. Throws
-/// contact::InputError for negative depths, fields of the wrong size, impossible constants.
+/// State at any points. For points on the surface under the edge of an element see
+/// corner_potentials. Throws contact::InputError for negative depths, fields of the wrong size,
+/// impossible constants.
 std::vector<SubsurfaceState> subsurface_at(const LoadedBody& body,
                                            const std::vector<SubsurfacePoint>& points);
 
 /// State on the points of a lattice (the element centres of a ContactGrid) at several depths: a
-/// box; a lattice with nx or ny = 1 is a vertical section. By FFT the lattice needs dx and dy of
-/// the contact grid, but may be shifted, larger or smaller.
+/// box; a lattice with nx or ny = 1 is a vertical section. For FFT summation the lattice needs dx
+/// and dy of the contact grid, but may be shifted, larger or smaller.
 std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
                                             const contact::ContactGrid& points,
                                             const std::vector<double>& depths,
@@ -74,13 +75,13 @@ std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
 
 // Stresses of half-spaces at the [[subsurface.*]] points of a case.
 
-/// Points of a request, mm in the global frame, the first side fastest; those that follow the
-/// surface on the plane z = 0 or as far below it as asked.
+/// Points of a request, mm in the global frame, the first side fastest; lines that follow the
+/// surface are on the plane z = 0 or at the requested depth below it.
 std::vector<std::array<double, 3>> subsurface_points(const contact::SubsurfaceRequest& request);
 
 /// Displacement and stress at the points of every request of the case, from tractions on the wheel.
-/// Each body has its own material and, on the rail, the opposite tractions. Without displacement in
-/// a rigid body.
+/// Each body has its own material; the opposite tractions act on the rail. No displacement in a
+/// rigid body.
 std::vector<contact::SubsurfaceField> subsurface_fields(const contact::Scene& scene,
                                                         const contact::ContactGrid& grid,
                                                         const contact::SurfaceField& traction);

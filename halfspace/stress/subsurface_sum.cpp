@@ -14,7 +14,7 @@ namespace {
 using contact::pi;
 
 /// Up to this many times the longer side of an element from the farthest loaded one, differences of
-/// corner functions are used throughout: the stress is then exact to some 1e-15 of the traction.
+/// corner functions are used throughout: the stress is then exact to about 1e-15 of the traction.
 constexpr double corner_range = 300.0;
 
 void scale(LocalState& state, double shear_modulus) {

@@ -28,7 +28,7 @@ class DirectSum {
   explicit DirectSum(const LocalProblem& problem);
   explicit DirectSum(LocalProblem&&) = delete;
   LocalState at(double x, double y, double z) const;
-  /// Elements in the smallest rectangle that holds all loads.
+  /// Elements in the smallest rectangle that contains all loads.
   long elements() const;
 
  private:

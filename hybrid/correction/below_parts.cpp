@@ -24,13 +24,13 @@ namespace {
 constexpr int components = halfspace::smooth_components;
 constexpr int depth_degree = 6;
 
-/// Distance between nodes of the twin and where the body's are rolled out to that is rounding, mm.
+/// Largest rounding distance between a node of the twin and the rolled-out node of the body, mm.
 constexpr double same_place = 1e-5;
 
-/// Of displacement and stress under loads that are their own mirror image at -y.
+/// Signs of displacement and stress at -y under loads symmetric about y = 0.
 constexpr std::array<double, components> mirror{1, -1, 1, 1, 1, 1, -1, -1, 1};
 
-/// From global axes to these.
+/// From global axes to the local axes.
 void turn(const contact::Axes& axes, Eigen::Ref<Eigen::RowVectorXd> state) {
   std::array<double, 3> u{};
   std::array<double, 6> stress{};
@@ -153,7 +153,7 @@ void BelowParts::choose_points() {
   depth_ = deepest;
 }
 
-/// All loads at once: their potentials are sums of those of the rectangles.
+/// All loads at once: their potentials are sums of the potentials of the rectangles.
 void BelowParts::add_half_space() {
   const Index count = loads_.shapes.cols();
   const double nu = material_.poisson_ratio;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The difference between wheel or rail and half-spaces below the surface, found by finite elements
-// as smooth_parts.hpp finds it on the surface: body minus flattened twin at the same Gauss points
-// of the same cells. Those points lie apart in coordinates that follow the surface (cells are laid
-// along z, which is not the normal of a steep surface); the exact change of the half-space in
-// between is subtracted.
+// The difference between wheel or rail and half-spaces below the surface, computed by finite
+// elements like the surface part in smooth_parts.hpp: body minus flattened twin at the same Gauss
+// points of the same cells. Those points lie apart in coordinates that follow the surface (cells
+// are laid along z, which is not the normal of a steep surface); the exact change of the half-space
+// in between is subtracted.
 #pragma once
 
 #include "contact/scene/below_surface.hpp"
@@ -21,8 +21,8 @@
 
 namespace rollfem::fem {
 
-/// Uniform loads on rectangles of the rolled-out surface: `shapes` has a row for each, a column for
-/// each traction that they make up, MPa along one axis.
+/// Uniform loads on rectangles of the rolled-out surface: `shapes` has a row for each rectangle and
+/// a column for each traction built from them, MPa along one axis.
 struct FlatLoads {
   struct Rectangle {
     double x, y, dx, dy;  ///< mm, middle and sides
@@ -31,11 +31,12 @@ struct FlatLoads {
   Eigen::MatrixXd shapes;
 };
 
-/// Cells whose displacement gives displacement and stress at their points of Gauss, where
-/// derivatives are most accurate.
+/// Cells in which displacement and stress are evaluated at the Gauss points, where derivatives are
+/// most accurate.
 class GaussStates {
  public:
-  /// The cells of these numbers among the active ones of the body, which outlives this.
+  /// The cells with these indices among the active cells of the body, which must outlive this
+  /// object.
   GaussStates(const Body& body, const std::vector<unsigned int>& cells);
   const std::vector<dealii::Point<3>>& points() const { return places_; }
   /// A row for each point: u_x u_y u_z, xx yy zz xy yz xz in global axes.
@@ -51,22 +52,21 @@ class GaussStates {
 
 class BelowParts {
  public:
-  /// `box` and `depth` (mm): where the map is wanted. All must outlive this. Throws
+  /// `box` and `depth` (mm): region of the map. All arguments must outlive this object. Throws
   /// contact::SolveError where the meshes of body and twin differ.
   BelowParts(const contact::BelowSurface& coordinates, const Body& body, const Body& twin,
              const FlatLoads& loads, const halfspace::SmoothBox& box, double depth);
-  /// Displacement and stress at the points that the body has beyond its half-space under traction
-  /// `shape` of the loads along `component`, a row each. On the wheel; those on the rail are
-  /// opposite.
+  /// Displacement and stress of the body less those of its half-space, one row for each point,
+  /// under traction `shape` of the loads along `component`. Sign as on the wheel; the rail has the
+  /// opposite sign.
   Eigen::MatrixXd beyond(int component, Eigen::Index shape, const Vector& body,
                          const Vector& twin) const;
-  /// Coefficients of the polynomials through such rows, those of one column of `beyond` after the
-  /// other..
+  /// Coefficients of the polynomials fitted to these rows, column after column of `beyond`.
   Eigen::VectorXd fitted(const Eigen::MatrixXd& beyond) const;
-  /// To which depth there are points, mm.
+  /// Depth of the deepest points, mm.
   double depth() const { return depth_; }
   int degree() const;
-  /// How many coefficients.
+  /// Number of coefficients.
   Eigen::Index terms() const;
 
  private:
@@ -84,8 +84,8 @@ class BelowParts {
   std::vector<Eigen::Index> rows_;  ///< of the points in the box
   std::vector<contact::BelowSurface::Coordinates> at_;
   std::vector<halfspace::SubsurfacePoint> flat_;  ///< of the twin
-  /// Half-space at the twin's points less that at the body's, a row for each component of each
-  /// point, a column for each load.
+  /// Half-space solution at the twin's points less that at the body's points: a row for each
+  /// component of each point, a column for each load.
   std::array<Eigen::MatrixXd, 3> moved_;
   Eigen::MatrixXd even_, odd_;  ///< polynomials at the points, with those of a mirror image
   Eigen::LDLT<Eigen::MatrixXd> normal_;

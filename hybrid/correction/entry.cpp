@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The C entry through which the program reaches this library after opening it at run time.
+// The C entry point of this library, which rollfem opens at run time.
 #include "fem/elasticity/model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 
@@ -15,8 +15,8 @@ std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> session;
 
 void start(int& argc, char**& argv) {
   if (session) return;
-  // PETSc, which deal.II starts too, reads options from .petscrc of the current folder (one of them
-  // starts a program) and from the call, unless it is told not to.
+  // deal.II also starts PETSc, which by default reads options from .petscrc in the current folder
+  // (one of them starts a program) and from the command line; both are disabled here.
   static std::string program = argc > 0 ? argv[0] : "rollfem", option = "-skip_petscrc";
   static std::array<char*, 3> call{program.data(), option.data(), nullptr};
   int count = 2;

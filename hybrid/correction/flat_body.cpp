@@ -32,7 +32,7 @@ Matrix3d block(const halfspace::Influence& h) {
   return values;
 }
 
-/// Of a surface with dz/dy = climb.
+/// For a surface with dz/dy = climb.
 Matrix3d local_axes(double climb) {
   const double stretch = contact::stretch_of(climb);
   Matrix3d axes;
@@ -40,7 +40,7 @@ Matrix3d local_axes(double climb) {
   return axes;
 }
 
-/// A row for each element, so that sums run along the shapes.
+/// One row for each element, so that sums run contiguously over the shapes.
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Adds `sign` times the displacement of a half-space in the axes of its rows.

@@ -13,14 +13,14 @@
 
 namespace rollfem::fem {
 
-/// A plane surface, and large: no far boundary holds it.
+/// Whether a body has a plane surface and is so large that it has no far boundary.
 bool is_half_space(const contact::Scene& scene, bool wheel);
 
-/// What the body adds to u_wheel - u_rail, mm: the displacement of its plane less that of the
+/// Contribution of the body to u_wheel - u_rail, mm: the displacement of its plane less that of the
 /// rolled-out half-space, under tractions on the wheel. `shapes`: a row for each element of the
 /// grid (laid along the plane), a column for each traction, MPa. Returned for tractions along x, y
-/// and n: a column for each shape, u_x, u_y, u_n of all elements one after the other. `arc`: of the
-/// common surface, at least as far as the grid goes.
+/// and n: a column for each shape, with u_x, then u_y, then u_n of all elements. `arc`: arc length
+/// of the common surface, at least over the grid.
 std::array<Eigen::MatrixXd, 3> beyond_flat_body(const contact::Scene& scene, bool wheel,
                                                 const contact::ContactGrid& grid,
                                                 const ArcLength& arc,

@@ -8,13 +8,13 @@ namespace rollfem::fem {
 
 namespace {
 
-/// Of the table from the middle to either end; cubics lie between them.
+/// Points of the table from the middle to either end, with cubics between them.
 constexpr int knots_per_side = 800;
 
 }  // namespace
 
 ArcLength::ArcLength(const contact::ContactSurface& surface, double reach) {
-  // Three points of Gauss a piece.
+  // Three Gauss points for each piece.
   const double offset = std::sqrt(0.6);
   const double step = reach / knots_per_side;
   const auto density = [&](double y) { return contact::stretch_of(surface.climb(y)); };

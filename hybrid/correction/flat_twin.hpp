@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The flattened twin of a body: the same mesh with the contact surface unrolled into a
-// plane. Its exact compliance is the half-space's, so that the error of finite elements
-// on the twin is that on the body, up to the curvature.
+// The flattened twin of a body: the same mesh with the contact surface unrolled into a plane. Its
+// exact compliance is the half-space's, so that the error of finite elements on the twin equals
+// that on the body, up to the curvature.
 #pragma once
 
 #include "contact/scene/contact_surface.hpp"
@@ -25,15 +25,15 @@ class ArcLength {
 };
 
 /// The chart of the twin of `shape`: (s, t, depth) lies at s along rolling, at the arc length of
-/// the common surface at t across, and at `depth` inwards. `reach`: how far the body goes in t, mm.
+/// the common surface at t across, and at `depth` inwards. `reach`: extent of the body in t, mm.
 SurfaceShape flat_twin(const SurfaceShape& shape, const contact::ContactSurface& surface,
                        double reach);
 
-/// Wheel and rail are boxes under their surface, whose twins differ from them in it alone.
+/// Wheel and rail are boxes under their surface; the twins differ from them in that surface only.
 bool has_boxes(const contact::Scene& scene);
 
-/// The scene of the twins: where it has other bodies, those are boxes. Like half-spaces they are
-/// solid and move at their far boundary.
+/// The scene of the twins: other bodies are replaced by boxes. Like half-spaces they are solid and
+/// move at their far boundary.
 contact::Scene with_boxes(const contact::Scene& scene);
 
 }  // namespace rollfem::fem

@@ -36,34 +36,34 @@ using Eigen::MatrixXd;
 using halfspace::SmoothBox;
 using halfspace::SmoothMap;
 
-/// Tractions are such polynomials times Hertz's ellipsoid, displacements are fitted by the others.
+/// Degrees of the polynomials: tractions (times Hertz's ellipsoid) and fit of displacements.
 constexpr int load_degree = 4;
 constexpr int field_degree = 8;
-/// Beside the patch, where displacements flatten and only must not close the gap, they count less:
-/// what is felt is their derivative in the patch. With degree 6 and equal weights the slip of a
-/// sphere at rest was 5.6 % off, now 0.8 % (verification.Hybrid.HasTheSlipOfAnElasticSphere).
+/// Weight of displacements beside the patch, where they flatten and only must not close the gap;
+/// their derivative in the patch matters more. With degree 6 and equal weights the slip of a sphere
+/// at rest had an error of 5.6 %, now 0.8 % (verification.Hybrid.HasTheSlipOfAnElasticSphere).
 constexpr double weight_beside = 0.2;
 constexpr double patch_ends = 1.15;  ///< in semi-axes
-/// Cells in the smaller semi-axis of the patch. With five in place of three case f changes by 0.02
-/// % in p0 and 2e-4 of mu in its forces.
+/// Cells in the smaller semi-axis of the patch. With five instead of three, p0 of case f changes by
+/// 0.02 % and its forces by 2e-4 of mu.
 constexpr double usual_cells_in_semi_axis = 3.0;
-/// Elements of linear cells are two cells wide (fem/mesh/run_layout.cpp): as many of them as of
-/// quadratic ones take half the cells, else the polynomials of displacement are not told apart.
+/// Elements of linear cells are two cells wide (fem/mesh/run_layout.cpp): cells of half the size
+/// give as many elements as quadratic cells do, enough to separate the polynomials of displacement.
 constexpr double times_cells_of_degree_one = 2.0;
-/// Pivots of the fit of displacements below this part of the largest: some polynomials are not told
-/// apart. The usual ones are 0.01 and up.
+/// Smallest pivot of the displacement fit as a fraction of the largest; below it the fit cannot
+/// separate some polynomials. Usual values are 0.01 and above.
 constexpr double least_pivot = 1e-4;
-/// The ellipsoid is that much larger than the patch.
+/// Size of the ellipsoid relative to the patch.
 constexpr double room = 1.05;
 
-/// Where stresses below the surface are wanted, in semi-axes of the patch; deeper they fade with
-/// the square of the depth.
+/// Depth to which stresses are mapped, in semi-axes of the patch; deeper they fade with the square
+/// of the depth.
 constexpr double below_beside = 1.5;
 constexpr double below_depth = 3.0;
 
-/// Bodies whose factors take more than this, bytes (there are four at a time), are solved by
-/// multigrid, which takes longer for 45 loads: those under very long patches. A residual of 1e-8 is
-/// 1e-4 of what a body has beyond its twin, a hundredth of it.
+/// Bodies whose factors take more than this, bytes (four are held at a time), are solved by
+/// multigrid, which takes longer for 45 loads; this concerns very long patches. A residual of 1e-8
+/// is 1e-4 of the difference between body and twin, which is a hundredth of the displacement.
 constexpr double largest_factor = 3e9;
 
 std::unique_ptr<LinearSolver> make_solver(const Body& body) {
@@ -99,7 +99,7 @@ class LoadedBody {
     }
     return fields;
   }
-  /// Of the whole body under number k of the tractions that it was under last.
+  /// Displacement of the whole body under traction k of the last set of loads.
   Vector displacement(std::size_t k, const SurfaceField& traction) const {
     Vector all(displacements_[k]);
     if (far_) far_->add(resultant(traction), all);
@@ -124,7 +124,7 @@ class LoadedBody {
   std::vector<Vector> displacements_;
 };
 
-/// The polynomials at the elements of the grid on which the bodies are loaded and sampled.
+/// The polynomials at the elements of the loading and sampling grid.
 struct Basis {
   Basis(const Scene& scene, const RunLayout& layout)
       : grid(layout.grid),
@@ -150,10 +150,10 @@ struct Basis {
     fit.setThreshold(least_pivot);
     fit.compute(weight.asDiagonal() * out);
     if (fit.rank() < fit.cols())
-      throw contact::SolveError(fmt::format(
-          "{}: model hybrid: {} by {} elements are too few to find the correction on; do: run with "
-          "--model fem",
-          scene.file, grid.nx, grid.ny));
+      throw contact::SolveError(
+          fmt::format("{}: model hybrid: {} by {} elements are too few to compute the correction; "
+                      "do: run with --model fem",
+                      scene.file, grid.nx, grid.ny));
     below = {below_beside * layout.patch.half_length, 0.5 * below_beside * (upper - lower),
              loads.middle};
     deep = below_depth * layout.patch.smaller();
@@ -178,12 +178,12 @@ struct Basis {
       flat.shapes.row(static_cast<Index>(k)) = ellipsoid[rows[k]] * in.row(rows[k]);
   }
 
-  /// Half a body carries loads alone that are symmetric about y = 0.
+  /// Half a body carries only loads that are symmetric about y = 0.
   bool carries(int component, int power_of_y) const {
     return !half || (power_of_y % 2 == 1) == (component == 1);
   }
 
-  /// Coefficients of u_x, u_y, u_n, given one after the other at the elements.
+  /// Coefficients of u_x, u_y, u_n, whose values at the elements follow one after the other.
   Eigen::VectorXd fitted(const Eigen::Ref<const Eigen::VectorXd>& displacement) const {
     const MatrixXd columns = displacement.reshaped(grid.size(), 3);
     return MatrixXd(fit.solve(weight.asDiagonal() * columns)).reshaped();
@@ -193,17 +193,17 @@ struct Basis {
   bool half;
   ArcLength arc;
   SmoothBox loads, fields, below;
-  double deep = 0.0;  ///< mm, of what is wanted below the surface
+  double deep = 0.0;  ///< mm, depth of the stress map
   FlatLoads flat;
   MatrixXd in, out;
   Field ellipsoid;
-  Field weight;  ///< of the elements in the fit of displacements
+  Field weight;  ///< of the elements in the displacement fit
   Eigen::ColPivHouseholderQR<MatrixXd> fit;
   Eigen::ColPivHouseholderQR<MatrixXd> moments;  ///< of the tractions, by the polynomials
 };
 
-/// A body, its twin, and both under load. `boxes`: the scene of the twin, on the cells of the
-/// body's layout under the patch.
+/// A body and its twin, both under load. `boxes`: the scene of the twin, meshed with the body's
+/// cells under the patch.
 struct Pair {
   Pair(const Scene& scene, const Scene& boxes, const RunLayout& layout, const Body& the_body)
       : body(the_body),
@@ -225,10 +225,10 @@ struct Pair {
   LoadedBody flat;
 };
 
-/// Coefficients of what a body has beyond its twin under the tractions, a column each.
+/// Coefficients of body less twin, one column for each traction.
 struct Answers {
   MatrixXd surface;
-  MatrixXd below;  ///< empty: not asked for
+  MatrixXd below;  ///< empty: not requested
 };
 
 Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
@@ -265,7 +265,7 @@ Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
   return result;
 }
 
-/// On the surface of a body that is a half-space itself.
+/// On the surface of a body that is itself a half-space.
 MatrixXd answers_of_half_space(const Scene& scene, const Basis& basis, bool wheel) {
   const auto fields = beyond_flat_body(scene, wheel, basis.grid, basis.arc,
                                        basis.ellipsoid.asDiagonal() * basis.in);
@@ -278,7 +278,7 @@ MatrixXd answers_of_half_space(const Scene& scene, const Basis& basis, bool whee
   return result;
 }
 
-/// From the answers to tractions those to their moments, whose matrix is symmetric.
+/// Converts responses to tractions into responses to their moments, whose matrix is symmetric.
 MatrixXd of_moments(const Basis& basis, const MatrixXd& of_loads) {
   const Index ins = basis.in.cols();
   MatrixXd result(of_loads.rows(), of_loads.cols());
@@ -288,7 +288,7 @@ MatrixXd of_moments(const Basis& basis, const MatrixXd& of_loads) {
   return result;
 }
 
-/// `coordinates`: of the body where stresses are asked for; null: they are not.
+/// `coordinates`: coordinates of the body for stresses; null: no stresses requested.
 void find_maps(const Basis& basis, Pair& pair, const contact::BelowSurface* coordinates,
                SmoothMap& map, halfspace::SmoothDepthMap& map_below) {
   std::optional<BelowParts> below;
@@ -301,8 +301,7 @@ void find_maps(const Basis& basis, Pair& pair, const contact::BelowSurface* coor
                  load_degree, below->degree(), of_moments(basis, found.below)};
 }
 
-/// Below its surface a body that is a half-space is looked at where the common surface is, with a
-/// mesh.
+/// Below its surface, a body that is a half-space is evaluated at the common surface, with a mesh.
 bool needs_mesh(const Scene& scene, bool wheel, bool stresses) {
   return stresses || !is_half_space(scene, wheel);
 }
@@ -321,14 +320,14 @@ void check(const Scene& scene) {
   const auto refuse = [&](bool asked, const char* what, const char* allowed) {
     if (!asked) return;
     throw contact::InputError(
-        fmt::format("{}: model hybrid: it cannot take {}; allowed: {}; do: run with --model fem",
+        fmt::format("{}: model hybrid: it cannot handle {}; allowed: {}; do: run with --model fem",
                     scene.file, what, allowed));
   };
-  refuse(!scene.geometry.has_surfaces(), "undeformed_distance, which knows no bodies",
+  refuse(!scene.geometry.has_surfaces(), "undeformed_distance, which describes no bodies",
          "radii or profiles");
   refuse(scene.asks_for_stress() && !has_boxes(scene),
-         "stresses below the surface of meshes of your own or by gmsh",
-         "them in bodies that are boxes under their surface");
+         "subsurface stresses with your own meshes or gmsh meshes",
+         "subsurface stresses in bodies that are boxes under their surface");
 }
 
 }  // namespace
@@ -354,7 +353,7 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   const MeshedBodies meshed{needs_mesh(scene, true, parts.stresses),
                             needs_mesh(scene, false, parts.stresses)};
   const CaseBodies bodies = make_bodies(scene, layout.bodies, MPI_COMM_SELF, meshed);
-  // Orderings draw from one sequence of random numbers: one body after the other.
+  // Sequential, because the orderings share one sequence of random numbers.
   std::optional<Pair> wheel, rail;
   const Scene boxes = with_boxes(scene);
   if (bodies.wheel) wheel.emplace(scene, boxes, layout, *bodies.wheel);

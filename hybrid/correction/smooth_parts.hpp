@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The corrections of wheel and rail to their half-spaces, found by finite elements: each body minus
-// its flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over
-// the patch. Discretisation errors cancel up to the curvature, so that coarse cells suffice. The
-// twin of a true section or of a mesh of one's own is a box with the same cells under the patch.
+// The corrections of wheel and rail to their half-spaces by finite elements: each body minus its
+// flattened twin on the same mesh (flat_twin.hpp), under tractions of a few polynomials over the
+// patch. Discretisation errors cancel up to the curvature, so that coarse cells suffice. The twin
+// of a true section or of a user's mesh is a box with the same cells under the patch.
 #pragma once
 
 #include "contact/base/progress.hpp"
@@ -11,13 +11,14 @@
 
 namespace rollfem::fem {
 
-/// Of the scene's correction scene (halfspace/patch/correction_scene.hpp), by the process that
-/// calls it alone: the bodies are small. Throws contact::InputError where bodies are not known
-/// (undeformed distances) and for stresses in bodies that are no boxes, contact::SolveError.
+/// Correction of the scene's correction scene (halfspace/patch/correction_scene.hpp), computed by
+/// the calling process alone because the bodies are small. Throws contact::InputError for scenes
+/// without bodies (undeformed distances) and for stresses in bodies other than boxes, and
+/// contact::SolveError.
 halfspace::SmoothParts find_smooth_parts(const contact::Scene& scene,
                                          const contact::Progress& progress);
 
-/// The same with so many cells in the smaller semi-axis of the patch in place of three.
+/// The same with the given number of cells in the smaller semi-axis of the patch instead of three.
 halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis,
                                               const contact::Scene& scene,
                                               const contact::Progress& progress);

@@ -49,7 +49,7 @@ TEST(Run, SaysWhichProblemIsSolved) {
     const char *problem, *stage, *note;
   };
   for (const Row& row :
-       {Row{"[rolling]\nproblem = \"frictionless\"\n", "frictionless", "; normal problem alone"},
+       {Row{"[rolling]\nproblem = \"frictionless\"\n", "frictionless", "; normal problem only"},
         Row{"[rolling]\nproblem = \"shift\"\n[history]\n"
             "longitudinal_shift = [0.001, 0.001]\n",
             "shift              2/2 ", "; shift without rolling"}}) {

@@ -29,7 +29,7 @@ bool asked_for(const Case& input, bool left) {
   return input.wheelset.side == WheelSide::both || (input.wheelset.side == WheelSide::left) == left;
 }
 
-/// A long row says where it failed.
+/// A failure in a long sweep names its position.
 template <class Work>
 auto at_position(const Case& input, int position, const Work& work) {
   const auto where = [&](const std::exception& error) {
@@ -61,8 +61,8 @@ std::vector<std::string> notes_of(const Case& input) {
   return notes;
 }
 
-/// The balance of one position, taken up or found; what is found again sooner than it is read is
-/// not kept.
+/// The balance of one position, restored or computed; balances that are faster to recompute than to
+/// read are not stored.
 std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
                                              const std::vector<PlacedScene>& here,
                                              contact::Checkpoint* kept) {
@@ -138,8 +138,8 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
 
 namespace {
 
-/// Relative to the load. Models balance their own load to 1e-6; shares of a wheel are rounded once
-/// more.
+/// Relative to the load. Models balance their own load to 1e-6; shares of a wheel add another
+/// rounding.
 constexpr double sum_tolerance = 1e-5;
 
 [[noreturn]] void refuse(const contact::Case& input, const ModelResult& result,
@@ -150,7 +150,7 @@ constexpr double sum_tolerance = 1e-5;
       input.file.empty() ? "case" : input.file, result.place->label(), result.name, what));
 }
 
-/// From the first to the last element with pressure, mm of the grid's y.
+/// From the first to the last element with pressure, y of the grid in mm.
 std::array<double, 2> loaded_rows(const ModelResult& result, const PointResult& point) {
   std::array<double, 2> rows{contact::infinity, -contact::infinity};
   const contact::ContactGrid& grid = result.grid;
@@ -164,7 +164,7 @@ std::array<double, 2> loaded_rows(const ModelResult& result, const PointResult& 
   return rows;
 }
 
-/// The same across the track, from the middle outward; elements of the border count half, for a
+/// The same across the track, from the middle outward; border elements count half because the
 /// contact ends within them.
 std::array<double, 2> across_track(const ModelResult& result, const PointResult& point) {
   const auto rows = loaded_rows(result, point);
@@ -210,8 +210,8 @@ void check_wheel(const contact::Case& input, const std::vector<const ModelResult
         if (std::max(a[0], b[0]) < std::min(a[1], b[1]))
           refuse(
               input, *contacts[j],
-              fmt::format("it overlaps {}: both press between {:.3f} and {:.3f} mm from the "
-                          "middle of the track",
+              fmt::format("it overlaps {}: both have pressure between {:.3f} and {:.3f} mm from "
+                          "the middle of the track",
                           contacts[i]->place->label(), std::max(a[0], b[0]), std::min(a[1], b[1])));
       }
     if (known && input.load.vertical_force &&

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Balances wheels with true profiles: the share of the vertical load of every patch, friction
-// included, and the creepages of the wheelset's motion, solved for in free rolling. The results
-// are scenes for any model; the balance itself is found with half-space solutions on a coarse
-// grid.
+// Balances wheels with true profiles: the share of the vertical load of every patch including
+// friction, and the creepages of the wheelset's motion, which are unknowns in free rolling. The
+// results are scenes for any model; the balance itself is found with half-space solutions on a
+// coarse grid.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -17,11 +17,11 @@
 
 namespace rollfem::track {
 
-/// The wheels of a case on their rails, at all positions, before any balance. Made once: it takes
-/// as long as solving a small patch.
+/// The wheels of a case on their rails, at all positions, before any balance. Create it once: it
+/// takes as long as solving a small patch.
 struct PlacedWheels {
-  SearchScene search;  ///< the profiles, and the rail in its place
-  /// Of both wheels where a free wheelset has both, and with contacts that the load may reach.
+  SearchScene search;  ///< the profiles, and the positioned rail
+  /// Scenes of both wheels for a free wheelset, including contacts that the load may reach.
   std::vector<PlacedScene> scenes;
 };
 
@@ -29,36 +29,35 @@ struct BalancedCase {
   /// One for each patch that carries load, in the order of positions, left before right, the most
   /// loaded patch first.
   std::vector<contact::Scene> scenes;
-  std::vector<PlacedScene> placed;  ///< as they were placed, for drawings
-  std::vector<std::string> notes;   ///< what a reader must know
+  std::vector<PlacedScene> placed;  ///< as placed, for drawings
+  std::vector<std::string> notes;   ///< notes for the reader
 };
 
 /// Throws as make_scenes.
 PlacedWheels place_for_balance(const contact::Case& input);
 
-/// Whether the case asks for results of this scene, which touches by itself.
+/// Whether the case requests results of this scene, which is in contact.
 bool asked_for(const contact::Case& input, const PlacedScene& scene);
 
 /// Patches and near misses of the wheels at all positions; nothing is solved. Throws
 /// contact::InputError and contact::SolveError as find_contacts does.
 std::vector<WheelRailContact> place_wheels(const contact::Case& input, const SearchScene& scene);
 
-/// Of wheels as place_for_balance has placed them. Positions that `share` does not hold are left
-/// out. `kept` may be null; positions are taken up from it and kept in it. Throws
-/// contact::SolveError when there is no balance (friction that would lift the wheel, no rotation
-/// without torque).
+/// Balance of wheels placed by place_for_balance. Positions outside `share` are skipped. Balanced
+/// positions are restored from `kept` and stored in it; it may be null. Throws contact::SolveError
+/// when there is no balance (friction that would lift the wheel, no rotation without torque).
 BalancedCase balance(const contact::Case& input, const PlacedWheels& placed,
                      const contact::Progress& progress = {}, contact::Checkpoint* kept = nullptr,
                      contact::Share share = {});
 
-/// The same with wheels that are placed for it.
+/// The same, including the placement of the wheels.
 BalancedCase balance(const contact::Case& input);
 
 // Checks of the results of one wheel: patches must not overlap, each on a grid that holds its
 // reference point, with positive approaches and shares that add up to the load.
 
-/// `results`: of one model, all contacts of all wheels at all positions; results without a place
-/// are not looked at. Throws contact::SolveError with what is wrong.
+/// `results`: of one model, all contacts of all wheels at all positions; results without a position
+/// are skipped. Throws contact::SolveError naming the defect.
 void check_results(const contact::Case& input, const std::vector<contact::ModelResult>& results);
 
 }  // namespace rollfem::track

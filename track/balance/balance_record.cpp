@@ -26,7 +26,7 @@ void exchange(Record& record, contact::LoadPoint& point) {
   exchange(record, *point.creepage_error);
 }
 
-/// Whatever the balance changes in a scene as it was placed.
+/// All values of a placed scene that the balance changes.
 void exchange(Record& record, contact::Scene& scene) {
   record.values(scene.place->patch, scene.place->patches, scene.turns_freely);
   std::size_t neighbours = scene.neighbour_loads.size();
@@ -37,7 +37,7 @@ void exchange(Record& record, contact::Scene& scene) {
   for (contact::LoadPoint& point : scene.points) exchange(record, point);
 }
 
-/// Of which patch as placed a scene was made: its place on the track stays.
+/// Index of the placed patch from which a scene was made: its position on the track stays the same.
 std::size_t source_of(const std::vector<PlacedScene>& placed, const contact::Scene& scene) {
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const contact::ContactPlace& place = *placed[i].scene.place;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the balance of one position has found, as a record that outlives the run.
+// The result of the balance of one position, as a record for later runs.
 #pragma once
 
 #include "track/motion/placed_scenes.hpp"
@@ -13,7 +13,7 @@ namespace rollfem::track {
 std::string record_of_balance(const std::vector<PlacedScene>& placed,
                               std::vector<contact::Scene> balanced);
 
-/// The same scenes again, to the last bit. Throws std::runtime_error for a record of other patches.
+/// Restores the same scenes, bit for bit. Throws std::runtime_error for a record of other patches.
 std::vector<contact::Scene> balance_of_record(const std::vector<PlacedScene>& placed,
                                               const std::string& record);
 

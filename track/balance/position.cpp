@@ -23,12 +23,13 @@ using contact::FreeRolling;
 
 namespace {
 
-/// Changes of the normal forces below this part of the load end the balance.
+/// The balance ends when the normal forces change by less than this fraction of the load.
 constexpr double load_tolerance = 1e-4;
-/// Torque below this part of mu F_z R is none.
+/// Torque below this fraction of mu F_z R counts as zero.
 constexpr double torque_tolerance = 1e-5;
-/// Forces to about half a percent of mu F_z (docs/accuracy.md); what of it enters the balance is
-/// smaller by the sine of the contact angle, and the rotation feels it in both wheels alike.
+/// Forces are accurate to about half a percent of mu F_z (docs/accuracy.md); their effect on the
+/// balance is smaller by the sine of the contact angle, and the rotation is affected equally by
+/// both wheels.
 constexpr int elements_of_balance = 24;
 
 /// Tangential forces by the half-space on a coarse grid, one for each load point of the scene.
@@ -44,7 +45,7 @@ std::vector<PatchForce> patch_forces(const contact::Scene& scene, int elements_a
 
 struct Patch {
   PlacedScene placed;
-  std::vector<PatchForce> force;  ///< per load point, at the scene as it is
+  std::vector<PatchForce> force;  ///< per load point, for the current scene
   double sideways = 0.0;          ///< of the pressure without friction: lateral over normal force
 };
 
@@ -53,7 +54,7 @@ struct Wheel {
   std::vector<Patch> patches;
 };
 
-/// Force that the scene asks for at load point k, 0 where it asks for an approach.
+/// Force prescribed by the scene at load point k, 0 where it prescribes an approach.
 double asked_force(const Patch& patch, std::size_t k) {
   return patch.placed.scene.points[k].load.force.value_or(0.0);
 }
@@ -88,7 +89,7 @@ class Position {
   }
 
  private:
-  /// A single patch carries its vertical force with friction by itself, as any model solves it.
+  /// A single patch needs no balance: every model solves its vertical force with friction.
   bool shares(const Wheel& wheel) const {
     return input_.load.vertical_force && wheel.patches.size() > 1;
   }
@@ -101,7 +102,7 @@ class Position {
                                     [this](const Wheel& wheel) { return shares(wheel); }));
   }
 
-  /// Rotation without torque and shares of the load with friction, in turn.
+  /// Alternates between the rotation without torque and the shares of the load with friction.
   void settle() {
     constexpr int most_rounds = 30;
     for (int round = 0; round < most_rounds; ++round) {
@@ -119,8 +120,8 @@ class Position {
                     *input_.load.vertical_force, most_rounds));
   }
 
-  /// Normal forces of all patches of a wheel under its load, and what they displace under each
-  /// other; returns the largest change of a force relative to the load. With friction, the
+  /// Normal forces of all patches of a wheel under its load, and the displacements they cause under
+  /// each other; returns the largest change of a force relative to the load. With friction, the
   /// tangential forces keep their ratio to the normal force.
   double share(Wheel& wheel, bool friction) {
     if (input_.load.approach) {
@@ -145,8 +146,7 @@ class Position {
     return change;
   }
 
-  /// The load points of a scene have one half-space: the mean over them is what loads it beside the
-  /// contact.
+  /// The load points of a scene share one half-space: their mean is the load beside the contact.
   static void set_beside(Wheel& wheel, const std::vector<halfspace::SharedLoad>& shared) {
     const double part = 1.0 / static_cast<double>(shared.size());
     for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
@@ -166,7 +166,7 @@ class Position {
     }
   }
 
-  /// The wheel sinks as far as the case says; its contacts displace each other all the same.
+  /// The case prescribes the sinking of the wheel; its contacts still displace each other.
   static void press_at_approach(Wheel& wheel) {
     if (wheel.patches.size() < 2) return;
     const contact::Scene& first = wheel.patches.front().placed.scene;
@@ -183,8 +183,8 @@ class Position {
     return scenes;
   }
 
-  /// The share of each patch becomes a vertical force, of which every model finds the normal force
-  /// with its own friction; together they are the load of the wheel.
+  /// The share of each patch becomes a vertical force, from which every model finds the normal
+  /// force with its own friction; the shares add up to the load of the wheel.
   void ask_for_vertical_forces(Wheel& wheel) {
     if (!input_.load.vertical_force) return;
     for (std::size_t k = 0; k < rotation_.size(); ++k) {
@@ -204,7 +204,7 @@ class Position {
     }
   }
 
-  /// A sinking that is given reaches some patches only.
+  /// A prescribed sinking may not reach all patches.
   static void drop_untouched(Wheel& wheel) {
     auto& all = wheel.patches;
     all.erase(std::remove_if(all.begin(), all.end(),
@@ -215,7 +215,7 @@ class Position {
               all.end());
   }
 
-  /// Vertical force that a normal force brings with it, friction at load point k included.
+  /// Vertical force of a normal force, including friction at load point k.
   double lift(const Patch& patch, double normal_force, const std::size_t* k) const {
     double lateral = patch.sideways * normal_force;
     if (k != nullptr && *k < patch.force.size() && patch.force[*k].normal > 0.0)
@@ -235,7 +235,7 @@ class Position {
       }
       return sum;
     };
-    // The sharing is a matter of geometry and elasticity; friction changes what has to be shared.
+    // Geometry and elasticity determine the sharing; friction changes the force to be shared.
     const std::vector<contact::Scene> scenes = scenes_of(wheel);
     double to_share = load;
     constexpr int most_steps = 50;
@@ -246,8 +246,9 @@ class Position {
       if (std::abs(sum - load) < 0.1 * load_tolerance * load) return shared;
       to_share *= load / sum;
     }
-    throw contact::SolveError(fmt::format("the {} wheel: the load is not shared in {} steps",
-                                          wheel.left ? "left" : "right", most_steps));
+    throw contact::SolveError(
+        fmt::format("the {} wheel: the sharing of the load does not converge in {} steps",
+                    wheel.left ? "left" : "right", most_steps));
   }
 
   [[noreturn]] static void refuse_lift(const Wheel& wheel) {
@@ -277,7 +278,7 @@ class Position {
               all.end());
   }
 
-  /// Creepages of the patches at these rotations.
+  /// Creepages of the patches at the given rotations.
   void turn(const std::vector<double>& rotation, std::vector<Wheel>& wheels) {
     for (Wheel& wheel : wheels) turn(rotation, wheel);
   }
@@ -357,8 +358,8 @@ class Position {
   FreeRolling free_;
 };
 
-/// Errors of the creepages from a balance on half as many elements, 1.5 times the change as of
-/// forces (docs/accuracy.md). None where that finds other patches.
+/// Errors of the creepages from a balance on half as many elements: 1.5 times the change, as for
+/// forces (docs/accuracy.md). None where the coarse balance finds other patches.
 void add_creepage_errors(const std::vector<contact::Scene>& coarse,
                          std::vector<contact::Scene>& scenes) {
   if (coarse.size() != scenes.size()) return;
@@ -386,7 +387,7 @@ std::vector<contact::Scene> balanced_position(const Case& input,
   for (contact::Scene& scene : balanced) scene.turns_freely = true;
   try {
     add_creepage_errors(Position(input, scenes, elements_of_balance / 2).balanced(), balanced);
-  } catch (const contact::SolveError&) {  // the bars are then said to be none
+  } catch (const contact::SolveError&) {  // no bars then
   }
   return balanced;
 }

@@ -8,8 +8,7 @@
 
 namespace rollfem::track {
 
-/// The scenes of all wheels at one position, those that carry no load left out; throws as
-/// balance().
+/// The loaded scenes of all wheels at one position; throws as balance().
 std::vector<contact::Scene> balanced_position(const contact::Case& input,
                                               const std::vector<PlacedScene>& scenes);
 

@@ -24,7 +24,7 @@ using contact::Vector3;
 
 namespace {
 
-/// One load point without friction and without anything else that is read from motion or output.
+/// One load point without friction, motion or output.
 Case frictionless(Case input) {
   input.friction_coefficient = 0.0;
   input.wheelset.free_rolling = contact::FreeRolling::none;
@@ -51,7 +51,7 @@ double bar_of(const PointResult& point, const char* quantity, double none) {
   return bar == point.error_estimate.end() ? none : bar->second;
 }
 
-/// The motion at which a contact has given creepages: these are affine in it.
+/// The motion at which a contact has given creepages, which are affine in the motion.
 class MotionAt {
  public:
   template <class CreepageOf>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One wheel on its rail, pressed without friction: where it touches, and its creep forces under
-// normal forces that stay as they are. What tables over lateral shifts are filled with.
+// One wheel pressed on its rail without friction: its contacts, and their creep forces under fixed
+// normal forces. Used to fill tables over lateral shifts.
 #pragma once
 
 #include "contact/case/case.hpp"
@@ -14,11 +14,11 @@ namespace rollfem::track {
 /// The main contact is the most loaded one.
 struct PressedState {
   contact::ContactPlace place;    ///< of the main contact
-  int contacts = 1;               ///< in planes of their own; each may hold several patches
+  int contacts = 1;               ///< in separate planes; each may hold several patches
   double normal_force = 0.0;      ///< N, of all contacts, each along its own normal
   double lateral_pressure = 0.0;  ///< N, force of the main contact's pressure along its y
-  /// mm, half of what the load of the main contact takes along x and y: the axes of an ellipse
-  /// under Hertz's pressure (ExpectedPatch::carrying_length).
+  /// mm, half extents along x and y that carry the load of the main contact: the semi-axes of an
+  /// ellipse under Hertz's pressure (ExpectedPatch::carrying_length).
   double semi_axis_x = 0.0, semi_axis_y = 0.0;
   double max_pressure = 0.0;  ///< MPa
   double contact_area = 0.0;  ///< mm^2, of all contacts
@@ -28,7 +28,7 @@ struct PressedState {
 /// through the main reference point.
 struct FrictionForce {
   double longitudinal = 0.0, lateral = 0.0;  ///< N
-  double normal = 0.0;       ///< N; not 0 on a curved surface and where other planes take part
+  double normal = 0.0;       ///< N; nonzero on a curved surface and with contacts in other planes
   double spin_moment = 0.0;  ///< N mm
   double force_bar = 0.0;    ///< N, error bar of the force vector
   double moment_bar = 0.0;   ///< N mm
@@ -36,17 +36,17 @@ struct FrictionForce {
 
 class PressedWheel {
  public:
-  /// `input`: profiles, one wheel at one position, friction. Its load is met without friction; its
-  /// creepages and motion are not read. `search` is that of the case. Throws contact::InputError
-  /// and contact::SolveError where the wheel does not touch, as find_contacts does.
+  /// `input`: profiles, one wheel at one position, friction. The load is applied without friction;
+  /// creepages and motion are ignored. `search`: the case's contact search. Throws
+  /// contact::InputError and contact::SolveError where the wheel does not touch, like
+  /// find_contacts.
   PressedWheel(const contact::Case& input, const SearchScene& search);
 
   const PressedState& state() const { return state_; }
 
-  /// By the model halfspace on the case's contact grid, with its bars. The creepages are those of
-  /// the main contact: the others follow from the motion of the rigid wheel that has them. What is
-  /// left out are the loads by which tangential forces of one contact displace another. Throws
-  /// contact::SolveError.
+  /// Forces by the model halfspace on the case's contact grid, with error bars. The creepages refer
+  /// to the main contact; the others follow from the rigid-body motion of the wheel. Displacements
+  /// of one contact by the tangential forces of another are neglected. Throws contact::SolveError.
   std::vector<FrictionForce> forces(const std::vector<contact::Creepage>& creepages) const;
 
  private:

@@ -18,12 +18,12 @@ struct End {
   bool known = false;
 };
 
-/// One function: `above` is where its value is positive (at smaller arguments).
+/// One function: `above` is an argument with a positive value (smaller than `below`).
 struct Search {
   End above, below;
   double next = 0.0;
   double step = 0.0;
-  int repeated = 0;  ///< > 0: `above` was replaced that often in a row, < 0: `below`
+  int repeated = 0;  ///< > 0: successive replacements of `above`, < 0: of `below`
   bool done = false;
 };
 
@@ -33,11 +33,11 @@ void take(Search& search, double value) {
   search.repeated = search.repeated * direction > 0 ? search.repeated + direction : direction;
   end = {search.next, value, true};
   End& other = value > 0.0 ? search.below : search.above;
-  // Illinois: an end that stays is weighted down, or regula falsi creeps from one side.
+  // Illinois rule: a retained end gets less weight, otherwise regula falsi creeps from one side.
   if (other.known && std::abs(search.repeated) > 1) other.value *= 0.5;
 }
 
-/// Where to look next; false when the search runs out of its range.
+/// Chooses the next argument; false when the search leaves its range.
 bool advance(Search& search, const RootOptions& options) {
   if (search.above.known && search.below.known) {
     const double share = search.above.value / (search.above.value - search.below.value);

@@ -9,7 +9,7 @@
 
 namespace rollfem::track {
 
-/// Values of all functions, each at its own argument.
+/// Values of all functions, each at its argument.
 using Functions = std::function<std::vector<double>(const std::vector<double>&)>;
 
 struct RootOptions {
@@ -19,8 +19,8 @@ struct RootOptions {
   double tolerance = 1e-9;       ///< on the argument
 };
 
-/// Arguments at which falling functions vanish, from `start`; brackets first, then regula falsi
-/// with Illinois' rule. Throws contact::SolveError with `what` when a function keeps its sign.
+/// Zeros of decreasing functions, from `start`: brackets first, then regula falsi with the Illinois
+/// rule. Throws contact::SolveError with `what` when a function keeps its sign.
 std::vector<double> falling_roots(const Functions& functions, const std::vector<double>& start,
                                   const RootOptions& options, const std::string& what);
 

@@ -13,11 +13,11 @@ namespace rollfem::track {
 
 namespace {
 
-/// Approaches that change by less, relatively, change the next ones by next to nothing.
+/// Relative change of the approaches at which the iteration has converged.
 constexpr double near_enough = 0.1;
 constexpr int most_rounds = 4;
 
-/// Approaches of the contacts along their normals, mm; 0 where one does not touch.
+/// Approaches of the contacts along their normals, mm; 0 without contact.
 std::vector<double> approaches(const contact::Case& input, const std::vector<PlacedScene>& wheel) {
   std::vector<double> found;
   if (wheel.size() == 1 || !input.load.vertical_force) {
@@ -53,7 +53,7 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
   std::vector<double> stands(wheel.size(), 0.0), found;
   for (const PlacedScene& placed : wheel) found.push_back(placed.contact.approach);
   try {
-    // From the estimates on: one search, of half a per cent, is enough where these are near.
+    // Starts from the estimates: one search to half a per cent is enough where they are close.
     for (int round = 0; round < most_rounds; ++round) {
       double change = 0.0;
       for (std::size_t i = 0; i < wheel.size(); ++i) {
@@ -66,7 +66,7 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
       found = approaches(input, wheel);
     }
   } catch (const std::runtime_error&) {
-    // What is wrong with the contact is said where it is solved.
+    // Errors of the contact are reported when it is solved.
   }
 }
 

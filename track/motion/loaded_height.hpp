@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The height at which a wheel stands under its load. Contacts are found where it first touches the
-// rail; from there it sinks vertically, and distances of several patches in one plane change by
-// microns beside the approach along the plane's normal (docs/track.md).
+// The height of a wheel under its load. Contacts are found at first touch with the rail; from there
+// the wheel sinks vertically, and distances of several patches in one plane change by microns in
+// addition to the approach along the plane's normal (docs/track.md).
 #pragma once
 
 #include "track/motion/placed_scenes.hpp"
@@ -10,10 +10,10 @@
 
 namespace rollfem::track {
 
-/// Takes the distances of the contacts of one wheel at one position to that height, of those of
-/// which several humps overlap the rail: a patch alone keeps the distances of first touch. (To it
-/// the way sideways, microns, is that much of another lateral shift.) The height is that of the
-/// half-space under the largest load, without friction.
+/// Moves the undeformed distances of one wheel's contacts at one position to the loaded height, for
+/// contacts in which several humps overlap the rail; a single patch keeps the distances of first
+/// touch. (For a single patch the lateral displacement, microns, is equivalent to a lateral shift
+/// of that size.) The height comes from the half-space under the largest load, without friction.
 void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& wheel);
 
 }  // namespace rollfem::track

@@ -32,13 +32,13 @@ void set_creepages(PlacedScene& placed, const Case& input,
     if (!input.rolling.given.longitudinal) creepage.longitudinal = moving.longitudinal;
     if (!input.rolling.given.lateral) creepage.lateral = moving.lateral;
     if (!input.rolling.given.spin) creepage.spin = moving.spin;
-    // A prescribed force stands in place of the creepage of its direction.
+    // A prescribed force replaces the creepage in its direction.
     if (points[k].force.longitudinal) creepage.longitudinal = 0.0;
     if (points[k].force.lateral) creepage.lateral = 0.0;
   }
 }
 
-/// The case's approach is that of the first patch; the others share its sinking.
+/// The case's approach applies to the first patch; the others have the same sinking.
 contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) {
   const contact::Load& load = input.load;
   if (load.approach) return {{}, contact.approach};
@@ -54,11 +54,12 @@ contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) 
   return {load.normal_force, {}};
 }
 
-/// Normals that differ by less (rad, standard deviation) are those of a plane: forces are within
-/// 0.3 % of the load of those on the surface. From twice that on they are all their own.
+/// Below this spread of the normals (rad, standard deviation) the contact is treated as plane:
+/// forces differ from those on the surface by at most 0.3 % of the load. From twice that on, every
+/// row takes its own normal.
 constexpr double spread_on_plane = 0.03;
 
-/// Stresses below the surface are those of a plane half-space.
+/// Subsurface stresses use a plane half-space.
 double follows_surface(const PlacedScene& placed) {
   const contact::Scene& scene = placed.scene;
   if (!scene.geometry.has_surfaces() || scene.given_pressure || scene.asks_for_stress()) return 0.0;
@@ -88,8 +89,8 @@ SearchScene search_scene_of(const Case& input) {
       input, {profiles::profile_of_case(input, true), profiles::profile_of_case(input, false)});
 }
 
-/// From the plane to the surface as the spread of the normals grows, so that forces change steadily
-/// from one to the other.
+/// Blends from the plane to the surface as the spread of the normals grows, so that forces change
+/// continuously.
 double follows_surface(double spread_of_normals) {
   const double part = std::clamp(spread_of_normals / spread_on_plane - 1.0, 0.0, 1.0);
   return part * part * (3.0 - 2.0 * part);

@@ -11,20 +11,20 @@
 
 namespace rollfem::track {
 
-/// A patch ready to be solved, and what free rolling and the sharing of a load need to know of it.
+/// A patch ready to be solved, with the data for free rolling and load sharing.
 struct PlacedScene {
   contact::Scene scene;
   WheelRailContact contact;
 };
 
-/// What the search for contacts needs, with the profiles that the case names. Reads and smooths
-/// their files: made once, and passed on.
+/// Input of the contact search, with the case's profiles. Reads and smooths the profile files, so
+/// create it once and pass it on.
 SearchScene search_scene_of(const contact::Case& input);
 
-/// Scenes in the order positions, left and right wheel, patches; near misses make none. A vertical
-/// force is the load of a wheel with one patch, along the vertical; where several share it each has
-/// the estimate of load_estimate.hpp, which the caller corrects. Creepages that the case gives
-/// (Rolling::given) replace those of the motion. Throws what find_contacts throws;
+/// Scenes in the order positions, left and right wheel, patches; near misses have no scene. A
+/// vertical force is the load of a wheel with one patch, along the vertical; where several patches
+/// share it, each has the estimate of load_estimate.hpp, which the caller corrects. Creepages given
+/// by the case (Rolling::given) replace those of the motion. Throws as find_contacts, and
 /// contact::InputError when a normal force is given for a wheel with several patches.
 std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchScene& scene,
                                      const SearchOptions& options = {});
@@ -32,12 +32,11 @@ std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchSce
 /// The same with the profiles that the case names.
 std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchOptions& options = {});
 
-/// How far the surface of a half-space follows that of the bodies (contact::Scene) where the
-/// normals of a contact differ by this standard deviation, rad.
+/// Fraction to which the surface of the half-space follows the bodies (contact::Scene) for normals
+/// with this standard deviation, rad.
 double follows_surface(double spread_of_normals);
 
-/// Relative changes of the rotation that the case gives, one for each load point; 0 where it gives
-/// none.
+/// Relative changes of the rotation given by the case, one for each load point; default 0.
 std::vector<double> rotation_changes(const contact::Case& input);
 
 /// Creepages of the scene at rotations of the wheelset other than those of the case (free rolling):
@@ -45,7 +44,7 @@ std::vector<double> rotation_changes(const contact::Case& input);
 void set_rotation_changes(PlacedScene& scene, const contact::Case& input,
                           const std::vector<double>& rotation_changes);
 
-/// Where a place y (mm) of the patch frame is across the track, mm.
+/// Lateral position on the track (mm) of y (mm) in the patch frame.
 double track_y(const contact::ContactPlace& place, double y);
 
 /// The vertical in the frame of the patch, upwards on the wheel: NormalLoad::direction of a

@@ -62,7 +62,7 @@ double contact_distance(const contact::Track& track) {
 
 namespace {
 
-/// Nothing for fewer than two rows.
+/// Empty for fewer than two rows.
 std::optional<RadiusDifference> radii_of(const std::vector<WheelsetRow>& rows) {
   std::vector<double> at, difference;
   for (const WheelsetRow& row : rows) {
@@ -113,7 +113,7 @@ std::optional<WheelsetRow> wheelset_row(const contact::Case& input, const Search
     return {};
   }
   const std::optional<RadiusDifference> radii = radii_of(rows);
-  // Within the first piece the radii are known at its ends alone.
+  // Within the first piece the radii are known only at its ends.
   if (radii && amplitude >= rows[1].touch.lateral_shift &&
       amplitude <= radii->largest_shift() * (1.0 + 1e-12))
     add_conicity(input, *radii, row);

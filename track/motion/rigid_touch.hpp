@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact points of the rigid, unloaded wheels of a wheelset as it moves sideways: the rolling
-// radii and contact angles that conicity is computed from (conicity.hpp).
+// radii and contact angles for the conicity (conicity.hpp).
 #pragma once
 
 #include "contact/case/case.hpp"
@@ -27,21 +27,21 @@ struct WheelsetTouch {
   double radius_difference() const { return right.rolling_radius - left.rolling_radius; }
 };
 
-/// At these shifts, without yaw; roll as the case gives it, else found. Ends before the first shift
-/// at which a wheel leaves its rail or its profile ends. Throws what find_pose throws at the first
-/// shift.
+/// Touching points at the given shifts, without yaw; roll from the case, otherwise computed. Ends
+/// before the first shift at which a wheel leaves its rail or its profile ends. Throws as find_pose
+/// at the first shift.
 std::vector<WheelsetTouch> rigid_touches(const contact::Case& input, const SearchScene& search,
                                          const std::vector<double>& lateral_shifts);
 
 struct WheelsetRow {
   WheelsetTouch touch;
   /// Equivalent conicity at the amplitude of this shift (conicity.hpp), by harmonic linearisation
-  /// and by the wave of the free wheelset, and the length of that in mm. None at 0, and where the
-  /// wheelset does not swing back.
+  /// and by the wave of the free wheelset, and its wavelength in mm. None at 0, and where the
+  /// wheelset does not recentre.
   std::optional<double> harmonic, wave, wave_length;
 };
 
-/// From one running circle to the other, mm: 1500 on a gauge of 1435.
+/// Distance of the running circles, mm: 1500 on a gauge of 1435.
 double contact_distance(const contact::Track& track);
 
 /// From the middle to `reach` mm by `step` mm; the other side is the mirror image.
@@ -49,7 +49,7 @@ std::vector<WheelsetRow> wheelset_rows(const contact::Case& input, const SearchS
                                        double reach, double step);
 
 /// At any shift (mm, either side), with the conicity at its amplitude from the radii of `rows`,
-/// which begin in the middle; nothing where a wheel leaves its rail or its profile ends.
+/// which begin in the middle; empty where a wheel leaves its rail or its profile ends.
 std::optional<WheelsetRow> wheelset_row(const contact::Case& input, const SearchScene& search,
                                         const std::vector<WheelsetRow>& rows, double shift);
 

@@ -22,7 +22,7 @@ Vector3 sum(const Vector3& a, const Vector3& b, double factor = 1.0) {
 }
 
 /// Angular velocity in the track frame. The axle's direction points to the right; a wheel that
-/// rolls forward turns from z (down) to x the other way round, which is the minus.
+/// rolls forward turns from x to z (down), hence the minus sign.
 Vector3 angular_velocity(const WheelRailContact& contact, const Motion& motion) {
   const Vector3 turning = sum({}, contact.axle.direction, -motion.rotation);
   return sum(turning, {0.0, 0.0, motion.yaw_velocity});
@@ -52,8 +52,8 @@ Vector3 slip_at(const WheelRailContact& contact, const Motion& motion, const Vec
   at = sum(at, contact.across, place[1]);
   at = sum(at, contact.normal, place[2]);
   Vector3 slip = velocity(contact, motion, at);
-  // Vertical speed that keeps the bodies together; z points down, the normal up. Turning about the
-  // axle moves the wheel along its own surface and parts nothing.
+  // Vertical speed that keeps the bodies together; z points down, the normal up. Rotation about the
+  // axle moves the wheel along its own surface and does not separate the bodies.
   const Vector3 arm = sum(contact.origin, contact.axle.point, -1.0);
   const Vector3 aside =
       sum({0.0, motion.lateral_velocity, 0.0}, cross({0.0, 0.0, motion.yaw_velocity}, arm));
@@ -63,7 +63,8 @@ Vector3 slip_at(const WheelRailContact& contact, const Motion& motion, const Vec
 }
 
 Vector3 surface_place(const WheelRailContact& contact) {
-  // The geometry is sunk until this contact touches, the axle until the first of the wheel does.
+  // The geometry is lowered until this contact touches, the axle until the wheel's first contact
+  // does.
   return {0.0, 0.0, contact.geometry.distance(0.0, 0.0) + contact.place.separation};
 }
 
@@ -92,7 +93,7 @@ double vertical_force(double normal, double lateral, const contact::ContactPlace
 
 namespace {
 
-/// Of the quarter of a wave: its integrand is smooth but for the jumps of the radii.
+/// Points over a quarter wave, whose integrand is smooth except for the jumps of the radii.
 constexpr int quadrature_points = 2000;
 
 }  // namespace
@@ -101,7 +102,7 @@ RadiusDifference::RadiusDifference(std::vector<double> shift, std::vector<double
     : shift_(std::move(shift)), difference_(std::move(difference)), integral_(shift_.size(), 0.0) {
   if (shift_.size() < 2 || shift_.size() != difference_.size() || shift_.front() > 0.0 ||
       !std::is_sorted(shift_.begin(), shift_.end()))
-    throw std::invalid_argument("lateral shifts of rolling radii must rise from 0 or less");
+    throw std::invalid_argument("lateral shifts of rolling radii must increase from 0 or less");
   for (std::size_t k = 1; k < shift_.size(); ++k)
     integral_[k] = integral_[k - 1] +
                    0.5 * (difference_[k] + difference_[k - 1]) * (shift_[k] - shift_[k - 1]);
@@ -157,7 +158,7 @@ double RadiusDifference::harmonic_conicity(double amplitude) const {
 
 std::optional<double> RadiusDifference::wave_length(double amplitude, double contact_distance,
                                                     double rolling_radius) const {
-  // y'^2 = 2 (integral(A) - integral(y)) / (e r); y = A sin t takes the root's end away.
+  // y'^2 = 2 (integral(A) - integral(y)) / (e r); y = A sin t removes the singularity at the end.
   const double stiffness = contact_distance * rolling_radius, centre = middle(amplitude);
   const double energy = integral(centre + amplitude);
   double half = 0.0;

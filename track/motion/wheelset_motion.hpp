@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Slip of wheel over rail from the motion of the wheelset, and the forces on the
-// wheelset from those of the patches. Motion is relative to the forward speed V of the
-// middle of the axle: V = 1. Frames and signs: docs/track.md.
+// Slip of wheel over rail from the motion of the wheelset, and the forces on the wheelset from the
+// forces of the patches. Motion is relative to the forward speed V of the middle of the axle: V
+// = 1. Frames and signs: docs/track.md.
 #pragma once
 
 #include "contact/case/case.hpp"
@@ -22,7 +22,7 @@ struct Motion {
 /// (1 + rotation_change) / rolling_radius, lateral and yaw velocity of the case.
 Motion motion_of(const contact::Case& input, double rotation_change);
 
-/// Velocity of the wheel's material at a place of the patch frame (mm) relative to the rail, in the
+/// Velocity of the wheel's material at a point of the patch frame (mm) relative to the rail, in the
 /// patch frame. Under lateral and yaw velocity the wheelset rises or falls so that the bodies
 /// neither part nor overlap at the reference point.
 contact::Vector3 slip_at(const WheelRailContact& contact, const Motion& motion,
@@ -33,13 +33,14 @@ contact::Vector3 slip_at(const WheelRailContact& contact, const Motion& motion,
 contact::Vector3 surface_place(const WheelRailContact& contact);
 
 /// xi, eta, phi of the patch as a plane: slip of the wheel's undeformed surface over the reference
-/// point, and the component of all rotation along the normal. Where several patches share one plane
-/// the reference point may lie in the valley between them: the wheel's surface there has a rolling
-/// radius of its own, from which the slip of every place follows (ChartedGeometry::rigid_slip).
+/// point, and the component of the total rotation along the normal. Where several patches share one
+/// plane, the reference point may lie in the gap between them; the wheel's surface there has a
+/// different rolling radius, from which the slip of every point follows
+/// (ChartedGeometry::rigid_slip).
 contact::Creepage creepage_of(const WheelRailContact& contact, const Motion& motion);
 
-/// The same at the reference point on the rail, as CONTACT takes it: for a plane that knows no slip
-/// but xi, eta and phi (ExtraSlip::none), about what the patches beside a valley have.
+/// The same at the reference point on the rail, as in CONTACT: for a plane whose only slip is xi,
+/// eta and phi (ExtraSlip::none); close to the creepages of patches beside a gap.
 contact::Creepage creepage_on_rail(const WheelRailContact& contact, const Motion& motion);
 
 /// Forces of a patch on the wheel in its frame, and the moment about its normal.
@@ -50,7 +51,7 @@ struct PatchForce {
   double spin_moment = 0.0;   ///< M_z, N mm
 };
 
-/// Moment on the wheelset about its axle of forces at the surface place, N mm, positive when it
+/// Moment on the wheelset about its axle from forces at the surface point, N mm, positive when it
 /// drives the wheelset forward. Free rolling of a wheelset: the sum over all patches of both wheels
 /// is 0.
 double driving_moment(const WheelRailContact& contact, const PatchForce& force);
@@ -95,7 +96,7 @@ class RadiusDifference {
   std::vector<double> shift_, difference_, integral_;
 };
 
-/// Of the cones whose free wheelset has this wave length (mm): 2 pi^2 e r / L^2.
+/// Conicity of the cones whose free wheelset has this wavelength (mm): 2 pi^2 e r / L^2.
 double conicity_of_wave(double wave_length, double contact_distance, double rolling_radius);
 
 }  // namespace rollfem::track

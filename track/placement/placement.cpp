@@ -18,7 +18,7 @@ namespace rollfem::track {
 
 namespace {
 
-/// Parameters dense enough that a profile turns little between two of them.
+/// Parameters dense enough for a profile to turn little between neighbours.
 std::vector<double> samples(const profiles::ProfileCurve& curve) {
   constexpr double step = 0.25;  // mm
   std::vector<double> result;
@@ -33,13 +33,13 @@ std::vector<double> samples(const profiles::ProfileCurve& curve) {
   return result;
 }
 
-/// Smallest value, of those `known` at the places `at` and beside the least of them.
+/// Minimum of a function, refined around the smallest of the values `known` at the points `at`.
 template <class Value>
 double smallest(const std::vector<double>& at, const std::vector<double>& known,
                 const Value& value) {
   const std::size_t best =
       static_cast<std::size_t>(std::min_element(known.begin(), known.end()) - known.begin());
-  // Half the digits of the place are all of a smooth minimum's value.
+  // At a smooth minimum, half the digits of the argument give all digits of the value.
   constexpr int bits = std::numeric_limits<double>::digits / 2;
   const auto beside = boost::math::tools::brent_find_minima(
       value, at[best > 0 ? best - 1 : 0], at[std::min(best + 1, at.size() - 1)], bits);
@@ -65,15 +65,15 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
   }
   const double top = smallest(at, z, [&](double t) { return turned.at(t).z; });
   const double limit = top + track.gauge_height;
-  // Above the gauge height only; just below it the face may come nearer to the middle still.
+  // Only above the gauge height; just below it the face may be even closer to the middle.
   const auto crown = static_cast<std::size_t>(std::min_element(z.begin(), z.end()) - z.begin());
   const double deepest =
       *std::max_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(crown) + 1);
   if (deepest < limit - 1e-9)
     throw contact::InputError(
         fmt::format("rail.profile: ends {:.4g} mm below its top on the gauge side, but the gauge "
-                    "is measured {:.4g} mm below; allowed: a profile that reaches at least that "
-                    "deep; do: use a longer profile, a smaller track.gauge_height, or mirror the "
+                    "is measured {:.4g} mm below; allowed: a profile that extends at least to that "
+                    "depth; do: use a longer profile, a smaller track.gauge_height, or mirror the "
                     "profile if its gauge face is at the larger y",
                     deepest - top, track.gauge_height));
   std::size_t first = crown;
@@ -111,7 +111,7 @@ contact::Axle place_axle(const WheelsetPose& pose, const contact::Wheelset& whee
   contact::Axle axle;
   axle.direction = {-sign * std::sin(pose.yaw) * std::cos(pose.roll),
                     std::cos(pose.yaw) * std::cos(pose.roll), sign * std::sin(pose.roll)};
-  // Profile y = 0 of an upright, centred wheel is this far from the middle.
+  // Distance of profile y = 0 of an upright, centred wheel from the middle of the track.
   const double middle = 0.5 * wheelset.flange_back_distance - wheelset.flange_back_position;
   const contact::Vector3 centre{0.0, sign * pose.lateral_shift, pose.height - rolling_radius};
   for (int d = 0; d < 3; ++d) axle.point[d] = centre[d] + middle * axle.direction[d];

@@ -26,8 +26,8 @@ struct WheelsetPose {
                                ///< the running circle of an unrolled wheel level with the rails
 };
 
-/// How a rail of profile coordinates is moved to its place: turned by `angle` (rad, from y to z)
-/// about (0, 0), then shifted.
+/// Motion of a rail from profile coordinates to its position: rotation by `angle` (rad, from y to
+/// z) about (0, 0), then a shift.
 struct RailPlace {
   double angle = 0.0;
   double shift_y = 0.0;  ///< mm
@@ -43,7 +43,7 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
 /// The rail in the side frame.
 profiles::ProfileCurve place_rail(const profiles::ProfileCurve& rail, const RailPlace& place);
 
-/// Profile coordinate y = z = 0 and the rail's own axes again: the inverse of RailPlace.
+/// Back to profile coordinates: the inverse of RailPlace.
 std::array<double, 2> profile_coordinates(const RailPlace& place, double y, double z);
 
 /// +1 for the right wheel, -1 for the left one: y_track = side_sign Y.

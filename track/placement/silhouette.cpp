@@ -17,13 +17,13 @@ using contact::Vector3;
 
 namespace {
 
-/// Steeper than this, the outline is no height over y any more (as height_over_y).
+/// Largest slope at which the outline is a height over y (as height_over_y).
 constexpr double steepest = 12.0;
 constexpr double knot_distance = 0.1;  // mm
-/// Knots closer than this are those of a measured list and add nothing.
+/// Knots closer than this come from a dense measured list and are skipped.
 constexpr double least_knot_distance = 0.01;  // mm
 
-/// Directions across the axle: `down` in the plane x = 0, `ahead` as near to x as can be.
+/// Directions across the axle: `down` in the plane x = 0, `ahead` as close to x as possible.
 struct AxleFrame {
   Vector3 down{}, ahead{};
   double tangent_of_yaw = 0.0;  ///< d_x / sqrt(1 - d_x^2)
@@ -84,8 +84,8 @@ std::vector<double> parameters(const profiles::ProfileCurve& wheel) {
   return result;
 }
 
-/// What is known at knots, between them. Chords give slopes good enough for x and the profile
-/// coordinate, which place a contact only.
+/// Interpolates values between knots. Slopes from chords are accurate enough for x and the profile
+/// coordinate, which only position a contact.
 double value_over_y(const std::vector<double>& knots, const std::vector<double>& values, double y) {
   const auto slope = [&](std::size_t k) {
     const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, knots.size() - 1);
@@ -94,7 +94,7 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
   const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, y);
   const auto k = static_cast<std::size_t>(above - knots.begin()) - 1;
   const double h = knots[k + 1] - knots[k];
-  // Beyond the ends the tangent goes on.
+  // Beyond the ends, along the tangent.
   const double t = std::clamp((y - knots[k]) / h, 0.0, 1.0);
   const double chord = (values[k + 1] - values[k]) / h;
   const double left = slope(k) - chord, right = slope(k + 1) - chord;
@@ -116,7 +116,7 @@ WheelPoints wheel_points(const profiles::ProfileCurve& wheel) {
 Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Axle& axle)
     : axle_(axle) {
   const AxleFrame frame = axle_frame(axle);
-  // From the running circle both ways, as far as the outline goes on as a height over y.
+  // From the running circle both ways, as far as the outline remains a height over y.
   const auto start = static_cast<std::ptrdiff_t>(wheel.start);
   std::vector<Seen> inner, outer;
   inner.reserve(wheel.start);

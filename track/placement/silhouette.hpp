@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The wheel seen along the rail. A straight rail is the same at every x, so wheel and rail touch
-// where the rail touches the outline of the wheel as seen along x: for every point of the wheel's
-// profile the point of its circle whose normal has no x component. With yaw that point lies ahead
+// where the rail touches the outline of the wheel seen along x: for every point of the wheel's
+// profile, the point of its circle whose normal has no x component. With yaw that point lies ahead
 // of or behind the axle; without yaw the outline is the profile itself.
 #pragma once
 
@@ -21,7 +21,7 @@ struct OutlinePoint {
   double radius = 0.0;     ///< mm, of its circle
 };
 
-/// Points of a wheel's profile, dense enough for an outline: they serve every pose.
+/// Points of a wheel's profile, dense enough for an outline at any pose.
 struct WheelPoints {
   std::vector<profiles::ProfilePoint> points;
   std::size_t start = 0;  ///< the first one with y >= 0
@@ -31,10 +31,10 @@ WheelPoints wheel_points(const profiles::ProfileCurve& wheel);
 class Silhouette {
  public:
   /// `wheel` in profile coordinates; `axle` with axial coordinate = profile y (placement.hpp).
-  /// Throws std::invalid_argument when no part of the profile can be seen.
+  /// Throws std::invalid_argument when no part of the profile is visible.
   Silhouette(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle);
 
-  /// z over y; covers the part that is no steeper than a height curve allows.
+  /// z over y; covers the part not steeper than a height curve allows.
   const contact::HeightCurve& curve() const { return curve_; }
   /// The point of the outline at this y of the side frame.
   OutlinePoint at(double y) const;

@@ -38,10 +38,10 @@ VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const 
   first_ = std::max(outline.first(), rail_.first());
   last_ = std::min(outline.last(), rail_.last());
   if (!(last_ > first_))
-    throw contact::SolveError(fmt::format(
-        "the wheel is not above the rail: it reaches from {:.1f} to {:.1f} mm from the middle of "
-        "the track, the head of the rail from {:.1f} to {:.1f} mm",
-        outline.first(), outline.last(), rail_.first(), rail_.last()));
+    throw contact::SolveError(
+        fmt::format("the wheel is not above the rail: it extends from {:.1f} to {:.1f} mm from the "
+                    "middle of the track, the rail head from {:.1f} to {:.1f} mm",
+                    outline.first(), outline.last(), rail_.first(), rail_.last()));
   std::vector<double> knots;
   knots.reserve(outline.knots().size() + rail_.knots().size());
   std::merge(outline.knots().begin(), outline.knots().end(), rail_.knots().begin(),
@@ -148,7 +148,7 @@ std::array<double, 2> VerticalGap::span_below(double limit, double y, double low
     span[0] = std::min(span[0], places_[k]);
     span[1] = std::max(span[1], places_[k]);
   }
-  // The ends lie between knots; a minimum between two knots may be all that is below.
+  // The ends lie between knots; a minimum between two knots may be the only point below the limit.
   span[0] = below(limit, span[0], lower, upper)[0];
   span[1] = below(limit, span[1], lower, upper)[1];
   return span;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The gap between the outline of a wheel and the rail under it, measured along the vertical, and
-// where it is smallest. Sinking of the wheelset changes this gap by one constant, so its minima are
-// the points of first contact whatever the height: their tangents are parallel.
+// The vertical gap between the outline of a wheel and the rail under it, and its minima. Sinking of
+// the wheelset changes this gap by a constant, so its minima are the points of first contact for
+// any height: their tangents are parallel.
 #pragma once
 
 #include "track/placement/placement.hpp"
@@ -20,7 +20,7 @@ struct GapMinimum {
   double angle() const;
 };
 
-/// Where the gap falls still at the end of what is known of wheel and rail.
+/// An end of the known profiles of wheel and rail at which the gap still decreases.
 enum class GapEnd { none, inner, outer };
 
 class VerticalGap {
@@ -30,7 +30,7 @@ class VerticalGap {
   VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
               const contact::HeightCurve& rail);
 
-  /// Takes the wheel down by `way` mm. What wheel() says of heights stays that before.
+  /// Lowers the wheel by `way` mm. Heights from wheel() keep their previous values.
   void lower_wheel(double way);
 
   /// Rail z less wheel z, with derivatives by y; positive where the wheel is above the rail.
@@ -41,22 +41,22 @@ class VerticalGap {
     double slope = 0.0;
   };
   WithSurface with_surface(double y) const;
-  double first() const { return first_; }  ///< mm, y from which both are known
-  double last() const { return last_; }    ///< mm, y to which both are known
+  double first() const { return first_; }  ///< mm, start of the y range of both
+  double last() const { return last_; }    ///< mm, end of the y range of both
 
-  /// All local minima, y rising.
+  /// All local minima, in order of y.
   std::vector<GapMinimum> minima() const;
   /// Smallest gap, minima and ends taken together, mm.
   double smallest() const;
   /// Whether the smallest gap is at an end.
   GapEnd end() const;
-  /// Largest gap between two places and where, mm.
+  /// Largest gap between two y and its position, mm.
   std::array<double, 2> largest_between(double lower, double upper) const;
   /// The interval about `y` in which the gap is below `limit`, kept to [lower, upper].
   std::array<double, 2> below(double limit, double y, double lower, double upper) const;
 
-  /// From the first to the last place in [lower, upper] with a gap below `limit`, whatever is
-  /// between them; {y, y} where there is none. `y`: a place below it, or the nearest to be.
+  /// From the first to the last y in [lower, upper] with a gap below `limit`, regardless of the gap
+  /// between them; {y, y} where there is none. `y`: a point below the limit, or the closest to it.
   std::array<double, 2> span_below(double limit, double y, double lower, double upper) const;
 
   const contact::HeightCurve& rail() const { return rail_; }

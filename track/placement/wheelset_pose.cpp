@@ -26,7 +26,7 @@ std::string where(const Case& input, int position, bool left) {
                      position, left ? "left" : "right");
 }
 
-/// Refuses a wheel that stands on the end of a profile or on its flange.
+/// Rejects a wheel that stands on the end of a profile or on its flange.
 void check_support(const Case& input, const SearchScene& scene, const VerticalGap& gap,
                    int position, bool left) {
   const GapEnd end = gap.end();
@@ -41,9 +41,9 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
   const auto tip =
       static_cast<std::size_t>(std::max_element(knots.z.begin(), knots.z.end()) - knots.z.begin());
   const double profile_y = gap.wheel().at(first->y).profile_y;
-  // A profile without a flange is highest at its own end.
+  // A profile without flange is highest at its end.
   const bool has_flange = tip > 0 && knots.y[tip] < 0.0 && knots.z[tip] > 10.0;
-  // Further down the flange the wheel climbs, which is a position like another.
+  // Contact further down the flange (climbing) is a valid position.
   constexpr double tip_height = 2.0;
   const double height = gap.wheel().at(first->y).radius - input.wheel.rolling_radius;
   if (has_flange && profile_y < 0.0 && height > knots.z[tip] - tip_height)
@@ -62,10 +62,10 @@ WheelsetPose asked_pose(const Case& input, int position) {
   return pose;
 }
 
-/// Roll at which both wheels touch at one height: what the left one can sink less what the right
-/// one can rises with roll, by twice the distance of the rails per radian.
+/// Roll at which both wheels touch at the same height: the possible sinking of the left wheel less
+/// that of the right wheel increases with roll, by twice the distance of the rails per radian.
 double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose, int position) {
-  std::map<double, double> known;  // the ends of the bracket are asked for again
+  std::map<double, double> known;  // the ends of the bracket are evaluated again
   const auto difference = [&](double roll) {
     const auto [found, is_new] = known.try_emplace(roll, 0.0);
     pose.roll = roll;
@@ -74,7 +74,7 @@ double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose p
                       make_gap(input, scene, pose, position, false).smallest();
     return found->second;
   };
-  // Steps of the slope expected until the sign changes.
+  // Steps according to the expected slope until the sign changes.
   const double slope = input.track.gauge + 65.0;
   double a = 0.0, at_a = difference(a);
   if (at_a == 0.0) return 0.0;
@@ -115,7 +115,7 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
       inner ? wheel.first() > gap.rail().first() : wheel.last() < gap.rail().last();
   throw contact::InputError(fmt::format(
       "{}: {} the {} end of the {} profile, {:.2f} mm from the middle of the track; allowed: "
-      "profiles that reach beyond the contact on both sides, as a height over y; do: use a longer "
+      "profiles that extend beyond the contact on both sides, as a height over y; do: use a longer "
       "{} profile, or check gauge, flange_back_distance and lateral_shift",
       where(input, position, left), what, inner ? "flange-side" : "field-side",
       wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),

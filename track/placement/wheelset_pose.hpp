@@ -10,7 +10,8 @@
 
 namespace rollfem::track {
 
-/// What a search needs beside the case: profiles, and the rail's place that follows from them.
+/// Input of a search besides the case: profiles, and the position of the rail that follows from
+/// them.
 struct SearchScene {
   ProfilePair profiles;
   WheelPoints wheel;
@@ -24,9 +25,9 @@ struct SearchScene {
 /// Throws contact::InputError when the rail's profile does not fit the track.
 SearchScene make_search_scene(const contact::Case& input, ProfilePair profiles);
 
-/// Pose of the wheelset for a position (1, 2, ...), but for its height: lateral shift, yaw, and
-/// roll as given or found, such that both rails are touched by rigid wheels. Throws
-/// contact::SolveError when a wheel is not above its rail or there is no such roll.
+/// Pose of the wheelset for a position (1, 2, ...) without its height: lateral shift, yaw, and roll
+/// as given or as found, such that the rigid wheels touch both rails. Throws contact::SolveError
+/// when a wheel is not above its rail or there is no such roll.
 WheelsetPose find_pose(const contact::Case& input, const SearchScene& scene, int position);
 
 /// The pose lowered until this wheel touches. Throws contact::SolveError when the wheel stands on
@@ -42,7 +43,7 @@ VerticalGap touching_gap(const contact::Case& input, const SearchScene& scene, W
 VerticalGap make_gap(const contact::Case& input, const SearchScene& scene, const WheelsetPose& pose,
                      int position, bool left);
 
-/// Refuses contact at an end of what is known of the profiles: `what` happens there.
+/// Rejects contact at an end of the known profiles, with `what` in the message.
 [[noreturn]] void fail_at_end(const contact::Case& input, const VerticalGap& gap, bool inner,
                               int position, bool left, const std::string& what);
 

@@ -17,9 +17,9 @@ using contact::Vector3;
 
 namespace {
 
-/// How far the section of the wheel is taken from the contact (mm), more than any patch.
+/// Extent of the wheel's section from the contact (mm), larger than any patch.
 constexpr double section_reach = 60.0;
-/// SearchOptions::merge_angle where nothing is said.
+/// Default of SearchOptions::merge_angle.
 constexpr double angle_on_plane = 0.35;
 constexpr double angle_on_surface = 0.8;
 
@@ -44,8 +44,8 @@ Vector3 to_track(bool left, const Vector3& v) {
   return {v[0], side_sign(left) * v[1], v[2]};
 }
 
-/// The frame of a patch on the rail; coordinates as of a right-hand patch frame on the left side,
-/// whose y points to the field; on the right the lateral one is turned in the end.
+/// The frame of a patch on the rail; coordinates as in a right-handed patch frame on the left side,
+/// where y points to the field; on the right the lateral axis is reversed at the end.
 struct PatchAxes {
   double y0, z0;        ///< side frame, mm
   double cosine, sine;  ///< of the contact angle
@@ -53,7 +53,7 @@ struct PatchAxes {
   double along_normal(double y, double z) const { return -sine * (y - y0) - cosine * (z - z0); }
 };
 
-/// How a curve is taken into another frame, and from where to where of its own y.
+/// Transformation of a curve into another frame, and the range of its y.
 struct Change {
   double sign_y = 1.0;
   double factor = 1.0;
@@ -86,7 +86,7 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
                                      const PatchAxes& axes, const Axle& axle_of_side, bool left,
                                      const OutlinePoint& touch, double sink, double reach) {
   const double at_touch = parameter_near(scene.rail, axes.y0, axes.z0);
-  // Shifted to the touching point, then turned.
+  // Shifted to the touching point, then rotated.
   const double cosine = axes.cosine, sine = axes.sine;
   const profiles::ProfileCurve rail =
       scene.rail.part(at_touch - reach, at_touch + reach)
@@ -98,7 +98,7 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
       changed(profiles::height_over_y(rail, parameter_near(rail, 0.0, 0.0)), {sign_y, -1.0, 0.0});
   const profiles::ProfileCurve& wheel = scene.profiles.wheel;
   const double height = touch.radius - input.wheel.rolling_radius;
-  // Its part about the running circle is one list of knots wherever the wheel touches there.
+  // The part about the running circle uses the same knots for every contact there.
   constexpr double same_place = 1e-3;  // mm
   const contact::HeightCurve& tread = scene.wheel_tread;
   const bool on_tread = tread.contains(touch.profile_y) &&
@@ -110,8 +110,8 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
           ? changed(tread, to_radius)
           : changed(profiles::height_over_y(wheel, parameter_near(wheel, touch.profile_y, height)),
                     to_radius);
-  // Mirrored for the right side: y changes its sign, and the direction is turned about so that it
-  // points to larger y again (and its axial coordinate with it, as in `changed`).
+  // Mirrored for the right side: y changes its sign, and the direction is reversed so that it
+  // points to larger y again (with its axial coordinate, as in `changed`).
   const Vector3& p = axle_of_side.point;
   const Vector3& d = axle_of_side.direction;
   Axle axle;
@@ -168,7 +168,8 @@ class WheelSearch {
   }
 
  private:
-  /// Humps that do not touch, of contacts or beyond them; those of a reserve are listed already.
+  /// Humps that do not touch, within contacts or beyond them; humps of a reserve are already
+  /// listed.
   void add_near_misses(const std::vector<PatchGroup>& groups, double sinking,
                        const SearchOptions& options, std::vector<WheelRailContact>& found) const {
     const auto of_reserve = [&](const GapMinimum& minimum) {
@@ -187,7 +188,7 @@ class WheelSearch {
     }
   }
 
-  /// The estimates are made at the angles of first contact; their sum is that of the case.
+  /// The estimates use the angles of first contact; their sum is the load of the case.
   void share_vertical_force(std::vector<WheelRailContact>& found) const {
     if (!input_.load.vertical_force) return;
     double sum = 0.0;
@@ -256,7 +257,7 @@ class WheelSearch {
     place.separation = stretch.deepest.gap * axes.cosine;
   }
 
-  /// Length of the common surface outward to y, mm, from the middle of what is known of it.
+  /// Arc length of the common surface outward to y, mm, from the middle of its known part.
   double way_across(double y) const {
     constexpr double step = 0.05;  // mm
     const double start = 0.5 * (gap_.first() + gap_.last());

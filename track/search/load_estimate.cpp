@@ -18,9 +18,9 @@ namespace rollfem::track {
 namespace {
 
 using contact::pi;
-/// Of the approach, overlap that has the extent of the patch. A half would be exact for a circular
-/// patch (Hertz: a^2 = R approach); Kik and Piotrowski have 0.55. With every row on its own normal
-/// and the deflection of the whole patch this one is nearest to CONTACT's approaches.
+/// Overlap with the extent of the patch, as a fraction of the approach. 0.5 would be exact for a
+/// circular patch (Hertz: a^2 = R approach); Kik and Piotrowski use 0.55. With every row on its own
+/// normal and the deflection of the whole patch, this value is closest to CONTACT's approaches.
 constexpr double overlap_fraction = 0.57;
 
 /// Rows of elements across a stretch at a sinking.
@@ -28,17 +28,17 @@ struct Rows {
   static constexpr std::size_t cells = 120;
   std::array<double, cells> place{};     ///< mm along the common surface
   std::array<double, cells> width{};     ///< mm along it
-  std::array<double, cells> half{};      ///< mm, half length of the patch; 0: nothing overlaps
+  std::array<double, cells> half{};      ///< mm, half length of the patch; 0: no overlap
   std::array<double, cells> approach{};  ///< mm, of the bodies along the local normal
   double vertical = 0.0;                 ///< integral of pi/2 half^2 over y, mm^3
 };
 
-/// `way`: vertical, of the deepest place of the stretch, mm. Every row takes its own normal.
+/// `way`: vertical sinking at the deepest point of the stretch, mm. Every row takes its own normal.
 Rows rows_of(const VerticalGap& gap, const Stretch& stretch, double way) {
   const double overlap = overlap_fraction * way;
   const double least = stretch.deepest.gap;
-  // All humps of the stretch that are below the limit count, valleys between them or not, so that
-  // nothing jumps where they meet.
+  // All humps of the stretch below the limit count, with or without gaps between them, so that no
+  // value jumps where they meet.
   const auto [lower, upper] =
       gap.span_below(least + overlap, stretch.deepest.y, stretch.limits[0], stretch.limits[1]);
   const double dy = (upper - lower) / static_cast<double>(Rows::cells);
@@ -60,9 +60,9 @@ Rows rows_of(const VerticalGap& gap, const Stretch& stretch, double way) {
   return rows;
 }
 
-/// Approach over deflection under semi-elliptic rows of unit pressure over half length, the mean of
-/// both over the patch with the eighth power of the overlap. At the deepest place alone it would
-/// jump where another hump becomes the deepest.
+/// Ratio of approach to deflection under semi-elliptic rows of unit pressure over half length, both
+/// averaged over the patch with the eighth power of the overlap as weight. At the deepest point
+/// alone the ratio would jump where another hump becomes the deepest.
 double approach_per_deflection(const Rows& rows, std::size_t every) {
   double approach = 0.0, deflection = 0.0;
   for (std::size_t j = every / 2; j < rows.place.size(); j += every) {
@@ -72,7 +72,7 @@ double approach_per_deflection(const Rows& rows, std::size_t every) {
     double sum = 0.0;
     for (std::size_t k = 0; k < rows.place.size(); ++k) {
       if (!(rows.half[k] > 0.0)) continue;
-      // A quarter of the width keeps the row itself off the logarithm.
+      // A quarter of the width avoids the logarithmic singularity of the row itself.
       const double s = std::max(std::abs(rows.place[k] - rows.place[j]), 0.25 * rows.width[k]);
       sum += rows.half[k] * halfspace::row_deflection(s / rows.half[k]) * rows.width[k];
     }
@@ -82,18 +82,18 @@ double approach_per_deflection(const Rows& rows, std::size_t every) {
   return deflection > 0.0 ? approach / deflection : 0.0;
 }
 
-/// Of the rows, those that approach and deflection are the means of: good to 1e-3 of the force
-/// where they are few.
+/// Approach and deflection are averaged over every third row, or over all rows if few: accurate to
+/// 1e-3 of the force.
 constexpr std::size_t every_third = 3, few_rows = 15;
 
-/// Where a power law of approach and force is looked for.
+/// Approach that carries the force, and the local exponent of its power law.
 struct PowerLaw {
   double approach = 0.05;  ///< mm
   double exponent = 1.5;   ///< Hertz's
 };
 
-/// The approach by the secant method between logarithms of approach and force, which a power law
-/// of both makes straight; nothing where that does not converge.
+/// The approach by the secant method between logarithms of approach and force, which are linear for
+/// a power law; empty where it does not converge.
 template <class Carried>
 std::optional<PowerLaw> power_law_root(const Carried& carried, const PowerLaw& start, double least,
                                        double vertical, double tolerance) {

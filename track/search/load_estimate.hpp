@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far a wheel sinks under a load, and what each of its patches carries, estimated without
-// solving the contact problem: the patch is where the bodies would overlap at 0.57 of the approach,
-// the pressure over it semi-elliptic along rolling. W. Kik and J. Piotrowski, A fast, approximate
-// method to calculate normal load at contact between wheel and rail and creep forces during
-// rolling, 1996. Good to some 5 % of the force; for choosing grids, merging patches and first
-// guesses.
+// Sinking of a wheel under a load, and load of each of its patches, estimated without solving the
+// contact problem: the patch is the overlap of the bodies at 0.57 of the approach, the pressure
+// over it semi-elliptic along rolling. W. Kik and J. Piotrowski, A fast, approximate method to
+// calculate normal load at contact between wheel and rail and creep forces during rolling, 1996.
+// Accurate to about 5 % of the force; used for choosing grids, merging patches and first guesses.
 #pragma once
 
 #include "track/placement/vertical_gap.hpp"
@@ -17,7 +16,7 @@ namespace rollfem::track {
 /// A stretch of the gap that is one potential contact.
 struct Stretch {
   GapMinimum deepest;              ///< its lowest minimum, the reference point
-  std::array<double, 2> limits{};  ///< mm, side frame: nothing beyond belongs to it
+  std::array<double, 2> limits{};  ///< mm, side frame: limits of the stretch
   double rolling_radius = 0.0;     ///< mm, at the reference point
 };
 

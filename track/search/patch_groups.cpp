@@ -10,13 +10,13 @@ namespace rollfem::track {
 
 namespace {
 
-/// Humps with a valley shallower than this between them are one (mm): roughness of a profile.
+/// Humps separated by a valley shallower than this (mm) are merged: roughness of a profile.
 constexpr double least_valley = 2e-3;
-/// The estimate of the approach is good to some 6 %, at several patches to less.
+/// The estimate of the approach is accurate to about 6 %, less accurate for several patches.
 constexpr double beyond_estimate = 1.5;
 constexpr double beyond_estimate_at_least = 0.01;  // mm
 
-/// Of a wheel and a rail: room for so many costs no more than for one.
+/// Capacity for the humps of a wheel and a rail, which costs no more than for one.
 constexpr std::size_t usual_groups = 8;
 
 void join(PatchGroup& group, const PatchGroup& next) {
@@ -54,7 +54,7 @@ double angles_of_both(const PatchGroup& a, const PatchGroup& b) {
   return largest - least;
 }
 
-/// Neighbours of the most similar angles first, until no two are within `merge_angle`.
+/// Merges neighbours with the most similar angles first, until no two are within `merge_angle`.
 void join_neighbours(std::vector<PatchGroup>& groups, double merge_angle) {
   while (groups.size() > 1) {
     std::size_t best = 0;
@@ -68,7 +68,8 @@ void join_neighbours(std::vector<PatchGroup>& groups, double merge_angle) {
   }
 }
 
-/// Neighbours part at the ridge between them; beside the first and the last there is none.
+/// The ridge between neighbours separates them; the outer sides of the first and the last have
+/// none.
 void set_limits(const VerticalGap& gap, std::vector<PatchGroup>& groups) {
   for (std::size_t k = 0; k < groups.size(); ++k) {
     groups[k].stretch.limits[0] = k > 0 ? groups[k - 1].stretch.limits[1] : gap.first();
@@ -115,8 +116,8 @@ Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingO
   const std::vector<PatchGroup> all = separate_groups(gap);
   const double least = least_gap_of(all);
   Contacts contacts{all, sinking_of(stretches_of(all))};
-  // Each by itself they are stiffer than together: the sinking grows from round to round, and with
-  // it what the load may reach.
+  // Separate patches are stiffer than together: the sinking grows from round to round, and with it
+  // the set of patches that the load may reach.
   std::size_t reached = 0;
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {
@@ -129,7 +130,7 @@ Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingO
     reached = groups.size();
     join_neighbours(groups, merge_angle);
     set_limits(gap, groups);
-    // A single hump has been asked about already.
+    // A single hump has already been checked.
     const bool known = round == 0 && all.size() == 1;
     contacts.groups = std::move(groups);
     if (!known) contacts.sinking = sinking_of(stretches_of(contacts.groups));
@@ -145,7 +146,7 @@ Reference reference_of(const VerticalGap& gap, const Stretch& stretch, double si
   const Reference lowest{stretch.deepest.y, stretch.deepest.slope};
   if (!(approach_of(stretch, sinking) > 0.0)) return lowest;
   const auto reach = reach_of(gap, stretch, sinking);
-  // The overlap of depth d is as long as sqrt(d), which makes d^2.5 along y.
+  // The length of an overlap of depth d is proportional to sqrt(d), hence d^2.5 along y.
   constexpr int cells = 800;
   const double dy = (reach[1] - reach[0]) / cells;
   double weights = 0.0, places = 0.0, slopes = 0.0, angles = 0.0, squares = 0.0;

@@ -11,21 +11,21 @@
 
 namespace rollfem::track {
 
-/// A stretch and the minima that went into it.
+/// A stretch and its minima.
 struct PatchGroup {
   Stretch stretch;
   std::vector<GapMinimum> minima;
-  /// Of the second lowest of what has valleys between, mm; infinite where there is none.
+  /// Gap at the second-lowest minimum separated by a valley, mm; infinite where there is none.
   double next_gap = std::numeric_limits<double>::infinity();
 };
 
-/// Sinking under the load when these stretches carry it, measured from gap 0, mm.
+/// Sinking under the load carried by these stretches, measured from gap 0, mm.
 using SinkingOf = std::function<double(const std::vector<Stretch>&)>;
 
 /// The minima that a load may reach, as contacts: minima whose angles all lie within `merge_angle`
-/// (rad) are one, however far apart, because the elasticity of one half-space holds for them; the
-/// others have the ridge between them as their limit. `sinking`: that under the load as estimated
-/// for these contacts, from gap 0, mm.
+/// (rad) are one, however far apart, because one half-space describes their elasticity; the ridges
+/// between the others separate them. `sinking`: sinking under the load as estimated for these
+/// contacts, from gap 0, mm.
 struct Contacts {
   std::vector<PatchGroup> groups;
   double sinking = 0.0;
@@ -36,24 +36,24 @@ Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingO
 /// estimate.
 bool within_reach_of_load(const GapMinimum& minimum, double least_gap, double sinking);
 
-/// Every minimum with the stretch between the ridges beside it; humps with next to no valley
-/// between them are one.
+/// Every minimum with the stretch between the adjacent ridges; humps with almost no valley between
+/// them are merged.
 std::vector<PatchGroup> separate_groups(const VerticalGap& gap);
 
-/// Where the bodies overlap at a sinking: y of the side frame, from the first to the last place.
+/// Overlap of the bodies at a sinking: first and last y of the side frame.
 std::array<double, 2> reach_of(const VerticalGap& gap, const Stretch& stretch, double sinking);
 
 /// The reference of a contact: side frame, mm, and dz/dy of its plane.
 struct Reference {
   double y = 0.0;
   double slope = 0.0;
-  double spread = 0.0;  ///< rad, standard deviation of the normals from that of the plane
+  double spread = 0.0;  ///< rad, standard deviation of the normals from the plane's normal
 };
 
-/// Mean place of the overlap at a sinking and mean slope of the common surface there, which lies
-/// midway between wheel and rail, weighted by the square of the depth over the area; the lowest
-/// point where nothing overlaps. About as the pressure weighs them: for a parabola the depth's
-/// weight has 1.25 times the variance of the pressure's.
+/// Mean position of the overlap at a sinking and mean slope of the common surface there, midway
+/// between wheel and rail, weighted by the square of the depth over the area; the lowest point
+/// without overlap. The weights are close to those of the pressure: for a parabola they have 1.25
+/// times the variance.
 Reference reference_of(const VerticalGap& gap, const Stretch& stretch, double sinking);
 
 }  // namespace rollfem::track

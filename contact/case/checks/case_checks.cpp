@@ -198,7 +198,7 @@ void check_geometry(const GivenCase& given, const Case& input) {
   if (replaces_radii(given) || has_profiles(given) || is_line(given)) return;
   const double wheel = input.wheel.transverse_radius;
   const double rail = input.rail.transverse_radius;
-  // Not only B > 0: radii that cancel to rounding would pass that and overflow later.
+  // B > 0 is not sufficient: radii that cancel to rounding would pass and overflow later.
   const double scale = 1.0 / std::abs(wheel) + 1.0 / std::abs(rail);
   if (1.0 / wheel + 1.0 / rail > 1e-9 * scale) return;
   CaseProblem problem =

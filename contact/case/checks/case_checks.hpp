@@ -9,7 +9,7 @@
 
 namespace rollfem::contact {
 
-/// A value as it stands in the file.
+/// A value as written in the file.
 struct GivenValue {
   KeyValue value;
   std::string text;  ///< as the user typed it, shortened
@@ -17,19 +17,19 @@ struct GivenValue {
   unsigned column = 0;
 };
 
-/// One section of which there may be several.
+/// One entry of a repeatable section.
 struct GivenEntry {
   std::string section;
   unsigned line = 0;
   std::map<const Key*, GivenValue> values;
 };
 
-/// The whole file after each key passed its own check.
+/// The whole file after each key has passed its check.
 struct GivenCase {
   std::string file;
   std::map<const Key*, GivenValue> values;
   std::vector<GivenEntry> entries;                ///< of repeated sections, in order
-  std::map<std::string, unsigned> section_lines;  ///< where each section begins
+  std::map<std::string, unsigned> section_lines;  ///< first line of each section
 
   const GivenValue* find(const std::string& section, const std::string& name) const;
 };
@@ -45,7 +45,7 @@ struct CaseProblem {
   std::string action;
 };
 
-/// `file` is a change by --set as typed: it names key and value itself and has no lines.
+/// `file` is a change by --set as typed: it contains key and value and has no lines.
 bool is_option(const std::string& file);
 
 /// Throws InputError with the message.
@@ -61,12 +61,11 @@ void check_together(const GivenCase& given);
 /// Missing keys of repeated sections. Throws InputError.
 void check_entries(const GivenCase& given);
 
-/// Numbers of points below the surface and, where the `bodies` of the case are known, that they lie
-/// in them. Throws InputError.
+/// Checks the number of subsurface points and, where the `bodies` of the case are known, that the
+/// points lie in them. Throws InputError.
 void check_places(const GivenCase& given, const Case& input, bool bodies = true);
 
-/// Only keys of [wheel_profile] and [rail_profile] that are read.
-/// Throws InputError.
+/// Rejects unused keys of [wheel_profile] and [rail_profile]. Throws InputError.
 void check_profiles(const GivenCase& given);
 
 /// Wheel or rail is given by a profile.
@@ -75,16 +74,16 @@ bool has_profiles(const GivenCase& given);
 /// The contact is one of endless rollers.
 bool is_line(const GivenCase& given);
 
-/// Fills in what follows from what was given: the load of a history or a given pressure, radii that
-/// are not needed (inf), the length of the history, which creepages are given, positions of the
-/// wheelset at one length.
+/// Fills in derived values: the load of a history or a given pressure, radii that are not needed
+/// (inf), the length of the history, which creepages are given, lists over positions of the
+/// wheelset extended to one length.
 void complete(const GivenCase& given, Case& input);
 
-/// Values that must fit each other: forces below the friction limit, at most one rigid body, points
-/// below the surface in their body. Throws InputError.
+/// Checks the consistency of values: forces below the friction limit, at most one rigid body,
+/// subsurface points in their body. Throws InputError.
 void check_values(const GivenCase& given, const Case& input);
 
-/// Problem at a given value; the caller adds what is wrong.
+/// Problem at a given value; the caller adds the cause.
 CaseProblem problem_at(const std::string& path, const GivenValue& given);
 
 /// Throws InputError: the value at `path` is wrong.
@@ -92,10 +91,10 @@ CaseProblem problem_at(const std::string& path, const GivenValue& given);
                           const std::string& wrong, const std::string& allowed,
                           const std::string& action);
 
-/// Line on which a section begins, 0 when it is not there.
+/// Line on which a section begins, 0 if missing.
 unsigned section_line(const GivenCase& given, const std::string& section);
 
-/// Geometry that has no concentrated contact. Throws InputError.
+/// Rejects geometry without concentrated contact. Throws InputError.
 void check_geometry(const GivenCase& given, const Case& input);
 
 }  // namespace rollfem::contact

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Profiles in a case file: one shape for each body, and only such keys as that kind of profile
-// reads.
+// Profiles in a case file: one shape for each body, and only keys used by its kind of profile.
 #include "contact/case/checks/case_checks.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +12,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Keys that only one kind of profile reads.
+/// Keys used by only one kind of profile.
 bool is_read(const std::string& key, const std::string& profile, std::string& by) {
   const auto among = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), key) != names.end();
@@ -30,7 +29,7 @@ bool is_read(const std::string& key, const std::string& profile, std::string& by
   }
   if (among({"mirror", "rotation", "shift"})) return true;
   by = "profiles from files";
-  // Names of built-in profiles have no ending; a file without one is asked for as "./name".
+  // Names of built-in profiles have no extension; a file without extension is given as "./name".
   return !arcs && !polynomial && profile.find_first_of("./") != std::string::npos;
 }
 

@@ -5,7 +5,7 @@ namespace rollfem::contact {
 
 namespace {
 
-// What a rule asks of the case.
+// Conditions of the rules.
 
 bool has(const GivenCase& given, const char* section, const char* name) {
   return given.find(section, name) != nullptr;
@@ -128,12 +128,12 @@ const std::vector<Exclusion>& exclusions_of_shapes() {
        {"wheel.profile"},
        "is given alone: rail.profile is missing",
        "profiles of both bodies, or of none",
-       "add `profile = \"60E1\"` under [rail]; \"arcs\" makes one of radii"},
+       "add `profile = \"60E1\"` under [rail]; \"arcs\" builds one from radii"},
       {only_rail,
        {"rail.profile"},
        "is given alone: wheel.profile is missing",
        "profiles of both bodies, or of none",
-       "add `profile = \"S1002\"` under [wheel]; \"arcs\" makes one of radii"},
+       "add `profile = \"S1002\"` under [wheel]; \"arcs\" builds one from radii"},
       {torque_of_one,
        {"wheelset.free_rolling"},
        "needs both wheels, because their forces balance each other",
@@ -161,7 +161,7 @@ const std::vector<Exclusion>& exclusions_of_problems() {
        "remove it, or choose another rolling.problem"},
       {shift,
        {"rolling.*_creepage", "rolling.spin"},
-       "has no meaning where nothing rolls (problem shift)",
+       "has no meaning without rolling (problem shift)",
        "shifts or forces with the problem shift",
        "give longitudinal_shift, lateral_shift or spin_shift under [history]"},
       {frictionless,
@@ -200,12 +200,12 @@ const std::vector<Exclusion>& exclusions_of_problems() {
        "names no file",
        "`file` with extra_slip_file",
        "add `extra_slip_file = \"slip.csv\"` under [rolling]"},
-      // A given mesh is held where its group `fixed` says, which need not enclose it.
+      // A given mesh is clamped at its group `fixed`, which need not enclose it.
       {own_mesh,
        {"fem.far_boundary"},
-       "applies to segments meshed by the program, but this case names a mesh of its own",
+       "applies to segments meshed by rollfem, but this case provides a mesh",
        "\"clamped\"",
-       "leave fem.far_boundary out, or the mesh"}};
+       "remove fem.far_boundary, or the mesh"}};
   return all;
 }
 

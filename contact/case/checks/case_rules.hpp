@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the keys of a case need and exclude, declared in tables: which keys have no meaning where,
-// which decide the same thing, and of which one must be there.
+// Dependencies between the keys of a case, declared in tables: keys without meaning in some cases,
+// mutually exclusive alternatives, and groups with one required key.
 #pragma once
 
 #include "contact/case/checks/case_checks.hpp"
@@ -9,27 +9,27 @@
 
 namespace rollfem::contact {
 
-/// What a rule asks of the case.
+/// Condition under which a rule applies to a case.
 using Condition = bool (*)(const GivenCase&);
 
-/// Keys that must not stand where the condition holds: "section.name", with at most one *. In what
-/// is wrong, {problem} stands for the problem, {slip} for extra_slip.
+/// Keys that are not allowed where the condition holds: "section.name", with at most one *. In the
+/// message, {problem} is replaced by the problem, {slip} by extra_slip.
 struct Exclusion {
   Condition where;
   std::vector<const char*> keys;
   const char* wrong;
   const char* allowed;
   const char* action;
-  bool defaults_too = false;  ///< also refused where it asks for nothing
+  bool defaults_too = false;  ///< also rejected with a value that has no effect
 };
 
-/// What bodies of a shape exclude.
+/// Keys excluded by the shape of the bodies.
 const std::vector<Exclusion>& exclusions_of_shapes();
 
-/// What the problem, or what is given in place of a part of it, excludes.
+/// Keys excluded by the problem, or by data given instead of a part of it.
 const std::vector<Exclusion>& exclusions_of_problems();
 
-/// Keys that decide the same thing: at most one of them may stand.
+/// Alternative keys: at most one of them is allowed.
 struct Rivals {
   std::vector<const char*> keys;
   const char* why;  ///< added to "contradicts ..."; may be empty
@@ -38,7 +38,7 @@ struct Rivals {
 
 const std::vector<Rivals>& rivals();
 
-/// One of these keys must stand where the condition holds.
+/// One of these keys is required where the condition holds.
 struct Need {
   Condition where;
   std::vector<const char*> one_of;
@@ -49,7 +49,7 @@ struct Need {
 
 const std::vector<Need>& needs();
 
-/// The rules hold for what is given. Throws InputError.
+/// Applies the rules to the given keys. Throws InputError.
 void check_rules(const GivenCase& given);
 
 }  // namespace rollfem::contact

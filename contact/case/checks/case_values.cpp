@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Checks of values against each other, where every key for itself is allowed; and what follows
-// from what is given.
+// Consistency checks of values whose keys are valid individually, and derived values.
 #include "contact/base/material.hpp"
 #include "contact/base/profile_drop.hpp"
 #include "contact/case/checks/case_checks.hpp"
@@ -14,7 +13,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// The normal force of a load point, where it is known before solving.
+/// The normal force of a load point, if known before solving.
 std::optional<double> known_normal_force(const Case& input, std::size_t k) {
   if (k < input.history.size() && input.history[k].normal_force)
     return input.history[k].normal_force;
@@ -22,8 +21,7 @@ std::optional<double> known_normal_force(const Case& input, std::size_t k) {
   return input.load.normal_force;
 }
 
-/// Below, squares of tractions end at the smallest numbers there are; and nothing is left of them
-/// beside the pressure.
+/// Below this value squares of tractions underflow, and the tractions vanish beside the pressure.
 constexpr double least_friction = 1e-12;
 
 void check_friction(const GivenCase& given, const Case& input) {
@@ -68,8 +66,8 @@ void check_rigid(const GivenCase& given, const Case& input) {
           "inf for at most one of wheel and rail", "give one of them a finite modulus");
 }
 
-/// Inertia needs a speed, but moving loads have no steady answer at the Rayleigh speed: the
-/// stiffness with inertia becomes indefinite there.
+/// Inertia needs a speed below the Rayleigh wave speed, at which moving loads have no steady
+/// solution and the stiffness with inertia becomes indefinite.
 void check_inertia(const GivenCase& given, const Case& input) {
   if (!input.fem.inertia) return;
   if (!feels_inertia(input))
@@ -86,16 +84,16 @@ void check_inertia(const GivenCase& given, const Case& input) {
         fmt::format("is at or above {} of the Rayleigh wave speed of the {}, {:.4g} mm/s",
                     largest_rayleigh_fraction, wheel ? "wheel" : "rail", rayleigh_speed(material)),
         fmt::format("below {:.4g} mm/s", limit),
-        "lower the speed (mm/s), check young_modulus (MPa) and density (t/mm^3), or leave out "
+        "lower the speed (mm/s), check young_modulus (MPa) and density (t/mm^3), or remove "
         "fem.inertia");
   }
 }
 
-/// A point so much above a concave surface may still be moved onto it; its finite elements, whose
-/// size is not known yet, decide (mm).
+/// Points up to this height (mm) above a concave surface may still be moved onto it; the finite
+/// elements, whose size is not known yet, decide.
 constexpr double most_above_surface = 1.0;
 
-/// Whether a place is outside of its body for sure: beyond z = 0, and not in a concave body.
+/// Whether a point is certainly outside its body: beyond z = 0, and not in a concave body.
 bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) {
   const double depth = wheel ? place[2] : -place[2];
   const double across = wheel ? input.wheel.transverse_radius : input.rail.transverse_radius;
@@ -160,9 +158,9 @@ void check_places(const GivenCase& given, const Case& input, bool bodies) {
     points += static_cast<long>(request.points[0]) * request.points[1];
     constexpr long most_points = 1000000;
     if (points > most_points)
-      fail_here("points", fmt::format("makes {} points in all", points),
+      fail_here("points", fmt::format("gives {} points in total", points),
                 fmt::format("at most {} points below the surface", most_points),
-                "take fewer points");
+                "use fewer points");
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holds a case against the tables of case_rules.cpp.
+// Checks a case against the tables of case_rules.cpp.
 #include "contact/case/checks/case_rules.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Whether a path is meant by "section.name" with at most one *.
+/// Whether a path matches "section.name" with at most one *.
 bool matches(const std::string& pattern, const std::string& path) {
   const std::size_t star = pattern.find('*');
   if (star == std::string::npos) return pattern == path;
@@ -20,7 +20,7 @@ bool matches(const std::string& pattern, const std::string& path) {
          path.compare(path.size() - after, after, pattern, star + 1, after) == 0;
 }
 
-/// A value that asks for nothing: the default, no curvature, no motion.
+/// A value without effect: the default, no curvature, no motion.
 bool asks_for_nothing(const Key& key, const GivenValue& given) {
   static const Case defaults = default_case();
   if (key.get(defaults) == given.value) return true;
@@ -31,7 +31,7 @@ bool asks_for_nothing(const Key& key, const GivenValue& given) {
          std::all_of(numbers->begin(), numbers->end(), [](double number) { return number == 0.0; });
 }
 
-/// Two defaults contradict each other all the same.
+/// Two defaults also contradict each other.
 bool is_none(const Key&, const GivenValue& given) {
   const auto* word = std::get_if<std::string>(&given.value);
   return word != nullptr && *word == "none";
@@ -42,7 +42,7 @@ struct Found {
   const GivenValue* value = nullptr;
 };
 
-/// The first key of the file that a pattern means and that asks for something.
+/// The first key of the file that matches a pattern and has an effect.
 Found find_match(const GivenCase& given, const char* pattern,
                  bool (*nothing)(const Key&, const GivenValue&)) {
   for (const auto& [key, value] : given.values)

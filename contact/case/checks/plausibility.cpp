@@ -18,7 +18,7 @@ constexpr double least_of_metal = 1e4;              // MPa
 constexpr double stiffest = 2e6;                    // MPa
 constexpr double least_load_of_wheel = 5e-3;        // N/mm^2, force over the rolling radius squared
 constexpr double largest_friction = 1.0;
-constexpr double full_adhesion = 100.0;  // from here on it stands for no limit at all
+constexpr double full_adhesion = 100.0;  // from here on it means no limit
 constexpr double largest_creepage = 0.3;
 constexpr double largest_spin = 0.1;  // rad/mm
 

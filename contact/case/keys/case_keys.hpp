@@ -16,7 +16,7 @@ namespace rollfem::contact {
 enum class KeyKind {
   text,     ///< any string
   word,     ///< one of `words`
-  words,    ///< a list of different `words`; of names that the reader is told where it has none
+  words,    ///< a list of different `words`; without words, names given to the reader
   number,   ///< a float or integer within `bounds`
   integer,  ///< a whole number within `bounds`
   boolean,
@@ -26,18 +26,18 @@ enum class KeyKind {
   lean,     ///< one of `words`, a ratio "1:40", or an angle in rad within `bounds`
 };
 
-/// Range of a number. NaN and -inf are never inside, inf only when `infinite` says so.
+/// Range of a number. NaN and -inf are never inside, inf only with `infinite`.
 struct Bounds {
   double lower = -infinity;
   double upper = infinity;
   bool upper_open = false;  ///< the upper bound itself is outside
-  bool magnitude = false;   ///< lower and upper bound the absolute value
+  bool magnitude = false;   ///< bounds apply to the absolute value
   bool infinite = false;    ///< inf is allowed
   bool contains(double value) const;
 };
 
 /// Value of a key; integers are kept as double, a single number of KeyKind::numbers as a list of
-/// one, nothing as monostate.
+/// one, a missing value as monostate.
 using KeyValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>,
                               std::vector<std::string>>;
 
@@ -51,7 +51,7 @@ struct Key {
   std::vector<std::string> words;
   bool required = false;
   bool empty = false;       ///< of words: [] is allowed
-  std::string when_absent;  ///< what happens without it, for keys that have no default value
+  std::string when_absent;  ///< behaviour if missing, for keys without default value
   std::string example;      ///< TOML text for `new-case`; empty: the default, or left commented out
   std::string sentence;
   std::string per;  ///< lists of the same `per` have one length: "load points", "positions"
@@ -66,8 +66,8 @@ struct Section {
   std::string name;
   std::string sentence;
   bool repeated = false;      ///< [[name]], any number of times; keys get and set in the last one
-  bool alternatives = false;  ///< `check` says nothing of keys that are not given
-  bool of_profiles = false;   ///< has a meaning only where wheel and rail have profiles
+  bool alternatives = false;  ///< `check` omits the key if it is not given
+  bool of_profiles = false;   ///< meaningful only if wheel and rail have profiles
 
   const Key* begin() const { return first; }
   const Key* end() const { return last; }
@@ -82,10 +82,10 @@ void begin_entry(Case& input, const std::string& section);
 const std::vector<Section>& case_sections();
 const std::vector<Key>& case_keys();
 
-/// The key of that section and name, nullptr when there is none.
+/// The key with this section and name, nullptr if unknown.
 const Key* find_key(const std::string& section, const std::string& name);
 
-/// A case in which every optional key has its default; it names no models.
+/// A case in which every optional key has its default, without models.
 Case default_case();
 
 }  // namespace rollfem::contact

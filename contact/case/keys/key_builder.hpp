@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How a key is declared, in named parts that end with the member of the case it fills:
+// Declaration of a key in named parts, ending with the member of the case that it sets:
 //
-//   Keys<Load> keys("load", "How hard the bodies are pressed together", &Case::load);
+//   Keys<Load> keys("load", "Load that presses the bodies together", &Case::load);
 //   keys.real("normal_force").symbol("F_z").unit("N").between(1e-6, 1e12)
 //       .says("Force that presses the wheel on the rail.").into(&Load::normal_force);
 //
-// Private to contact/case/keys_*.cpp, of which each declares one section, or sections that share
-// their keys.
+// Private to contact/case/keys_*.cpp; each of these files declares one section, or sections that
+// share their keys.
 #pragma once
 
 #include "contact/case/keys/case_keys.hpp"
@@ -20,18 +20,18 @@ namespace rollfem::contact {
 using Words = std::vector<std::string>;
 using Numbers = std::vector<double>;
 
-// Radii, forces and moduli have bounds far outside of anything built, which only keep the
-// arithmetic away from overflow and underflow.
+// Radii, forces and moduli have bounds far outside practical values, only to prevent overflow and
+// underflow.
 inline constexpr double smallest = 1e-6;
-inline constexpr double smallest_radius = 1e-3;  // mm: of wheels, rails and arcs of profiles
+inline constexpr double smallest_radius = 1e-3;  // mm: wheels, rails and arcs of profiles
 inline constexpr double largest = 1e9;
 inline constexpr double largest_force = 1e12;
 
-/// What the words of a key stand for.
+/// Values of the words of a key.
 template <class Value>
 using Choices = std::vector<std::pair<const char*, Value>>;
 
-// Members of a case as values of keys, and back.
+// Conversion between members of a case and values of keys.
 
 inline KeyValue value_of(bool member) {
   return member;
@@ -95,7 +95,7 @@ void assign(std::optional<Member>& member, const KeyValue& value) {
   assign(member.emplace(), value);
 }
 
-/// The value that a word stands for, where the member may also be absent.
+/// The value of a word, for a member that may be absent.
 template <class Member>
 struct Chosen {
   using Value = Member;
@@ -108,14 +108,14 @@ struct Chosen<std::optional<Member>> {
 /// A single number when all entries are the same.
 KeyValue shortened(Numbers values);
 
-/// Makes room for `count` load points (steps) wherever there is one entry for each.
+/// Resizes all lists over load points (steps) to `count`.
 void grow_load_points(Case& input, std::size_t count);
 
 /// The part of a case that a section describes.
 template <class Part>
 struct Place {
   std::function<const Part*(const Case&)> find;  ///< nullptr: this case has none
-  std::function<Part&(Case&)> make;              ///< also where there was none
+  std::function<Part&(Case&)> make;              ///< created if missing
 
   Place(Part Case::*part)
       : find([part](const Case& c) { return &(c.*part); }),
@@ -141,7 +141,7 @@ auto& follow(Part& part, const First& first, const Rest&... rest) {
   return follow(std::invoke(first, part), rest...);
 }
 
-/// One key that is being declared: a chain of parts, and `into` or `by` at its end.
+/// One key being declared: a chain of calls that ends with `into` or `by`.
 template <class Part>
 class KeyBuilder {
  public:
@@ -151,11 +151,11 @@ class KeyBuilder {
   KeyBuilder& unit(const std::string& text) { return put(key_.unit, text); }
   KeyBuilder& says(const std::string& sentence) { return put(key_.sentence, sentence); }
   KeyBuilder& example(const std::string& toml) { return put(key_.example, toml); }
-  /// What happens without the key, where there is no default value.
+  /// Behaviour without the key, if there is no default value.
   KeyBuilder& otherwise(const std::string& text) { return put(key_.when_absent, text); }
   KeyBuilder& among(const Words& words) { return put(key_.words, words); }
   KeyBuilder& or_empty() { return put(key_.empty, true); }
-  /// Lists over the same (`per`) have one length, and one number serves all.
+  /// Lists with the same `per` have equal length; a single number applies to all entries.
   KeyBuilder& per(const std::string& what) { return put(key_.per, what); }
   KeyBuilder& required(const std::string& toml) {
     key_.required = true;
@@ -173,7 +173,7 @@ class KeyBuilder {
   KeyBuilder& upper_open() { return put(key_.bounds.upper_open, true); }
   KeyBuilder& or_inf() { return put(key_.bounds.infinite, true); }
 
-  /// The member that the key fills, at the end of a path from the part of the section.
+  /// The member set by the key, at the end of a path from the section's part.
   template <class... Path>
   void into(Path... path) {
     const bool listed = !key_.per.empty();
@@ -186,7 +186,7 @@ class KeyBuilder {
         [path...](Part& part, const KeyValue& value) { assign(follow(part, path...), value); });
   }
 
-  /// The same for a word that stands for something.
+  /// The same for a word with a value.
   template <class Member>
   void into(Member Part::*member, const Choices<typename Chosen<Member>::Value>& choices) {
     for (const auto& [word, value] : choices) key_.words.emplace_back(word);
@@ -202,7 +202,7 @@ class KeyBuilder {
         });
   }
 
-  /// One number for each load point, in the entries of a list; those are made where there are none.
+  /// One number for each load point, in the entries of a list, which are created if missing.
   template <class Entry, class... Path>
   void into_each(std::vector<Entry> Part::*list, Path... path) {
     per("load points");
@@ -224,7 +224,7 @@ class KeyBuilder {
     };
   }
 
-  /// Whatever is no plain member: both are given the part of the section.
+  /// For anything other than a plain member: both functions receive the section's part.
   void by(std::function<KeyValue(const Part&)> get,
           std::function<void(Part&, const KeyValue&)> set) {
     key_.get = [find = place_.find, get = std::move(get)](const Case& c) {
@@ -252,7 +252,7 @@ struct SectionWithKeys {
   std::vector<Key> keys;
 };
 
-/// A section that is being declared.
+/// A section being declared.
 template <class Part>
 class Keys {
  public:

@@ -26,20 +26,20 @@ void add_elements(FemKeys& keys) {
       .unit("mm")
       .positive()
       .otherwise("chosen from the size of the patch")
-      .says("How far the segments of wheel and rail reach from the middle of the patch.")
+      .says("Extent of the segments of wheel and rail from the middle of the patch.")
       .into(&FemOptions::extent);
   keys.real("fine_extent")
       .symbol("c")
       .between(1.0, 10.0)
       .otherwise("chosen by the model")
       .says(
-          "How far the finest cells reach from the middle, in semi-axes of the patch; more than "
-          "1.1 gains nothing.")
+          "Extent of the finest cells from the middle, in semi-axes of the patch; more than 1.1 is "
+          "no improvement.")
       .into(&FemOptions::fine_extent);
   keys.choice("linear_solver")
       .says(
-          "`automatic` takes what should be faster for this size and number of load points; "
-          "`algebraic` (Trilinos ML) is for imported meshes too fine to serve as a coarse level.")
+          "`automatic` chooses the faster one for this size and number of load points; `algebraic` "
+          "(Trilinos ML) is for imported meshes too fine to serve as a coarse level.")
       .into(&FemOptions::linear_solver, {{"automatic", LinearSolver::automatic},
                                          {"factorisation", LinearSolver::factorisation},
                                          {"multigrid", LinearSolver::multigrid},
@@ -89,7 +89,7 @@ void add_meshes(FemKeys& keys) {
       .says("Length of the segments along rolling; on the wheel the arc length of its sector.")
       .into(&FemOptions::length);
   keys.choice("far_boundary")
-      .otherwise("`point_load`; `clamped` with a mesh of your own or true sections")
+      .otherwise("`point_load`; `clamped` with your own mesh or true sections")
       .says(
           "Far boundary of the segments: `clamped`, or displaced like a half-space under the force "
           "on the patch (`point_load`), so that the approach depends less on their size.")

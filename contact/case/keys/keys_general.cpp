@@ -21,7 +21,7 @@ SectionWithKeys general_section() {
           [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); });
   keys.real("accuracy")
       .between(1e-5, 0.5)
-      .otherwise("the cells of the case, whatever their error")
+      .otherwise("no refinement")
       .says(
           "Largest relative estimated error of the quantities of `accuracy_of`. The models "
           "halfspace and fem halve their cells, starting from those of the case, until it is "

@@ -19,7 +19,7 @@ SectionWithKeys halfspace_section() {
   keys.toggle("model_error")
       .says(
           "Estimate what the half-space neglects, per quantity and load point, from the true "
-          "curvature of wheel and rail (some 0.1 s per load point). Needs radii or profiles.")
+          "curvature of wheel and rail (about 0.1 s per load point). Needs radii or profiles.")
       .into(&HalfspaceOptions::model_error);
   return keys;
 }

@@ -5,7 +5,7 @@ namespace rollfem::contact {
 
 SectionWithKeys load_section() {
   const char* one_of = "give exactly one of normal_force and approach";
-  Keys<Load> keys("load", "How hard the bodies are pressed together: a force or an approach",
+  Keys<Load> keys("load", "Load that presses the bodies together: a force or an approach",
                   &Case::load);
   keys.section().alternatives = true;
   keys.real("normal_force")

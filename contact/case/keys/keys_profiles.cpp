@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Profiles of wheel and rail: what they are, and what may be mended of those from files.
+// Profiles of wheel and rail: their definition, and repairs of profile files.
 #include "contact/case/keys/key_builder.hpp"
 
 namespace rollfem::contact {
@@ -70,7 +70,7 @@ void add_places(ProfileKeys& keys) {
 
 void add_mending(ProfileKeys& keys) {
   keys.choice("unit")
-      .says("Unit of the lengths in the file; SIMPACK files name their own.")
+      .says("Unit of the lengths in the file; SIMPACK files specify theirs.")
       .into(&Profile::unit,
             {{"mm", LengthUnit::mm}, {"m", LengthUnit::m}, {"inch", LengthUnit::inch}});
   keys.toggle("flip").says("The file's z points upward: z becomes -z.").into(&Profile::flip);
@@ -119,8 +119,7 @@ template <class Body>
 SectionWithKeys profile_section(const std::string& name, Body Case::*body) {
   ProfileKeys keys(name + "_profile",
                    "Details of the profile that the section of the body names; files are repaired "
-                   "only as these keys "
-                   "say",
+                   "only as requested here",
                    {[body](const Case& c) { return &(c.*body).profile; },
                     [body](Case& c) -> Profile& { return (c.*body).profile; }});
   keys.section().of_profiles = true;

@@ -14,7 +14,7 @@ void add_motion(RollingKeys& keys) {
       .example("[0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006]")
       .says(
           "Rigid slip of the wheel over the rolling speed, along x. Positive when braking: the "
-          "rail pulls the wheel towards -x. A list makes a creep curve.")
+          "rail pulls the wheel towards -x. A list gives a creep curve.")
       .into_each(&Rolling::creepages, &Creepage::longitudinal);
   keys.reals("lateral_creepage")
       .symbol("eta")
@@ -40,13 +40,13 @@ void add_difference(RollingKeys& keys) {
   keys.choice("upwind_order")
       .says(
           "Order of the difference along the streamline; `first` gives CONTACT's numbers on the "
-          "same elements (it takes the spin a sixth of a step upstream) and needs elements some "
+          "same elements (it takes the spin a sixth of a step upstream) and needs elements about "
           "ten times finer.")
       .into(&Rolling::upwind_order,
             {{"first", UpwindOrder::first}, {"second", UpwindOrder::second}});
   keys.choice("leading_edge")
       .says(
-          "`fitted` adapts the second-order difference of steady rolling to the place of the "
+          "`fitted` adapts the second-order difference of steady rolling to the position of the "
           "leading edge within its element; `plain` is the textbook difference, whose tractions "
           "zigzag.")
       .into(&Rolling::leading_edge,
@@ -57,8 +57,8 @@ void add_extra_slip(RollingKeys& keys) {
   keys.choice("extra_slip")
       .says(
           "Rigid slip from the shape of the surface: `auto` follows from the wheel's true rolling "
-          "radii and, on a curved surface, from its local tangents; `none` uses creepages and spin "
-          "alone; `file` adds extra_slip_file to these.")
+          "radii and, on a curved surface, from its local tangents; `none` uses only creepages and "
+          "spin; `file` adds extra_slip_file to these.")
       .into(&Rolling::extra_slip,
             {{"auto", ExtraSlip::automatic}, {"none", ExtraSlip::none}, {"file", ExtraSlip::file}});
   keys.text("extra_slip_file")
@@ -72,9 +72,9 @@ void add_extra_slip(RollingKeys& keys) {
 void add_problem(RollingKeys& keys) {
   keys.choice("problem")
       .says(
-          "`steady`: steady rolling, each load point separately; `shift`: pressing and pushing "
+          "`steady`: steady rolling, each load point separately; `shift`: pressing and shifting "
           "without rolling (Cattaneo), load points are steps; `transient`: rolling in steps, each "
-          "from the state before; `frictionless`: the normal problem alone.")
+          "from the previous state; `frictionless`: only the normal problem.")
       .into(&Rolling::problem, {{"steady", Problem::steady},
                                 {"shift", Problem::shift},
                                 {"transient", Problem::transient},

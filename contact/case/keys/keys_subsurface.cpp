@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// [[subsurface.*]]: points below the surface, of which there may be any number.
+// [[subsurface.*]]: any number of subsurface points.
 #include "contact/case/keys/key_builder.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ using Request = SubsurfaceRequest;
 using RequestKeys = Keys<Request>;
 using Corner = std::array<double, 3> Request::*;
 
-/// The last request of that kind, nullptr when there is none.
+/// The last request of that kind, nullptr if none.
 const Request* last_of(const Case& input, Request::Kind kind) {
   const auto& all = input.subsurface;
   const auto found = std::find_if(all.rbegin(), all.rend(),
@@ -51,7 +51,7 @@ void add_corner(RequestKeys& keys, const std::string& name, const std::string& s
   keys.triple(name).unit("mm").within(1e6).required("[0.0, 0.0, 3.0]").says(sentence).into(corner);
 }
 
-/// An end of a line on the surface, which gives x and y only.
+/// An end of a line on the surface, with x and y only.
 void add_end(RequestKeys& keys, const std::string& name, const std::string& sentence,
              Corner corner) {
   keys.pair(name)
@@ -122,8 +122,8 @@ SectionWithKeys subsurface_surface_section() {
       .example("0.0")
       .otherwise("0, on the surface")
       .says(
-          "How far below the surface of the body the line runs: along z on the rail, towards the "
-          "axle on the wheel.")
+          "Depth of the line below the surface of the body: along z in the rail, towards the axle "
+          "in the wheel.")
       .into(&Request::depth);
   add_number_of_points(keys, "Points equally spaced in x and y, both ends included.");
   return keys;

@@ -5,7 +5,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// A list in place of `points` and `largest`.
+/// A list instead of `points` and `largest`.
 void add_list(Keys<TableOptions>& keys, const std::string& name, const std::string& symbol,
               const std::string& sentence, std::vector<double> TableOptions::*list) {
   keys.reals(name)
@@ -23,7 +23,7 @@ SectionWithKeys table_section() {
   keys.reals("axis_ratio")
       .symbol("a/b")
       .between(0.02, 50.0)
-      .otherwise("that of Hertz's ellipse of the case")
+      .otherwise("Hertz's ellipse of the case")
       .says("Axis ratios a/b of the ellipse, a along rolling, in increasing order.")
       .into(&TableOptions::axis_ratio);
   keys.reals("lateral_shift")
@@ -31,15 +31,14 @@ SectionWithKeys table_section() {
       .within(1e3)
       .otherwise("none, the table is over axis_ratio")
       .says(
-          "Lateral shifts of the wheelset, positive to the right, each larger than the one before: "
-          "the table is that of the wheel on its rail, with profiles, under the load and friction "
-          "of the case.")
+          "Lateral shifts of the wheelset, positive to the right, in increasing order: the table "
+          "is for the wheel on its rail, with profiles, under the load and friction of the case.")
       .into(&TableOptions::lateral_shift);
   keys.real("lateral_shift_step")
       .unit("mm")
       .between(1e-3, 1e3)
       .otherwise("lateral_shift holds every shift")
-      .says("lateral_shift holds the first and the last shift only, between which steps are even.")
+      .says("lateral_shift holds only the first and the last shift, with even steps between them.")
       .into(&TableOptions::lateral_shift_step);
   keys.triple("points")
       .between(2, 200)
@@ -67,7 +66,7 @@ SectionWithKeys table_section() {
   keys.integer("check_points")
       .between(0, 1e6)
       .says(
-          "Number of random points between those of the grid at which the interpolation error is "
+          "Number of random points between the grid points at which the interpolation error is "
           "evaluated.")
       .into(&TableOptions::check_points);
   return keys;

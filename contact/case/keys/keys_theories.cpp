@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The theories that take options, a section each: [fastsim], [strip], [carter].
+// Theories with options, one section each: [fastsim], [strip], [carter].
 #include "contact/case/keys/key_builder.hpp"
 
 namespace rollfem::contact {
@@ -30,7 +30,7 @@ SectionWithKeys fastsim_section() {
   keys.choice("bound")
       .says(
           "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; "
-          "`elliptic` mu p0 sqrt(1 - r^2), that of Hertz's pressure.")
+          "`elliptic` mu p0 sqrt(1 - r^2), as Hertz's pressure.")
       .into(&FastsimOptions::bound,
             {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}});
   keys.choice("flexibilities")

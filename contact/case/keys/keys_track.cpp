@@ -10,7 +10,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// A tangent as the file would have it: "none", "1:40" where that is what it is, else the angle.
+/// A tangent as written in a file: "none", "1:40" where it is such a ratio, otherwise the angle.
 KeyValue lean_of(double tangent) {
   if (tangent == 0.0) return std::string("none");
   const std::string ratio = fmt::format("1:{:g}", 1.0 / tangent);
@@ -38,7 +38,7 @@ SectionWithKeys track_section() {
   keys.real("gauge_height")
       .unit("mm")
       .between(0.1, 100.0)
-      .says("How far below the top of the rails the gauge is measured.")
+      .says("Depth below the top of the rails at which the gauge is measured.")
       .into(&Track::gauge_height);
   keys.lean("inclination")
       .among({"none"})
@@ -46,7 +46,7 @@ SectionWithKeys track_section() {
       .example(R"("1:40")")
       .otherwise("required with profiles")
       .says(
-          "How far the rails lean towards the middle of the track; `none` also where the rail's "
+          "Inclination of the rails towards the middle of the track; `none` also where the rail's "
           "profile was measured in place.")
       .by([](const Track& track) { return lean_of(track.inclination); },
           [](Track& track, const KeyValue& value) { track.inclination = tangent_of(value); });

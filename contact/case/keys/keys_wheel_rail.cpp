@@ -49,7 +49,7 @@ void add_material(Keys<Body>& keys) {
       .into(&Body::material, &Material::density);
 }
 
-/// `names`: what is built in, `files`: formats besides two columns.
+/// `names`: built-in profiles, `files`: formats besides two columns.
 template <class Body>
 void add_shape_from_files(Keys<Body>& keys, const std::string& names, const std::string& files) {
   keys.text("profile")

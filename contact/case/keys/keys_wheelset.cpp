@@ -7,14 +7,14 @@ namespace {
 
 using WheelsetKeys = Keys<Wheelset>;
 
-/// Lists over the positions of the wheelset, made one length by complete_track.
+/// Lists over the positions of the wheelset, extended to one length by complete_track.
 void add_positions(WheelsetKeys& keys) {
   keys.reals("lateral_shift")
       .unit("mm")
       .within(1e3)
       .per("positions")
       .says(
-          "Lateral shift of the wheelset, positive to the right seen along x. A list makes "
+          "Lateral shift of the wheelset, positive to the right seen along x. A list gives several "
           "positions; lateral_shift, yaw and roll then have the same length, or one number for "
           "all.")
       .into(&Wheelset::lateral_shift);
@@ -50,7 +50,7 @@ void add_motion(WheelsetKeys& keys) {
       .otherwise("0: the wheelset turns with V / rolling_radius")
       .says(
           "Relative change of the wheelset's rotation from V / rolling_radius: positive drives, "
-          "negative brakes. A list makes a creep curve; not with longitudinal_creepage.")
+          "negative brakes. A list gives a creep curve; not with longitudinal_creepage.")
       .into_each(&Wheelset::rotation_change);
   keys.choice("free_rolling")
       .says(
@@ -64,12 +64,11 @@ void add_motion(WheelsetKeys& keys) {
 }  // namespace
 
 SectionWithKeys wheelset_section() {
-  WheelsetKeys keys("wheelset",
-                    "Where the wheelset with profiles stands on the track and how it moves",
+  WheelsetKeys keys("wheelset", "Position and motion of the wheelset with profiles on the track",
                     &Case::wheelset);
   keys.section().of_profiles = true;
   keys.choice("side")
-      .says("The wheels to solve; both are placed in any case.")
+      .says("The wheels to solve; both are always placed.")
       .into(&Wheelset::side,
             {{"left", WheelSide::left}, {"right", WheelSide::right}, {"both", WheelSide::both}});
   keys.real("flange_back_distance")

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t longest_key = 64;
 
 struct Wording {
-  std::string_view said;  ///< part of what toml++ says
+  std::string_view said;  ///< part of the message of toml++
   std::string_view meant;
 };
 
@@ -49,7 +49,7 @@ constexpr Wording wordings[] = {
     {"maximum nested value depth", "nested more than 64 deep"},
 };
 
-/// What toml++ found, to end a sentence with; "" where it does not say.
+/// The text found by toml++, as the end of a sentence; "" if unknown.
 std::string found_instead(std::string_view description) {
   const std::size_t at = description.rfind(", saw ");
   if (at == std::string_view::npos) return "";
@@ -82,7 +82,7 @@ std::optional<TomlFault> find_fault_of_encoding(const std::vector<std::string>& 
   return {};
 }
 
-/// Where the text in quotes or the comment ends that begins at `at`; `at` where neither begins.
+/// End of the quoted text or comment that begins at `at`; `at` if neither begins there.
 std::size_t end_of_words(std::string_view text, std::size_t at) {
   if (text[at] == '#') return std::min(text.find('\n', at), text.size());
   const char quote = text[at];
@@ -93,7 +93,7 @@ std::size_t end_of_words(std::string_view text, std::size_t at) {
   for (at += closing.size(); at < text.size(); ++at) {
     if (!of_lines && text[at] == '\n') return at;
     if (text.substr(at, closing.size()) == closing) {
-      // Up to two more marks belong to a text of several lines.
+      // A multi-line text may end with up to two additional quotes.
       const std::size_t last = at + (of_lines ? 5 : 1);
       for (at += closing.size(); at < std::min(last, text.size()) && text[at] == quote;) ++at;
       return at;
@@ -103,7 +103,7 @@ std::size_t end_of_words(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-/// The place behind the first 64 dots of one key; the end of the text where there is none.
+/// The position after the first 64 dots of one key; the end of the text if there is none.
 std::size_t find_long_key(std::string_view text) {
   std::size_t dots = 0;
   for (std::size_t at = 0; at < text.size();) {

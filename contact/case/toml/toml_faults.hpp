@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is wrong with a text that is no TOML, in words; private to contact/case.
+// Faults of invalid TOML, in words; private to contact/case.
 #pragma once
 
 #include "contact/case/toml/toml_source.hpp"
@@ -16,17 +16,17 @@ struct TomlFault {
   std::string wrong;
 };
 
-/// What toml++ is not left to find: bytes that are not UTF-8, which it does not place exactly, and
-/// keys of more than 64 parts: it limits how deep values nest, but not the parts of a key, whose
-/// tables it takes down by recursion. None for most texts that are no TOML.
+/// Faults checked before toml++: bytes that are not UTF-8, which it does not locate exactly, and
+/// keys of more than 64 parts, because it limits the nesting of values but not of keys, whose
+/// tables it destroys recursively. None for most invalid TOML.
 std::optional<TomlFault> find_toml_fault(const TomlSource& source);
 
-/// What toml++ says about a fault on that line, for somebody who wrote a case file and knows no
-/// names of TOML's grammar.
+/// The message of toml++ about a fault on that line, in words for an author of case files who does
+/// not know TOML's grammar.
 std::string meaning_of(std::string_view description, const std::string& line);
 
-/// A name in quotes may hold anything: what would upset a terminal, or end the line of a message,
-/// is not repeated.
+/// A quoted name may hold anything: characters that would disturb a terminal or end the line of a
+/// message are not repeated.
 std::string shown(std::string name, std::size_t longest = 80);
 
 }  // namespace rollfem::contact

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// toml++, so that no text of a case file ends the program; private to contact/case, whose units
-// include the library by this header only.
+// toml++, configured so that no case file can crash rollfem; private to contact/case, which
+// includes the library only through this header.
 #pragma once
 
 #include <cstdint>
 
-// Version 3.3 asserts that a key or a value begins as one does and later reports in words what does
-// not: without its asserts (with NDEBUG clang would take them for granted) the report is reached.
+// Version 3.3 asserts that a key or a value begins correctly before it reports the fault in words:
+// without its asserts (with NDEBUG clang would assume them) the report is reached.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
-#define TOML_MAX_NESTED_VALUES 65  // a value and 64 within each other
+#define TOML_MAX_NESTED_VALUES 65  // a value and 64 nested in it
 
-// Whether a character beyond ASCII is a blank is answered by "cannot be" for those that are none,
-// which is undefined behaviour outside quotes and comments: they are none.
+// For characters beyond ASCII that are not blanks, the library's test of blanks is declared
+// unreachable, which is undefined behaviour outside quotes and comments; here it returns false.
 #include <toml++/impl/preprocessor.h>
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE

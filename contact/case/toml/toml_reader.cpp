@@ -29,7 +29,7 @@ bool is_section(const std::string& name) {
   return false;
 }
 
-/// Whether sections "name.x" of which there may be several are declared.
+/// Whether repeatable sections "name.x" are declared.
 bool has_repeated_sections(const std::string& name) {
   for (const Section& section : case_sections())
     if (section.repeated && section.name.rfind(name + ".", 0) == 0) return true;
@@ -44,7 +44,7 @@ std::vector<std::string> keys_of(const std::string& name) {
   return names;
 }
 
-/// Sections that may occur once and have a key of that name.
+/// Non-repeatable sections with a key of that name.
 std::vector<std::string> sections_that_have(const std::string& name) {
   std::vector<std::string> found;
   for (const Section& section : case_sections())
@@ -53,7 +53,7 @@ std::vector<std::string> sections_that_have(const std::string& name) {
   return found;
 }
 
-/// Where a key belongs that was given without its section, or in another one.
+/// Correct section of a key given without its section, or in another one.
 std::string move_to(const std::vector<std::string>& sections, const std::string& name,
                     bool option) {
   std::string places;
@@ -63,7 +63,7 @@ std::string move_to(const std::vector<std::string>& sections, const std::string&
   return option ? "write " + places : "move it to " + places;
 }
 
-/// Turns TOML into checked key values; everything it refuses becomes one InputError.
+/// Converts TOML into checked key values; every fault becomes one InputError.
 class Reader {
  public:
   Reader(const std::string& text, const std::string& file, const std::vector<std::string>& models)
@@ -101,7 +101,8 @@ class Reader {
     if (const auto fault = find_toml_fault(source_))
       fail_invalid(fault->line, fault->column, fault->wrong);
     try {
-      // What the last line lacks is said as of any other: it ends too.
+      // Adds a final line end, so that faults of the last line are reported like those of any
+      // other.
       const bool ends = source_.text().empty() || source_.text().back() == '\n';
       return toml::parse(source_.text() + (ends ? "" : "\n"), given_.file);
     } catch (const toml::parse_error& error) {
@@ -139,7 +140,7 @@ class Reader {
         fail_unrepeated(section, name.source(), names);
       for (const toml::node& entry : *entries) read_entry(section, entry);
     }
-    // toml++ sorts by name; entries are wanted in the order of the file.
+    // toml++ sorts by name; entries are needed in the order of the file.
     std::stable_sort(given_.entries.begin(), given_.entries.end(),
                      [](const GivenEntry& a, const GivenEntry& b) { return a.line < b.line; });
   }

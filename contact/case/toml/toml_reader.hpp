@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Turns TOML into keys and values of a case file; private to contact/case.
+// Converts TOML into keys and values of a case file; private to contact/case.
 #pragma once
 
 #include "contact/case/checks/case_checks.hpp"
@@ -9,9 +9,8 @@
 
 namespace rollfem::contact {
 
-/// Every key is known and its value allowed; whether they fit each other is not looked at. `file`
-/// stands in messages; `models` are those that may be named, any where it is empty. Throws
-/// InputError.
+/// Checks that every key is known and its value allowed, not their consistency. `file` is used in
+/// messages; `models` lists the allowed model names, empty for any. Throws InputError.
 GivenCase read_toml(const std::string& text, const std::string& file,
                     const std::vector<std::string>& models = {});
 

@@ -7,7 +7,7 @@ namespace rollfem::contact {
 
 namespace {
 
-/// Shortened, and without anything that would upset a terminal.
+/// Shortened, and without characters that would disturb a terminal.
 std::string printable(std::string text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.pop_back();
   const bool cut = text.size() > 60;

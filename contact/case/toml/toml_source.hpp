@@ -19,7 +19,7 @@ class TomlSource {
 
   /// A line, from 1, shortened.
   std::string line(unsigned number) const;
-  /// A value as typed, shortened: to the end of its region, or of the line if it goes on.
+  /// A value as typed, shortened: to the end of its region, or of the line if it continues.
   std::string value(const toml::source_region& region) const;
 
  private:

@@ -44,7 +44,7 @@ std::string kind_is(const toml::node& node) {
   }
 }
 
-/// One value of one key, an item of a list the same with its own place in the file.
+/// One value of one key, or an item of a list with its own position in the file.
 class ValueReader {
  public:
   ValueReader(const TomlSource& source, const Key& key, const std::vector<std::string>& names,
@@ -128,7 +128,7 @@ class ValueReader {
     return given;
   }
 
-  /// The list that the value must be.
+  /// The value as a list.
   const toml::array& list(const std::string& what) const {
     const toml::array* array = node_.as_array();
     if (array == nullptr) fail_value("expected a list" + what + ", got " + kind_is(node_));
@@ -154,11 +154,11 @@ class ValueReader {
     if (std::isinf(value) && !key_.bounds.contains(value))
       fail_value("is infinite, which is not allowed here");
     if (!key_.bounds.contains(value)) fail_value("is out of bounds");
-    // -0.0 would turn up with its sign in every table.
+    // -0.0 would keep its sign in every table.
     return value == 0.0 ? 0.0 : value;
   }
 
-  /// `count` in words and as a number, 0 where any number of entries will do.
+  /// `count` in words and as a number, 0 for any number of entries.
   std::vector<double> numbers(const std::string& words, std::size_t count) const {
     const toml::array& array = list(" of " + words + " numbers");
     if (count > 0 && array.size() != count)

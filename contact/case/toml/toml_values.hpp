@@ -10,8 +10,8 @@ namespace rollfem::contact {
 
 inline constexpr std::size_t longest_list = 1000;
 
-/// `names`: words of a key that declares none. Throws InputError when the value is not what the key
-/// allows.
+/// `names`: allowed words for a key that declares none. Throws InputError when the value is not
+/// allowed for the key.
 GivenValue read_value(const TomlSource& source, const Key& key,
                       const std::vector<std::string>& names, const toml::node& node);
 

@@ -42,7 +42,7 @@ TEST(EquivalentEllipse, FrictionWithoutABoundDoesNotCarryTheWheel) {
     scene.points[0].creepage.lateral = eta;
     EXPECT_TRUE(rollfem::testing::says(rollfem::testing::refusal<contact::SolveError>(
                                            [&] { theories::models().run("linear", scene, {}); }),
-                                       "this theory does not bound"))
+                                       "this theory has no traction bound"))
         << eta;
   }
   // Where it hardly matters the theory's forces are its own.

@@ -79,9 +79,9 @@ const std::vector<Wrong> wrong_values{
      {"case.toml:11:16: fem.far_boundary = \"free\"", "one of clamped, point_load"}},
     {"PointLoadBoundaryOfAGivenMesh",
      with("[rail]", "[fem]\nfar_boundary = \"point_load\"\n[rail]\nmesh = \"rail.msh\""),
-     {"fem.far_boundary = \"point_load\": applies to segments meshed by the program, but this case "
-      "names a mesh of its own",
-      "allowed: \"clamped\"", "leave fem.far_boundary out"}},
+     {"fem.far_boundary = \"point_load\": applies to segments meshed by rollfem, but this case "
+      "provides a mesh",
+      "allowed: \"clamped\"", "remove fem.far_boundary"}},
     {"NegativeForce", with("50e3", "-50e3"), {"load.normal_force = -50e3: is out of bounds"}},
     {"ZeroRadius",
      with("2000.0", "0.0"),

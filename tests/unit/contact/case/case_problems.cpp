@@ -81,7 +81,7 @@ TEST(History, ContradictionsAreNamed) {
   expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nstep_length = 1.0\n"),
                {"history.step_length = 1.0: belongs to the problem transient"});
   expect_error(plus("[rolling]\nproblem = \"shift\"\nspin = 0.1\n"),
-               {"rolling.spin = 0.1: has no meaning where nothing rolls"});
+               {"rolling.spin = 0.1: has no meaning without rolling"});
   expect_error(plus("[rolling]\nproblem = \"frictionless\"\nspin = 0.1\n"),
                {"rolling.spin = 0.1: has no effect without friction"});
   expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nnormal_force = [1, 2]\n"),
