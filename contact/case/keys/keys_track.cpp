@@ -38,7 +38,7 @@ SectionWithKeys track_section() {
   keys.real("gauge_height")
       .unit("mm")
       .between(0.1, 100.0)
-      .says("How far below the top of the rails the gauge is measured.")
+      .says("Depth below the top of the rails at which the gauge is measured.")
       .into(&Track::gauge_height);
   keys.lean("inclination")
       .among({"none"})
@@ -46,8 +46,8 @@ SectionWithKeys track_section() {
       .example(R"("1:40")")
       .otherwise("required with profiles")
       .says(
-          "How far the rails lean towards the middle of the track; `none` also where the rail's "
-          "profile was measured in place.")
+          "Inclination of the rails towards the middle of the track; `none` also if the rail's "
+          "profile was measured in the track.")
       .by([](const Track& track) { return lean_of(track.inclination); },
           [](Track& track, const KeyValue& value) { track.inclination = tangent_of(value); });
   return keys;
