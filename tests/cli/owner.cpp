@@ -90,7 +90,7 @@ TEST(Interruption, OfNothingKeptSaysSo) {
   const Outcome outcome = call(folder, {"run", folder.file("slow.toml", text), "-o", "deep/out"},
                                {}, interrupt_after(300));
   EXPECT_EQ(outcome.status, 130) << outcome.err;
-  EXPECT_TRUE(says(outcome.err, "interrupted: no finished work was kept"));
+  EXPECT_TRUE(says(outcome.err, "interrupted: no finished work was stored"));
   EXPECT_TRUE(folder.made().empty());
 }
 

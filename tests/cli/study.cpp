@@ -74,7 +74,7 @@ TEST(Study, RefusesWhatMakesNoSense) {
   expect_refused(call(folder, {"study", file, "--reference", "best"}), "not a reference");
   expect_refused(call(folder, {"study", file, "--reference", "max_pressure=abc"}), "not a number");
   expect_refused(call(folder, {"study", file, "--reference", "traction_coefficient:3=0.1"}),
-                 "no such quantity in this case");
+                 "unknown quantity in this case");
   expect_refused(call(folder, {"study", file, "--model", "nope"}), "no such model");
   EXPECT_TRUE(folder.made().empty());
 }

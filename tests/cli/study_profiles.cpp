@@ -94,7 +94,7 @@ TEST(StudyProfiles, RefusesWhatMakesNoSenseForPatches) {
   expect_refused(call(folder, {"study", file, "-q", "--reference", "max_pressure=1000"}),
                  "the case has several patches");
   expect_refused(call(folder, {"study", file, "-q", "--reference", "left_1_1.semi_axis_x=6"}),
-                 "no such quantity in this case");
+                 "unknown quantity in this case");
   EXPECT_TRUE(folder.made().empty());
 }
 
