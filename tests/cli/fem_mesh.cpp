@@ -69,7 +69,7 @@ TEST(MeshCommand, RefusesBadMeshesAndWritesNothing) {
       "allowed: hexahedra");
   expect_refused(
       call(folder, {"mesh", folder.file("d.toml", small_case + coarse), "-o", "/proc/nowhere"}),
-      "cannot make the folder");
+      "cannot create the folder");
   expect_refused(call(folder, {"mesh"}), "case is required");
   EXPECT_TRUE(folder.made().empty());
 }

@@ -329,7 +329,7 @@ TEST_F(StressTest, WrongCallsAreRefused) {
       {{"--yield-strength", "0"}, "a stress > 0"},
       {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "both given"},
       {{"--depth", "-1"}, "a depth > 0"},
-      {{"-o", "r/results.h5/x"}, "cannot make the folder"},
+      {{"-o", "r/results.h5/x"}, "cannot create the folder"},
   };
   const std::pair<std::string, const char*> places[] = {
       {"", "has no section [[subsurface.point]]"},
