@@ -205,7 +205,7 @@ void CreepTableReader::check_wheels() const {
 void CreepTableReader::refuse_other_kind(bool wanted_shifts) const {
   if (table_.over_shifts() == wanted_shifts) return;
   throw contact::InputError(
-      wanted_shifts ? "table: a lateral shift was given, but this table is over ratios of axes; "
+      wanted_shifts ? "table: a lateral shift was given, but this table is over axis ratios; "
                       "do: give the semi-axes, or make a table with [table] lateral_shift"
                     : "table: an ellipse was given, but this table is over lateral shifts; do: "
                       "give lateral_shift, or make a table with [table] axis_ratio");

@@ -323,11 +323,11 @@ TEST_F(StressTest, WrongCallsAreRefused) {
       {{"--point", "3"}, "load points 1 to 2"},
       {{"--point", "0"}, "load points 1 to 2"},
       {{"--creepage", "0.002"}, "allowed: 0, 0.001"},
-      {{"--point", "1", "--creepage", "0"}, "both given"},
+      {{"--point", "1", "--creepage", "0"}, "exclude each other"},
       {{"--places", "none.toml"}, "none.toml: cannot be read"},
       {{"--patch", "left,1,1"}, "without profiles"},
       {{"--yield-strength", "0"}, "a stress > 0"},
-      {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "both given"},
+      {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "exclude each other"},
       {{"--depth", "-1"}, "a depth > 0"},
       {{"-o", "r/results.h5/x"}, "cannot create the folder"},
   };
