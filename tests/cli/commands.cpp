@@ -96,8 +96,7 @@ TEST(Call, WrongCallsAreRefused) {
   expect_refused(call(folder, {"run", file, "--modle=hertz"}), "did you mean --model?");
   expect_refused(call(folder, {"docs", "novel"}), "novel");
   expect_refused(call(folder, {"hlep"}), "did you mean help? ");
-  expect_refused(call(folder, {"docs", "schem"}),
-                 "schem is not allowed; did you mean schema? ");
+  expect_refused(call(folder, {"docs", "schem"}), "schem is not allowed; did you mean schema? ");
   expect_refused(call(folder, {"study", file, "--vary", "gird"}), "did you mean grid? ");
   expect_refused(call(folder, {"profile", "S1003"}), "did you mean S1002? ");
   expect_refused(call(folder, {"run", file, "--ouput", "x"}),
