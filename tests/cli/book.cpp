@@ -103,7 +103,7 @@ TEST(Book, SaysWhatIsWrongWithACall) {
   const Folder folder;
   const Outcome unknown = book(folder, {"--only", "hertzz"});
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_TRUE(says(unknown.err, "hertzz: there is no such chapter; allowed: hertz,"));
+  EXPECT_TRUE(says(unknown.err, "hertzz: unknown chapter; allowed: hertz,"));
   const Outcome unbuilt = book(folder, {"--only", "fastsim", "--build", "nowhere"});
   EXPECT_EQ(unbuilt.status, 1);
   EXPECT_TRUE(says(unbuilt.err, "do: ./rollfem build"));
