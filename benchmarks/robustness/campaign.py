@@ -288,7 +288,7 @@ class Command:
         return [*self.command, "-o", name]
 
     def took_up(self, said):
-        return "solutions of an earlier run" in said or "was done before" in said
+        return "solutions of an earlier run" in said or "was already done" in said
 
 
 class Book:
