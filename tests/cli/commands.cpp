@@ -35,7 +35,7 @@ TEST(Check, AcceptsEveryCommittedCase) {
 }
 
 TEST(Check, DoesNotLoadTheLibrariesOfFiniteElements) {
-  // They alone take longer to load than everything else that check does.
+  // Loading them takes longer than everything else in check.
   const Folder folder;
   const std::string file = folder.file("case.toml", small_case);
   const Outcome outcome = done(folder, {"check", file}, {"LD_DEBUG=files"});

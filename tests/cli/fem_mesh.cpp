@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command `mesh`: its files, that a case takes them again, and what it refuses.
+// The command `mesh`: its files, their use in a case, and its refusals.
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"

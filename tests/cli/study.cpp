@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command study: levels, orders, references, what it refuses.
+// The command study: levels, orders, references and refusals.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
