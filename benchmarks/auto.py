@@ -131,7 +131,7 @@ def main():
                       f"oracle: {row['oracle_takes']}, {row['oracle']:.2g} s", flush=True)
         if rows:
             lines.append(table_line(percent, rows))
-    print("\n| accuracy | scenes | met, % | missed and said so | taken | s | finite elements: s, auto of it | oracle: s, "
+    print("\n| accuracy | scenes | met, % | missed and reported | taken | s | finite elements: s, auto of it | oracle: s, "
           "auto over it |\n|---|---|---|---|---|---|---|---|\n" + "\n".join(lines))
 
 

@@ -45,7 +45,7 @@ void check_before(const RunRequest& request, const contact::Case& input,
   if (any_stress || request.quiet) return;
   const auto warn = [&](const char* key) {
     std::cerr << fmt::format(
-        "warning: {}: {} is computed only by the models {}, none of which is run\n", input.file,
+        "warning: {}: {} is computed only by the models {}, and none of them runs\n", input.file,
         key, contact::listed(models.names(&contact::ModelInfo::has_stress)));
   };
   if (!input.subsurface.empty()) warn("[[subsurface]]");

@@ -42,7 +42,7 @@ std::vector<std::tuple<std::string, std::size_t, std::string>> keys_of(
     if (contact::quantity(result.points.front(), name) != 0.0) keys.emplace_back(name, 0, name);
   };
   put("max_pressure");
-  // A patch of profiles is no ellipse.
+  // A patch of profiles is not an ellipse.
   put(patch ? "contact_length" : "semi_axis_x");
   put(patch ? "contact_width" : "semi_axis_y");
   put("approach");
