@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The commands of the program: options, help, and the checks of a call before it is
-// executed.
+// The commands of the program: options, help, and the checks of a call before its execution.
 #pragma once
 
 #include "app/input/convert.hpp"
@@ -20,7 +19,7 @@
 
 namespace rollfem::app {
 
-/// What the command line is read into.
+/// The parsed command line.
 struct Call {
   const contact::ModelRegistry& models;
   RunRequest run = {};
@@ -41,10 +40,10 @@ struct Call {
   std::string cache_action = "list";
 };
 
-/// `--set KEY=VALUE`, any number of times.
+/// Adds the repeatable option `--set KEY=VALUE`.
 void add_set_option(CLI::App& command, std::vector<std::string>& changes);
 
-/// Each adds its commands; `call` outlives the parse.
+/// Each function adds its commands; `call` must outlive parsing.
 void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study, table, bench
 void add_stress_command(CLI::App& program, Call& call);
 void add_input_commands(

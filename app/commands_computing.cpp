@@ -15,7 +15,7 @@ namespace rollfem::app {
 
 namespace {
 
-/// `run --model hertz CASE`: a list option also takes the case file, which is given back here.
+/// In `run --model hertz CASE` the list option swallows the case file; this moves it back.
 void settle_run(RunRequest& request, const contact::ModelRegistry& models) {
   if (request.case_file.empty() && !request.models.empty() &&
       models.find(request.models.back()) == nullptr) {
@@ -27,7 +27,7 @@ void settle_run(RunRequest& request, const contact::ModelRegistry& models) {
   request.models = modelling::checked_names(models, request.models, "--model");
 }
 
-/// The same where several case files may follow the models.
+/// The same for several case files after the models.
 void settle_compare(CompareRequest& request, const contact::ModelRegistry& models) {
   const auto is_file = [&](const std::string& name) {
     return models.find(name) == nullptr && std::filesystem::path(name).extension() == ".toml";
@@ -43,7 +43,7 @@ void settle_compare(CompareRequest& request, const contact::ModelRegistry& model
   if (!request.reference.empty()) static_cast<void>(models.at(request.reference, "--reference"));
 }
 
-/// `study --models all CASE`: as settle_run, and "all" stands alone.
+/// Like settle_run for `study --models all CASE`; "all" must stand alone.
 void settle_study(StudyRequest& request, const contact::ModelRegistry& models) {
   for (std::vector<std::string>* list : {&request.models, &request.vary, &request.references})
     if (request.case_file.empty() && !list->empty() &&
@@ -63,7 +63,7 @@ std::string model_help(const contact::ModelRegistry& models) {
   return contact::listed(models.names());
 }
 
-/// Every model with its sentence, for the end of a help text.
+/// Every model with its description, for the end of a help text.
 std::string model_list(const contact::ModelRegistry& models) {
   std::string text = "\nmodels:\n";
   for (const contact::ModelInfo& model : models.all())
@@ -81,7 +81,7 @@ std::string refinement_help(const contact::ModelRegistry& models) {
   return contact::listed(ways);
 }
 
-/// What run, compare and study share.
+/// Options common to run, compare and study.
 template <class Request>
 void add_report_flags(CLI::App& command, Request& request) {
   add_set_option(command, request.changes);
@@ -91,18 +91,18 @@ void add_report_flags(CLI::App& command, Request& request) {
       "write results only, no figures and no report");
 }
 
-/// What divides long work among calls: jobs of an array, machines.
+/// Options that divide long work among calls (array jobs, machines).
 template <class Request>
 void add_division(CLI::App& command, Request& request, const std::string& items) {
   command.add_option_function<std::string>(
       "--part", [&request](const std::string& text) { request.share = app::parse_part(text); },
-      "K/N: compute one of N parts of the " + items +
-          " and keep it beside FOLDER; calls for other parts may run at once, on any machine that "
-          "has the folder");
+      "K/N: compute part K of N of the " + items +
+          " and store it beside FOLDER; calls for other parts may run at the same time, on any "
+          "machine that shares the folder");
   command
       .add_option("--merge", request.merge,
-                  "N: write the result of the N parts that --part has left, or say which are "
-                  "missing; equal to that of one call")
+                  "N: write the result of the N parts computed with --part, or list the missing "
+                  "ones; identical to the result of a single call")
       ->check(CLI::Range(2, 1000000));
 }
 
@@ -137,11 +137,11 @@ void add_compare(CLI::App& program, Call& call) {
                    model_help(call.models) +
                        "; give several in a row or repeat the option; default: " +
                        contact::listed(call.models.names(&contact::ModelInfo::in_compare)) +
-                       ", whatever models the case files name")
+                       ", regardless of the models in the case files")
       ->delimiter(',');
   compare->add_option(
       "--reference", call.compare.reference,
-      "the model that the others are compared with; default: " + call.models.reference().name);
+      "reference model of the comparison; default: " + call.models.reference().name);
   compare->add_option("-o,--output", call.compare.directory,
                       "folder for the comparison (default: results/compare_<name of the case "
                       "file>, results/compare for several)");
@@ -167,19 +167,19 @@ void add_study(CLI::App& program, Call& call) {
   study
       ->add_option("--vary", call.study.vary,
                    "what to refine: " + refinement_help(call.models) +
-                       "; give several in a row (default: the first that a model offers)")
+                       "; give several in a row (default: the first one of each model)")
       ->delimiter(',');
   study->add_flag("--together", call.study.together,
-                  "refine everything in --vary at once (default: one at a time)");
+                  "refine everything in --vary together (default: one at a time)");
   study->add_option("--levels", call.study.levels,
                     "number of levels, 2 to 8 (default: 5 grids, from a quarter of the case's "
                     "elements to four times as many; 3 cell sizes, from four times the case's to "
                     "the case's; 3 domains, from half to twice the case's)");
   study
       ->add_option("--reference", call.study.references,
-                   "what errors are measured against: exact (Hertz), finest, extrapolated, or "
-                   "numbers such as max_pressure=578.967 traction_coefficient:4=0.3722 (for one of "
-                   "several patches left_1_2.max_pressure=1010); default: exact where an exact "
+                   "reference of the errors: exact (Hertz), finest, extrapolated, or numbers such "
+                   "as max_pressure=578.967 traction_coefficient:4=0.3722 (with several patches "
+                   "left_1_2.max_pressure=1010); default: exact where an exact "
                    "value exists, otherwise extrapolated")
       ->delimiter(',');
   study->add_option("-o,--output", call.study.directory,
@@ -210,25 +210,25 @@ void add_bench(CLI::App& program, Call& call) {
 }
 
 void add_table(CLI::App& program, Call& call) {
-  CLI::App* table = program.add_subcommand("table",
-                                           "fill a table of creep forces over creepages, spin and "
-                                           "the ratio of the ellipse's axes or the "
-                                           "lateral shift of a wheelset");
+  CLI::App* table =
+      program.add_subcommand("table",
+                             "compute a table of creep forces over creepages, spin and "
+                             "the ratio of the ellipse's axes or the "
+                             "lateral shift of a wheelset");
   table
       ->add_option("case", call.table.case_file,
-                   "case file (.toml); its section [table] is the grid")
+                   "case file (.toml); its section [table] defines the grid")
       ->required();
   table->add_option("-o,--output", call.table.directory,
-                    "folder for the table; without it results/<name of the case file>_table");
+                    "folder for the table (default: results/<name of the case file>_table)");
   table->add_flag("--resume", call.table.resume,
-                  "go on with a table that was ended: its finished points are in FOLDER.unfinished "
-                  "beside the results");
+                  "resume an interrupted table from the points kept in FOLDER.unfinished");
   add_division(*table, call.table, "points");
   add_report_flags(*table, call.table);
   table->footer(
       "examples: rollfem table cases/thesis_a.toml --set table.points=[10,10,11]\n"
       "          rollfem table cases/s1002_uic60_left.toml --set table.lateral_shift=[-2,0,2]\n"
-      "What is in a table and how Python and C read it: docs/tables.md");
+      "Contents of a table, and how Python and C read it: docs/tables.md");
   table->callback([&call] { app::table(call.table, call.models); });
 }
 

@@ -42,8 +42,8 @@ void new_case(const std::string& file, const contact::ModelRegistry& models) {
         fmt::format("new-case: {} cannot be written; do: name another file", file));
 }
 
-/// Which models take the case as it stands. With profiles it is the scenes that are asked, which
-/// are known once the wheelset is in balance.
+/// Which models can take the case as it stands. With profiles this depends on the scenes, which are
+/// known only after the balance of the wheelset.
 std::string taken_by(const contact::Case& input, const contact::ModelRegistry& models) {
   const contact::Scene scene(input);
   std::string text = "which models take it\n";
@@ -55,7 +55,7 @@ std::string taken_by(const contact::Case& input, const contact::ModelRegistry& m
   return text;
 }
 
-/// What a result would be refused for or warned of, as far as the closed form tells.
+/// Warns of reasons to refuse or doubt a result, as far as the closed form shows them.
 void warn_of_hertz(const contact::Case& input) {
   try {
     for (const std::string& note : theories::models().run("hertz", input, {}).notes)
@@ -63,7 +63,7 @@ void warn_of_hertz(const contact::Case& input) {
   } catch (const contact::SolveError& error) {
     std::cerr << fmt::format("warning: {}: {}\n", input.file, error.what());
   } catch (const contact::InputError&) {
-    // No ellipse: its models say what they see when they run.
+    // No ellipse: the models report problems when they run.
   }
 }
 
@@ -167,7 +167,7 @@ void add_input_commands(CLI::App& program, Call& call) {
   add_geometry_commands(program, call);
 
   CLI::App* check =
-      program.add_subcommand("check", "check a case file and print how it was understood");
+      program.add_subcommand("check", "check a case file and print how rollfem interprets it");
   check->add_option("case", call.check_file, "case file (.toml)")->required();
   add_set_option(*check, call.check_changes);
   check->footer("example: rollfem check cases/s1002_uic60_left.toml");
@@ -191,8 +191,8 @@ void add_input_commands(CLI::App& program, Call& call) {
 
   CLI::App* stored =
       program.add_subcommand("cache",
-                             "list or clear what the model hybrid stores for later runs on the "
-                             "same bodies, in $ROLLFEM_CACHE or ~/.cache/rollfem");
+                             "list or clear the corrections that the model hybrid stores for later "
+                             "runs on the same bodies, in $ROLLFEM_CACHE or ~/.cache/rollfem");
   stored->add_option("action", call.cache_action, "list (default) or clear")
       ->check(CLI::IsMember({"list", "clear"}));
   stored->footer("example: rollfem cache clear\nAn empty ROLLFEM_CACHE switches the cache off.");

@@ -15,7 +15,7 @@ void add_stress_command(CLI::App& program, Call& call) {
       ->add_option("-m,--model", request.models,
                    "models of the result, separated by commas; default: " +
                        contact::listed(call.models.names(&contact::ModelInfo::has_stress)) +
-                       ", as far as present")
+                       ", if present")
       ->delimiter(',')
       ->allow_extra_args(false);
   stress->add_option("--patch", request.patch,
@@ -30,18 +30,18 @@ void add_stress_command(CLI::App& program, Call& call) {
                    "load points with these longitudinal creepages, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false);
-  stress->add_option("--places", request.places,
-                     "TOML file whose [[subsurface.point]], .line, .plane and .surface say where, "
-                     "as in a case file");
+  stress->add_option(
+      "--places", request.places,
+      "TOML file with [[subsurface.point]], .line, .plane and .surface, as in a case file");
   stress->add_flag("--depth-profile", request.depth_profile,
                    "add vertical lines below the centre of the patch and below the most loaded "
                    "element; the default when no points are requested");
   stress->add_option("--depth", request.depth,
                      "depth of these lines in mm; default: three times the smaller semi-axis");
   stress->add_option("--yield-shear-stress", request.yield_shear_stress,
-                     "k in MPa, for the shakedown map");
+                     "shear yield stress k in MPa, for the shakedown map");
   stress->add_option("--yield-strength", request.yield_strength,
-                     "in MPa, instead of k, which is this over sqrt(3)");
+                     "yield strength in MPa, instead of k (k = strength / sqrt(3))");
   stress->add_option("-o,--output", request.directory,
                      "folder for stress.csv, stress.json and figures; default: the name of the "
                      "result folder with _stress");

@@ -32,37 +32,38 @@ std::string joined(int argc, char** argv) {
   return text;
 }
 
-/// Whoever reads the output wants no more of it (`rollfem run ... | head -1`): no failure.
+/// Whether the reader has closed the pipe (`rollfem run ... | head -1`), which is no failure.
 bool reader_is_gone() {
   pollfd output{STDOUT_FILENO, POLLOUT, 0};
   return ::poll(&output, 1, 0) > 0 && (output.revents & (POLLERR | POLLHUP)) != 0;
 }
 
-/// Files that are opened must not get the number of an output that the caller has closed (`>&-`):
-/// what is printed would go into them. Nor does a pipe whose reader has gone end a computation.
+/// Keeps opened files from getting the number of an output that the caller has closed (`>&-`),
+/// because printed text would go into them. A pipe without reader does not end a computation
+/// either.
 void guard_outputs() {
   for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file)
     if (::fcntl(file, F_GETFD) < 0 && errno == EBADF && ::open("/dev/null", O_RDWR) < 0) return;
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-/// CLI11 would only say that a command is missing.
+/// Checked here, because CLI11 only says that a command is missing.
 void check_command(const CLI::App& program, const std::vector<std::string>& words) {
   std::vector<std::string> known;
   for (const CLI::App* command : program.get_subcommands(nullptr))
     known.push_back(command->get_name());
   const std::string allowed = "allowed: " + contact::listed(known) + "; do: rollfem --help";
-  if (words.empty()) throw contact::InputError("no command is given; " + allowed);
+  if (words.empty()) throw contact::InputError("no command given; " + allowed);
   known.emplace_back("help");
   const std::string& name = words.front();
   if (name.empty() || name.front() == '-') return;
   const auto is_named = [&](const CLI::App* command) { return command->check_name(name); };
   if (program.get_subcommands(is_named).empty())
-    throw contact::InputError(fmt::format("{}: there is no such command; {}{}", name,
+    throw contact::InputError(fmt::format("{}: unknown command; {}{}", name,
                                           contact::did_you_mean(name, known), allowed));
 }
 
-/// An option that the command does not have, with the one that it was meant to be.
+/// Message for an unknown option, with the most similar one.
 std::string unknown_option(const CLI::App& program, const std::string& given) {
   std::vector<std::string> options;
   std::vector<const CLI::App*> commands{&program};
@@ -72,11 +73,11 @@ std::string unknown_option(const CLI::App& program, const std::string& given) {
       for (const std::string& name : option->get_lnames())
         if (std::find(options.begin(), options.end(), "--" + name) == options.end())
           options.push_back("--" + name);
-  return fmt::format("{}: there is no such option; {}allowed: {}", given,
+  return fmt::format("{}: unknown option; {}allowed: {}", given,
                      contact::did_you_mean(given, options), contact::listed(options));
 }
 
-/// What CLI11 says of a call, in the words of the program where somebody has mistyped.
+/// CLI11's message about a call, reworded for typing errors.
 std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error) {
   std::string text = error.what();
   if (const std::size_t at = text.find("--");
@@ -90,12 +91,12 @@ std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error)
   std::vector<std::string> allowed;
   std::istringstream list(text.substr(set + 9, end - set - 9));
   for (std::string word; std::getline(list, word, ',');) allowed.push_back(word);
-  return fmt::format("{}: {} is not an allowed word; {}allowed: {}", text.substr(0, words), given,
+  return fmt::format("{}: {} is not allowed; {}allowed: {}", text.substr(0, words), given,
                      contact::did_you_mean(given, allowed), contact::listed(allowed));
 }
 
-/// `rollfem help` and `rollfem help run` are `rollfem --help` and `rollfem run --help`; `rollfem
-/// --schema` is a page of `rollfem docs`.
+/// Translates `rollfem help` and `rollfem help run` to `rollfem --help` and `rollfem run --help`,
+/// and `rollfem --schema` to a page of `rollfem docs`.
 std::vector<std::string> arguments(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {
@@ -126,7 +127,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   add_input_commands(program, call);
   std::vector<std::string> words = arguments(argc, argv);
   check_command(program, words);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  std::reverse(words.begin(), words.end());  // the order CLI11 expects
   try {
     program.parse(words);
   } catch (const CLI::ParseError& error) {
@@ -140,8 +141,8 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   return 0;
 }
 
-/// Process 0 speaks; the others let it, and only if it is not about to (it would have ended this
-/// process through mpirun by then) say what happened here.
+/// Process 0 reports the failure. The others wait for it to end them through mpirun, and report
+/// themselves only if that does not happen.
 [[noreturn]] void failed(int status, const std::string& what) {
   const modelling::Processes here = modelling::processes();
   if (!here.first()) std::this_thread::sleep_for(std::chrono::seconds(3));

@@ -6,9 +6,9 @@
 
 namespace rollfem::app {
 
-/// What main does: reads the call, hands over to the command, and turns every failure into one line
-/// on stderr and an exit status (0 done, 1 the solution failed, 2 input or call wrong). After a
-/// failure it does not return.
+/// Body of main: parses the call, runs the command, and turns every failure into one line on stderr
+/// and an exit status (0 done, 1 the solution failed, 2 input or call wrong). Does not return after
+/// a failure.
 int run_program(int argc, char** argv, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Does the model auto meet the accuracy, and at what cost? Over the scenes of benchmarks/scene_sets.py at 5, 1 and 0.2 %:
-its answer against a fine hybrid; its seconds of computing against always taking finite elements (as `rollfem check`
-predicts them) and against an oracle: the cheapest of half-spaces on several grids and of the fine hybrid that is
-as close as asked, which it knows because it has them all.
+"""Does the model auto meet the accuracy, and at what cost? For the scenes of benchmarks/scene_sets.py at 5, 1 and 0.2
+%: its answer against a fine hybrid; its CPU time against finite elements throughout (as `rollfem check` predicts them)
+and against an oracle, which knows all results and takes the cheapest of several half-space grids and the fine hybrid
+that meets the accuracy.
 
     benchmarks/auto.py --program build/app/rollfem -o /tmp/auto
 
-Runs that are there already are read again, also those of benchmarks/model_error.py in the same folder.
+Existing runs are reused, including those of benchmarks/model_error.py in the same folder.
 """
 
 import argparse
@@ -18,15 +18,15 @@ from pathlib import Path
 import scene_sets
 from model_error import friction_of, whole_of
 
-# What accuracy_of asks for where a case does not say.
+# Default of accuracy_of.
 QUANTITIES = ["max_pressure", "semi_axis_x", "semi_axis_y", "traction_coefficient"]
 GRIDS = [16, 24, 32, 48, 80]
-# Seconds of finite elements on the finest grid that auto takes over those on the grid for 1 % (models/choice/laws.cpp).
+# Time of finite elements on auto's finest grid relative to the grid for 1 % (models/choice/laws.cpp).
 FINEST_OVER_ONE_PERCENT = (48 / 24) ** 1.5
 
 
 def farthest(result, truth, friction):
-    """The largest error of a quantity and load point, as part of what percentages are of, and its name."""
+    """The largest relative error over quantities and load points, and its name."""
     if "failed" in result:
         return float("inf"), result["failed"]
     worst = (0.0, "")
@@ -38,14 +38,14 @@ def farthest(result, truth, friction):
 
 
 def own_account(result, friction):
-    """What the result says of itself: the largest sum of bar and model error."""
+    """The result's own error estimate: the largest sum of error bar and model error."""
     return max((point["error_estimate"].get(name, 0.0) + point.get("model_error", {}).get(name, 0.0))
                / whole_of({**point, "friction": friction}, name)
                for point in result["models"][0]["points"] for name in QUANTITIES)
 
 
 def seconds_of_elements(options, scene, percent):
-    """What `rollfem check` expects finite elements to take; None: they are not expected to do."""
+    """Time of finite elements predicted by `rollfem check`; None: they are not expected to suffice."""
     case = options.output / f"{scene.name}_check.toml"
     case.write_text(scene.with_keys(accuracy=str(percent / 100), models='["auto"]'), "utf-8")
     told = subprocess.run([options.program, "check", str(case)], capture_output=True, text=True, check=False).stdout
@@ -54,7 +54,7 @@ def seconds_of_elements(options, scene, percent):
 
 
 class Runs:
-    """Of one scene."""
+    """Rows of one scene."""
 
     def __init__(self, options, scene):
         self.options, self.scene, self.friction = options, scene, friction_of(scene)
@@ -69,7 +69,7 @@ class Runs:
         return self.run(word, model, contact_grid__elements_across=str(across or self.options.across))
 
     def oracle(self, truth, accuracy):
-        """Seconds and name of the cheapest run that is as close as asked; the fine hybrid always is."""
+        """Seconds and name of the cheapest run that meets the accuracy; the fine hybrid always does."""
         rows = [(self.on_grid(across), f"half-space, {across} across") for across in GRIDS]
         close = [(run["cpu"], name) for run, name in rows if farthest(run, truth, self.friction)[0] <= accuracy]
         return min([*close, (truth["cpu"], "hybrid")])
@@ -108,11 +108,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--randoms", type=int, default=40, help="scenes beside the 20 that are always the same")
-    parser.add_argument("--every", type=int, default=1, help="take each so many of them only")
+    parser.add_argument("--randoms", type=int, default=40, help="number of random scenes beside the 20 fixed ones")
+    parser.add_argument("--every", type=int, default=1, help="use only every n-th of them")
     parser.add_argument("--across", type=int, default=80, help="elements across of the fine hybrid")
     parser.add_argument("--percent", type=float, nargs="+", default=[5.0, 1.0, 0.2])
-    parser.add_argument("--rows", action="store_true", help="show every scene, else those that miss")
+    parser.add_argument("--rows", action="store_true", help="show every scene instead of only those that miss")
     parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
     scene_sets.prepare(options.output)
@@ -126,12 +126,12 @@ def main():
                 continue
             rows.append(row)
             if options.rows or row["error"] > percent:
-                print(f"{percent:g} % {row['scene']}: {row['taken']}, {row['cpu']:.2g} s, off by {row['error']:.2g} % "
-                      f"({row['where']}), by its own account {row['own']:.2g} %, status {row['status']}; "
+                print(f"{percent:g} % {row['scene']}: {row['taken']}, {row['cpu']:.2g} s, error {row['error']:.2g} % "
+                      f"({row['where']}), own estimate {row['own']:.2g} %, status {row['status']}; "
                       f"oracle: {row['oracle_takes']}, {row['oracle']:.2g} s", flush=True)
         if rows:
             lines.append(table_line(percent, rows))
-    print("\n| accuracy | scenes | met, % | missed and said so | taken | s | finite elements: s, auto of it | oracle: s, "
+    print("\n| accuracy | scenes | met, % | missed and reported | taken | s | finite elements: s, auto of it | oracle: s, "
           "auto over it |\n|---|---|---|---|---|---|---|---|\n" + "\n".join(lines))
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How often the error bars of the model halfspace hold, each number against a grid four times
-// finer. Prints the tables of docs/accuracy.md, and to stderr every scene that has no result.
+// How often the error bars of the model halfspace hold, compared with a grid four times finer.
+// Prints the tables of docs/accuracy.md, and to stderr every scene without a result.
 //
 // benchmark_bar_coverage [rows] SEED FIRST NUMBER [ACROSS ...]        e.g. 8 0 1000 12 16 20
 //   random scenes (tests/support/random_scenes.hpp) on 12 to 32 elements across the patch
@@ -9,7 +9,7 @@
 // benchmark_bar_coverage [rows] case FILE CELL ...                    e.g. case pair.toml 0.2
 //   all patches of a case with profiles
 //
-// With `rows` every number is printed (error, bar, bar on the fine grid) in place of the table.
+// With `rows`, prints every number (error, bar, bar on the fine grid) instead of the table.
 #include "tests/support/bar_coverage.hpp"
 
 #include "contact/case/case_reader.hpp"
@@ -45,7 +45,7 @@ void print_rows(const testing::BarSamples& samples, const std::string& scene) {
   std::fflush(stdout);
 }
 
-/// A scene on one grid: its name, and what adds its numbers.
+/// A scene on one grid: its name and a function that adds its numbers.
 struct Scene {
   std::string name;
   std::function<void(testing::BarSamples&)> add;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-/* What a call of rollfem_solve costs and how far it is off against 48 elements across, for four sets of states of
+/* Cost and error of a call of rollfem_solve against 48 elements across, for four sets of states of
    S1002 on 60E1: both wheels at shifts of -4 to 10 mm; the S-curve of examples/wheelset_in_c; random positions,
-   motions and loads; the right wheel where its flange comes to the rail, with contacts in planes of their own that
-   share the load and with conformal ones. Milliseconds are of CPU, the least of five calls; allocations are those of a call after the first.
+   motions and loads; the right wheel where its flange reaches the rail, with contacts in different planes that
+   share the load and with conformal ones. Milliseconds are CPU time, the least of five calls;
+   allocations are those of a call after the first.
    Call: benchmark_c_interface [ELEMENTS_ACROSS [all]]; `all` prints every state. */
 #define _GNU_SOURCE
 #include <math.h>
@@ -45,12 +46,12 @@ static rollfem_pair* make(int side, int elements) {
   return pair;
 }
 
-/* Largest differences, and what every call took. */
+/* Largest differences, and the cost of every call. */
 typedef struct {
   int states;
   double force, moment, pressure, area;
-  int sharp;    /* states with p0 off by more than 1 % */
-  int unbarred; /* with p0 off by more than its bar */
+  int sharp;    /* states with an error of p0 above 1 % */
+  int unbarred; /* with an error of p0 above its bar */
   int several;  /* with several patches */
   double ms[MOST_STATES], allocations[MOST_STATES];
 } tally;
@@ -64,7 +65,7 @@ static int by_size(const void* a, const void* b) {
   return difference > 0.0 ? 1 : difference < 0.0 ? -1 : 0;
 }
 
-/* Compares one state; 0 when there is no solution. */
+/* Compares one state; returns 0 if there is no solution. */
 static int take(int side, const rollfem_state* state, tally* sum, rollfem_result* result) {
   char message[512];
   rollfem_result exact;
@@ -116,7 +117,7 @@ static void tell(const char* what, tally* sum) {
   qsort(sum->ms, (size_t)n, sizeof(double), by_size);
   qsort(sum->allocations, (size_t)n, sizeof(double), by_size);
   printf("%s: %d states, %d of several patches, %d elements across\n", what, n, sum->several, across);
-  printf("  off by at most: forces %.2f %% of mu N, spin moment %.2f %% of mu N times the mean half axis, ", sum->force,
+  printf("  largest errors: forces %.2f %% of mu N, spin moment %.2f %% of mu N times the mean half axis, ", sum->force,
          sum->moment);
   printf("p0 %.1f %% (%d states by more than 1 %%, %d by more than the bar), area %.1f %%\n", sum->pressure, sum->sharp,
          sum->unbarred, sum->area);
@@ -136,7 +137,7 @@ static void shifts(void) {
   tell("shifts of -4 to 10 mm", &sum);
 }
 
-/* As the example rolls, radius 1500 m, one step in two compared. */
+/* The motion of the example, radius 1500 m, comparing every second step. */
 static void s_curve(void) {
   tally sum = {0};
   const double speed = 20e3, radius = 460.0, ds = 500.0;

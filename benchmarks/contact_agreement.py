@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far rollfem is from CONTACT on CONTACT's own examples: converts, runs and compares.
+"""Differences between rollfem and CONTACT on CONTACT's own examples: converts, runs and compares.
 
     /usr/bin/python3 benchmarks/contact_agreement.py EXAMPLES --program build/app/rollfem [-o DIR]
 
-EXAMPLES is a folder with NAME.inp and NAME.ref_out, as CONTACT's open source distribution has them
-(and the profiles that module 1 names). Prints the table of docs/coming_from_contact.md: the largest
-difference over the cases of each kind. CONTACT prints four digits. With -o case files and results
-stay there, and what is there is not computed again.
+EXAMPLES is a folder with NAME.inp and NAME.ref_out from CONTACT's open-source distribution (and the profiles for module
+1). Prints the table of docs/coming_from_contact.md: the largest difference over the cases of each kind. CONTACT prints
+four digits. With -o, case files and results stay there and are reused.
 """
 
 import argparse
@@ -32,7 +31,7 @@ def numbers(line):
 
 
 def printed_cases(path):
-    """Case number -> what CONTACT prints of it."""
+    """Case number -> values printed by CONTACT."""
     text = path.read_text(errors="replace")
     cases = {}
     for part in re.split(r"^ Case +", text, flags=re.M)[1:]:
@@ -61,7 +60,7 @@ def run(program, case_file, folder):
 
 
 def case_numbers(text):
-    """Of the comment that convert writes: "1, 3 to 5"."""
+    """Case numbers in convert's comment: "1, 3 to 5"."""
     found = []
     words = re.search(r"^# Made by rollfem convert of .*, cases? ([0-9, to]+)", text, re.M)
     for part in words[1].strip(" .:").split(", "):
@@ -71,7 +70,7 @@ def case_numbers(text):
 
 
 def states(folder, model, point):
-    """Elements in contact and in adhesion, where the model has them."""
+    """Elements in contact and in adhesion, if the model has them."""
     with h5py.File(folder / "results.h5") as file:
         state = numpy.array(file[f"models/{model}/points/{point:04d}/state"])
         return int((state > 0).sum()), int((state == ADHESION).sum())
@@ -128,7 +127,7 @@ def compare_file(program, case_file, folder, printed, results):
             "transient" if "transient" in text else "steady")
     for k, (number, point) in enumerate(zip(case_numbers(text), points)):
         if "fn" not in printed[number]:
-            continue  # CONTACT printed nothing of it
+            continue  # CONTACT printed nothing for this case
         counts = None
         if model["name"] == "halfspace" and kind != "frictionless":
             counts = states(folder, "halfspace", k) if "[wheelset]" not in text else None

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What does `rollfem run CASE` answer by default, and when? Over the 300 scenes of benchmarks/default_scenes.py, no
-model and no accuracy named: seconds from start to end, crashes, runs beyond the limit, scenes refused, accuracy met
-or its lack said; and predicted against measured seconds of every grid that was tried.
+"""What does `rollfem run CASE` answer by default, and how fast? For the 300 scenes of benchmarks/default_scenes.py
+without model and accuracy: wall time, crashes, runs beyond the limit, refused scenes, accuracy met or missing accuracy
+reported; and predicted against measured seconds of every grid tried.
 
     benchmarks/default_answers.py --program build/app/rollfem --measured ../shared/reference/measured -o /tmp/default
 
-Runs that are there already are read again. --truth also solves every scene by the hybrid, or where it refuses by the
-half-space, with 80 elements across, and counts answers that are as near as their accuracy or their own account says.
+Existing runs are reused. --truth also solves every scene by the hybrid (or, if it refuses, by the half-space) with 80
+elements across, and counts answers within their accuracy or their own error estimate.
 """
 
 import argparse
@@ -59,7 +59,7 @@ def place_of(model):
 
 
 def truth(options, scene):
-    """Models of the finest solution, {} where neither hybrid nor half-space has one within the time."""
+    """Models of the finest solution; {} if neither hybrid nor half-space finishes in time."""
     kept = options.output / f"{scene.name}_truth.json"
     if not kept.exists():
         found = []
@@ -74,8 +74,8 @@ def truth(options, scene):
 
 
 def nearness(options, scene):
-    """How far the answer is from the truth in parts of 1 %, or of its own account where that is larger: at most 1 is
-    right. None without a truth."""
+    """Error of the answer over 1 %, or over its own error estimate if that is larger: values up to 1 are right. None
+    without a finest solution."""
     right, friction = truth(options, scene), friction_of(scene)
     worst = None
     for model in models_of(options.output / scene.name):
@@ -92,13 +92,13 @@ def nearness(options, scene):
 
 
 def run(options, scene):
-    """Kept in a file beside the case, by its text."""
+    """Stored in a file beside the case, by its text."""
     case, kept = options.output / f"{scene.name}.toml", options.output / f"{scene.name}.json"
     if kept.exists() and case.read_text("utf-8") == scene.text:
         return json.loads(kept.read_text("utf-8"))
     case.write_text(scene.text, "utf-8")
     folder = options.output / scene.name
-    with tempfile.TemporaryDirectory() as cache:  # seconds are from nothing
+    with tempfile.TemporaryDirectory() as cache:  # seconds of a cold start
         row = watched([options.program, "run", str(case), "--no-report", "-o", str(folder)], cache, options.limit)
     models = models_of(folder) if row["status"] in (0, 1) else []
     row["taken"] = sorted({model["name"] for model in models})
@@ -138,13 +138,13 @@ LABELS = {"halfspace": "half-space", "hybrid": "hybrid", "fem": "finite elements
 
 
 def solved_models(folder):
-    """Those that came to a result, by the sentences of the choice; the others failed or refused."""
+    """Models that reached a result, according to the sentence of the choice; the others failed or refused."""
     told = " ".join(model.get("choice", "") for model in models_of(folder))
     return [name for name, label in LABELS.items() if re.search(rf"{label}, \d+ across", told)]
 
 
 def predictions(rows):
-    """Of grids that take long enough to matter, of models that came to a result."""
+    """Table for grids that take long enough to matter, of models that reached a result."""
     worth_it = 2.0
     lines = ["| model | grids of 2 s and more | within a factor of 3, % | median of measured over predicted | worst |",
              "|---|---|---|---|---|"]
@@ -161,9 +161,9 @@ def predictions(rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
-    parser.add_argument("--measured", type=Path, help="folder of measured pairs; without it they are left out")
+    parser.add_argument("--measured", type=Path, help="folder of measured pairs; skipped without it")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--every", type=int, default=1, help="take each so many of them only")
+    parser.add_argument("--every", type=int, default=1, help="use only every n-th of them")
     parser.add_argument("--truth", action="store_true", help="compare with the finest solution")
     parser.add_argument("--limit", type=float, default=120.0, help="s for each run")
     parser.add_argument("-o", "--output", type=Path, required=True)
@@ -181,9 +181,9 @@ def main():
             near.append(off[0] <= 1.0)
         told = row["last"] if outcome(row) not in ("met", "lack said") else ""
         print(f"{scene.name}: {outcome(row)}, {row['seconds']:.1f} s, {'+'.join(row['taken'])}; {tried} {told}"
-              + (f"; off by {off[0]:.2g} of what is allowed ({off[1]})" if off else ""), flush=True)
+              + (f"; error {off[0]:.2g} times the allowed one ({off[1]})" if off else ""), flush=True)
     if near:
-        print(f"\n{sum(near)} of {len(near)} answers with a finest solution are within 1 % or their own account")
+        print(f"\n{sum(near)} of {len(near)} answers with a finest solution are within 1 % or their own estimate")
     print("\n" + table(rows) + "\n\n" + predictions(rows))
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""300 scenes of every kind that users bring, from a seed: texts of case files without a model and without an
-accuracy, as one writes them who has not read what `auto` does."""
+"""300 typical user scenes of every kind, from a seed: texts of case files without model and accuracy, as written by a
+user who has not read about `auto`."""
 
 import math
 import random
@@ -13,10 +13,10 @@ from pin_cases import with_keys
 
 CASES = scene_sets.CASES
 sys.path.insert(0, str(CASES / "profiles"))
-import hollow_s1002  # noqa: E402  (the formula of a worn wheel lies beside its profile)
+import hollow_s1002  # noqa: E402  (the formula of a worn wheel is beside its profile)
 
 BARE = {"models": None, "accuracy": None}
-# Pairs of ../reference/measured as its table has them: wheel, its section, rail, its section, rolling radius.
+# Pairs of ../reference/measured from its table: wheel, its section, rail, its section, rolling radius.
 ROUNDED = "rounding = 1.0\nlargest_kink = 60\n"
 MEASURED = {
     "siteb": ("worn_high_mileage.prw", "shift = [-70.0, 0.0]\n" + ROUNDED, "site_b_hr.prr", ROUNDED, 444.0),
@@ -44,7 +44,7 @@ def examples():
 
 
 def ellipse(draw, number, kind="ellipse"):
-    """Radii, materials, load, creepages or forces; a creep curve in a third."""
+    """Radii, materials, load, creepages or forces; one third are creep curves."""
     scene = scene_sets.random_scene(draw.randrange(10**6), number)
     keys = {}
     if draw.random() < 1 / 3:
@@ -56,14 +56,14 @@ def ellipse(draw, number, kind="ellipse"):
 
 
 def roller(draw, number):
-    """Small wheels and rollers of any two materials, one of them perhaps rigid; light or heavy loads."""
+    """Small wheels and rollers of any two materials, possibly one rigid body; light or heavy loads."""
     radius = scene_sets.log_uniform(draw, 5, 150)
     across = scene_sets.log_uniform(draw, 5, 500)
     moduli = [draw.choice(["210e3", "70e3", "3000.0", "200.0"]), draw.choice(["210e3", "70e3", "inf"])]
     softest = min(float(young) for young in moduli)
-    # p0 up to a hundredth of the softer body's modulus: beyond it is no longer linear.
+    # p0 up to a hundredth of the softer body's modulus, the range of linear elasticity.
     pressure = softest * scene_sets.log_uniform(draw, 5e-4, 8e-3)
-    load = math.pi**3 / 6 * pressure**3 * radius * across / softest**2  # a sphere's, by Hertz
+    load = math.pi**3 / 6 * pressure**3 * radius * across / softest**2  # of a sphere, by Hertz
     return DefaultScene(f"roller_{number}", "roller", f"""title = "roller {number}"
 [load]
 normal_force = {load:.5g}
@@ -173,7 +173,7 @@ def rows(draw, number):
     count = draw.randrange(2, 6)
     placed = wheelset(draw, sorted(draw.uniform(-6, 6) for _ in range(count)), "both")
     text = profile_text(draw, "S1002", "", "60E1", "", track, placed)
-    return DefaultScene(f"rows_{number}", "rows of positions", text)
+    return DefaultScene(f"rows_{number}", "lateral sweeps", text)
 
 
 def worn(draw, number):
@@ -224,8 +224,8 @@ COUNTS = {ellipse: 60, roller: 35, history: 30, other: 40, standard: 45, rows: 1
 
 
 def scenes(seed, folder, measured_folder):
-    """The scenes, and beside them in `folder` the files that they name. Without a folder of measured pairs (None)
-    those are left out."""
+    """The scenes, and in `folder` the files that they name. Without a folder of measured pairs (None) these are left
+    out."""
     write_distance(folder)
     made = list(examples())
     for make, count in COUNTS.items():

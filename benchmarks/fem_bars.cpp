@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How often the error bars of finite elements and of the hybrid hold: random wheels on random rails
-// (tests/support/random_wheel_rail.hpp). Finite elements with cells of 1/PARTS of the smaller
+// How often the error bars of finite elements and of the hybrid hold, for random wheels on random
+// rails (tests/support/random_wheel_rail.hpp). Finite elements with cells of 1/PARTS of the smaller
 // semi-axis against cells of 1/FINER; the hybrid with 16 elements across against 64 and a
 // correction by finer cells. Prints the tables of docs/accuracy.md, and to stderr every contact
-// that has no result. Levels of finite elements are kept in a folder and taken up again. Call:
+// without a result. Levels of finite elements are stored in a folder and reused. Call:
 // benchmark_fem_bars fem FOLDER PARTS FINER SEED FIRST NUMBER [rows], e.g. fem levels 4 16 1 0 40,
-// or benchmark_fem_bars hybrid SEED FIRST NUMBER [rows]. With `rows` every number is printed as
-// well (error, bar).
+// or benchmark_fem_bars hybrid SEED FIRST NUMBER [rows]. With `rows`, also prints every number
+// (error, bar).
 #include "fem/elasticity/model.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
@@ -48,7 +48,7 @@ class Records : public contact::Checkpoint {
   std::filesystem::path folder_;
 };
 
-/// What is printed, and how the contacts are solved.
+/// Options for printing and solving.
 struct Call {
   std::string model;
   std::string folder;
@@ -71,7 +71,7 @@ void add_finite_elements(const Call& call, unsigned number, contact::Case input,
   const contact::ModelResult fine =
       fem::run_level(scene, {cell * call.parts / call.finer, "", false, &records}, {});
   contact::PointResult point = result.points.front();
-  // What segments leave out of the approach is the same with all cells.
+  // The error of finite segments in the approach is the same for all cells.
   contact::PointResult level =
       fem::run_level(scene, {cell, "", false, &records}, {}).points.front();
   point.error_estimate["approach"] -= level.error_estimate["approach"];

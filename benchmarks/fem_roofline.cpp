@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What part of a core the finite elements use: the product of the matrix-free stiffness in both
-// precisions against bandwidth and matrix multiplication of this machine, the factorisation against
-// matrix multiplication. Half a rail of case a, one process, CPU seconds, best of several.
+// Fraction of a core's peak performance reached by finite elements: the product with the
+// matrix-free stiffness in both precisions against bandwidth and matrix multiplication of this
+// machine, the factorisation against matrix multiplication. Half a rail of case a, one process, CPU
+// seconds, best of several.
 //   benchmark_fem_roofline product CELL_MM ... factorisation CELL_MM ...
 #include "fem/discretisation/body.hpp"
 #include "fem/discretisation/elasticity_assembly.hpp"
@@ -88,7 +89,7 @@ fem::Body rail(double cell) {
   return fem::Body({false, contact::infinity, 2000.0}, {}, options, MPI_COMM_WORLD);
 }
 
-/// `straightened` as multigrid's levels have it, 0 for the true geometry.
+/// `straightened`: as on multigrid's levels; 0: the true geometry.
 template <typename Number>
 void measure_product(const fem::LocalCells& cells, double straightened, double gigaflops,
                      double gigabytes) {
@@ -98,10 +99,10 @@ void measure_product(const fem::LocalCells& cells, double straightened, double g
   const double unknowns = static_cast<double>(x.size());
   const double seconds = best_seconds(20, [&] { stiffness.vmult(y, x); });
   const double operations = cell_operations * static_cast<double>(cells.count) / seconds;
-  // What is stored once; x and y copied, the result cleared, gathered and summed up.
+  // Data stored once; x and y copied, the result cleared, gathered and summed up.
   const double bytes = (stiffness.memory_bytes() + 6.0 * unknowns * sizeof(Number)) / seconds;
   fmt::print("| product, {} | {:.0f} | {:.1f} | {:.1f} | {:.0f} | {:.1f} | {:.0f} |\n",
-             straightened > 0      ? "single, of a level"
+             straightened > 0      ? "single, on a level"
              : sizeof(Number) == 4 ? "single"
                                    : "double",
              unknowns, 1e-6 * unknowns / seconds, 1e-9 * operations, 1e-7 * operations / gigaflops,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Linear solvers on half a rail of case a as cells shrink: unknowns, set-up, one solve to 1e-8 (the
-// best of five) and, by a factor, one of sixteen at once, iterations, memory per process. "CPU s"
-// is of the process that needs most. Runs under mpirun; the first process prints a table row a
-// size. "Products" (of a cell with a vector, on all levels) and "sent" (bytes that a process hands
-// to MPI) are of one solve by the process with most: they say how work is shared on a machine that
-// has fewer cores than processes.
+// Linear solvers on half a rail of case a with shrinking cells: unknowns, set-up, one solve to 1e-8
+// (the best of five) and, for a factorisation, one of sixteen at once, iterations, memory per
+// process. "CPU s" is the maximum over the processes. Runs under mpirun; the first process prints
+// one table row per size. "Products" (of a cell with a vector, on all levels) and "sent" (bytes
+// that a process passes to MPI) are maxima over the processes for one solve: they show the
+// distribution of work on a machine with fewer cores than processes.
 //   benchmark_fem_solvers multigrid|algebraic|factorisation CELL_MM ...
 #include "contact/base/progress.hpp"
 #include "fem/discretisation/body.hpp"
@@ -35,7 +35,7 @@ namespace {
 
 std::uint64_t bytes_sent = 0;
 
-/// As if every collective call sent its data once.
+/// Counts as if every collective call sent its data once.
 void count(int items, MPI_Datatype type) {
   int size = 0;
   PMPI_Type_size(type, &size);
@@ -44,7 +44,7 @@ void count(int items, MPI_Datatype type) {
 
 }  // namespace
 
-// MPI's own interface for measurements: its calls by the program come here first.
+// MPI's profiling interface: the program's MPI calls arrive here first.
 extern "C" {
 int MPI_Isend(const void* data, int items, MPI_Datatype type, int to, int tag, MPI_Comm comm,
               MPI_Request* request) {
@@ -105,7 +105,7 @@ double peak_memory_gb() {
   return static_cast<double>(usage.ru_maxrss) / (1 << 20);
 }
 
-/// Of this process so far.
+/// CPU time of this process so far.
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -116,10 +116,10 @@ double most(std::uint64_t count) {
   return dealii::Utilities::MPI::max(static_cast<double>(count), MPI_COMM_WORLD);
 }
 
-/// Least time of five solves; the first of all touches memory for the first time.
+/// Shortest time of five solves; the first one touches memory for the first time.
 struct SolveTime {
   double seconds = contact::infinity, cpu = contact::infinity;
-  double products = 0.0, sent = 0.0;  ///< of the process with most
+  double products = 0.0, sent = 0.0;  ///< maximum over the processes
 
   SolveTime(const fem::LinearSolver& solver, const fem::Vector& load, fem::Vector& u) {
     const auto products_before = fem::cell_products(), sent_before = bytes_sent;
@@ -136,7 +136,7 @@ struct SolveTime {
   }
 };
 
-/// Seconds of a solve, each of sixteen at once.
+/// Seconds per solve of sixteen at once.
 double seconds_of_sixteen(const fem::LinearSolver& solver, const fem::Vector& load) {
   const std::vector<fem::Vector> loads(16, load);
   std::vector<fem::Vector> solutions = loads;
@@ -195,7 +195,7 @@ int main(int argc, char** argv) {
       fmt::print(
           "| solver | processes | cell mm | unknowns | mesh s | set-up s | CPU s | solve s | CPU s "
           "| "
-          "each of 16 | iterations | peak GB a process | GB that stay | products | bytes sent | "
+          "each of 16 | iterations | peak GB per process | GB retained | products | bytes sent | "
           "largest displacement mm |\n"
           "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int k = 2; k < argc; ++k) measure(argv[1], std::stod(argv[k]));

@@ -87,8 +87,8 @@ contact::TangentialSolution solve(const HalfspaceCompliance& compliance,
   return contact::solve_tangential(fitted, problem, {}, start);
 }
 
-/// Benchmark 9 on grids of 10, 20, ... across up to the wanted one, each starting from the one
-/// before; the time is that of all of them.
+/// Benchmark 9 on grids of 10, 20, ... across up to the requested one, each starting from the
+/// previous one; the time covers all of them.
 void roll(benchmark::State& state, Scheme scheme) {
   const int across = static_cast<int>(state.range(0));
   const testing::Benchmark9 benchmark9;
@@ -131,12 +131,12 @@ void steady_rolling(benchmark::State& state, Scheme scheme) {
   roll(state, scheme);
 }
 
-/// With as many threads as the program takes: judge its real time.
+/// With the program's number of threads; compare its wall time.
 void threaded_rolling(benchmark::State& state) {
   roll(state, Scheme::fitted_edge);
 }
 
-/// Bodies whose Hertz contact is benchmark 9's pressure: both of radius 400 mm across each other.
+/// Bodies whose Hertz contact has the pressure of benchmark 9: crossed cylinders of radius 400 mm.
 contact::Case benchmark_9_case() {
   const testing::Benchmark9 benchmark9;
   contact::Case input;
@@ -151,7 +151,7 @@ contact::Case benchmark_9_case() {
       4.0 / 3.0 * testing::Benchmark9::material().contact_modulus * std::pow(benchmark9.radius, 3) /
       benchmark9.force;
   input.rolling.creepages = {benchmark9.creepage};
-  input.contact_grid.elements_across = 10;  // of the fields only; the forces have their own strips
+  input.contact_grid.elements_across = 10;  // for the fields only; the forces have their own strips
   return input;
 }
 

@@ -1,22 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The limit of finite elements that the hybrid is held against, by cells of a/4 and less and by both mesh families.
+"""The limit of finite elements as reference for the hybrid, by cells of a/4 and smaller and by both mesh families.
 
     benchmarks/hybrid_limits.py run --program build/app/rollfem --folder /tmp/limits -o benchmarks/hybrid_limits.json
     benchmarks/hybrid_limits.py show benchmarks/hybrid_limits.json
 
-`run` computes what is not in the folder yet (--only 'f/*' a part of it; the whole takes an hour of computing) and writes
-the record; rows of runs that are in a record of that name already and not in the folder stay. A force or pressure of
-finite elements has two errors: that of the cells, and that of the contact grid, whose elements are as large. A half-space
-on the same elements has the second one too. So the limit is
+`run` computes the runs missing in the folder (--only 'f/*': a part of them; all take an hour) and writes the record;
+rows of an existing record without runs in the folder stay. A force or pressure of finite elements has two errors: from
+the cells, and from the contact grid with elements of the same size. A half-space on the same elements shares the second
+one. So the limit is
 
-    half-space on ever more elements + (finite elements - half-space on the same elements) on ever smaller cells,
+    half-space on more and more elements + (finite elements - half-space on the same elements) on smaller and smaller cells,
 
-less what finite elements have where there should be nothing: the same difference of bodies a hundred times larger under
-the hundredth of the force, whose patch is as large and which are all but half-spaces. Beside it `show` puts the plain
-extrapolation of the finite elements. Where bodies conform across the elements cannot be quite the same: those of finite
-elements are equal in y, those of the half-space along the common surface. They are made to agree at the edge of the
-patch; what rows 1.5 % wider or narrower change in the half-space is added to what is uncertain.
+minus the same difference where it should vanish: for bodies a hundred times larger under a hundredth of the force,
+which have a patch of the same size and are nearly half-spaces. `show` also prints the plain extrapolation of the finite
+elements. For bodies conforming across, the elements cannot be identical: those of finite elements are equal in y, those
+of the half-space along the common surface. They agree at the edge of the patch; the change of the half-space by rows
+1.5 % wider or narrower is added to the uncertainty.
 """
 import argparse
 import fnmatch
@@ -37,11 +37,11 @@ STRUCTURED = {"a": (0.948091, 0.47, 0.316), "b": (1.22708, 0.6), "c": (0.618218,
               "e": (0.948091, 0.47), "f": (0.948084, 0.47, 0.316), "s1002_left": (1.586, 0.793),
               "s1002_right": (1.87, 0.935), "groove": (0.725, 0.3625, 0.242), "corner": (1.356, 0.678, 0.452)}
 GMSH = {"a": (0.948091, 0.47), "f": (0.948084, 0.47)}
-ACROSS = (40, 80)  # of the half-space's limit
+ACROSS = (40, 80)  # elements across for the half-space's limit
 CURVED = {"e": 102.56, "f": 50.633, "groove": 10.125, "corner": 10.1}  # mm, radius of the common surface across
-LARGER = 100  # times the bodies that are as good as half-spaces
-PATCH_OF = {"a": "a", "b": "b", "c": "c", "d": "c", "e": "a", "f": "a"}  # whose patch is theirs, on larger bodies
-FLAT = "abcd"  # the common surface is a plane or all but one
+LARGER = 100  # scale of the larger bodies, nearly half-spaces
+PATCH_OF = {"a": "a", "b": "b", "c": "c", "d": "c", "e": "a", "f": "a"}  # cases with an equal patch on larger bodies
+FLAT = "abcd"  # cases whose common surface is a plane or nearly one
 WIDER = 0.015
 
 
@@ -55,7 +55,7 @@ def larger(text):
 
 
 def case_text(letter, settings):
-    """The case of the study at CREEPAGES; `settings`: {section: lines}, in place of keys that are there already."""
+    """The case of the study at CREEPAGES; `settings`: {section: lines}, replaces existing keys."""
     text = (ROOT / "cases" / f"{FILES[letter]}.toml").read_text(encoding="utf-8")
     text = re.sub(r"(?m)^longitudinal_creepage = .*", f"longitudinal_creepage = {list(CREEPAGES)}", text)
     for section, lines in settings.items():
@@ -72,12 +72,13 @@ def elements_of(folder):
     """(dx, dy, nx, ny) of the contact grid of a run of finite elements."""
     import h5py
     with h5py.File(folder / "results.h5") as file:
-        grid = next(iter(file["models"].values()))["grid"]  # of the only model and patch
+        grid = next(iter(file["models"].values()))["grid"]  # for the only model and patch
         return float(grid.attrs["dx"]), float(grid.attrs["dy"]), len(grid["x"]), len(grid["y"])
 
 
 def stretches(letter, row):
-    """Width of the half-space's rows over those of finite elements: the same, and both ways off where that is not exact."""
+    """Width of the half-space's rows over those of finite elements: equal, and varied both ways if they are not
+    identical."""
     if letter not in CURVED:
         return [1.0] if letter in FLAT else [1.0, 1 - WIDER, 1 + WIDER]
     turn = math.asin(row["points"][0]["semi_axis_y"] / CURVED[letter])
@@ -93,7 +94,7 @@ class Runs:
         folder.mkdir(parents=True, exist_ok=True)
 
     def row(self, letter, name, model, settings, **words):
-        """A row of the record; None where the run is not asked for and not there."""
+        """A row of the record; None if the run is neither requested nor stored."""
         folder = self.folder / f"{letter}_{name}"
         if not (folder / "summary.json").exists():
             if not fnmatch.fnmatch(f"{letter}/{name}", self.only):
@@ -116,7 +117,7 @@ class Runs:
                 "unknowns": result["unknowns"], "points": points}, folder
 
     def finite_elements(self, letter, mesh, cell, **words):
-        """Rows of finite elements and of the half-space on their contact grid. `larger`: of larger bodies."""
+        """Rows of finite elements and of the half-space on their contact grid. `larger`: for larger bodies."""
         output = ["fields = false", 'body_fields = "none"', "stress_maxima = false"]
         fem = [f"cell_size = {cell}", f'mesh = "{mesh}"'][:1 if mesh == "structured" else 2]
         name = f"{mesh}{'_larger' * bool(words)}_{cell:g}"
@@ -127,7 +128,7 @@ class Runs:
         dx, dy, nx, ny = elements_of(folder)
         rows = [row]
         for stretch in stretches(letter, row):
-            # One element more on every side, for a patch that is a little larger, and so that as many whole ones fit.
+            # One more element on every side, for a slightly larger patch and a whole number of elements.
             grid = [f"cell_size = [{dx}, {stretch * dy!r}]",
                     f"extent = [{(nx + 2) * dx * (1 + 1e-7)!r}, {stretch * (ny + 2) * dy * (1 + 1e-7)!r}]"]
             same = self.row(letter, f"halfspace_{name}_{stretch:.4f}", "halfspace",
@@ -147,7 +148,7 @@ def fitting(rows, **words):
 
 
 def extrapolated(sizes, values, order):
-    """(limit, how far the last value is from it) by the last two values."""
+    """(limit, distance of the last value from it) from the last two values."""
     if len(values) < 2:
         return values[-1], math.nan
     beyond = (values[-1] - values[-2]) / ((sizes[-2] / sizes[-1]) ** order - 1)
@@ -155,8 +156,8 @@ def extrapolated(sizes, values, order):
 
 
 def own_excess(rows, letter, index, quantity, mesh):
-    """What finite elements have beyond half-spaces where bodies are as good as those, from one size of cells; of pressures
-    in proportion, 0 where there is no such run."""
+    """Difference of finite elements from half-spaces on nearly half-space bodies, from one size of cells; proportional
+    for pressures, 0 without such a run."""
     runs = fitting(rows, case=PATCH_OF.get(letter), mesh=mesh, larger=LARGER)
     if quantity not in ("max_pressure", "traction_coefficient") or len(runs) != 2:
         return 0.0
@@ -168,10 +169,10 @@ def own_excess(rows, letter, index, quantity, mesh):
 
 
 def limit(rows, letter, index, quantity, mesh="structured"):
-    """{"limit", "uncertain", "plain", "differences", "beyond_grid"} of a quantity at CREEPAGES[index]; None where runs are
-    missing. `beyond_grid`: what the half-space of ACROSS[-1] elements lacks.
+    """{"limit", "uncertain", "plain", "differences", "beyond_grid"} of a quantity at CREEPAGES[index]; None if runs are
+    missing. `beyond_grid`: error of the half-space with ACROSS[-1] elements.
 
-    Orders are taken, not found: 2 of pressure, size and approach, 1.5 of forces (docs/accuracy.md).
+    Orders are assumed: 2 for pressure, size and approach, 1.5 for forces (docs/accuracy.md).
     """
     order = 1.5 if quantity == "traction_coefficient" else 2.0
     mine = [r for r in rows if r["case"] == letter and "larger" not in r]
@@ -197,7 +198,7 @@ def limit(rows, letter, index, quantity, mesh="structured"):
 
 
 def show(record):
-    """Tables of limits and of the differences that lead to them."""
+    """Tables of the limits and of the underlying differences."""
     rows = record["rows"]
     print("| case, xi | p0 MPa | plain | p0 less half-space, by cells | -F_x/F_z | plain | less half-space, by cells |")
     print("|---|---|---|---|---|---|---|")
@@ -217,10 +218,10 @@ def show(record):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     verbs = parser.add_subparsers(dest="verb", required=True)
-    make = verbs.add_parser("run", help="compute what is missing and write the record")
+    make = verbs.add_parser("run", help="compute missing runs and write the record")
     make.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
-    make.add_argument("--folder", type=Path, required=True, help="where runs are kept")
-    make.add_argument("--only", default="*", help="case/run, a pattern: runs that are missing and do not fit stay so")
+    make.add_argument("--folder", type=Path, required=True, help="folder of the runs")
+    make.add_argument("--only", default="*", help="pattern case/run; other missing runs are not computed")
     make.add_argument("-o", "--output", type=Path, required=True, help="the record (JSON)")
     verbs.add_parser("show", help="print limits").add_argument("record", type=Path)
     options = parser.parse_args()

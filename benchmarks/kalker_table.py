@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Kalker's creepage coefficients to five digits, with their bars: where halfspace/closed_forms/kalker_table.cpp is from.
+"""Kalker's creepage coefficients to five digits, with error bars: the source of
+halfspace/closed_forms/kalker_table.cpp.
 
-The series of benchmarks/book/linear_theory.py, at the ratios of the table in C++ or those that are named.
+Uses the series of benchmarks/book/linear_theory.py, at the ratios of the C++ table or at given ones.
 """
 import argparse
 import csv
@@ -21,7 +22,7 @@ NAMES = ("C11", "C22", "C23", "C33")
 
 
 def computed(ratios, degree, store):
-    """{ratio: {nu: {name: (value, bar)}}}; what the file `store` has is not computed again."""
+    """{ratio: {nu: {name: (value, bar)}}}; values in the file `store` are reused."""
     known = {}
     if store and os.path.exists(store):
         with open(store, encoding="utf-8") as file:
@@ -38,14 +39,14 @@ def computed(ratios, degree, store):
 
 
 def rows_of_cpp(table):
-    """The initialiser of the table: a row a ratio, an entry a Poisson's ratio."""
+    """The initialiser of the table: one row per ratio, one entry per Poisson's ratio."""
     for ratio, row in table.items():
         entries = ["{" + ", ".join(f"{row[nu][name][0]:.6g}" for name in NAMES) + "}" for nu in POISSON]
         yield f"    {{{ratio:.9g}, {{{{{', '.join(entries)}}}}}}},"
 
 
 def compared(table, path):
-    """Lines on every printed value (csv: a_over_b, nu, C11, ...) that is off by more than its last digit allows."""
+    """A line for every printed value (csv: a_over_b, nu, C11, ...) whose error exceeds its last digit."""
     with open(path, encoding="utf-8") as file:
         for line in csv.DictReader(row for row in file if not row.startswith("#")):
             ratio = min(table, key=lambda r: abs(r / float(line["a_over_b"]) - 1))
@@ -59,11 +60,11 @@ def compared(table, path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--ratio", type=float, nargs="+", default=RATIOS, help="a/b; without it those of the table")
-    parser.add_argument("--degree", type=int, default=14, help="of the series; the bar is the change from 4 less")
-    parser.add_argument("--store", metavar="FILE", help="json of what is computed, taken up again by the next call")
+    parser.add_argument("--ratio", type=float, nargs="+", default=RATIOS, help="a/b (default: those of the table)")
+    parser.add_argument("--degree", type=int, default=14, help="degree of the series; the bar is the change from a degree lower by 4")
+    parser.add_argument("--store", metavar="FILE", help="JSON file of computed values, reused by the next call")
     parser.add_argument("--cpp", action="store_true", help="print the rows of kalker_table.cpp")
-    parser.add_argument("--against", metavar="CSV", help="list the printed values that are off")
+    parser.add_argument("--against", metavar="CSV", help="list the printed values with errors")
     options = parser.parse_args()
     table = computed(options.ratio, options.degree, options.store)
     if options.cpp:

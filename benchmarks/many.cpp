@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Forces of many creepages on many ellipses: errors against a fine grid, and milliseconds a point.
+// Forces of many creepages on many ellipses: errors against a fine grid, and milliseconds per
+// point.
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/rolling_ellipse.hpp"
 
@@ -26,7 +27,8 @@ double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Creepages whose linear forces are `size` of the bound, in the shares `way` of xi, eta and phi.
+/// Creepages whose linear forces are `size` times the bound, in the proportions `way` of xi, eta
+/// and phi.
 ScaledCreepage creepage_of(double ratio, double size, const std::array<double, 3>& way) {
   const double a = std::sqrt(ratio);
   const auto c = halfspace::kalker_coefficients(a, 1.0 / a, nu);
@@ -34,8 +36,8 @@ ScaledCreepage creepage_of(double ratio, double size, const std::array<double, 3
           size * way[2] / std::max(std::abs(c.c23), c.c33)};
 }
 
-/// Seven creepages on an ellipse from a fifth of the bound to eight times, in random directions, of
-/// which each component is 0 with a probability of 0.3.
+/// Seven creepages on an ellipse from a fifth of the bound to eight times, in random directions;
+/// each component is 0 with a probability of 0.3.
 std::vector<ScaledCreepage> sample_of(double ratio, std::mt19937& random) {
   std::vector<ScaledCreepage> creepages;
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -53,8 +55,8 @@ std::vector<ScaledCreepage> sample_of(double ratio, std::mt19937& random) {
   return creepages;
 }
 
-/// A part of a table: every combination of eight steps of each creepage, in turns, so that
-/// neighbours follow each other.
+/// A part of a table: every combination of eight steps of each creepage, in boustrophedon order, so
+/// that neighbours follow each other.
 std::vector<ScaledCreepage> table_of(double ratio) {
   std::vector<ScaledCreepage> points;
   const auto step = [](int k) { return 0.05 * (std::pow(1.9, k) - 1.0); };
@@ -69,7 +71,7 @@ std::vector<ScaledCreepage> table_of(double ratio) {
   return points;
 }
 
-/// Forces at samples of all ellipses, each creepage from nothing.
+/// Forces at samples of all ellipses, each creepage from a cold start.
 std::vector<EllipseForces> forces_of(const std::vector<double>& ratios,
                                      const EllipseAccuracy& accuracy) {
   std::vector<EllipseForces> all;
@@ -97,14 +99,15 @@ void compare(const std::vector<double>& ratios, int reference) {
     worst_force = std::max(worst_force, force);
     worst_moment = std::max(worst_moment, moment);
     if (force <= 0.002 && moment <= 0.01) ++good;
-    // What rounding leaves where a component vanishes is no error.
+    // Rounding in a vanishing component is not an error.
     if (force <= std::hypot(bar.longitudinal, bar.lateral) + 1e-4 &&
         moment <= std::abs(bar.spin_moment) + 1e-4)
       ++within_bars;
     ++on_grid[across == 20 ? 0 : across == 40 ? 1 : 2];
   }
   fmt::print(
-      "{} points, each from nothing: {:.1f} CPU ms a point; {} within 0.2 % of mu F_n and 1 % of "
+      "{} points, each from a cold start: {:.1f} CPU ms per point; {} within 0.2 % of mu F_n and 1 "
+      "% of "
       "mu F_n c (against {} across), largest {:.2f} and {:.2f} %; {} within their bars; on 20, 40, "
       "80 across: {}, {}, {}\n",
       all.size(), 1e3 * seconds / static_cast<double>(all.size()), good, reference,
@@ -119,7 +122,7 @@ int main(int count, char** words) {
     const std::vector<ScaledCreepage> points = table_of(ratio);
     const double begin = cpu_seconds();
     std::vector<EllipseForces> all;
-    for (std::size_t k = 0; k < points.size(); k += 64)  // as tables take them
+    for (std::size_t k = 0; k < points.size(); k += 64)  // as in tables
       for (const EllipseForces& one :
            halfspace::roll_ellipse({ratio, nu}, {points.begin() + k, points.begin() + k + 64}))
         all.push_back(one);
@@ -127,7 +130,7 @@ int main(int count, char** words) {
     const auto finer =
         std::count_if(all.begin(), all.end(), [](const auto& p) { return p.elements_across > 20; });
     fmt::print(
-        "table of {} points at a/b = {:g}: {:.1f} CPU ms a point, {} on finer grids than 20\n",
+        "table of {} points at a/b = {:g}: {:.1f} CPU ms per point, {} on finer grids than 20\n",
         points.size(), ratio, 1e3 * seconds / static_cast<double>(points.size()), finer);
   }
   compare({0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0}, reference);

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Are model errors right? Over cases a to f, true profiles and random curved bodies: a half-space's estimate of what it
-leaves out against its difference to the hybrid, and a theory's against its difference to the half-space.
+"""Are model errors right? For cases a to f, true profiles and random curved bodies: a half-space's estimate of its
+model error against its difference from the hybrid, and a theory's against its difference from the half-space.
 
     benchmarks/model_error.py --program build/app/rollfem -o /tmp/model_error
 
-A difference counts where it is above the bars of both and 1e-6 of what docs/results.md has percent of: the value, mu F_z,
-mu, mu F_z sqrt(ab). Runs that are there already are read again.
+A difference counts if it exceeds both error bars and 1e-6 of the reference of percentages in docs/results.md: the
+value, mu F_z, mu, mu F_z sqrt(ab). Existing runs are reused.
 """
 
 import argparse
@@ -24,7 +24,7 @@ ROUNDING = 1e-4  # percent
 
 
 def runs(options, scene):
-    """Pairs of runs: one whose model errors are in question, and the one it is compared with."""
+    """Pairs of runs: one whose model errors are checked, and its reference."""
     def run(model, **keys):
         keys = {"contact_grid__elements_across": str(options.across), **keys}
         return scene_sets.run(options.program, options.output, f"{scene.name}_{model}", scene.with_keys(**keys), "--model",
@@ -37,7 +37,7 @@ def runs(options, scene):
 
 
 def whole_of(point, quantity):
-    """What percentages of the quantity are of (docs/results.md)."""
+    """Reference of percentages of the quantity (docs/results.md)."""
     bound = point["friction"] * point["normal_force"]
     if quantity in ("lateral_force", "longitudinal_force"):
         return bound
@@ -56,7 +56,7 @@ def friction_of(scene):
 
 
 def differences(scene, asked, other):
-    """Per load point and quantity: (quantity, model, estimate, difference, noise), each but the words in percent."""
+    """Per load point and quantity: (quantity, model, estimate, difference, noise), numbers in percent."""
     rows = []
     friction = friction_of(scene)
     for model in asked["models"]:
@@ -113,7 +113,7 @@ def print_tables(rows, theories, least=0.0):
 
 
 def print_worst(rows, count):
-    """Where an estimate is off by more than a factor of two, the largest differences first."""
+    """Estimates wrong by more than a factor of two, the largest differences first."""
     off = [row for row in rows if counts(row, 0.0)
            and not 0.5 <= row["estimate"] / abs(row["difference"]) <= 2]
     for row in sorted(off, key=lambda row: -max(abs(row["difference"]), row["estimate"]))[:count]:
@@ -125,11 +125,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--randoms", type=int, default=40, help="scenes beside the 20 that are always the same")
+    parser.add_argument("--randoms", type=int, default=40, help="number of random scenes beside the 20 fixed ones")
     parser.add_argument("--across", type=int, default=80)
     parser.add_argument("--theories", action="store_true", help="theories against the half-space")
-    parser.add_argument("--least", type=float, default=0.0, help="percent: count no smaller differences")
-    parser.add_argument("--worst", type=int, default=0, help="show so many of the estimates that are off")
+    parser.add_argument("--least", type=float, default=0.0, help="percent; ignore smaller differences")
+    parser.add_argument("--worst", type=int, default=0, help="number of wrong estimates to show")
     parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
     scene_sets.prepare(options.output)
@@ -139,7 +139,7 @@ def main():
             failed = [run["failed"] for run in (asked, other) if "failed" in run]
             if failed and not options.theories:
                 print(f"{scene.name}: {failed[0]}")
-            if not failed:  # a theory need not take every scene
+            if not failed:  # a theory may refuse a scene
                 rows += differences(scene, asked, other)
     print_tables(rows, options.theories, options.least)
     print_worst(rows, options.worst)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cases whose numbers are pinned: case files of cases/ with some keys changed, coarse enough for seconds."""
+"""The cases with pinned numbers: case files of cases/ with changed keys, coarse enough to run in seconds."""
 import math
 import pathlib
 import re
@@ -15,8 +15,8 @@ CURVED = {"halfspace.surface": '"curved"'}
 
 @dataclass
 class Case:
-    """A case file of cases/ with keys changed; None takes a key out. Of several `ways` to write it, for programs
-    with other keys, the first that a program reads is run."""
+    """A case file of cases/ with changed keys; None removes a key. Of several `ways` to write it, for programs with
+    other keys, the first one that a program reads is run."""
 
     name: str
     file: str
@@ -32,7 +32,7 @@ class Case:
 
 
 def without_key(lines, section, key):
-    """The lines but for the key of the section, which may go over several of them."""
+    """The lines without the key of the section, which may span several lines."""
     kept, current, depth = [], "", 0
     for line in lines:
         bare = line.split("#")[0]
@@ -50,7 +50,7 @@ def without_key(lines, section, key):
 
 
 def with_keys(text, keys):
-    """A case file with keys ("section.key", or "key" of the beginning) given other values."""
+    """A case file with changed values of keys ("section.key", or "key" before the first section)."""
     lines = text.splitlines()
     for path, value in keys.items():
         section, _, key = path.rpartition(".")
@@ -68,7 +68,7 @@ def with_keys(text, keys):
 
 
 def write_files(folder, cases):
-    """What the cases name beside themselves: profiles, a distance and a slip on lattices."""
+    """Files named by the cases: profiles, a distance and a slip on lattices."""
     profiles = pathlib.Path(folder) / "profiles"
     profiles.mkdir()
     for path in (pathlib.Path(cases) / "profiles").glob("*.csv"):
@@ -97,7 +97,7 @@ def creep_curves():
         yield Case(f"{letter}", thesis(letter), "creep curve in the tangent plane, no slip of the surface",
                    [*models, "halfspace"], coarse(24, rolling__longitudinal_creepage=CREEP, **NO_SLIP))
     for letter in "ad":
-        yield Case(f"{letter}_default", thesis(letter), "as it is without a word about the slip of the surface",
+        yield Case(f"{letter}_default", thesis(letter), "unchanged, without a key for the slip of the surface",
                    ["fastsim", "strip", "halfspace"],
                    coarse(20, rolling__longitudinal_creepage="[0.0, 0.001]", rolling__extra_slip=None))
     for letter in "ef":
@@ -109,14 +109,14 @@ def creep_curves():
                       rolling__spin="[0.0002, 0.0004]", **NO_SLIP))
     yield Case("a_stress", thesis("a"), "largest stresses", ["halfspace"],
                coarse(20, rolling__longitudinal_creepage="[0.0, 0.002]", output__stress_maxima="true", **NO_SLIP))
-    yield Case("b_accuracy", thesis("b"), "cells are halved until the error is small enough", ["halfspace"],
+    yield Case("b_accuracy", thesis("b"), "cells halved until the error is small enough", ["halfspace"],
                coarse(10, rolling__longitudinal_creepage="[0.0, 0.001]", accuracy="4e-3", **NO_SLIP))
     yield Case("carter_line", "carter_line.toml", "a very wide patch", ["carter", "strip", "halfspace"],
                coarse(16, rolling__longitudinal_creepage="[0.0002, 0.0004]", **NO_SLIP))
 
 
 def curved():
-    """The slip of the surface is part of it: its key is left out."""
+    """The slip of the surface is included: its key is left out."""
     along = {**CURVED, "rolling.extra_slip": None}
     for letter in "abdef":
         few = {"rolling.longitudinal_creepage": CREEP if letter in "ef" else "[0.0, 0.001]"}
@@ -174,7 +174,7 @@ def given_pressure():
 
 
 def histories():
-    yield Case("cattaneo", "cattaneo.toml", "pushed to and fro", ["hertz", "halfspace"], coarse(24))
+    yield Case("cattaneo", "cattaneo.toml", "pushed back and forth", ["hertz", "halfspace"], coarse(24))
     yield Case("cattaneo_force", "cattaneo.toml", "pushed by a force", ["halfspace"],
                coarse(24, history__longitudinal_shift=None, history__steps="4",
                       rolling__longitudinal_force="[1.0, 2.5, 3.2, -1.0]"))
@@ -182,7 +182,7 @@ def histories():
                coarse(24, history__normal_force="[0.0137, 0.0376, 0.08, 0.146, 0.241, 0.37]"))
     yield Case("transient", "cattaneo_to_carter.toml", "from rest towards steady rolling", ["halfspace"],
                coarse(16, history__steps="8", history__step_length="2.4", **NO_SLIP))
-    yield Case("transient_load", "cattaneo_to_carter.toml", "while the load and the creepage vary", ["halfspace"],
+    yield Case("transient_load", "cattaneo_to_carter.toml", "with varying load and creepage", ["halfspace"],
                coarse(16, history__steps=None, history__step_length="1.2", load__normal_force=None,
                       history__normal_force="[40e3, 45e3, 50e3, 45e3]",
                       rolling__longitudinal_creepage="[0.001, 0.001, 0.0, -0.0005]", **NO_SLIP))
@@ -210,14 +210,14 @@ def profiles():
 def finite_elements():
     bare = {"rolling.extra_slip": None, "output.body_fields": '"none"'}
     for letter in "aef":
-        yield Case(f"{letter}_fem", thesis(letter), "coarse cells, no word about the slip of the surface", ["fem"],
+        yield Case(f"{letter}_fem", thesis(letter), "coarse cells, without a key for the slip of the surface", ["fem"],
                    {"fem.cell_size": "0.95", "rolling.longitudinal_creepage": "[0.0, 0.002]", **bare})
     one = {"fem.cell_size": "1.2", "rolling.longitudinal_creepage": "0.001", **bare}
     yield Case("a_fem_spin", thesis("a"), "creepage both ways and spin, approach given", ["fem"],
                {**one, "rolling.lateral_creepage": "0.0004", "rolling.spin": "0.0002", "load.normal_force": None,
                 "load.approach": "0.047"})
     yield Case("a_fem_unlike", thesis("a"), "aluminium on steel", ["fem"], {**one, "wheel.young_modulus": "70e3"})
-    # Inertia came with the speed alone before it had a key.
+    # Before inertia had a key, the speed alone switched it on.
     yield Case("a_fem_speed", thesis("a"), "inertia of wheel and rail", ["fem"], {**one, "rolling.speed": "80e3"},
                [{"fem.inertia": "true"}, {}])
 

@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pins the numbers of the program, so that a change of its structure shows that it changed none.
+"""Pins the numbers of the program, to show that a change of its structure changes none of them.
 
 usage: benchmarks/pins.py record --program PATH -o FILE.json [--cases FOLDER] [--only PATTERN]
        benchmarks/pins.py compare BEFORE.json AFTER.json [--reasons FILE] [--only PATTERN] [--brief]
        benchmarks/pins.py list
 
-record runs the cases of pin_cases.py with the program, one model at a time and without a report, and keeps
-every scalar of summary.json but times and iteration counts under case/model/place/point/quantity. compare
-lists the numbers that differ by more than 1e-9 (1e-7 where a finite-element solver of finite accuracy stands
-behind them), relative to the value or, where that vanishes, to the scale of the quantity (scale_of). Every
-difference is looked up in a table, pattern < largest difference: reason (pin_reasons.txt beside this file); one
-without a reason ends compare with status 1.
+record runs the cases of pin_cases.py with the program, one model at a time and without a report, and stores every
+scalar of summary.json except times and iteration counts under case/model/place/point/quantity. compare lists numbers
+that differ by more than 1e-9 (1e-7 for finite-element solvers of finite accuracy), relative to the value or, if that
+vanishes, to the scale of the quantity (scale_of). Every difference is looked up in a table, pattern < largest
+difference: reason (pin_reasons.txt beside this file); a difference without a reason ends compare with status 1.
 """
 import argparse
 import fnmatch
@@ -30,21 +29,21 @@ import pin_cases
 HERE = pathlib.Path(__file__).resolve().parent
 TOLERANCE = {"fem": 1e-7}
 TOLERANCE_OF_OTHERS = 1e-9
-# What a scalar may be without being a number of the solution.
+# Scalars that are not numbers of the solution.
 LEFT_OUT = {"iterations", "residual", "seconds", "format"}
-VANISHES = 1e-6  # in parts of the scale
+VANISHES = 1e-6  # relative to the scale
 
 
 # --- what a number is compared to where it vanishes ---------------------------------------------------
 
 def scale_of(name, numbers):
-    """A size that the quantity has in this load point when it does not vanish, from the others of the point."""
+    """Typical magnitude of a vanishing quantity, from the others of the load point."""
     point, quantity = name.rsplit("/", 1)
 
     def of(key):
         return abs(numbers.get(f"{point}/{key}", 0.0))
 
-    if point.count("/") < 3:  # of a place: mm, rad
+    if point.count("/") < 3:  # for a place: mm, rad
         return 1.0
     estimate, quantity = quantity.startswith("error_estimate."), quantity.split("error_estimate.")[-1]
     quantity = quantity.removeprefix("richardson.")
@@ -58,20 +57,20 @@ def scale_of(name, numbers):
         "longitudinal_shift": of("approach"), "lateral_shift": of("approach"),
         "max_traction": of("max_pressure"), "max_traction_x": of("max_pressure"),
         "adhesion_area": of("contact_area"), "patch_x_middle": length, "patch_y_middle": length,
-        # per length rolled: a force times a creepage
+        # per rolled length: a force times a creepage
         "frictional_work": 1e-3 * of("normal_force"), "creepage_work": 1e-3 * of("normal_force"),
     }.get(quantity, 0.0)
-    return size or of(quantity) if estimate else size  # an estimate may vanish where its quantity does not
+    return size or of(quantity) if estimate else size  # an estimate may vanish although its quantity does not
 
 
 # --- record -------------------------------------------------------------------------------------------
 
 def scalars(value, name=""):
-    """(name, number) of everything below value that is one."""
+    """(name, number) of all numbers below value."""
     if isinstance(value, dict):
         for key, inner in value.items():
             if key not in LEFT_OUT:
-                # Where a quantity is filed must not matter.
+                # The place of a quantity in the file must not matter.
                 yield from scalars(inner, name if key == "derived" else f"{name}.{key}" if name else key)
     elif isinstance(value, list):
         for i, inner in enumerate(value):
@@ -99,8 +98,8 @@ def numbers_of(summary, case):
 
 
 def run_one(program, case, model, folder, cases):
-    """numbers of a case with a model, and the first line of what the program said when it refused it.
-    A case may be written in several ways, for programs that know other keys: the first that is read counts."""
+    """numbers of a case with a model, and the first line of the program's message if it refused the case. A case may be
+    written in several ways, for programs with other keys: the first readable one counts."""
     said = ""
     for text in case.texts(cases):
         path = pathlib.Path(folder) / f"{case.name}.toml"
@@ -143,7 +142,7 @@ def record(arguments):
 # --- compare ------------------------------------------------------------------------------------------
 
 def difference(before, after, scale):
-    """Relative to the value, or to the scale where both vanish."""
+    """Relative to the value, or to the scale if both vanish."""
     size = max(abs(before), abs(after))
     if size < VANISHES * scale:
         size = scale
@@ -151,7 +150,7 @@ def difference(before, after, scale):
 
 
 def read_reasons(path):
-    """[(pattern, largest difference, reason)] of lines `pattern < 1e-6: reason`; # begins a comment."""
+    """[(pattern, largest difference, reason)] of lines `pattern < 1e-6: reason`; # starts a comment."""
     rules = []
     for number, line in enumerate(path.read_text("utf-8").splitlines(), 1):
         line = line.strip()
@@ -170,7 +169,7 @@ def reason_for(name, relative, rules):
 
 
 def differences(before, after):
-    """(name, before, after, relative difference); None where a program has no such number."""
+    """(name, before, after, relative difference); None if a program has no such number."""
     for name, old in before["numbers"].items():
         new = after["numbers"].get(name)
         if new is None:
@@ -222,20 +221,20 @@ def show(_):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     commands = parser.add_subparsers(required=True)
-    one = commands.add_parser("record", help="run the cases and keep their numbers")
+    one = commands.add_parser("record", help="run the cases and store their numbers")
     one.add_argument("--program", required=True, help="the rollfem to run (build/app/rollfem)")
     one.add_argument("-o", "--output", required=True, help="file for the numbers (.json)")
     one.add_argument("--cases", type=pathlib.Path, default=HERE.parent / "cases", help="folder of case files")
-    one.add_argument("--only", default="*", help="case/model to run, a pattern")
+    one.add_argument("--only", default="*", help="pattern of case/model to run")
     one.set_defaults(do=record)
     two = commands.add_parser("compare", help="list the numbers that changed, with the reasons")
     two.add_argument("before")
     two.add_argument("after")
     two.add_argument("--reasons", default=HERE / "pin_reasons.txt", help="lines `pattern < 1e-6: reason`")
-    two.add_argument("--only", default="*", help="case/model to compare, a pattern")
-    two.add_argument("--brief", action="store_true", help="one line for a case and model")
+    two.add_argument("--only", default="*", help="pattern of case/model to compare")
+    two.add_argument("--brief", action="store_true", help="one line per case and model")
     two.set_defaults(do=compare)
-    commands.add_parser("list", help="say what the cases are").set_defaults(do=show)
+    commands.add_parser("list", help="describe the cases").set_defaults(do=show)
     arguments = parser.parse_args()
     return arguments.do(arguments)
 

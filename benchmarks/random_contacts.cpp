@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How surely and how fast random contacts (tests/support/random_contact.hpp) are solved. Prints one
+// Reliability and speed of solving random contacts (tests/support/random_contact.hpp). Prints one
 // row of the table in docs/accuracy.md for every size, and every contact that is not solved or
-// takes many steps. Every grid begins on coarser ones as in the models, or from scratch. Call:
+// takes many steps. Every grid starts from coarser ones as in the models, or from scratch. Call:
 // benchmark_random_contacts [scratch] SEED FIRST ACROSS:NUMBER ..., e.g. 1 0 20:1000 40:300
 #include <fmt/format.h>
 
@@ -20,9 +20,9 @@ constexpr int many_steps = 12;
 
 struct Tally {
   std::vector<int> steps, krylov;
-  std::vector<int> outer;  ///< of unlike materials only
+  std::vector<int> outer;  ///< for unlike materials only
   int failed = 0;
-  int beyond = 0;  ///< of more than many_steps
+  int beyond = 0;  ///< contacts with more than many_steps
 
   void add(const testing::RandomOutcome& outcome) {
     steps.push_back(outcome.newton_steps);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What share of the machine the product of the half-space reaches: flops a second beside those of
-// a loop of multiply-adds that never leaves the registers, bytes a second beside those of a triad.
-// One core; prints the rows of docs/benchmarks.md.
+// Fraction of peak performance reached by the product of the half-space: flops per second against a
+// loop of multiply-adds in registers, bytes per second against a triad. One core; prints the rows
+// of docs/benchmarks.md.
 #include "contact/base/threads.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/fft.hpp"
@@ -23,7 +23,7 @@ double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Least CPU seconds of a call in several.
+/// Smallest CPU time of several calls, s.
 template <class Work>
 double seconds_of(Work&& work) {
   double least = 1e30;
@@ -59,7 +59,7 @@ ROLLFEM_FUSED double multiply_adds(long rounds, double first) {
 
 double peak_gigaflops() {
   constexpr long rounds = 10'000'000;
-  volatile double one = 1.0;  // not known to the compiler
+  volatile double one = 1.0;  // unknown to the compiler
   volatile double keep = 0.0;
   const double seconds = seconds_of([&] { keep = keep + multiply_adds(rounds, one); });
   return 2.0 * 4.0 * 12.0 * rounds / seconds * 1e-9;
@@ -74,15 +74,15 @@ double triad_gigabytes() {
   return 3.0 * 8.0 * static_cast<double>(n) / seconds * 1e-9;
 }
 
-/// Two components there and back: real transforms of the rows that are not zero, complex ones of
-/// all columns (5 n log2 n each, half of it where real), and 28 flops a frequency between.
+/// Two components forward and back: real transforms of the nonzero rows, complex transforms of all
+/// columns (5 n log2 n each, half if real), and 28 flops per frequency between.
 double product_flops(double ny, double px, double py) {
   const double columns = px / 2.0 + 1.0;
   const double transforms = ny * 2.5 * px * std::log2(px) + columns * 5.0 * py * std::log2(py);
   return 4.0 * transforms + 28.0 * columns * py;
 }
 
-/// Every pass over a spectrum or over the rows read and written once: rows, columns and the
+/// Every pass over a spectrum or over the rows, each read and written once: rows, columns and the
 /// product with three symbols.
 double product_bytes(double ny, double px, double py) {
   const double spectrum = 16.0 * (px / 2.0 + 1.0) * py;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scenes for benchmarks that count over many: cases a to f at two loads, patches of true profiles and random curved
-bodies from a seed; and runs of a program on them, kept in files and taken up again."""
+"""Scenes for statistical benchmarks: cases a to f at two loads, patches of true profiles and random curved bodies from
+a seed; and runs of a program on them, stored in files and reused."""
 
 import json
 import math
@@ -15,9 +15,9 @@ from pin_cases import with_keys, write_files
 
 CASES = Path(__file__).resolve().parent.parent / "cases"
 
-# Of random scenes. Beyond these the linear elasticity of both bodies, or one patch, is not what wheel and rail are.
+# Limits of random scenes, beyond which linear elasticity or a single patch would not represent wheel and rail.
 LARGEST_PRESSURE = 3000.0  # MPa
-LARGEST_PART_OF_RADIUS = 0.3  # half a patch of a transverse radius; case f has 0.21
+LARGEST_PART_OF_RADIUS = 0.3  # half the patch over a transverse radius; 0.21 in case f
 MOST_UNLIKE_AXES = 8.0
 
 
@@ -30,7 +30,7 @@ class Scene:
     text: str
 
     def with_keys(self, **keys):
-        """Of arguments, `__` is the dot of section.key; strings carry their own quotes."""
+        """In arguments, `__` is the dot of section.key; strings carry their own quotes."""
         return with_keys(self.text, {key.replace("__", "."): value for key, value in keys.items()})
 
 
@@ -52,7 +52,7 @@ def thesis_scenes():
 
 
 def profile_scenes():
-    """One patch each: of the ball on the head, at the gauge corner, of a hollow wheel."""
+    """One patch each: a ball on the head, at the gauge corner, a hollow wheel."""
     for side in ("left", "right"):
         for load in (50, 100):
             yield of_case(f"s1002_{side}_{load}", "profile", f"s1002_uic60_{side}.toml",
@@ -69,7 +69,7 @@ def profile_scenes():
 
 
 def transverse_radii(draw):
-    """Of rail and wheel, mm; concave ones are negative."""
+    """Transverse radii of rail and wheel, mm; negative if concave."""
     kind = draw.choice(["flat", "convex", "groove of the wheel", "groove of the wheel", "groove of the rail"])
     small = log_uniform(draw, 40, 1000)
     groove = -draw.uniform(1.03, 3.0) * small
@@ -78,7 +78,7 @@ def transverse_radii(draw):
 
 
 def materials(draw):
-    """Young's moduli and Poisson's ratios; unlike in a third."""
+    """Young's moduli and Poisson's ratios; one third unlike."""
     if draw.random() < 2 / 3:
         nu = draw.uniform(0.25, 0.33)
         return (210e3, 210e3), (nu, nu)
@@ -86,7 +86,7 @@ def materials(draw):
 
 
 def is_sensible(wheel, radii, moduli, ratios, load):
-    """By Hertz with the exponents of Hamrock and Brewe (1983) for the ellipse."""
+    """Hertz's patch with the exponents of Hamrock and Brewe (1983) for the ellipse."""
     along, across = 1 / wheel, sum(1 / radius for radius in radii)
     if across <= 0:
         return False
@@ -136,27 +136,27 @@ fields = false
 
 
 def scenes(seed, randoms):
-    """The 20 that are always the same, and as many random ones."""
+    """The 20 fixed scenes and a number of random ones."""
     return [*thesis_scenes(), *profile_scenes(), *(random_scene(seed, number) for number in range(randoms))]
 
 
 def prepare(folder):
-    """The folder of runs with what case files name beside themselves."""
+    """The folder of runs with the files named by the case files."""
     folder.mkdir(parents=True, exist_ok=True)
     if not (folder / "profiles").exists():
         write_files(folder, CASES)
 
 
 def run(program, folder, name, text, *arguments):
-    """The result of a case (summary.json) with the seconds of computing it took as `cpu`; an earlier one of the same
-    text and arguments is read. Where there is none: {"failed": message}."""
+    """The result of a case (summary.json) with its CPU seconds as `cpu`; an earlier run with the same text and
+    arguments is reused. Without a result: {"failed": message}."""
     case, kept = folder / f"{name}.toml", folder / f"{name}.json"
     text = f"# run {' '.join(arguments)}\n{text}"
     if kept.exists() and case.exists() and case.read_text("utf-8") == text:
         return json.loads(kept.read_text("utf-8"))
     case.write_text(text, "utf-8")
     before = os.times()
-    with tempfile.TemporaryDirectory() as cache:  # no run has the corrections of another: seconds are from nothing
+    with tempfile.TemporaryDirectory() as cache:  # no run reuses the corrections of another: seconds of a cold start
         done = subprocess.run([program, "run", str(case), *arguments, "--no-report", "-q", "-o", str(folder / name)],
                               capture_output=True, text=True, check=False, env={**os.environ, "ROLLFEM_CACHE": cache})
     after = os.times()

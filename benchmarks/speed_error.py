@@ -4,7 +4,7 @@
 
 usage: benchmarks/speed_error.py BENCHMARK_PROGRAM OUTPUT_FOLDER [--from RESULTS.json]
 
-Runs BENCHMARK_PROGRAM (built as benchmark_halfspace), or reads what an earlier run left in
+Runs BENCHMARK_PROGRAM (built as benchmark_halfspace), or reads the results of an earlier run in
 OUTPUT_FOLDER/speed_error.json or RESULTS.json, and writes speed_error.svg, .png and .json there.
 """
 import argparse
@@ -18,9 +18,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-# Converged values, bracketed by two schemes at 320 elements across (docs/theory.md): the fitted
-# edge comes down on them (10 251.0 N, 1173.2 N mm), the same difference everywhere goes up to them
-# (10 245.0 N, 1161.5 N mm).
+# Converged values, bracketed by two schemes at 320 elements across (docs/theory.md): the fitted edge converges from
+# above (10 251.0 N, 1173.2 N mm), second order everywhere from below (10 245.0 N, 1161.5 N mm).
 FX, MZ = 10250.0, -1168.0
 
 # CONTACT rev 2707 on the same problem (gfortran 12 -O3, FFTW, one thread), in one run with rollfem on two quiet
@@ -106,7 +105,7 @@ def print_tables(table):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program", help="the built benchmark_halfspace")
-    parser.add_argument("folder", help="where the figure goes")
+    parser.add_argument("folder", help="folder for the figure")
     parser.add_argument("--from", dest="given", help="results of an earlier run (JSON)")
     arguments = parser.parse_args()
     if not arguments.given and not os.access(arguments.program, os.X_OK):

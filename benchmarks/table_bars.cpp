@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Error bars of tables: points at random on ellipses at random, as a table solves them, against the
-// limit of grids four times as fine.
+// Error bars of tables: random points on random ellipses, solved as in a table, against the limit
+// of grids four times finer.
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/rolling_ellipse.hpp"
 
@@ -19,7 +19,7 @@ using namespace rollfem;
 using halfspace::EllipseForces;
 using halfspace::ScaledCreepage;
 
-/// An ellipse and creepages on it.
+/// An ellipse with creepages.
 struct Sample {
   halfspace::EllipseShape shape;
   std::vector<ScaledCreepage> creepages;
@@ -37,7 +37,7 @@ std::vector<EllipseForces> forces_of(const std::vector<Sample>& samples,
 
 constexpr double nu = 0.28;
 
-/// As a table has them: even up to 1, in equal ratios beyond.
+/// Creepages as in a table: even up to 1, in equal ratios beyond.
 double creepage_at(double t) {
   const double size = std::abs(t);
   return std::copysign(size <= 1.0 ? size : std::exp(size - 1.0), t);
@@ -56,7 +56,7 @@ void tell(const char* what, std::vector<double> values) {
              at(0.5), at(0.9), at(0.95), at(0.99), at(1.0));
 }
 
-/// How far points that are solved up to a correction are off, and how well it covers that.
+/// Errors of points solved up to a correction, and how well the correction covers them.
 void judge(const std::vector<Sample>& samples, const std::vector<EllipseForces>& exact,
            double largest_correction) {
   const std::clock_t begin = std::clock();
@@ -76,8 +76,8 @@ void judge(const std::vector<Sample>& samples, const std::vector<EllipseForces>&
       "{} points against the limit of 80 and 160 across, corrections up to {:g} %: {:.1f} CPU "
       "ms a point\n",
       found.size(), 100.0 * largest_correction, 1e3 * seconds / static_cast<double>(found.size()));
-  tell("force, of mu F_n", force);
-  tell("moment, of mu F_n c", moment);
+  tell("force, over mu F_n", force);
+  tell("moment, over mu F_n c", moment);
   for (const double floor : {0.0, 0.001, 0.002, 0.003, 0.004}) {
     const auto held = [&](auto off, auto left) {
       const auto n = std::count_if(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-/* What a look-up in a table of creep forces costs: at random places and creepages of a table over
-   ratios of axes or over lateral shifts, nanoseconds of CPU (the best of five rounds) and
+/* Cost of a look-up in a table of creep forces: at random places and creepages of a table over
+   axis ratios or over lateral shifts, nanoseconds of CPU (the best of five rounds) and
    allocations. Call: benchmark_table_lookup TABLE FIRST LAST [shift], the ends of the first axis,
    a/b or mm */
 #define _GNU_SOURCE
@@ -30,7 +30,7 @@ static double even(double low, double high) {
   return low + (high - low) * rand() / (double)RAND_MAX;
 }
 
-/* The sum of the forces over mu F_n, so that nothing is optimised away. */
+/* The sum of the forces over mu F_n, to keep the compiler from optimising the look-ups away. */
 static double of_ellipse(const rollfem_table* table, double ratio) {
   char message[512];
   const rollfem_ellipse ellipse = {
@@ -76,7 +76,7 @@ int main(int count, char** words) {
       sum += count > 4 ? of_wheel(table, even(first, last)) : of_ellipse(table, even(first, last));
     best = fmin(best, cpu_seconds() - begin);
   }
-  printf("%.0f ns of CPU a look-up, %ld allocations in %d (mean of the forces %.3g)\n",
+  printf("%.0f ns of CPU per look-up, %ld allocations in %d (mean of the forces %.3g)\n",
          1e9 * best / LOOKUPS, allocations, ROUNDS * LOOKUPS, sum / (ROUNDS * LOOKUPS));
   rollfem_table_close(table);
   return 0;

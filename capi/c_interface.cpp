@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// rollfem.h: units, and exceptions as status and text.
+// Implements rollfem.h: unit conversion, and exceptions as status and text.
 #include "capi/guarded.hpp"
 #include "capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
@@ -23,7 +23,7 @@ namespace contact = rollfem::contact;
 
 namespace {
 
-/// What one unit of the caller is in mm and N.
+/// The caller's units in mm and N.
 struct Units {
   double length = 1.0;
   double force = 1.0;
@@ -40,7 +40,7 @@ Units units_of(rollfem_units units) {
       return {1.0, 1e3};
   }
   throw contact::InputError(fmt::format(
-      "units = {}: are not known; allowed: ROLLFEM_MM_N, ROLLFEM_M_N, ROLLFEM_MM_KN; do: "
+      "units = {}: is not known; allowed: ROLLFEM_MM_N, ROLLFEM_M_N, ROLLFEM_MM_KN; do: "
       "fill the definition with rollfem_defaults",
       static_cast<int>(units)));
 }
@@ -54,7 +54,7 @@ const char* name_of(rollfem_side side) {
       static_cast<int>(side)));
 }
 
-/// A text as TOML, whatever is in it.
+/// Any text as a TOML string.
 std::string quoted(const char* what, const char* text) {
   if (text == nullptr || *text == '\0')
     throw contact::InputError(fmt::format("{} is not given; do: name a profile", what));
@@ -66,7 +66,7 @@ std::string quoted(const char* what, const char* text) {
   return found + '"';
 }
 
-/// Checked as a case file is: the definition as one.
+/// The definition as a case, which passes the checks of case files.
 contact::Case case_of(const rollfem_definition& definition) {
   const Units units = units_of(definition.units);
   const double length = units.length, stress = units.stress();

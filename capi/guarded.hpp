@@ -21,18 +21,18 @@ inline void tell(const std::string& text, char* message, size_t size) {
   message[length] = '\0';
 }
 
-/// What a pointer of the caller points to. `from`: where it comes from. Throws contact::InputError
-/// for NULL: the commonest is a refused creation that nobody looked at.
+/// Dereferences a pointer of the caller. `from`: its origin. Throws contact::InputError for NULL,
+/// most often after a refused creation that the caller did not check.
 template <class T>
 T& wanted(T* pointer, const char* name, const char* from) {
   if (pointer == nullptr)
     throw contact::InputError(fmt::format(
-        "{} is NULL; allowed: {}; do: look at the status and message of the call before", name,
+        "{} is NULL; allowed: {}; do: check the status and message of the previous call", name,
         from));
   return *pointer;
 }
 
-/// Runs what may throw.
+/// Runs `work` and translates its exceptions.
 template <class Work>
 rollfem_status guarded(const Work& work, char* message, size_t size) {
   try {

@@ -15,15 +15,17 @@ using contact::Field;
 namespace {
 
 constexpr int finer = 4;
-constexpr double tolerance = 1e-4;  ///< of the approach
-/// Of the largest pressure: rows with less are covered in part, which their ratio would show.
+constexpr double tolerance = 1e-4;  ///< relative to the approach
+/// Fraction of the largest pressure. Rows with less pressure are only partly covered, which would
+/// distort their ratio.
 constexpr double least_part = 0.3;
-/// The error, of the pressure and of what the fine rows change: S1002 on 60E1 at shifts of -3 to 8
-/// mm against 64 elements across (unit.CInterface.TheLargestPressureIsWithinItsBar).
+/// Error bar as fractions of the pressure and of the change by the fine rows, from S1002 on 60E1 at
+/// shifts of -3 to 8 mm against 64 elements across
+/// (unit.CInterface.TheLargestPressureIsWithinItsBar).
 constexpr double least_bar = 0.015, part_of_change = 0.75;
 
-/// The distance at which a row displaces as it does in the mean over a row that many rows beside,
-/// in rows: the deflection goes with the logarithm of the distance.
+/// Effective distance in rows: the displacement there equals the mean over a row `rows` rows away,
+/// for a deflection logarithmic in the distance.
 double mean_distance(int rows) {
   if (rows == 0) return 0.5 * std::exp(-1.0);
   const double above = rows + 0.5, below = rows - 0.5;
@@ -64,7 +66,7 @@ PeakPressure::Peak PeakPressure::of(const contact::ChartedGeometry& geometry,
   solve(fine_, geometry, {1, finer * grid.ny, grid.dx, width, x, y_first});
   const double of_elements = pressure.maxCoeff(), between = between_rows(grid, pressure);
   const double change = std::abs(between - of_elements);
-  // Rows of one length do not stand for those of a conformal patch.
+  // Rows of equal length do not represent a conformal patch.
   const bool conformal = turn_of(geometry, grid, pressure) > most_turn;
   if (conformal) return {of_elements, least_bar * of_elements + change};
   return {between, least_bar * between + part_of_change * change};

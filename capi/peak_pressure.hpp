@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The largest pressure between the rows of a grid of few elements: where the radii of the profiles
-// change it is a peak narrower than an element.
+// The largest pressure between the rows of a coarse grid. Where the profile radius jumps, it is a
+// peak narrower than an element.
 #pragma once
 
 #include "contact/iteration/bound_constrained_cg.hpp"
@@ -13,12 +13,12 @@ namespace rollfem::capi {
 /// Angle between the normals of the first and the last row under pressure, rad.
 double turn_of(const contact::ChartedGeometry& geometry, const contact::ContactGrid& grid,
                const contact::Field& pressure);
-/// A patch whose normals turn by more is conformal.
+/// A patch whose normals turn by more than this is conformal, rad.
 inline constexpr double most_turn = 0.35;
 
-/// Rows of one length under semi-elliptic pressures along rolling are solved across the patch
-/// twice, on the rows of the grid and on rows of a quarter of their width; they carry the same. The
-/// ratio of both pressures at a row is what the grid leaves out there.
+/// Solves the patch across rolling twice with rows of equal length and semi-elliptic pressure along
+/// rolling: on the rows of the grid and on rows of a quarter of their width, with equal load. The
+/// ratio of the two pressures at a row corrects the pressure of the grid there.
 class PeakPressure {
  public:
   /// `modulus`: contact modulus, MPa.
@@ -29,13 +29,13 @@ class PeakPressure {
     double pressure = 0.0;
     double bar = 0.0;
   };
-  /// In place of the largest pressure of the elements, but of a conformal patch that with a larger
-  /// bar. Throws contact::SolveError.
+  /// The corrected largest pressure; for a conformal patch the uncorrected one with a larger bar.
+  /// Throws contact::SolveError.
   Peak of(const contact::ChartedGeometry& geometry, const contact::ContactGrid& grid,
           const contact::Field& pressure);
 
  private:
-  /// Displacement of the middles of the rows under the pressures there, MPa.
+  /// Rows across the patch: displacement of their middles under pressures in MPa.
   struct Rows {
     Eigen::MatrixXd influence;
     contact::Field distance;
@@ -55,8 +55,8 @@ class PeakPressure {
   double between_rows(const contact::ContactGrid& grid, const contact::Field& pressure) const;
 
   double modulus_;
-  double half_ = 0.0;  ///< length of the rows, mm
-  double sum_ = 0.0;   ///< of the pressures in the middle of the rows, each times its width, N/mm
+  double half_ = 0.0;  ///< half-length of the rows, mm
+  double sum_ = 0.0;   ///< sum of middle pressure times width over the rows, N/mm
   Rows coarse_, fine_;
 };
 

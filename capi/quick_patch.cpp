@@ -16,13 +16,14 @@ using contact::PatchSize;
 
 namespace {
 
-/// Of the creepage load: a hundredth of what so few elements are off.
+/// Relative to the creepage load: a hundredth of the error of so few elements.
 constexpr double traction_tolerance = 1e-5;
-/// Of Newton's linear systems, looser than which costs more steps than it saves.
+/// Tolerance of Newton's linear systems; a looser one costs more steps than it saves.
 constexpr double krylov_tolerance = 0.05;
-/// A surface along the load carries next to nothing of it.
+/// A surface nearly parallel to the load carries almost none of it.
 constexpr double least_carried = 0.05;
-/// Point loads along and across that stand for the tractions of a patch on its neighbours.
+/// Number of point loads along and across that represent the tractions of a patch acting on its
+/// neighbours.
 constexpr int loads_across = 5;
 
 }  // namespace
@@ -51,7 +52,7 @@ double QuickPatch::first_sinking() const {
   return contact().place.separation / direction_[1];
 }
 
-/// The grid's y at y of the patch frame.
+/// Coordinate of the grid at y of the patch frame.
 double QuickPatch::grid_place(double y) const {
   double at = y;
   constexpr int steps = 6;
@@ -98,7 +99,7 @@ bool QuickPatch::lay_on_patch() {
   if (!(dx > 0.0 && dy > 0.0)) return false;
   table_ = tables_.nearest(dy / dx);
   if (table_ == nullptr) return false;
-  // The ratio of the ladder shares its difference between both directions.
+  // The deviation from the tabulated ratio is split between both directions.
   lay(std::sqrt(dx * dy / table_->ratio), 0.5 * (patch.x_lower + patch.x_upper),
       0.5 * (patch.y_lower + patch.y_upper));
   own_slip_ = geometry_->rigid_slip(given_->creepage, grid_);
@@ -124,7 +125,7 @@ void QuickPatch::lay(double dx, double x_middle, double y_middle) {
 }
 
 halfspace::NormalBlock QuickPatch::block() const {
-  // y of a patch frame points to the field on the left wheel, to the middle on the right.
+  // y of the patch frame points to the field side on the left wheel, to the middle on the right.
   const double outward = contact().place.left ? 1.0 : -1.0;
   return {table_, grid_, carried_.data(), contact().place.x_track, contact().place.way_across,
           outward};
@@ -139,7 +140,7 @@ void QuickPatch::press(const double* forces) {
     }
 }
 
-/// No row without pressure lies between others.
+/// True if no unloaded row lies between loaded ones.
 bool QuickPatch::is_one_region() const {
   int changes = 0;
   bool inside = false;
@@ -177,7 +178,7 @@ void QuickPatch::forget_neighbours() {
   slip_.y = own_slip_.y;
 }
 
-/// The tractions of the neighbour as point loads, each that of a block of elements.
+/// Adds the slip from the neighbour's tractions, lumped into one point load per block of elements.
 void QuickPatch::add_slip_of(const QuickPatch& neighbour,
                              const contact::CombinedMaterial& material) {
   const ContactGrid& there = neighbour.grid_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One contact of like half-spaces on one grid of few elements, in memory that is kept: its part of
-// what quick_wheel.hpp solves.
+// One contact of half-spaces of like material on one coarse grid, in reused memory: a part of the
+// problem of quick_wheel.hpp.
 #pragma once
 
 #include "capi/peak_pressure.hpp"
@@ -21,8 +21,8 @@
 
 namespace rollfem::capi {
 
-/// A contact, or one that the load may reach, as the search has found it. The surface of its
-/// geometry follows the bodies as far as the contact grid does (contact::ContactSurface).
+/// A contact from the search, or a near one that closes under load. The surface of its geometry
+/// follows the bodies over the extent of the contact grid (contact::ContactSurface).
 struct QuickContact {
   const track::WheelRailContact* contact = nullptr;
   contact::Geometry geometry;
@@ -38,59 +38,60 @@ struct GridBox {
 
 class QuickPatch {
  public:
-  /// Elements around the patch on the grid: three that the differences and the border need, and one
-  /// for what the search for the patch is off.
+  /// Elements around the patch on the grid: three for the differences and the border, one for the
+  /// error of the search for the patch.
   static constexpr int margin = 4;
 
-  /// On grids as large as the tables.
+  /// Uses grids as large as the tables.
   QuickPatch(const halfspace::InfluenceTables& tables, const contact::CombinedMaterial& material);
 
-  /// Takes a contact, which must outlive the work on it.
+  /// Starts with a contact, which must outlive the solution.
   void begin(const QuickContact& contact);
   const track::WheelRailContact& contact() const { return *given_->contact; }
-  /// Of the load, y and z of the patch frame.
+  /// Direction of the load, y and z in the patch frame.
   const std::array<double, 2>& direction() const { return direction_; }
-  /// Of the wheel, at which the bodies touch, mm along the load.
+  /// Sinking of the wheel at which the bodies touch, mm along the load.
   double first_sinking() const;
-  /// Where the bodies overlap as the search has it, or at a sinking.
+  /// Box of the overlap of the bodies according to the search, or at a given sinking.
   GridBox overlap() const;
   GridBox overlap_at(double sinking) const;
 
-  /// Lays all elements over a box; false where the box is too narrow for the tables.
+  /// Covers a box with all elements; false if the box is too narrow for the tables.
   bool lay_over(const GridBox& box);
-  /// Lays the elements, but for the margin, over the patch as it was measured last.
+  /// Covers the last measured patch with the elements inside the margin.
   bool lay_on_patch();
   const contact::ContactGrid& grid() const { return grid_; }
   halfspace::NormalBlock block() const;
-  /// Per element, between the bodies along the load before the wheel sinks, mm.
+  /// Undeformed distance per element along the load before the wheel sinks, mm.
   const contact::Field& distance() const { return distance_; }
 
-  /// Takes the forces along the load (N) of the elements.
+  /// Sets the forces of the elements along the load, N.
   void press(const double* forces);
   bool has_pressure() const { return pressure_.maxCoeff() > 0.0; }
   bool touches_border() const { return contact::touches_border(grid_, pressure_); }
   bool is_one_region() const;
   /// Angle between the normals of the first and the last row under pressure, rad.
   double turn() const { return turn_of(*geometry_, grid_, pressure_); }
-  /// Of the patch under the pressure.
+  /// Measures the patch under the present pressure.
   const contact::PatchSize& measure() { return size_ = contact::patch_size(grid_, pressure_); }
 
-  /// Sets the tractions under the pressure, from what they are or, with `anew`, from adhesion all
-  /// over; `keeps_weights`: at the leading edge. False when there are too many elements.
+  /// Solves for the tractions under the present pressure, starting from the present tractions or,
+  /// with `anew`, from full adhesion; `keeps_weights`: keeps the weights at the leading edge. False
+  /// if there are too many elements.
   bool rub(const contact::Friction& friction, bool anew, bool keeps_weights);
-  /// Slip that the tractions of another patch cause on this one.
+  /// Slip on this patch caused by the tractions of other patches.
   void forget_neighbours();
   void add_slip_of(const QuickPatch& neighbour, const contact::CombinedMaterial& material);
-  /// What the lateral tractions carry of the load, N.
+  /// Part of the load carried by the lateral tractions, N.
   double load_of_friction() const;
   void scale(double factor);
 
-  /// As far as that many elements beside those under pressure: both profiles are known, and no
+  /// True if, within this many elements beside the loaded ones, both profiles are known and no
   /// other contact begins.
   bool is_within_profiles(double elements) const;
   bool is_within_limits(double elements) const;
 
-  /// What check_point looks at and the sums. `gap` and `displacement`: along the load, mm.
+  /// Computes the sums and the data for check_point. `gap` and `displacement`: along the load, mm.
   void finish(const contact::Friction& friction, const double* gap, const double* displacement,
               double sinking);
   const contact::PointResult& point() const { return point_; }
@@ -108,8 +109,8 @@ class QuickPatch {
   std::optional<contact::ChartedGeometry> geometry_;
   const halfspace::InfluenceTable* table_ = nullptr;
   contact::ContactGrid grid_;
-  /// Per row of the grid: y of the patch frame, climb of the surface and its cosine, the part of a
-  /// pressure along the load, and that of a lateral traction.
+  /// Per row of the grid: y in the patch frame, inclination of the surface and its cosine, and the
+  /// components along the load of unit pressure and unit lateral traction.
   std::vector<double> place_, climb_, cosine_, carried_, of_lateral_;
   contact::PatchSize size_;
   contact::Field distance_, pressure_, weights_;

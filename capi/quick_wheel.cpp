@@ -14,16 +14,19 @@ using contact::PatchSize;
 
 namespace {
 
-/// Of the approach, for the extents of the patches and for their pressure.
+/// Relative to the approach, for the extents of the patches and for their pressure.
 constexpr double search_tolerance = 1e-3;
 constexpr double pressure_tolerance = 1e-5;
-/// Of the load: pressure and friction carry it together to this, then both are scaled to it.
+/// Relative to the load: pressure and friction iterate until they carry it within this tolerance,
+/// then both are scaled to it.
 constexpr double shared_to = 2e-5;
 constexpr int most_turns = 12;
-/// Several patches rub each other, with the tractions of the turn before.
+/// Fewest iterations with several patches, which act on each other by the tractions of the previous
+/// iteration.
 constexpr int fewest_turns_of_several = 3;
-/// From this turn on the weights at the leading edge stay, which jump where an element comes into
-/// contact: a share between the two sides is met by neither.
+/// From this iteration on the weights at the leading edge are frozen. They jump when an element
+/// comes into contact, so the force may jump across the required share, which no iterate then
+/// meets.
 constexpr int turns_until_kept = 5;
 constexpr int most_rounds = 8;
 
@@ -84,7 +87,7 @@ QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contact
   return QuickOutcome::unfit;
 }
 
-/// The patches without friction, each by few elements over the overlap of the bodies.
+/// Finds the frictionless patches, each on a few elements over the overlap of the bodies.
 bool QuickWheel::find_patches(double force) {
   for (int round = 0; round < most_rounds; ++round) {
     for (std::size_t k = 0; k < loaded_.size(); ++k)
@@ -105,7 +108,7 @@ bool QuickWheel::every(Good&& good) const {
                      [&](const QuickPatch* patch) { return good(*patch); });
 }
 
-/// Contacts grow with the cube root of their load.
+/// Scales the boxes; contacts grow with the cube root of their load.
 void QuickWheel::grow_boxes(double factor) {
   for (GridBox& box : boxes_) {
     const double more = 0.5 * (factor - 1.0) * (box.y[1] - box.y[0]);
@@ -114,7 +117,7 @@ void QuickWheel::grow_boxes(double factor) {
   }
 }
 
-/// Patches that the grids hold badly get others; false where there are none.
+/// Gives new grids to patches that do not fit theirs; false if all fit.
 bool QuickWheel::adjust_boxes() {
   constexpr double larger = 0.15;
   constexpr int fewest_elements = 6;
@@ -139,7 +142,7 @@ bool QuickWheel::adjust_boxes() {
   return any;
 }
 
-/// Contacts that the wheel has reached as it sank; false where there are none.
+/// Adds contacts that the sinking wheel has reached; false if there are none.
 bool QuickWheel::take_reached() {
   const double sinking = joint_->solver.approach();
   bool any = false;
@@ -182,7 +185,8 @@ void QuickWheel::set_problem() {
   }
 }
 
-/// Sets the pressures that carry `force` together, from what they are or, with `anew`, from none.
+/// Solves for the pressures that together carry `force`, starting from the present ones or, with
+/// `anew`, from zero.
 void QuickWheel::press(double force, double tolerance, bool anew) {
   static const contact::Field none;
   contact::NormalOptions options;
@@ -208,8 +212,8 @@ bool QuickWheel::rub(const QuickLoad& load, int turn) {
   });
 }
 
-/// Pressure and friction in turn until they carry the load together. `share`: what the pressure is
-/// expected to carry of it, then what it does carry as far as that is known.
+/// Iterates between pressure and friction until they carry the load together. `share`: expected
+/// part of the load carried by pressure, updated to the computed part.
 QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share) {
   const double expected = share;
   contact::PositiveFixedPoint sharing;
@@ -228,7 +232,7 @@ QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share)
       for (QuickPatch* patch : loaded_) patch->scale(load.force / (share + of_friction));
       return Sharing::done;
     }
-    // Friction that slides all over grows with the pressure.
+    // In full sliding, friction is proportional to the pressure.
     const double in_proportion = load.force * share / (share + of_friction);
     share = turn == 0 && in_proportion > 0.0 ? in_proportion : sharing.next(share, image);
     constexpr double within_grid = 1.25;

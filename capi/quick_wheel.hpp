@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The contacts of a wheel that share its load, of like half-spaces on grids of few elements, in a
-// few milliseconds and in memory that is kept: what rollfem.h solves nearly always.
+// The contacts of a wheel that share its load, by half-spaces of like material on coarse grids, in
+// a few milliseconds and reused memory. This solver handles nearly all calls of rollfem.h.
 #pragma once
 
 #include "capi/quick_patch.hpp"
@@ -12,7 +12,7 @@
 
 namespace rollfem::capi {
 
-/// What presses the wheel on the rail.
+/// Load and friction of the wheel.
 struct QuickLoad {
   double force = 0.0;  ///< N, vertical, friction included
   contact::Friction friction;
@@ -20,30 +20,31 @@ struct QuickLoad {
 
 enum class QuickOutcome {
   solved,
-  unfit,      ///< for the solvers of the model halfspace, which say why if they fail as well
-  conformal,  ///< a patch reaches where another contact begins
+  unfit,  ///< left to the solvers of the model halfspace, which report the reason if they fail too
+  conformal,  ///< a patch reaches into another contact
 };
 
 class QuickWheel {
  public:
   static constexpr std::size_t most_patches = 4;
-  /// A grid with more across the patch is better solved by transforms.
+  /// With more elements across the patch, Fourier transforms are faster.
   static constexpr int most_across = 20;
-  /// Of a grid for any patch. Several regions in one plane share their grid, and like conformal
-  /// patches they need more elements across than one region in a plane.
+  /// Elements across of a grid for any patch. Several regions in one plane share a grid; they and
+  /// conformal patches need more elements across than a single plane region.
   static constexpr int across_any_patch = 36;
 
-  /// `any`: not only for patches of one region in a plane.
+  /// `any`: accepts patches other than a single plane region.
   QuickWheel(const halfspace::InfluenceTables& tables, bool any,
              const contact::CombinedMaterial& material);
 
-  /// Checked as every result is, kept until the next call.
+  /// Solves for the load. The result passes the checks of all results and is valid until the next
+  /// call.
   QuickOutcome solve(const std::vector<QuickContact>& contacts, const QuickLoad& load);
-  /// Those under pressure, in the order of the contacts.
+  /// The loaded patches, in the order of the contacts.
   const std::vector<QuickPatch*>& patches() const { return loaded_; }
 
  private:
-  /// The problem of a number of patches: fields of the same size each time.
+  /// The joint problem of several patches, with fields of constant size.
   struct Joint {
     contact::BoundConstrainedCg solver;
     contact::Field distance;
@@ -69,7 +70,7 @@ class QuickWheel {
   contact::CombinedMaterial material_;
   std::vector<std::unique_ptr<QuickPatch>> all_;
   std::vector<QuickPatch*> loaded_, reserve_;
-  std::vector<GridBox> boxes_;  ///< of the loaded ones
+  std::vector<GridBox> boxes_;  ///< of the loaded patches
   std::vector<halfspace::NormalBlock> blocks_;
   halfspace::FewElementsNormal normal_;
   std::array<Joint, most_patches> joints_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// rollfem.h: tables of creep forces.
+// Implements rollfem.h: tables of creep forces.
 #include "capi/guarded.hpp"
 #include "tables/files/table_files.hpp"
 
@@ -26,7 +26,7 @@ rollfem_table* rollfem_table_open(const char* path, char* message, size_t size) 
   rollfem::capi::guarded(
       [&] {
         if (path == nullptr || *path == '\0')
-          throw rollfem::contact::InputError("the table is not given; do: name its file");
+          throw rollfem::contact::InputError("no table given; do: name its file");
         made =
             new rollfem_table{rollfem::tables::CreepTableReader(rollfem::tables::read_table(path))};
       },
@@ -58,7 +58,7 @@ rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
       [&] {
         const rollfem_shifted_wheel& of = wanted(wheel, "wheel", "a wheel at a lateral shift");
         const auto& reader = reader_of(table);
-        // What one unit is in mm and N.
+        // The caller's units in mm and N.
         const double length = of.units == ROLLFEM_M_N ? 1e3 : 1.0;
         const double newtons = of.units == ROLLFEM_MM_KN ? 1e3 : 1.0;
         const double shift = length * of.lateral_shift;

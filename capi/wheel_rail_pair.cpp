@@ -21,10 +21,10 @@ using contact::Case;
 using contact::cross;
 using contact::Vector3;
 
-/// Every number of a state, with the bounds of case files.
+/// Checks every number of a state against the bounds of case files.
 void check(const WheelState& state, double rolling_radius) {
   const auto within = [](const char* name, double value, double limit) {
-    if (std::abs(value) <= limit) return;  // not so of NaN
+    if (std::abs(value) <= limit) return;  // false for NaN
     throw contact::InputError(
         fmt::format("{} = {:g}: is out of bounds; allowed: magnitudes up to {:g}; do: correct it",
                     name, value, limit));
@@ -59,7 +59,7 @@ void set(const WheelState& state, Case& input) {
   input.load.vertical_force = state.vertical_force;
 }
 
-/// The contact of a scene that the balance has given its load.
+/// The contact that belongs to a scene from the balance.
 const track::WheelRailContact& contact_of(const contact::Scene& scene,
                                           const std::vector<track::PlacedScene>& placed) {
   const auto found = std::find_if(placed.begin(), placed.end(), [&](const auto& one) {
@@ -74,8 +74,8 @@ struct CheckedPatch {
   double max_pressure_bar = 0.0;  ///< MPa
 };
 
-/// The first load point by the model halfspace on one grid, without the coarser ones that error
-/// bars need. Throws contact::SolveError and contact::InputError as the model does.
+/// Solves the first load point with the model halfspace on one grid, without the coarser grids
+/// needed for error bars. Throws contact::SolveError and contact::InputError as the model does.
 CheckedPatch solve_patch(const contact::Scene& scene, int across) {
   const halfspace::PatchSearch search(scene);
   const halfspace::PatchExtent extent = search.extent();
@@ -139,10 +139,10 @@ void add_to_sums(const SolvedPatch& patch, const track::WheelRailContact& contac
   wheel.height = contact.pose.height;
 }
 
-/// mm beyond the overlap of the bodies: more than a grid on the patch needs.
+/// Margin around the overlap of the bodies, mm: more than a grid on the patch needs.
 constexpr double around_overlap = 10.0;
 
-/// Separation, mm, up to which a near miss is described: none are.
+/// Largest separation, mm, of a near miss to describe: none.
 constexpr double none = -contact::infinity;
 
 track::SearchOptions search_options() {
@@ -153,7 +153,7 @@ track::SearchOptions search_options() {
 
 }  // namespace
 
-/// The workspace of a call, given back at its end.
+/// A workspace borrowed for a call and returned at its end.
 class WheelRailPair::Borrowed {
  public:
   explicit Borrowed(const WheelRailPair& pair) : pair_(pair) {
@@ -210,8 +210,8 @@ SolvedWheel WheelRailPair::solve(const WheelState& state) const {
   return wheel;
 }
 
-/// A patch that reaches where another contact of the wheel begins is one conformal contact with it,
-/// which no plane holds.
+/// Solves a patch that reaches into another contact of the wheel: both form one conformal contact,
+/// which no plane can represent.
 bool WheelRailPair::solve_curved(Case input, SolvedWheel& wheel) const {
   input.halfspace.surface = contact::SurfaceForm::curved;
   wheel = {};
@@ -223,7 +223,7 @@ bool WheelRailPair::solve_curved(Case input, SolvedWheel& wheel) const {
   return true;
 }
 
-/// False where QuickWheel does not hold the contacts.
+/// False if QuickWheel cannot solve the contacts.
 bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) const {
   contact::SurfaceForm& form = workspace.input.halfspace.surface;
   for (const auto tried : {contact::SurfaceForm::automatic, contact::SurfaceForm::curved}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A wheel on its rail, prepared once and solved for one state after another: the implementation of
-// rollfem.h. mm, N, MPa, s, rad; track frame: x along the track, y to the right, z down.
+// Implementation of rollfem.h: a wheel on its rail, prepared once and solved for one state after
+// another. Units mm, N, MPa, s, rad; track frame: x along the track, y to the right, z down.
 #pragma once
 
 #include "capi/quick_wheel.hpp"
@@ -15,11 +15,11 @@
 
 namespace rollfem::capi {
 
-/// Where the wheelset is and how it moves over the ground; signs as in contact::Wheelset.
+/// Position and motion of the wheelset relative to the ground; signs as in contact::Wheelset.
 struct WheelState {
   double lateral_shift = 0.0;
   double yaw = 0.0;
-  double roll = 0.0;  ///< NaN: such that both wheels touch
+  double roll = 0.0;  ///< NaN: both wheels touch
   double forward_speed = 0.0;
   double lateral_velocity = 0.0;
   double yaw_rate = 0.0;
@@ -27,7 +27,7 @@ struct WheelState {
   double vertical_force = 0.0;
 };
 
-/// What is told of a patch: signs and frame as contact::PointResult has them.
+/// Results of a patch; signs and frame as in contact::PointResult.
 struct PatchForces {
   contact::Creepage creepage;
   double normal_force = 0.0, longitudinal_force = 0.0, lateral_force = 0.0;  ///< N
@@ -49,24 +49,25 @@ struct SolvedPatch {
 struct SolvedWheel {
   static constexpr std::size_t most_patches = 4;
   std::size_t count = 0;
-  std::array<SolvedPatch, most_patches> patches;  ///< the most loaded first; others are in the sums
+  std::array<SolvedPatch, most_patches>
+      patches;  ///< the most loaded first; further ones count in the sums
   std::array<double, 3> force{};
   std::array<double, 3> moment{};  ///< about the middle of the axle
-  double height = 0.0;             ///< where the wheel touches unloaded
+  double height = 0.0;             ///< at which the wheel just touches, unloaded
 };
 
 class WheelRailPair {
  public:
-  /// `input`: a case with profiles and one position, one wheel and a vertical force; what a state
-  /// gives is not read. Throws contact::InputError.
+  /// `input`: a case with profiles, one position, one wheel and a vertical force; values given by
+  /// the state are ignored. Throws contact::InputError.
   explicit WheelRailPair(contact::Case input);
 
-  /// Throws contact::InputError for values that are not allowed, contact::SolveError where there is
-  /// no solution. Results do not depend on earlier calls; threads may call at once.
+  /// Throws contact::InputError for values out of bounds, contact::SolveError if there is no
+  /// solution. Results do not depend on earlier calls. Thread-safe.
   SolvedWheel solve(const WheelState& state) const;
 
  private:
-  /// What a call works in: kept for the next one, of whatever thread.
+  /// Working memory of a call, kept for later calls of any thread.
   struct Workspace {
     contact::Case input;
     std::vector<std::unique_ptr<QuickWheel>> wheels;  ///< tried in this order
@@ -85,7 +86,7 @@ class WheelRailPair {
   track::SearchScene search_;
   contact::CombinedMaterial material_;
   contact::Friction friction_;
-  /// None where bodies are unlike or the grid is too fine for it.
+  /// Empty if materials are unlike or the grid is too fine.
   std::vector<std::unique_ptr<halfspace::InfluenceTables>> tables_;  ///< coarser grids first
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Workspace>> idle_;

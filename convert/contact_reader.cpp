@@ -12,8 +12,8 @@ namespace rollfem::convert {
 
 namespace {
 
-/// The last digits of a control integer go to the last of `digits`, and so on; what is before them
-/// is 0.
+/// Assigns the digits of a control integer from the last one backwards; missing leading digits are
+/// 0.
 void unpack(int packed, std::initializer_list<int*> digits) {
   for (auto digit = std::rbegin(digits); digit != std::rend(digits); ++digit) {
     **digit = packed % 10;
@@ -35,7 +35,7 @@ void read_digits(InputLines& lines, ContactCase& next) {
   d.M2 = lines.integer(damping, "digit M2", 0, 9);
   control("H-G-I-A-O-W-R", eight, {&d.X, &d.H, &d.G, &d.I, &d.A, &d.O, &d.W, &d.R});
   if (d.X >= 1) lines.numbers({"the control integers P-S-F-L-R-I-N (X >= 1)"}, 1);
-  if (next.number == 1) d.P = 2;  // as CONTACT does: there is no case before
+  if (next.number == 1) d.P = 2;  // as in CONTACT: there is no previous case
 }
 
 constexpr int largest_grid = 100000;   // elements along one direction
@@ -52,7 +52,7 @@ void read_solver(InputLines& lines, ContactCase& next) {
   const int G = next.digits.G;
   if (G == 2 || G == 3) lines.numbers({"OMEGAH", "OMEGAS", "INISLP", "OMGSLP"});
   if (G == 4) lines.numbers({"INISLP", "OMGSLP"});
-  // Six or eight, by version.
+  // Six or eight numbers, depending on the version.
   if (G == 5) lines.numbers({"FDECAY", "BETATH", "KDOWFB", "D_IFC", "D_LIN", "D_CNS"}, 2);
 }
 
@@ -105,7 +105,7 @@ void read_material(InputLines& lines, ContactCase& next) {
 }
 
 void read_potential_contact(InputLines& lines, ContactCase& next) {
-  // What follows MX, MY.
+  // Numbers after MX, MY.
   static const std::map<int, std::vector<std::string>> sizes{
       {-6, {"AA", "BNEG", "BPOS", "SCALE"}}, {-5, {"AA", "BB", "SCALE"}},
       {-4, {"A1", "BB", "SCALE"}},           {-3, {"AA", "BB", "SCALE"}},
@@ -167,7 +167,7 @@ std::size_t points(const InputLines& lines, double value, const char* name) {
   return count(lines.integer(value, name, 1, largest_block));
 }
 
-/// As many coordinates of each name as numbers before them say.
+/// Reads coordinates of each name, as many as the preceding counts state.
 void read_places(InputLines& lines, const std::string& prefix,
                  std::initializer_list<std::pair<const char*, std::vector<double>*>> axes) {
   std::vector<std::string> names;
@@ -189,7 +189,7 @@ std::vector<double> every(const std::vector<double>& range, int most) {
   return numbers;
 }
 
-/// Which places across the surface a block of kind 1 to 7 has, and how deep.
+/// Reads the places across the surface and the depths of a block of kind 1 to 7.
 void read_elements(InputLines& lines, int kind, const PotentialContact& area, StressBlock& block) {
   block.by_element = true;
   if (kind == 2 || kind == 6) {
@@ -272,7 +272,7 @@ void read_wheel_rail(InputLines& lines, ContactCase& next) {
 
 void read_single_contact(InputLines& lines, ContactCase& next) {
   const Digits& digits = next.digits;
-  // V = 2 of older files and 3 of newer ones: a set of friction parameters for each row.
+  // V = 2 in older files and 3 in newer ones: a set of friction parameters for each row.
   const bool by_row = digits.V >= 2;
   if (digits.G != 1) read_solver(lines, next);
   lines.read(next.kinematics, {digits.N == 0 ? "PEN" : "FN", digits.F == 0 ? "CKSI" : "FX",
@@ -299,7 +299,7 @@ void read_wheel_on_rail(InputLines& lines, ContactCase& next) {
   read_wheel_rail(lines, next);
 }
 
-/// What a first case cannot take from one before.
+/// Throws if the first case refers to data of a previous case.
 void check_first(const InputLines& lines, const ContactCase& first) {
   const Digits& digits = first.digits;
   const auto refuse = [&](bool kept, const char* digit, const char* what) {
@@ -322,7 +322,7 @@ std::vector<ContactCase> read_contact_file(std::string_view text, const std::str
   std::vector<ContactCase> cases;
   ContactCase next;
   while (!lines.at_end()) {
-    // Digit R of the case before may say that this one is of the same module.
+    // Digit R of the previous case may state that this one has the same module.
     const bool stays = !cases.empty() && next.digits.R % 2 == 0;
     const double module = stays ? next.module : lines.numbers({"the module number"}).front();
     if (module == 0.0) break;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Reader of CONTACT's input files (E. A. H. Vollebregt, user guide for CONTACT; module 1, wheel and
-// rail, and module 3, single contacts). It reads everything, including what has no equivalent here.
-// A case holds all that it keeps from earlier ones. Names as in CONTACT's user guide; units mm, N,
-// MPa, rad, s unless a member says otherwise.
+// rail, and module 3, single contacts). It reads everything, including features without equivalent
+// here. A case includes all data kept from earlier cases. Names follow CONTACT's user guide; units
+// mm, N, MPa, rad, s unless a member says otherwise.
 #pragma once
 
 #include <array>
@@ -18,20 +18,20 @@ struct Digits {
   int config = 0;  ///< C of module 1: 0, 4 left, 1, 5 right; 4 and 5 on a roller rig
   int P = 2, B = 0, T = 0, N = 0, F = 0, S = 0;
   int V = 0, L = 0, D = 0, C = 0, M = 0, Z = 0, E = 0;
-  int M2 = 0;  ///< damping, a number of its own behind V-L-D-C-M-Z-E
+  int M2 = 0;  ///< damping, a separate number after V-L-D-C-M-Z-E
   int X = 0, H = 0, G = 0, I = 0, A = 0, O = 0, W = 0, R = 0;
 };
 
 struct BodyConstants {
   std::array<double, 2> poisson{}, shear_modulus{};      ///< module 3: upper, lower; 1: rail, wheel
-  int influence = 2;                                     ///< digit C as it was last given anew
+  int influence = 2;                                     ///< digit C as last given
   std::array<double, 3> slope_reduction{1.0, 1.0, 1.0};  ///< K0_MF, ALFAMF, BETAMF
 };
 
 /// The potential contact area of module 3.
 struct PotentialContact {
   int ipotcn = 0, mx = 0, my = 0;
-  std::array<double, 4> size{};  ///< what follows MX, MY; its meaning depends on ipotcn
+  std::array<double, 4> size{};  ///< numbers after MX, MY; their meaning depends on ipotcn
 };
 
 struct UndeformedDistance {
@@ -41,7 +41,7 @@ struct UndeformedDistance {
 };
 
 struct ProfileFile {
-  std::string name;  ///< as it stands in the file
+  std::string name;  ///< as written in the file
   int mirror_y = 0, mirror_z = 0;
   double scale = 1.0, smooth = 0.0;
   bool has_options = false;  ///< further options of smoothing
@@ -61,29 +61,29 @@ struct WheelRail {
 
 /// Points below the surface: all of x by y by z.
 struct StressBlock {
-  bool by_element = false;      ///< x and y are numbers of elements, from 1, in place of mm
+  bool by_element = false;      ///< x and y are element numbers from 1 instead of mm
   std::vector<double> x, y, z;  ///< z > 0 in the upper body
 };
 
 struct ContactCase {
   int module = 3;
-  int number = 0;        ///< from 1, as CONTACT counts
-  std::size_t line = 0;  ///< of the module number, or of the last one before it
+  int number = 0;        ///< counted from 1, as in CONTACT
+  std::size_t line = 0;  ///< line of the module number, or of the last one before it
   Digits digits;
   int max_outer = 1;                   ///< MAXOUT
   std::array<double, 4> kinematics{};  ///< module 3: FN or PEN, CKSI or FX, CETA or FY, CPHI
-  int friction_law = 0;                ///< digit L as it was last given anew
+  int friction_law = 0;                ///< digit L as last given
   double fstat = 0.0, fkin = 0.0;      ///< Coulomb's law
   std::array<double, 4> rolling{0, 0, 0, 1.0 / 6.0};  ///< CHI, DQ, VELOC, FACPHI
   BodyConstants bodies;
   PotentialContact potential;
   UndeformedDistance distance;
   WheelRail wheel_rail;
-  std::vector<StressBlock> stress_blocks;  ///< as they were last given
+  std::vector<StressBlock> stress_blocks;  ///< as last given
 };
 
-/// All cases up to module number 0 or the end. `name` stands in messages for the file. Throws
-/// contact::InputError naming file, line, what was expected and what to do.
+/// Reads all cases up to module number 0 or the end. `name` represents the file in messages. Throws
+/// contact::InputError with file, line, expected content and advice.
 std::vector<ContactCase> read_contact_file(std::string_view text, const std::string& name);
 
 }  // namespace rollfem::convert

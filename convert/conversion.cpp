@@ -11,7 +11,7 @@ namespace rollfem::convert {
 
 namespace {
 
-/// Cases that share a file.
+/// Cases that share a case file.
 struct Group {
   Equivalent first;
   std::vector<int> cases;
@@ -19,15 +19,15 @@ struct Group {
   std::vector<std::string> notes;
 };
 
-/// The same keys, and the same values of those of the load.
+/// Whether the keys are equal, and the values of load keys too.
 bool same_keys(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](auto& x, auto& y) {
     return x.first == y.first && (x.first.rfind("load.", 0) != 0 || x.second == y.second);
   });
 }
 
-/// A shift from rest is the first step of a transient, whatever its length: then all steps are of
-/// one kind. `next` is the step that rolls.
+/// Turns a shift from rest into the first step of a transient (of any length), so that all steps
+/// are of one kind. `next` is the step that rolls.
 void roll_first_step(Group& group, const Equivalent& next) {
   std::map<std::string, double>& point = group.points.front();
   const double length = point["history.step_length"] = next.varied.at("history.step_length");
@@ -50,7 +50,7 @@ bool joins(const Group& group, const Equivalent& next) {
          same_keys(group.points.front(), next.varied);
 }
 
-/// Whether `next` may follow, which turns a shift at the beginning into a step.
+/// Whether `next` may join the group; turns an initial shift into a step if needed.
 bool admits(Group& group, const Equivalent& next) {
   if (joins(group, next)) return true;
   const bool onset = next.continues && next.problem == "transient" &&
@@ -72,7 +72,7 @@ void add(Group& group, int number, const Equivalent& made) {
       group.notes.push_back(note);
 }
 
-/// One number where all are the same, else a list, ten to a line.
+/// One number if all are equal, otherwise a list with ten numbers per line.
 std::string values_text(const std::string& key, const std::vector<double>& values) {
   if (std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); }))
     return fmt::format("{} = {:.12g}", key, values.front());
@@ -82,14 +82,14 @@ std::string values_text(const std::string& key, const std::vector<double>& value
   return text + "]";
 }
 
-/// Sections in the order in which a case is read.
+/// Sections in the order of the case file.
 constexpr std::array<const char*, 16> sections{
     "load",           "friction",     "wheel",     "rail",    "geometry", "wheel_profile",
     "rail_profile",   "track",        "wheelset",  "rolling", "history",  "undeformed_distance",
     "given_pressure", "contact_grid", "halfspace", "fastsim"};
 
-/// A section of the case file called `name`; empty without a key. `several`: set where a list says
-/// how many load points there are.
+/// Text of a section of the case file `name`; empty without keys. `several`: set if a list
+/// determines the number of load points.
 std::string section_text(const Group& group, const std::string& section, const std::string& name,
                          bool& several) {
   std::string text;
@@ -146,8 +146,8 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
                          const std::string& source, const std::string& profile_folder) {
   Conversion conversion;
   std::vector<Group> groups;
-  bool open = false;    // the last case is in the last group
-  bool coarse = false;  // cases from rest up to here have too few elements, nothing else
+  bool open = false;    // whether the last case is in the last group
+  bool coarse = false;  // the only problem of the cases since rest is too few elements
   for (const ContactCase& given : cases) {
     Equivalent made = equivalent_of(given, profile_folder);
     const bool joined = made.impossible.empty() && open && admits(groups.back(), made);
@@ -157,9 +157,10 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
       made.notes.push_back(
           "the history begins here: earlier cases have fewer than 4 elements across the patch");
     else if (made.impossible.empty() && made.continues && !joined)
-      made.impossible.push_back(open ? "digit P = 0: it continues a case but differs from it in "
-                                       "more than load, creepages and forces"
-                                     : "digit P = 0: it continues a case that has no equivalent");
+      made.impossible.push_back(
+          open ? "digit P = 0: the case continues another one but differs from it in "
+                 "more than load, creepages and forces"
+               : "digit P = 0: the case continues one that has no equivalent");
     open = made.impossible.empty();
     if (!open) {
       conversion.refused.push_back({given.number, given.line, made.impossible});
@@ -168,7 +169,8 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
     if (!joined) groups.push_back({made, {}, {}, {}});
     add(groups.back(), given.number, made);
   }
-  const std::size_t digits = std::to_string(cases.size()).size();  // so that files sort
+  const std::size_t digits =
+      std::to_string(cases.size()).size();  // leading zeros, so that files sort
   for (const Group& group : groups) {
     const std::string name = groups.size() == 1 && conversion.refused.empty()
                                  ? stem

@@ -10,13 +10,13 @@
 
 namespace rollfem::convert {
 
-/// A case file to be.
+/// A case file to write.
 struct CaseFile {
   std::string name;        ///< with .toml, without a folder
-  std::vector<int> cases;  ///< of CONTACT, from 1; load points are in this order
+  std::vector<int> cases;  ///< CONTACT cases, from 1, in the order of the load points
   std::string text;
   std::map<std::string, std::string> attached_files;  ///< further files: name, text
-  std::vector<std::string> notes;                     ///< also comments of the text
+  std::vector<std::string> notes;                     ///< also written as comments
 };
 
 /// A case without an equivalent.
@@ -31,7 +31,7 @@ struct Conversion {
   std::vector<Refusal> refused;
 };
 
-/// `stem` begins the names of the files; `source` is what they call the input file;
+/// `stem`: start of the file names; `source`: name of the input file in their comments;
 /// `profile_folder`: see equivalent_of.
 Conversion convert_cases(const std::vector<ContactCase>& cases, const std::string& stem,
                          const std::string& source, const std::string& profile_folder);

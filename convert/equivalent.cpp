@@ -18,7 +18,7 @@ std::string with_comment(const std::string& line, const std::string& comment) {
   return comment.empty() ? line : fmt::format("{:<30} # {}", line, comment);
 }
 
-/// What a value of a digit asks for; of other values the last.
+/// Features requested by the values of a digit; other values count as the last entry.
 using Words = std::map<int, const char*>;
 const Words friction_words{{2, "friction falling linearly with slip velocity"},
                            {3, "friction falling with slip velocity by a rational formula"},
@@ -128,9 +128,10 @@ void note_settings(const ContactCase& given, Equivalent& made) {
   made.note(d.M == 3,
             "FASTSIM uses Kalker's three flexibilities at all creepages; CONTACT blends them into "
             "one as creepages grow");
-  made.note(d.M == 0 && (d.T == 2 || d.T == 3),
-            "upwind_order = \"first\" is CONTACT's scheme and gives its numbers on its elements; "
-            "delete the line for the more accurate second-order scheme");
+  made.note(
+      d.M == 0 && (d.T == 2 || d.T == 3),
+      "upwind_order = \"first\" is CONTACT's scheme and reproduces its numbers on its elements; "
+      "delete the line for the more accurate second-order scheme");
   made.note(
       given.module == 3 && given.rolling[3] != 1.0 / 6.0 && d.T >= 2 && given.kinematics[3] != 0.0,
       fmt::format("FACPHI = {:g}: the spin is taken at x + dq/6 here", given.rolling[3]));
@@ -185,7 +186,7 @@ Equivalent equivalent_of(const ContactCase& given, const std::string& profile_fo
   constexpr std::array<const char*, 3> problems{"frictionless", "shift", "transient"};
   const auto T = static_cast<std::size_t>(given.digits.T);
   made.problem = T < problems.size() ? problems[T] : "steady";
-  // P = 1 keeps the pressure before as a start alone: friction begins from nothing, as with P = 2.
+  // P = 1 uses the previous pressure only as a start; friction starts from zero, as with P = 2.
   made.continues = made.history() && given.digits.P == 0;
   judge_digits(given, made);
   note_settings(given, made);
@@ -196,7 +197,7 @@ Equivalent equivalent_of(const ContactCase& given, const std::string& profile_fo
       fill_single_contact(given, made);
     else
       fill_wheel_rail(given, profile_folder, made);
-  } catch (const contact::InputError& error) {  // of Hertz, for values that make no contact
+  } catch (const contact::InputError& error) {  // from Hertz, for values without contact
     made.impossible.push_back(error.what());
   }
   return made;

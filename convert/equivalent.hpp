@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The equivalent of a CONTACT case in keys of a case file, and the parts that have none. The
-// map of digits and signs is docs/coming_from_contact.md.
+// The equivalent of a CONTACT case in keys of a case file, and the parts without equivalent.
+// docs/coming_from_contact.md maps digits and signs.
 #pragma once
 
 #include "convert/contact_reader.hpp"
@@ -10,26 +10,28 @@
 
 namespace rollfem::convert {
 
-/// A text of a case file, in quotes.
+/// A string for a case file, in quotes.
 std::string quoted(const std::string& text);
 
-/// A place without the rounding of the sum that it came from.
+/// A coordinate, cleaned of the rounding error of its sum.
 double in_mm(double place);
 
 struct Equivalent {
   std::string model = "halfspace";
   std::string problem;     ///< a word of rolling.problem
-  bool continues = false;  ///< begins from the state of the case before
+  bool continues = false;  ///< starts from the state of the previous case
   /// Lines `key = value` of each section, the same for all cases that share a file.
   std::map<std::string, std::vector<std::string>> fixed;
-  /// What may differ from load point to load point, by `section.key`.
+  /// Values that may differ between load points, by `section.key`.
   std::map<std::string, double> varied;
-  std::string stresses;                      ///< [[subsurface.*]] entries
-  std::map<std::string, std::string> files;  ///< beside the case file: name without stem, text
+  std::string stresses;  ///< [[subsurface.*]] entries
+  std::map<std::string, std::string>
+      files;  ///< files beside the case file: name without stem, text
 
-  bool too_coarse = false;              ///< impossible only because the patch is a few elements
+  bool too_coarse = false;              ///< impossible only because the patch has too few elements
   std::vector<std::string> impossible;  ///< physics without an equivalent, one sentence each
-  std::vector<std::string> notes;       ///< what is left out or done otherwise, the physics kept
+  std::vector<std::string>
+      notes;  ///< features ignored or treated differently, with the same physics
 
   bool history() const { return problem == "shift" || problem == "transient"; }
   void refuse(bool refused, const std::string& reason) {
@@ -45,16 +47,16 @@ struct Equivalent {
   void set_word(const std::string& section, const std::string& key, const std::string& word);
 };
 
-/// `profile_folder`: how a case file names the folder of the input file, whose profiles are
-/// relative to it; empty: the same folder.
+/// `profile_folder`: path from the case file to the folder of the input file, to which its profiles
+/// are relative; empty: the same folder.
 Equivalent equivalent_of(const ContactCase& given, const std::string& profile_folder);
 
-/// Parts of it.
-/// Young's modulus and Poisson's ratio of the two bodies in these sections.
+/// Parts of equivalent_of. Young's modulus and Poisson's ratio of the two bodies in these sections.
 void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,
                  Equivalent& made);
 void fill_single_contact(const ContactCase& given, Equivalent& made);
-/// Entries for the points of digit S, whose elements begin at (x, y); `sign` is that of our axes.
+/// Entries for the points of digit S with elements starting at (x, y); `sign`: sign of our axes
+/// relative to CONTACT's.
 struct ElementPlaces {
   double x = 0.0, y = 0.0, dx = 0.0, dy = 0.0;
 };

@@ -16,7 +16,7 @@ namespace rollfem::convert {
 
 namespace {
 
-/// Fields of a line; what stands in quotes is one, and keeps its first quote as a mark.
+/// Fields of a line. A quoted text is one field and keeps its first quote as a mark.
 std::vector<std::string> quoted_fields(std::string_view line) {
   std::vector<std::string> fields;
   while (!line.empty()) {
@@ -32,15 +32,15 @@ std::vector<std::string> quoted_fields(std::string_view line) {
   return fields;
 }
 
-/// Fortran does without the letter of an exponent where there is its sign: .1-07 is 0.1e-07.
+/// Inserts the letter of an exponent that Fortran omits before a sign: .1-07 is 0.1e-07.
 void complete_exponent(std::string& field) {
   const std::size_t sign = field.find_last_of("+-");
   if (sign == std::string::npos || sign == 0) return;
   if (contact::number_of(field.substr(0, sign))) field.insert(sign, "e");
 }
 
-/// A number as Fortran writes it (1.5, 1., 1d-5, .1-07), or an angle in degrees (90d) or rad
-/// (1.5r), in rad.
+/// Parses a Fortran number (1.5, 1., 1d-5, .1-07) or an angle in degrees (90d) or rad (1.5r),
+/// returned in rad.
 std::optional<double> number(std::string field) {
   const auto is = [](char letter, char wanted) {
     return letter == wanted || letter == wanted - 'a' + 'A';
@@ -120,7 +120,7 @@ int InputLines::integer(double value, const char* name, int least, int most) con
 InputLines::Named InputLines::named(const std::string& what, const std::vector<std::string>& names,
                                     std::size_t more) {
   demand(what);
-  // The text is taken off its line, whose numbers are then read as those of any other.
+  // Removes the text, so that the numbers on its line are read like any others.
   std::vector<std::string>& fields = lines_[next_].fields;
   line_ = lines_[next_].number;
   if (fields.front().front() != '\'')

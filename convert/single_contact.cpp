@@ -17,7 +17,8 @@ namespace rollfem::convert {
 
 namespace {
 
-/// Axes of CONTACT to ours: -1 where it rolls along its -x and both are turned by half a turn.
+/// Sign from CONTACT's axes to ours: -1 if CONTACT rolls along -x, so that both axes turn by half a
+/// turn.
 std::optional<double> turn(const ContactCase& given, Equivalent& made) {
   if (given.digits.T < 2) return 1.0;
   const double chi = std::remainder(given.rolling[0], 2.0 * contact::pi);
@@ -41,14 +42,14 @@ contact::Material material(const BodyConstants& bodies, std::size_t body) {
   return made;
 }
 
-/// Beyond this ratio of curvatures a contact is a line for all that can be computed.
+/// Beyond this ratio of curvatures a contact is numerically a line.
 constexpr double largest_ratio = 1e8;
 
 bool is_line(double A, double B) {
   return A > largest_ratio * B || B > largest_ratio * A;
 }
 
-/// What must be positive, so that what follows from it is a number.
+/// Reports values that must be positive for the conversion.
 void judge_values(const ContactCase& given, Equivalent& made) {
   const auto demand = [&](bool right, const char* what) { made.refuse(!right, what); };
   for (std::size_t body = 0; body < 2; ++body) {
@@ -63,7 +64,7 @@ void judge_values(const ContactCase& given, Equivalent& made) {
   if (kind >= 0 || kind < -3) return;
   demand(size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0,
          "the curvatures or semi-axes and SCALE behind MX, MY must be positive");
-  const double power = kind == -1 ? 1.0 : 2.0;  // of a ratio of semi-axes
+  const double power = kind == -1 ? 1.0 : 2.0;  // exponent of the ratio of semi-axes
   const double first = kind == -2 ? 1.0 : size[0];
   demand(!is_line(std::pow(first, power), std::pow(size[1], power)),
          "the curvatures differ so much that this is a line contact");
@@ -112,11 +113,12 @@ void set_grid(const ContactCase& given, const Area& area, double sign, Equivalen
 }
 
 Area stated_area(const PotentialContact& given) {
-  const auto& [x, y, u, v] = given.size;  // dx, dy of kinds 1 and 3, the other corner of 2 and 4
+  const auto& [x, y, u, v] =
+      given.size;  // dx, dy for kinds 1 and 3, the opposite corner for 2 and 4
   if (given.ipotcn == 1) return {x, y, u, v};
   if (given.ipotcn == 3) return {x - 0.5 * u, y - 0.5 * v, u, v};
   if (given.ipotcn == 2) return {x, y, (u - x) / given.mx, (v - y) / given.my};
-  // 4: between the centres of the first and the last element
+  // kind 4: between the centres of the first and the last element
   const double dx = given.mx > 1 ? (u - x) / (given.mx - 1) : 2.0 * (u - x);
   const double dy = given.my > 1 ? (v - y) / (given.my - 1) : 2.0 * (v - y);
   return {x - 0.5 * dx, y - 0.5 * dy, dx, dy};
@@ -124,12 +126,12 @@ Area stated_area(const PotentialContact& given) {
 
 using halfspace::HertzContact;
 
-/// Hertz's contact with these semi-axes, of the largest pressure 1 MPa.
+/// Hertz's contact with these semi-axes and a largest pressure of 1 MPa.
 HertzContact unit_ellipse(double a, double b) {
   return {a, b, 1.0, 0.0, 2.0 / 3.0 * contact::pi * a * b};
 }
 
-/// Ellipse and curvatures of IPOTCN = -1 to -3.
+/// Ellipse and curvatures for IPOTCN = -1 to -3.
 struct Ellipse {
   HertzContact hertz;
   contact::Curvatures curvatures;
@@ -160,7 +162,7 @@ Ellipse ellipse_of(const ContactCase& given, double modulus) {
   return {hertz_of(given, s[0], B, modulus), {s[0], B}};
 }
 
-/// Results of fewer than four elements across the patch are refused by the models.
+/// Models refuse results with fewer than four elements across the patch.
 void judge_resolution(const HertzContact& hertz, double dx, double dy, Equivalent& made) {
   const double along = std::round(2.0 * hertz.semi_axis_x / dx);
   const double across = std::round(2.0 * hertz.semi_axis_y / dy);
@@ -198,17 +200,18 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   made.set("fastsim", "strip_elements", std::round(potential.mx / scale), "MX / SCALE");
 }
 
-/// Circles along x, straight pieces between given heights across, the outer ones without an end.
+/// Undeformed distance of circles along x and a polyline across, whose outer segments are
+/// unbounded.
 double circular_distance(const std::vector<double>& values, double x, double y) {
   const double xm = values[1], radius = values[2], y1 = values[3], dy = values[4];
-  const auto last = static_cast<double>(values.size() - 7);  // of the pieces, from 0
+  const auto last = static_cast<double>(values.size() - 7);  // index of the last segment, from 0
   const double piece = std::clamp(std::floor((y - y1) / dy), 0.0, last);
   const double* height = values.data() + 5 + static_cast<std::size_t>(piece);
   const double rise = (height[1] - height[0]) * ((y - y1) / dy - piece);
   return height[0] + rise + (x - xm) * (x - xm) / (2.0 * radius);
 }
 
-/// Of the element with that number at (x, y), in CONTACT's axes.
+/// Undeformed distance of the element with that number at (x, y), in CONTACT's axes.
 double distance_at(const UndeformedDistance& distance, std::size_t element, double x, double y) {
   const std::vector<double>& B = distance.values;
   if (distance.ibase == 9) return B[element];
@@ -219,7 +222,7 @@ double distance_at(const UndeformedDistance& distance, std::size_t element, doub
   return B[0] * x * x + B[1] * x * y + B[2] * y * y + B[3] * x + B[4] * y + B[5];
 }
 
-/// h of all elements, in our axes, as a file of lines x, y, h.
+/// Undeformed distance of all elements in our axes, as lines x, y, h.
 std::string lattice_text(const ContactCase& given, const Area& area, double sign) {
   std::string text = "x, y, h\n";
   std::size_t element = 0;
@@ -232,8 +235,8 @@ std::string lattice_text(const ContactCase& given, const Area& area, double sign
   return text;
 }
 
-/// One row of long elements. Where they are this many times longer than the row of them, their ends
-/// change no displacement difference within it by more than 1e-4.
+/// Least length of the elements of a single row over the length of the row. Their ends then change
+/// displacement differences within the row by at most 1e-4.
 constexpr double longest_row = 50.0;
 
 void fill_line(const ContactCase& given, Area area, double modulus, double sign, Equivalent& made) {

@@ -10,7 +10,7 @@ namespace rollfem::convert {
 
 namespace {
 
-constexpr std::size_t most_entries = 100;  // of a case file
+constexpr std::size_t most_entries = 100;  // per case file
 
 bool equally_spaced(const std::vector<double>& values) {
   const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
@@ -38,8 +38,8 @@ Axes axes_of(const StressBlock& given, const ElementPlaces& elements, double sig
   return along;
 }
 
-/// The direction of which one line has all points: the longest whose points are equally far from
-/// each other and in one body; 3 without any.
+/// The direction of the lines: the longest axis with equally spaced points in one body; 3 if there
+/// is none.
 std::size_t line_of(const Axes& along) {
   std::size_t line = 3;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -51,7 +51,7 @@ std::size_t line_of(const Axes& along) {
   return line;
 }
 
-/// From one place to another, or the point where both are.
+/// An entry for a line between two places, or for a point if both coincide.
 std::string entry(const std::array<double, 3>& from, const std::array<double, 3>& to,
                   std::size_t points) {
   const char* const body = std::min(from[2], to[2]) < 0.0 ? "rail" : "wheel";
@@ -61,7 +61,7 @@ std::string entry(const std::array<double, 3>& from, const std::array<double, 3>
                      place(from), place(to), points);
 }
 
-/// None where they would be too many.
+/// All entries; empty if there are too many.
 std::vector<std::string> entries_of(Axes along) {
   const std::size_t line = line_of(along);
   std::vector<double> whole{0.0};

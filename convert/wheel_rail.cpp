@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Module 1: a wheel with its profile on a rail with its own.
+// Module 1: wheel and rail with profiles.
 #include <fmt/format.h>
 
 #include "convert/equivalent.hpp"
@@ -93,7 +93,7 @@ void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder
   made.refuse(given.digits.config > 1,
               fmt::format("digit C1 = {}: a roller rig", given.digits.config));
   made.set("wheel", "rolling_radius", pair.wheelset[2], "mm");
-  // Body 1 of this module is the rail, of ours (and of module 3) the upper one, the wheel.
+  // Body 1 is the rail in this module, but the wheel (upper body) in rollfem and in module 3.
   fill_bodies(given.bodies, {"rail", "wheel"}, made);
   fill_profile(pair.wheel, "wheel", profile_folder, made);
   fill_track(pair, profile_folder, made);

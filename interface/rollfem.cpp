@@ -23,7 +23,8 @@ const contact::ModelRegistry& registry() {
   return models;
 }
 
-/// MPI can be started once in a process: from the first parallel model to the end of the process.
+/// MPI can start only once per process: this session lasts from the first parallel model to the end
+/// of the process.
 class Session {
  public:
   static Session& only() {
@@ -36,7 +37,7 @@ class Session {
     static char name[] = "rollfem";
     static char* arguments[] = {name, nullptr};
     session_ = std::make_unique<modelling::ParallelSession>("models", 1, arguments);
-    // Before the libraries that it has opened are taken down.
+    // Ends the session before its libraries are unloaded.
     std::atexit([] { only().session_.reset(); });
   }
   std::mutex& mutex() { return mutex_; }

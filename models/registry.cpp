@@ -85,7 +85,7 @@ std::string models_markdown(const ModelRegistry& models) {
       "\nAll models accept longitudinal creepage, force or approach, and unlike materials. For "
       "anything else a\nmodel that cannot solve the case refuses it (exit status 2) and names "
       "those that can.\n\n| |";
-  std::vector<ModelInfo> solving;  // auto asks its own
+  std::vector<ModelInfo> solving;  // auto checks its own candidates
   for (const ModelInfo& model : models.all())
     if (!model.chooses) solving.push_back(model);
   for (const ModelInfo& model : solving) text += fmt::format(" `{}` |", model.name);

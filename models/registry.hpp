@@ -10,30 +10,30 @@
 
 namespace rollfem::modelling {
 
-/// Those of halfspace/ and fem. In a build without finite elements fem is known, but not built.
+/// All models. A build without finite elements knows fem, but cannot run it.
 contact::ModelRegistry built_in_models();
 
-/// What case files may name.
+/// Names allowed in case files.
 contact::ModelWords model_words(const contact::ModelRegistry& models);
 
-/// Every name once, in order. Throws contact::InputError for one that is no model.
+/// Removes duplicates, keeping the order. Throws contact::InputError for an unknown name.
 std::vector<std::string> checked_names(const contact::ModelRegistry& models,
                                        const std::vector<std::string>& names,
                                        const std::string& option);
 
-/// Of `names` those that this build has.
+/// The subset of `names` that this build has.
 std::vector<std::string> built_of(const contact::ModelRegistry& models,
                                   std::vector<std::string> names);
 
-/// Throws contact::InputError for a model that this build does not have. `asked_by`: what named
-/// them, "--model" or "a.toml: models".
+/// Throws contact::InputError for a model that this build does not have. `asked_by`: the option or
+/// key that names them, "--model" or "a.toml: models".
 void check_built(const contact::ModelRegistry& models, const std::vector<std::string>& names,
                  const std::string& asked_by);
 
-/// Whether one of them runs on all processes.
+/// Whether at least one of them runs on all processes.
 bool any_parallel(const contact::ModelRegistry& models, const std::vector<std::string>& names);
 
-/// docs/models.md: every model with its sentence, and what each can take.
+/// Text of docs/models.md: every model with its description and its abilities.
 std::string models_markdown(const contact::ModelRegistry& models);
 
 }  // namespace rollfem::modelling

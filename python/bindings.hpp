@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the module rollfem._core is made of, beside module.cpp.
+// Parts of the module rollfem._core beside module.cpp.
 #pragma once
 
 #include "rollfem/rollfem.hpp"
@@ -12,7 +12,7 @@ namespace py = pybind11;
 using Shared = std::shared_ptr<const Result>;
 
 /// Results as dictionaries, one for each model and patch, in the order of the run. Arrays are views
-/// of the result itself: nothing is copied, and each keeps the whole result alive.
+/// of the result without copies; each keeps the whole result alive.
 py::list models_of(const Shared& result);
 
 /// {name: (title, symbol, unit, meaning, percent_of)}, in the order of the files.
@@ -20,12 +20,12 @@ py::dict quantities();
 /// {name: (unit, description, sign)}
 py::dict fields();
 
-/// {"hydrostatic", "von_mises", "tresca", "orthogonal_shear": [...], "principal": [..., 3]} of
+/// {"hydrostatic", "von_mises", "tresca", "orthogonal_shear": [...], "principal": [..., 3]} from
 /// stresses [..., 6], MPa: xx, yy, zz, xy, yz, xz (contact/result/stress_measures.hpp). Raises
-/// ValueError where the last axis is not of six.
+/// ValueError unless the last axis has length six.
 py::dict stress_measures(const py::object& components);
 
-/// The class CreepTable, on which rollfem.Table is made.
+/// Registers the class CreepTable, the base of rollfem.Table.
 void define_tables(py::module_& module);
 
 }  // namespace rollfem::python

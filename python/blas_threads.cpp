@@ -12,20 +12,20 @@ namespace {
 std::mutex guard;
 int alive = 0, before = 0;
 
-/// Whether the number of threads is left to us. Asked once, for opening the finite elements sets
-/// the variable, too.
+/// Whether rollfem may set the number of threads. Checked once, because opening the finite-element
+/// library sets the variable too.
 bool is_ours() {
   static const bool ours = std::getenv("OPENBLAS_NUM_THREADS") == nullptr;
   return ours;
 }
 
-/// Null where no OpenBLAS is loaded. The names of Debian's variants are one and the same.
+/// Null if no OpenBLAS is loaded. All Debian variants share one name.
 template <class Function>
 Function of_openblas(const char* name) {
   void* library = dlopen("libopenblas.so.0", RTLD_LAZY | RTLD_NOLOAD);
   if (library == nullptr) return nullptr;
   const auto function = reinterpret_cast<Function>(dlsym(library, name));
-  dlclose(library);  // whoever loaded it keeps it
+  dlclose(library);  // still held by whoever loaded it
   return function;
 }
 

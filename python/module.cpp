@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// rollfem._core: what the Python package rollfem/ is made on. Cases and results are opaque here;
-// solving lets other Python threads run, and hears Ctrl-C at every iteration.
+// rollfem._core: the C++ base of the Python package rollfem/. Cases and results are opaque here;
+// solving lets other Python threads run and checks for Ctrl-C at every iteration.
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
 #include "python/bindings.hpp"
@@ -13,11 +13,11 @@ namespace rollfem::python {
 
 namespace {
 
-/// A Python exception on its way through the solver: no std::exception, which some model might take
-/// for one of its own.
+/// A Python exception on its way through the solver. Not derived from std::exception, which a model
+/// might handle as its own.
 struct Ended {};
 
-/// Calls back into Python, and remembers what was raised there.
+/// Calls back into Python and stores an exception raised there.
 class Caller {
  public:
   explicit Caller(py::object callback) : callback_(std::move(callback)) {}
@@ -25,7 +25,7 @@ class Caller {
   Progress progress() {
     return [this](const ProgressEvent& event) { tell(event); };
   }
-  /// Throws what was raised. With the GIL.
+  /// Rethrows the stored exception. Requires the GIL.
   void rethrow() {
     if (raised_) throw std::move(*raised_);
   }
@@ -58,13 +58,14 @@ Shared solved(const Case& input, const std::vector<std::string>& models, py::obj
   }
 }
 
-/// Not while Python's own handler of Ctrl-C may interrupt: writing is whole or not at all anyhow.
+/// Python's Ctrl-C handler may not interrupt here; writing is complete or does not happen in any
+/// case.
 std::string written(const Shared& result, const std::string& folder, bool report) {
   const py::gil_scoped_release free;
   return write(folder, *result, report);
 }
 
-/// [(section, key)] of the case file.
+/// All [(section, key)] of the case file.
 std::vector<std::pair<std::string, std::string>> keys() {
   std::vector<std::pair<std::string, std::string>> found;
   for (const contact::Key& key : contact::case_keys()) found.emplace_back(key.section, key.name);
@@ -75,13 +76,13 @@ void define_progress(py::module_& module) {
   py::class_<ProgressEvent>(module, "Progress", R"(Progress report of a running model.)")
       .def_readonly("model", &ProgressEvent::model)
       .def_readonly("stage", &ProgressEvent::stage, "'normal', 'rolling', 'shift', 'mesh', ...")
-      .def_readonly("point", &ProgressEvent::point, "load point from 1; 0: none")
+      .def_readonly("point", &ProgressEvent::point, "load point, counted from 1; 0: none")
       .def_readonly("points", &ProgressEvent::points, "number of load points")
       .def_readonly("creepage", &ProgressEvent::creepage,
-                    "longitudinal creepage of the point; None where nothing rolls with friction")
+                    "longitudinal creepage of the point; None without frictional rolling")
       .def_readonly("iteration", &ProgressEvent::iteration)
       .def_readonly("residual", &ProgressEvent::residual, "relative residual; 0: none")
-      .def_readonly("finished", &ProgressEvent::finished, "the stage has finished")
+      .def_readonly("finished", &ProgressEvent::finished, "whether the stage has finished")
       .def_readonly("note", &ProgressEvent::note)
       .def("__repr__", [](const ProgressEvent& event) {
         return "<rollfem.Progress " + event.model + ": " + event.stage + ", point " +

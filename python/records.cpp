@@ -13,7 +13,7 @@ using namespace py::literals;
 
 namespace {
 
-/// An array on memory of the result, which cannot be written to.
+/// A read-only array on the memory of the result.
 template <class Number>
 py::array view(const Number* data, std::vector<py::ssize_t> shape, const Shared& owner) {
   const py::capsule keeper(new Shared(owner),
@@ -130,7 +130,7 @@ py::dict model_of(const ModelResult& model, const Shared& owner) {
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// For each of the stresses, `count` numbers.
+/// Array with `count` numbers for each stress.
 template <class Measure>
 py::array_t<double> measured(const Array& stress, py::ssize_t count, const Measure& measure) {
   std::vector<py::ssize_t> shape(stress.shape(), stress.shape() + stress.ndim() - 1);

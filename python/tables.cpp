@@ -18,7 +18,7 @@ using tables::CreepTableReader;
 using tables::TableForces;
 using Column = std::vector<double>;
 
-/// F_x, F_y, M_z, both bars and the force along the normal, a column each.
+/// Columns F_x, F_y, M_z, both bars and the force along the normal.
 template <class Ask>
 std::vector<Column> columns_of(std::size_t count, const Ask& ask) {
   std::vector<Column> found(6, Column(count));
@@ -40,7 +40,7 @@ std::map<std::string, double> interpolation_of(const tables::InterpolationError&
   return found;
 }
 
-/// Of every shift.
+/// Values of the wheel at every shift of the table.
 std::map<std::string, Column> wheels_of(const tables::CreepTable& table) {
   std::map<std::string, Column> found;
   for (const tables::WheelColumn& column : tables::wheel_columns())
@@ -49,7 +49,7 @@ std::map<std::string, Column> wheels_of(const tables::CreepTable& table) {
   return found;
 }
 
-/// All that the table holds.
+/// Contents of the table as a dictionary.
 py::dict contents_of(const CreepTableReader& reader) {
   const tables::CreepTable& table = reader.table();
   const std::array axes{table.first_axis(), table.creepage[0], table.creepage[1],
@@ -63,7 +63,7 @@ py::dict contents_of(const CreepTableReader& reader) {
                   "forces"_a = table.forces, "bars"_a = table.bars);
 }
 
-/// At any shifts.
+/// Values of the wheel at arbitrary shifts.
 std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Column& shifts) {
   std::map<std::string, Column> found;
   for (const double shift : shifts) {

@@ -25,8 +25,9 @@ namespace {
 
 volatile std::sig_atomic_t held_signal = 0;
 
-/// Ctrl-C and its like wait while results are written, so that a folder is whole or not there. By
-/// handlers, not by a mask: the threads of BLAS and MPI would take a signal that is masked here.
+/// Delays Ctrl-C and similar signals while results are written, so that a folder is complete or
+/// absent. Uses handlers instead of a mask, because threads of BLAS and MPI would receive a signal
+/// masked here.
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -70,7 +71,8 @@ std::string CommandFrame::program() const {
 }
 
 CommandFrame::~CommandFrame() {
-  remove_nothing_when_interrupted();  // what bears those names from here on is somebody else's
+  remove_nothing_when_interrupted();  // files with these names may belong to another process from
+                                      // here on
 }
 
 void CommandFrame::say(const std::string& line) {
@@ -91,11 +93,11 @@ void CommandFrame::own(const fs::path& directory) {
   for (const fs::path& made : owned_.back()->made()) remove_when_interrupted(made.string());
 }
 
-/// What an interruption from now on would leave.
+/// Prepares the message about what an interruption leaves behind.
 void CommandFrame::prepare_farewell() const {
   if (!first_) return;
   if (!kept_ || kept_->kept() == 0)
-    say_when_interrupted("no finished work was kept and no result written");
+    say_when_interrupted("no finished work was stored and no result written");
   else
     say_when_interrupted(fmt::format(
         "{} finished solutions are kept in {}; the same command with --resume continues from them",
@@ -105,7 +107,7 @@ void CommandFrame::prepare_farewell() const {
 postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
                                                      const contact::Case& input) {
   if (!first_) return nullptr;
-  kept_.reset();  // one at a time: its lock goes with it
+  kept_.reset();  // releases the lock before the next one is taken
   kept_ = std::make_unique<postprocess::CheckpointFolder>(part_directory(directory, request_.share),
                                                           input, program(), request_.resume, warn);
   take_up_parts(directory, input);
@@ -126,7 +128,7 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
   return kept_.get();
 }
 
-/// Throws contact::InputError that names the parts which are not done.
+/// Throws contact::InputError that names the missing parts.
 void CommandFrame::take_up_parts(const fs::path& directory, const contact::Case& input) {
   std::string missing;
   for (int part = 0; part < request_.merge; ++part) {
@@ -138,10 +140,10 @@ void CommandFrame::take_up_parts(const fs::path& directory, const contact::Case&
       missing += fmt::format("{}{}", missing.empty() ? "" : ", ", part + 1);
   }
   if (!missing.empty())
-    throw contact::InputError(fmt::format(
-        "--merge {}: not done beside {}: part {}; do: run the same command with --part K/{} for "
-        "each, and merge then",
-        request_.merge, directory.string(), missing, request_.merge));
+    throw contact::InputError(
+        fmt::format("--merge {}: parts missing beside {}: {}; do: run the same command with --part "
+                    "K/{} for each, then merge",
+                    request_.merge, directory.string(), missing, request_.merge));
 }
 
 bool CommandFrame::ends_part() {
@@ -149,7 +151,7 @@ bool CommandFrame::ends_part() {
   kept_->mark(part_done);
   const int of = request_.share.of;
   say(fmt::format(
-      "part {} of {} is done; when all are, the same command with --merge {} writes the result",
+      "part {} of {} is done; after all parts, the same command with --merge {} writes the result",
       request_.share.part + 1, of, of));
   return true;
 }
@@ -176,7 +178,7 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
           std::make_unique<modelling::ParallelSession>(asked_by, request_.argc, request_.argv);
   };
   // A choice may end without finite elements, whose library takes longer to load than half-spaces
-  // take to solve; several processes agree by it.
+  // take to solve. With several processes the library is needed for their agreement.
   if (parallel_ && (processes_ > 1 || !modelling::any_choice(known_, models_))) start();
   try {
     modelling::Solving how;

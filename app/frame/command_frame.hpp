@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The frame of the computing commands: which processes take part, MPI while models run, progress
-// and quiet, what is kept for --resume, and what happens to all of these on failure.
+// The frame of the computing commands: participating processes, MPI while models run, progress and
+// quiet, work stored for --resume, and the handling of failures.
 #pragma once
 
 #include "app/frame/progress_display.hpp"
@@ -20,15 +20,15 @@
 
 namespace rollfem::app {
 
-/// What run, compare and study are asked alike.
+/// Common part of the requests of run, compare and study.
 struct ComputingRequest {
-  std::vector<std::string> models;   ///< as named by the call; empty: the command's own
-  std::vector<std::string> changes;  ///< of keys, by --set
+  std::vector<std::string> models;   ///< from the command line; empty: the command's default
+  std::vector<std::string> changes;  ///< of keys, from --set
   std::string directory;             ///< empty: a folder of results/
   bool quiet = false;
-  bool resume = false;   ///< take up what a call that did not end has finished
-  contact::Share share;  ///< --part: what of the work is done; it is kept, and no result written
-  int merge = 0;         ///< --merge: so many parts are put together
+  bool resume = false;   ///< continue an interrupted run
+  contact::Share share;  ///< --part: part of the work to do and store, without a result
+  int merge = 0;         ///< --merge: number of parts to put together
   bool report = true;    ///< draw figures and page, which takes some seconds
   std::string command;   ///< the whole call, for provenance
   int argc = 0;          ///< of main, for MPI
@@ -37,40 +37,40 @@ struct ComputingRequest {
 
 class CommandFrame {
  public:
-  /// `models`: those that will run.
+  /// `models`: the models that will run.
   CommandFrame(const ComputingRequest& request, const contact::ModelRegistry& known,
                std::vector<std::string> models);
   CommandFrame(const CommandFrame&) = delete;
   CommandFrame& operator=(const CommandFrame&) = delete;
   ~CommandFrame();
 
-  /// The process that checks, writes and speaks.
+  /// Whether this is the process that checks, writes and prints.
   bool first() const { return first_; }
-  /// Another process of a run without parallel models.
+  /// Whether this process has nothing to do: not the first one of a run without parallel models.
   bool idle() const { return !first_ && !parallel_; }
   const contact::Progress& progress() const { return progress_; }
-  /// A line on stderr, from the first process unless quiet.
+  /// Prints a line on stderr, from the first process unless quiet.
   void say(const std::string& line);
-  /// Before other output: takes an unfinished line of progress away.
+  /// Erases an unfinished progress line, before other output.
   void clear_line() { display_.clear(); }
-  /// Of what is computed now.
+  /// Provenance of the current computation.
   postprocess::Provenance provenance() const;
 
-  /// Nobody else makes this result until the command ends. Throws contact::InputError when somebody
-  /// does. Nothing on other processes than the first.
+  /// Locks the result folder until the command ends. Throws contact::InputError if another process
+  /// holds it. Does nothing on processes other than the first.
   void own(const std::filesystem::path& directory);
-  /// Where finished work of a result in `directory` is kept; says what is there already. nullptr on
-  /// other processes than the first.
+  /// The store of finished work for a result in `directory`; reports existing contents. nullptr on
+  /// processes other than the first.
   postprocess::CheckpointFolder* keep_in(const std::filesystem::path& directory,
                                          const contact::Case& input);
-  /// This call does a part of the work, which is done and kept now, and writes no result.
+  /// Whether this call only does a part of the work; marks that part as done.
   bool ends_part();
-  /// All is written: what was kept goes.
+  /// Deletes the stored work after the result is written.
   void forget_kept();
 
-  /// Calls `body` with MPI started where a model needs it. When it throws, `kept` ("load points")
-  /// are told of, and the session is left as it is: finalising MPI would wait for processes that
-  /// may not have failed. `asked_by`: what named the models.
+  /// Calls `body`, with MPI started if a model needs it. If it throws, this reports the stored work
+  /// (`kept`: "load points") and leaves the session open, because finalising MPI would wait for
+  /// processes that have not failed. `asked_by`: the option or key that names the models.
   void compute(const std::string& asked_by, const std::string& kept,
                const std::function<void(const modelling::Solving&)>& body);
 
@@ -93,17 +93,17 @@ class CommandFrame {
   std::unique_ptr<postprocess::CheckpointFolder> kept_;
 };
 
-/// Writes a result folder; Ctrl-C waits until it is whole.
+/// Writes a result folder; delays Ctrl-C until it is complete.
 void store_results(const std::string& directory, const postprocess::RunRecord& record);
 
-/// Throws contact::InputError when another of run, compare and study has written to `directory`;
-/// `own` is the file that this one would write.
+/// Throws contact::InputError if another one of run, compare and study has written to `directory`;
+/// `own` is this command's own file.
 void refuse_other_result(const std::filesystem::path& directory, const std::string& own);
 
-/// Warnings about values of the case that look like slips of units, also with -q.
+/// Warns of values in the case that look like unit mistakes, even with -q.
 void warn_of_doubts(const contact::Case& input);
 
-/// Draws figures and page of a written folder; a warning says why when it is false.
+/// Draws figures and report of a written folder. If it returns false, it has warned why.
 bool report_drawn(const std::string& directory);
 
 }  // namespace rollfem::app

@@ -13,11 +13,11 @@ namespace rollfem::app {
 
 namespace {
 
-// A handler may only write what is there already: two texts, one of which is the current.
+// A handler may only write prepared text: of these two, one is current.
 std::array<std::array<char, 4096>, 2> farewells{};
 std::atomic<const char*> farewell{nullptr};
 
-std::array<char*, 256> removed{};  // never freed: a handler may be at it
+std::array<char*, 256> removed{};  // never freed: a handler may be reading it
 std::atomic<std::size_t> removals{0};
 
 void say_and_end(int signal) {
@@ -26,10 +26,10 @@ void say_and_end(int signal) {
     if (::unlink(removed[k]) != 0) ::rmdir(removed[k]);
   if (const char* text = farewell.load())
     if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) {
-      // Nobody listens.
+      // Nobody reads stderr any more.
     }
   errno = before;
-  static_cast<void>(std::raise(signal));  // the handler has gone: SA_RESETHAND
+  static_cast<void>(std::raise(signal));  // SA_RESETHAND has removed the handler
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void say_when_interrupted(const std::string& what) {
     return;
   }
   std::array<char, 4096>& next = farewells[farewell.load() == farewells.front().data() ? 1 : 0];
-  // A progress line may be unfinished on a terminal.
+  // On a terminal a progress line may be unfinished.
   std::string text = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
   text += "rollfem: interrupted: " + what;
   text.resize(std::min(text.size(), next.size() - 2));

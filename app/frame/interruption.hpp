@@ -6,17 +6,17 @@
 
 namespace rollfem::app {
 
-/// From here on such a signal says what was said last to `say_when_interrupted`, and then ends the
-/// program as it would have (status 130 for Ctrl-C, 143 for SIGTERM). One that is ignored stays so.
+/// Installs handlers that print the last text given to `say_when_interrupted` and then end the
+/// program as usual (status 130 for Ctrl-C, 143 for SIGTERM). Ignored signals stay ignored.
 void tell_of_interruptions();
 
-/// One sentence without the end; empty: nothing is said.
+/// Sets the message: one sentence without a full stop; empty: no message.
 void say_when_interrupted(const std::string& what);
 
-/// A file, or a folder if it is empty, that is removed then; in the order of the calls. Some
-/// hundred at most.
+/// Registers a file, or a folder if empty, for removal on interruption, in the order of the calls.
+/// Holds some hundred entries at most.
 void remove_when_interrupted(const std::string& path);
-/// They stay.
+/// Cancels these removals.
 void remove_nothing_when_interrupted();
 
 }  // namespace rollfem::app

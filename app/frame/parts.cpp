@@ -31,7 +31,7 @@ contact::Share parse_part(const std::string& text) {
       contact::whole_number_of(text.substr(std::min(slash + 1, text.size()))).value_or(0);
   if (part < 1 || of < 2 || part > of)
     throw contact::InputError(fmt::format(
-        "--part {}: allowed: K/N with whole numbers, K from 1 to N and N from 2; do: write for "
+        "--part {}: allowed: K/N with whole numbers, K from 1 to N, N at least 2; do: write for "
         "instance --part 3/8",
         text));
   return {part - 1, of};

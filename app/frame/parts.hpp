@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Work that is divided among independent calls (--part, --merge) or the processes of mpirun: each
-// keeps what it has solved beside the future result, and one call finds all of it and writes the
-// result, equal to that of a single call to the last bit.
+// Work divided among independent calls (--part, --merge) or the processes of mpirun: each stores
+// its solutions beside the future result, and one call collects them and writes the result,
+// identical to the last bit to that of a single call.
 #pragma once
 
 #include "contact/base/share.hpp"
@@ -14,21 +14,21 @@ namespace rollfem::app {
 
 struct ComputingRequest;
 
-/// Name of the record that a part leaves when it is done.
+/// Name of the record that marks a finished part.
 inline constexpr const char* part_done = "part-done";
 
-/// Beside which a part keeps its work: the folder of the result itself when nothing is divided.
+/// Folder beside which a part stores its work; the result folder itself if nothing is divided.
 std::string part_directory(const std::filesystem::path& directory, contact::Share share);
 
 /// "3/8": the third of eight parts. Throws contact::InputError.
 contact::Share parse_part(const std::string& text);
 
-/// Refuses --part with --merge, and either where there is nothing to divide: `items` of `kind`
-/// ("positions of the wheelset"). Throws contact::InputError.
+/// Refuses --part together with --merge, and either one if there is nothing to divide: `items` of
+/// `kind` ("positions of the wheelset"). Throws contact::InputError.
 void check_division(const ComputingRequest& request, std::size_t items, const std::string& kind);
 
-/// Calls `work` once, as it was asked. Under mpirun, where `divisible`, each process does its part
-/// of it, and the first puts all together when it finds them done in `directory`.
+/// Calls `work` once. Under mpirun, if `divisible`, each process does its part, and the first
+/// merges the parts once all are done in `directory`.
 void in_parts(ComputingRequest& request, bool divisible, const std::filesystem::path& directory,
               const std::function<void()>& work);
 

@@ -14,7 +14,7 @@ namespace rollfem::app {
 namespace {
 
 constexpr auto redraw_interval = std::chrono::milliseconds(100);
-// In a log, a stage of many slow load points is also heard of in between.
+// In a log, a long stage reports at least this often.
 constexpr auto longest_silence = std::chrono::seconds(10);
 constexpr auto tick_interval = std::chrono::seconds(1);
 constexpr double worth_an_estimate = 3.0;  // s
@@ -25,7 +25,8 @@ std::size_t terminal_width() {
   return 80;
 }
 
-/// Of load points that took as long as those before them; "" while that is not worth telling.
+/// Remaining time if later load points take as long as the earlier ones; "" while the estimate is
+/// not useful.
 std::string time_left(const contact::ProgressEvent& event, double seconds) {
   const int done = event.finished ? event.point : event.point - 1;
   if (done < 1 || done >= event.points || seconds < worth_an_estimate) return "";
@@ -70,13 +71,13 @@ void ProgressDisplay::show(const contact::ProgressEvent& event) {
   const std::string stage = event.model + '/' + event.stage;
   if (stage != stage_) {
     stage_ = stage;
-    // The stages of a step alternate: each goes on from where it began.
+    // The stages of a step alternate, so each keeps its starting time.
     if (event.point <= 1 || begins_.count(stage) == 0) begins_[stage] = now;
     stage_begin_ = begins_[stage];
     if (mode_ == Mode::terminal) last_shown_ = Clock::time_point();
   }
   event_ = event;
-  // The load points of a stage share its line.
+  // All load points of a stage share one line.
   const bool complete = event.finished && (event.point == 0 || event.point == event.points);
   const auto since = now - last_shown_;
   if (!complete &&
@@ -91,7 +92,7 @@ void ProgressDisplay::write(Clock::time_point now, bool complete) {
   std::string line =
       progress_line(event_, std::chrono::duration<double>(now - stage_begin_).count());
   if (mode_ == Mode::terminal) {
-    // A line that wraps could not be taken back.
+    // A wrapped line could not be erased.
     const std::size_t width = terminal_width();
     if (line.size() >= width) line.resize(width - 1);
     line = "\r\033[K" + line;
@@ -102,7 +103,7 @@ void ProgressDisplay::write(Clock::time_point now, bool complete) {
   std::fflush(stderr);
 }
 
-/// While nothing is told the seconds of the open line go on.
+/// Updates the seconds of the open line between events.
 void ProgressDisplay::tick() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!end_.wait_for(lock, tick_interval, [this] { return ended_; })) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Progress of a run on stderr: on a terminal one line that is overwritten
-// and whose seconds keep counting during long phases; elsewhere one plain
-// line per finished stage (and per slow load point).
+// Progress of a run on stderr: on a terminal one line that is overwritten and keeps counting
+// seconds during long phases; elsewhere one plain line per finished stage (and per slow load
+// point).
 #pragma once
 
 #include "contact/base/progress.hpp"
@@ -24,11 +24,11 @@ class ProgressDisplay {
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// What stderr is.
+  /// The mode for stderr: terminal or not.
   static Mode mode_of_stderr();
 
   void show(const contact::ProgressEvent& event);
-  /// Takes an unfinished line away, before other output.
+  /// Erases an unfinished line, before other output.
   void clear();
 
  private:
@@ -39,20 +39,20 @@ class ProgressDisplay {
   void tick();
 
   Mode mode_;
-  std::mutex mutex_;  ///< of everything below
+  std::mutex mutex_;  ///< guards everything below
   contact::ProgressEvent event_;
-  std::string stage_;  ///< model and stage that the clock runs for
+  std::string stage_;  ///< model and stage being timed
   Clock::time_point stage_begin_ = Clock::now();
   std::map<std::string, Clock::time_point> begins_;  ///< of every stage so far
   Clock::time_point last_shown_ = Clock::now();
   bool line_open_ = false;
   bool ended_ = false;
   std::condition_variable end_;
-  std::thread ticking_;  ///< in a terminal, from the first line on
+  std::thread ticking_;  ///< on a terminal, started with the first line
 };
 
-/// One line, no control characters: with the seconds that the stage has taken, and when that can be
-/// told from its load points, those that it will take.
+/// One line without control characters: seconds elapsed in the stage and, if its load points allow
+/// an estimate, the remaining seconds.
 std::string progress_line(const contact::ProgressEvent& event, double seconds);
 
 }  // namespace rollfem::app

@@ -10,12 +10,12 @@ namespace rollfem::app {
 
 namespace {
 
-/// Those that are shown in help, in its order.
+/// The commands shown in help, in the same order.
 std::vector<const CLI::App*> commands(const CLI::App& program) {
   return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
-/// "-o --output" and so on, or the words that stand for the position.
+/// The option's names ("-o --output"), or the allowed words of a positional argument.
 std::string option_words(const CLI::App& command) {
   std::string words;
   for (const CLI::Option* option : command.get_options()) {
@@ -29,7 +29,7 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// For troff: no line begins a request, no hyphen is broken at.
+/// Escapes text for troff: no line starts a request, no break at hyphens.
 std::string roff(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -45,7 +45,7 @@ std::string roff(const std::string& text) {
   return result;
 }
 
-/// "-o, --output TEXT", in bold but for what the user puts in.
+/// "-o, --output TEXT", bold except for the user's value.
 std::string roff_name(const CLI::Option& option) {
   std::string names;
   for (const std::string& name : option.get_snames())

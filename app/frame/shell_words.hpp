@@ -11,12 +11,12 @@
 
 namespace rollfem::app {
 
-/// Words that Tab completes: commands, options, models, case files. To be read by `source`.
+/// Script for `source` that completes commands, options, models and case files.
 std::string bash_completion(const CLI::App& program, const contact::ModelRegistry& models);
-/// The same as a file _rollfem of a folder in $fpath.
+/// The same for zsh: the file _rollfem in a folder of $fpath.
 std::string zsh_completion(const CLI::App& program, const contact::ModelRegistry& models);
 
-/// rollfem(1) in troff.
+/// The manual page rollfem(1) in troff.
 std::string manual_page(const CLI::App& program, const std::string& version);
 
 }  // namespace rollfem::app

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_input = 200u << 20;  // bytes
 
-/// Files that are taken away again unless they are kept.
+/// Removes written files again unless they are kept.
 class Written {
  public:
   explicit Written(const fs::path& directory) : directory_(directory), folders_(directory) {}
@@ -68,7 +68,7 @@ class Written {
   std::vector<fs::path> paths_;
 };
 
-/// How case files in `directory` name the folder of the input file; empty: the same folder.
+/// Path from case files in `directory` to the folder of the input file; empty: the same folder.
 std::string profile_folder(const fs::path& file, const fs::path& directory) {
   const fs::path from = fs::absolute(file).parent_path().lexically_normal();
   const std::string way =
@@ -80,7 +80,7 @@ std::string case_words(const std::vector<int>& numbers) {
   return (numbers.size() == 1 ? "case " : "cases ") + convert::numbers_text(numbers);
 }
 
-/// Cases refused for the same reasons, together.
+/// Refused cases, grouped by identical reasons.
 using Refused = std::vector<std::pair<std::vector<std::string>, std::vector<int>>>;
 
 void add(Refused& refused, const std::vector<std::string>& reasons, int number) {
@@ -89,7 +89,7 @@ void add(Refused& refused, const std::vector<std::string>& reasons, int number) 
   refused.push_back({reasons, {number}});
 }
 
-/// The case as `run` would read it, or why not.
+/// Why `run` cannot read the case; otherwise empty.
 std::string why_not_read(const fs::path& path, const contact::ModelRegistry& models) {
   try {
     contact::read_case(path.string(), modelling::model_words(models));
@@ -105,13 +105,13 @@ void refuse(const std::string& file, const Refused& refused, bool nothing_left) 
     all.insert(all.end(), numbers.begin(), numbers.end());
   std::sort(all.begin(), all.end());
   throw contact::InputError(
-      fmt::format("convert: {}: {} {} no equivalent, nothing was written; do: {}", file,
+      fmt::format("convert: {}: {} {} no equivalent, so nothing was written; do: {}", file,
                   case_words(all), all.size() == 1 ? "has" : "have",
                   nothing_left ? "see docs/coming_from_contact.md for what can be converted"
                                : "change them, or convert the others with --partial"));
 }
 
-/// Profiles that the run will not find.
+/// Warns of profiles that a run will not find.
 void warn_of_missing_profiles(const std::vector<convert::ContactCase>& cases,
                               const fs::path& file) {
   std::vector<std::string> names;

@@ -11,13 +11,12 @@ namespace rollfem::app {
 struct ConvertRequest {
   std::string file;
   std::string directory;  ///< empty: <name of the file>_cases
-  bool partial = false;   ///< cases without an equivalent are left out
+  bool partial = false;   ///< skip cases without an equivalent
 };
 
-/// Writes the case files, says which cases of CONTACT each of them holds, and names on stderr what
-/// has no equivalent. Throws contact::InputError, nothing being written then, where the file cannot
-/// be read, a case file would be overwritten, or a case has no equivalent and `partial` is not
-/// asked for.
+/// Writes the case files, prints which CONTACT cases each of them holds, and lists on stderr
+/// features without equivalent. Throws contact::InputError and writes nothing if the file cannot be
+/// read, a case file would be overwritten, or a case has no equivalent and `partial` is false.
 void convert(const ConvertRequest& request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

@@ -27,7 +27,7 @@ namespace {
 
 using fem::MeshedBody;
 
-/// The meshes that the case names are input: they are not written over.
+/// Refuses to overwrite the meshes that the case names as input.
 void spare_input(const contact::Case& input, const fs::path& folder) {
   const fs::path case_folder = fs::path(input.file).parent_path();
   for (const std::string& file : {input.wheel.mesh, input.rail.mesh})
@@ -41,7 +41,7 @@ void spare_input(const contact::Case& input, const fs::path& folder) {
     }
 }
 
-/// With profiles every patch has bodies of its own: "left_1_1_wheel".
+/// Name of a body; with profiles every patch has its own bodies: "left_1_1_wheel".
 std::string name_of(const contact::Scene& scene, const std::string& body) {
   if (!scene.place) return body;
   return fmt::format("{}_{}_{}_{}", scene.place->left ? "left" : "right", scene.place->position,

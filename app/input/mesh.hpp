@@ -12,14 +12,14 @@ namespace rollfem::app {
 
 struct MeshRequest {
   std::string case_file;
-  std::vector<std::string> changes;  ///< of keys, by --set
+  std::vector<std::string> changes;  ///< of keys, from --set
   std::string directory;             ///< empty: results/<case file without .toml>_mesh
   int argc = 0;                      ///< of main, for MPI
   char** argv = nullptr;
 };
 
 /// Writes wheel.msh, rail.msh (coarse), wheel.vtu, rail.vtu (refined) and prints the table. Throws
-/// contact::InputError; nothing is written then.
+/// contact::InputError and then writes nothing.
 void mesh(const MeshRequest& request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

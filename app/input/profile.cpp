@@ -30,7 +30,7 @@ using profiles::ProfileCurve;
 using profiles::ProfilePoint;
 
 struct NamedProfile {
-  std::string file;   ///< of the table and the figure, without ending
+  std::string file;   ///< of the table and the figure, without extension
   std::string title;  ///< "wheel S1002"
   bool wheel = false;
   ProfileCurve curve;
@@ -44,7 +44,7 @@ double angle_of(const ProfilePoint& place) {
 }
 
 std::string radius_of(double curvature) {
-  // Flatter than 1 km is straight but for the rounding of the cubics.
+  // Radii above 1 km are straight lines with rounding errors of the cubics.
   return std::abs(curvature) < 1e-6 ? "straight" : fmt::format("{:.2f}", 1.0 / curvature);
 }
 
@@ -65,7 +65,7 @@ std::string described(const NamedProfile& profile) {
     line("farthest from the axle, mm", place_of(features.bottom));
     if (features.gauge_face)
       line("flange face at z = 10, mm", fmt::format("y = {:.4f}", *features.gauge_face));
-    // (0, 0) is the tape line, and the flange's back 70 mm from it.
+    // (0, 0) is the tape line; the flange back is 70 mm from it.
     if (const auto tip = profiles::flange_tip(profile.curve); tip && (*tip < -70.0 || *tip > -25.0))
       line("measured from the flange back:",
            "if so, put `shift = [-70, 0]` under [wheel_profile], so that y = 0 is the tape line");
@@ -74,7 +74,7 @@ std::string described(const NamedProfile& profile) {
     if (features.gauge_face)
       line("gauge face 14 mm below the top, mm", fmt::format("y = {:.4f}", *features.gauge_face));
   }
-  // Of the body: the rail's inside is towards +z, the wheel's towards -z.
+  // Convex as seen from the body: the rail's material is towards +z, the wheel's towards -z.
   const ProfilePoint& convex = profile.wheel ? features.sharpest_down : features.sharpest_up;
   const ProfilePoint& hollow = profile.wheel ? features.sharpest_up : features.sharpest_down;
   for (const auto& [what, place] :
@@ -112,7 +112,7 @@ std::string list(const ProfileCurve& curve) {
   return text;
 }
 
-/// Rows every tenth of a millimetre and two at every joint, one for each side.
+/// Table with a row every tenth of a millimetre and two at every joint, one for each side.
 std::string table(const NamedProfile& profile) {
   const ProfileCurve& curve = profile.curve;
   std::string text = fmt::format("# {}\n", profile.title);
@@ -140,7 +140,7 @@ std::string table(const NamedProfile& profile) {
 bool is_wheel(const ProfileRequest& request) {
   if (request.wheel && request.rail)
     throw contact::InputError(
-        "profile: --wheel and --rail contradict each other; do: give one of them");
+        "profile: --wheel and --rail exclude each other; do: give one of them");
   if (request.wheel || request.rail) return request.wheel;
   if (const auto* built_in = profiles::find_built_in_profile(request.name)) return built_in->wheel;
   const std::string ending = fs::path(request.name).extension().string();
@@ -153,7 +153,7 @@ bool is_wheel(const ProfileRequest& request) {
 std::vector<NamedProfile> of_case(const ProfileRequest& request) {
   if (request.wheel && request.rail)
     throw contact::InputError(
-        "profile: --wheel and --rail contradict each other; do: give one of them");
+        "profile: --wheel and --rail exclude each other; do: give one of them");
   const contact::Case input = contact::read_case(request.name);
   std::vector<NamedProfile> profiles;
   for (const bool wheel : {true, false}) {
@@ -210,7 +210,7 @@ void draw_and_tell(const fs::path& file) {
     std::cout << "figure: " << fs::path(file).replace_extension(".svg").string() << '\n';
 }
 
-/// Of a case with both profiles: the two placed on each other, and where they touch.
+/// For a case with both profiles: draws wheel on rail and prints their contacts.
 void tell_pair(const contact::Case& input, const fs::path& folder) {
   if (!input.has_profiles()) return;
   const track::SearchScene search = track::search_scene_of(input);

@@ -8,14 +8,14 @@
 namespace rollfem::app {
 
 struct ProfileRequest {
-  std::string name;       ///< built in, a profile file, or a case file (.toml)
+  std::string name;       ///< a built-in profile, a profile file, or a case file (.toml)
   bool wheel = false;     ///< the file is the profile of a wheel
   bool rail = false;      ///< the file is the profile of a rail
-  std::string directory;  ///< empty: results/<name without ending>_profile
+  std::string directory;  ///< empty: results/<name without extension>_profile
 };
 
 /// Writes profile.csv and profile.svg (of a case wheel.csv, wheel.svg, rail.csv, rail.svg) and
-/// prints the table. Throws contact::InputError; nothing is written then.
+/// prints the table. Throws contact::InputError and then writes nothing.
 void profile(const ProfileRequest& request);
 
 }  // namespace rollfem::app

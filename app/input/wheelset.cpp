@@ -27,7 +27,7 @@ using track::WheelsetRow;
 
 namespace {
 
-constexpr double shift_step = 0.1;  // mm; EN 15302 asks for 0.2 at most
+constexpr double shift_step = 0.1;  // mm; EN 15302 requires at most 0.2
 constexpr int rows_per_millimetre = 10;
 
 std::string value_or(const std::optional<double>& value, const char* format, const char* none) {
@@ -89,7 +89,7 @@ void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord
   const std::vector<double>& shifts = input.wheelset.lateral_shift;
   if (input.wheelset.positions() < 2) return;
   const auto [least, most] = std::minmax_element(shifts.begin(), shifts.end());
-  if (*least == *most) return;  // a row of yaw angles
+  if (*least == *most) return;  // a sweep over yaw angles only
   const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double reach = std::abs(*std::max_element(shifts.begin(), shifts.end(), nearer));
   if (reach < 2.0 * shift_step) return;
@@ -98,7 +98,7 @@ void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord
     rows =
         track::wheelset_rows(input, search, std::ceil(reach / shift_step) * shift_step, shift_step);
   } catch (const std::runtime_error&) {
-    return;  // profiles of which one wheel alone stands on its rail
+    return;  // profiles for which only one wheel stands on its rail
   }
   for (const double shift : shifts) {
     const auto row = track::wheelset_row(input, search, rows, shift);
@@ -127,7 +127,7 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
       input.title, track::contact_distance(input.track), input.wheel.rolling_radius,
       table_of(rows));
   if (last + 0.5 * shift_step < request.reach)
-    std::cout << fmt::format("beyond {:.1f} mm a wheel leaves its rail, or its profile ends\n",
+    std::cout << fmt::format("beyond {:.1f} mm a wheel leaves its rail or its profile ends\n",
                              last);
   const fs::path table = folder / "wheelset.csv";
   const std::string problem =

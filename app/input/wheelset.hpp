@@ -14,17 +14,17 @@ namespace rollfem::app {
 
 struct WheelsetRequest {
   std::string case_file;
-  std::vector<std::string> changes;  ///< of keys, by --set
+  std::vector<std::string> changes;  ///< of keys, from --set
   std::string directory;             ///< empty: results/<case file without .toml>_wheelset
-  double reach = 10.0;               ///< mm of shift, to the right; the other side is its mirror
+  double reach = 10.0;  ///< largest shift, mm, to the right; the other side is the mirror image
 };
 
-/// Of a case with several lateral shifts: how the rigid wheelset stands at each, and the row of
-/// small steps up to the largest.
+/// For a case with several lateral shifts: the position of the rigid wheelset at each of them, and
+/// a sweep in small steps up to the largest.
 void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord& record);
 
-/// Prints the table, writes wheelset.csv and draws wheelset.svg. Throws contact::InputError where
-/// the case has no profiles, contact::SolveError where the wheelset does not stand on the track.
+/// Prints the table, writes wheelset.csv and draws wheelset.svg. Throws contact::InputError if the
+/// case has no profiles, contact::SolveError if the wheelset does not stand on the track.
 void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

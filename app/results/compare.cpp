@@ -29,13 +29,13 @@ namespace {
 using postprocess::ComparedCase;
 using postprocess::contents_of;
 
-/// A case with the folder of its results, and what was there before.
+/// A case with its result folder and earlier results.
 struct Task {
   contact::Case input;
   std::string name;
   fs::path folder;
-  bool done = false;  ///< an earlier call has finished it
-  /// Models that an earlier call found not to take it.
+  bool done = false;  ///< finished by an earlier call
+  /// Models that cannot take the case, according to an earlier call.
   std::vector<postprocess::MissingModel> missing;
 };
 
@@ -45,7 +45,8 @@ fs::path directory_of(const CompareRequest& request) {
   return fs::path("results") / ("compare_" + fs::path(request.case_files.front()).stem().string());
 }
 
-/// Whether results.h5 is whole and of this case with these models. A warning says why it is not.
+/// Whether results.h5 is complete and belongs to this case with these models. If not, a warning
+/// says why.
 bool is_sound(const Task& task, const nlohmann::json& summary) {
   try {
     const postprocess::ResultsFile file(task.folder.string());
@@ -63,8 +64,8 @@ bool is_sound(const Task& task, const nlohmann::json& summary) {
   return false;
 }
 
-/// The result of an earlier call stands: the same case, program and models, written to the end, and
-/// not damaged since.
+/// Whether the result of an earlier call is valid: same case, program and models, complete and
+/// undamaged.
 bool is_done(const Task& task) {
   if (contents_of(task.folder / "case.toml") != task.input.text) return false;
   const std::string text = contents_of(task.folder / "summary.json");
@@ -91,7 +92,7 @@ bool is_done(const Task& task) {
          is_sound(task, summary);
 }
 
-/// What an earlier call says about models that cannot take a case: compare.json is written anew
+/// Models that cannot take a case according to compare.json of an earlier call, which is rewritten
 /// after every case.
 std::vector<postprocess::MissingModel> left_out_before(const nlohmann::json& before,
                                                        const std::string& name) {
@@ -110,7 +111,7 @@ std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRe
   std::vector<Task> tasks;
   std::map<std::string, std::string> names;
   std::string text = contents_of(directory_of(request) / "compare.json");
-  // What does not fit its checksum is as good as not there: the models are tried again.
+  // A file with a wrong checksum is ignored, and the models are tried again.
   if (postprocess::check_json_seal(text) != postprocess::Seal::intact) text.clear();
   const auto before = nlohmann::json::parse(text, nullptr, false);
   for (const std::string& file : request.case_files) {
@@ -131,12 +132,12 @@ std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRe
   return tasks;
 }
 
-/// A message of InputError without what to do: nothing is to be done about a model left out.
+/// A message of InputError without its advice, because a skipped model needs no action.
 std::string reason_alone(const std::string& message) {
   return message.substr(0, std::min(message.find("; allowed:"), message.find("; do:")));
 }
 
-/// Computes one case and writes its folder; what it has found, or why there is nothing.
+/// Computes one case and writes its folder. Returns the results, or why there are none.
 ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solving how) {
   ComparedCase compared;
   compared.name = task.name;
@@ -177,7 +178,7 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
   return compared;
 }
 
-/// The data, whole or as before.
+/// Writes the data atomically.
 void write_data(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
   postprocess::FilesTogether files(directory_of(request));
   files.write("compare.json", postprocess::comparison_json(record));
@@ -206,7 +207,7 @@ void report_and_tell(const CompareRequest& request, const postprocess::Compariso
   if (drawn) std::cout << "report:  " << (directory / "compare.html").string() << '\n';
 }
 
-/// Why a case has no result at all, though nothing failed: "a: hertz: ...; fastsim: ..."; else
+/// Why a case has no result although nothing failed: "a: hertz: ...; fastsim: ..."; otherwise
 /// empty.
 std::string refusal_of(const ComparedCase& compared) {
   const auto failed = [](const postprocess::MissingModel& missing) { return missing.failed; };
@@ -220,7 +221,7 @@ std::string refusal_of(const ComparedCase& compared) {
   return text;
 }
 
-/// A case that no model takes has not been compared.
+/// Throws if no model can take one of the cases.
 void refuse_untaken(const postprocess::ComparisonRecord& record) {
   std::string text;
   for (const ComparedCase& compared : record.cases)
@@ -233,7 +234,7 @@ void refuse_untaken(const postprocess::ComparisonRecord& record) {
                     text));
 }
 
-/// A failure is told at the end, when everything else is safe.
+/// Throws for failed models at the end, after everything else is written.
 void refuse_failures(const postprocess::ComparisonRecord& record) {
   std::string text;
   for (const ComparedCase& compared : record.cases)
@@ -245,8 +246,8 @@ void refuse_failures(const postprocess::ComparisonRecord& record) {
     throw contact::SolveError("the comparison was written without the models that failed: " + text);
 }
 
-/// The models of the call, or those that the registry has for `compare` and this build has. The
-/// case's own list is for `run`.
+/// The models of the call, otherwise the registry's default for `compare` in this build. The case's
+/// own list applies only to `run`.
 std::vector<std::string> models_of(const CompareRequest& request,
                                    const contact::ModelRegistry& known) {
   const std::vector<std::string> models =
@@ -273,7 +274,7 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
   if (frame.idle()) return;
   if (frame.first())
     for (const Task& task : tasks) warn_of_doubts(task.input);
-  // What would only come out after the computing.
+  // Checks of problems that would otherwise appear only after the computation.
   if (frame.first()) {
     refuse_other_result(directory_of(request), "compare.json");
     for (const Task& task : tasks) postprocess::check_directory(task.folder.string());

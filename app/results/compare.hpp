@@ -9,17 +9,17 @@
 
 namespace rollfem::app {
 
-/// Without `models` those that the registry has for it; without `directory` results/compare_<case>,
-/// results/compare for several. `resume` keeps the cases that are done and takes up one that is
-/// not.
+/// Empty `models`: the registry's default for `compare`. Empty `directory`: results/compare_<case>,
+/// or results/compare for several cases. `resume` keeps finished cases and continues an unfinished
+/// one.
 struct CompareRequest : ComputingRequest {
   std::vector<std::string> case_files;
   std::string reference;  ///< model; empty: the first that solves the elastic problem
 };
 
-/// Every case in DIR/<case> as `run` leaves it, then DIR/compare.json, .csv and .html. A model that
-/// cannot take a case is left out with a sentence; one that fails does not stop the others. Throws
-/// contact::InputError before anything is computed, contact::SolveError at the end when a model
+/// Writes every case to DIR/<case> as `run` does, then DIR/compare.json, .csv and .html. A model
+/// that cannot take a case is left out with a sentence; one that fails does not stop the others.
+/// Throws contact::InputError before the computation, contact::SolveError at the end if a model
 /// failed.
 void compare(const CompareRequest& request, const contact::ModelRegistry& models);
 

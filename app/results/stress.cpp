@@ -33,8 +33,8 @@ using postprocess::StoredModel;
 using postprocess::StressOfModel;
 using postprocess::StressSet;
 
-/// Largest values at the nodes. Between them there are no larger ones: each measure is a convex
-/// function of the stress, and the interpolated stress is a mean of those of the nodes.
+/// Largest values at the nodes. Values between nodes are not larger: each measure is a convex
+/// function of the stress, and the interpolated stress is a mean of the nodal stresses.
 std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, std::size_t point) {
   std::vector<contact::StressMaximum> maxima;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -45,9 +45,9 @@ std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, s
   return maxima;
 }
 
-/// Largest values that the places asked for show and the search has missed: it leaves out depths of
-/// less than an element, which counts where elements are long. Places nearer to the surface than
-/// `least`, but not on it, are left out.
+/// Adds largest values found at the requested places but missed by the search, which skips depths
+/// below one element and so misses some where elements are long. Ignores places nearer to the
+/// surface than `least`, but not on it.
 void add_largest_of_sets(const std::vector<StressSet>& sets, double least,
                          std::vector<contact::StressMaximum>& maxima) {
   for (const StressSet& set : sets)
@@ -89,7 +89,7 @@ StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size
   return found;
 }
 
-/// results/thesis_a_stress for results/thesis_a.
+/// Output folder: results/thesis_a_stress for results/thesis_a.
 fs::path output_folder(const ResultsFile& file, const StressRequest& request) {
   if (!request.directory.empty()) return request.directory;
   std::error_code error;
@@ -97,7 +97,7 @@ fs::path output_folder(const ResultsFile& file, const StressRequest& request) {
   return fs::path(file.directory()) / ".." / (folder.filename().string() + "_stress");
 }
 
-/// Page and figures of an earlier call that this one may not draw.
+/// Removes page and figures of an earlier call, because this call may not redraw them.
 void remove_figures(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder / "stress.json", error)) return;
@@ -120,8 +120,8 @@ void stress(const StressRequest& request, const contact::ModelRegistry& models) 
   const ResultsFile file(request.result);
   if (!file.sealed())
     std::cerr << "warning: " << file.path()
-              << " has no checksum (an earlier version or another program wrote it), so damage may "
-                 "go unnoticed; do: if in doubt, run the case again\n";
+              << " has no checksum (written by an earlier version or another program), so damage "
+                 "may go unnoticed; do: if in doubt, run the case again\n";
   report.source = file.path();
   report.title = file.input().title;
   report.point_named = !request.points.empty() || !request.creepages.empty();

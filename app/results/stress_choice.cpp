@@ -34,7 +34,7 @@ std::string listed(const Range& range, const Name& name) {
   return text;
 }
 
-/// The models of the patch that is asked for.
+/// The models of the requested patch.
 std::vector<StoredModel> models_of_patch(const ResultsFile& file, const std::string& patch) {
   if (file.models().empty())
     throw InputError(fmt::format("{} holds no models; do: run a case", file.path()));
@@ -55,7 +55,7 @@ std::vector<StoredModel> models_of_patch(const ResultsFile& file, const std::str
   return found;
 }
 
-/// The models that are asked for, else those with stress, else the first there is.
+/// The requested models, otherwise those with stress, otherwise the first one.
 std::vector<StoredModel> models_by_name(const std::vector<StoredModel>& there,
                                         const StressRequest& request,
                                         const contact::ModelRegistry& models) {
@@ -112,7 +112,7 @@ std::vector<std::size_t> chosen_points(const ModelResult& model, const StressReq
                                  request.result, model.key()));
   if (!request.points.empty() && !request.creepages.empty())
     throw InputError(
-        "--point and --creepage are both given; allowed: one of them; do: leave one out");
+        "--point and --creepage exclude each other; allowed: one of them; do: leave one out");
   std::vector<std::size_t> chosen;
   const auto take = [&](std::size_t k) {
     if (std::find(chosen.begin(), chosen.end(), k) == chosen.end()) chosen.push_back(k);

@@ -11,22 +11,22 @@
 
 namespace rollfem::app {
 
-/// The models that are asked for, of the patch that is asked for; else those with stress, of the
-/// first patch, whichever are there. Throws contact::InputError.
+/// The requested models of the requested patch. Defaults: the models with stress, the first patch.
+/// Throws contact::InputError.
 std::vector<postprocess::StoredModel> chosen_models(const postprocess::ResultsFile& file,
                                                     const StressRequest& request,
                                                     const contact::ModelRegistry& models);
 
-/// Numbers of the load points that are asked for, each once, else of the last. Throws
+/// Numbers of the requested load points without duplicates; default: the last. Throws
 /// contact::InputError.
 std::vector<std::size_t> chosen_points(const contact::ModelResult& model,
                                        const StressRequest& request);
 
-/// Whether stresses are those of wheel and rail as stored, not the sum over the contact elements.
+/// Whether stresses come from the stored bodies of wheel and rail instead of sums over the contact
+/// elements.
 bool in_bodies(const std::string& model, const contact::ModelRegistry& models);
 
-/// Throws contact::InputError where stresses at load point `number` cannot be had from what is
-/// stored.
+/// Throws contact::InputError if the stored data do not give stresses at load point `number`.
 void check_stored(const postprocess::StoredModel& stored, const contact::PointResult& point,
                   std::size_t number, const StressRequest& request,
                   const contact::ModelRegistry& models);

@@ -26,14 +26,14 @@ using postprocess::BodySampler;
 using postprocess::StressSet;
 
 constexpr int profile_points = 121;
-constexpr double profile_depth = 3.0;  ///< in smaller semi-axes
+constexpr double profile_depth = 3.0;  ///< in units of the smaller semi-axis
 
 struct Spot {
   double x = 0.0;
   double y = 0.0;
 };
 
-/// Middle of the elements that carry pressure, and of the one that carries most.
+/// Middle of the loaded elements, and of the most loaded one.
 std::pair<Spot, Spot> spots(const contact::ContactGrid& grid, const contact::Field& pressure) {
   Spot centre;
   int count = 0;
@@ -66,9 +66,9 @@ void refuse_beyond_surface(const NamedRequest& named, const std::string& model) 
           named.request.wheel ? ">=" : "<="));
 }
 
-/// On the surface the steps of the tractions from element to element make the stress along it
-/// infinite at their edges. Places there get the stress interpolated between the middles of the
-/// four elements around them, where it is good.
+/// On the surface the jumps of traction between elements make the in-plane stress infinite at
+/// element edges. Places there get the stress interpolated between the middles of the four elements
+/// around them, where it is accurate.
 void smooth_surface(const halfspace::LoadedBody& body, SubsurfaceField& field) {
   std::vector<std::size_t> places;
   std::vector<halfspace::SubsurfacePoint> middles;
@@ -98,13 +98,13 @@ void smooth_surface(const halfspace::LoadedBody& body, SubsurfaceField& field) {
   }
 }
 
-/// By interpolation in a body.
+/// Stress by interpolation in a body.
 StressSet set_in(const BodySampler& body, const NamedRequest& named, double semi_axis) {
   StressSet set;
   set.name = named.name;
   set.field.request = named.request;
   auto places = halfspace::subsurface_points(named.request);
-  // The surface is at z = 0 in the middle of the patch only.
+  // The surface lies at z = 0 only in the middle of the patch.
   const double inner = named.request.wheel ? 0.5 * semi_axis : -0.5 * semi_axis;
   const bool follows = named.request.kind == SubsurfaceRequest::Kind::surface;
   double height = 0.0;
@@ -127,14 +127,14 @@ StressSet set_in(const BodySampler& body, const NamedRequest& named, double semi
   return set;
 }
 
-/// Of finite elements: those are stored of the elastic bodies alone.
+/// Finite-element results store only elastic bodies.
 bool is_rigid(const ModelResult& model, const std::string& body) {
   return !model.bodies.empty() &&
          std::none_of(model.bodies.begin(), model.bodies.end(),
                       [&](const contact::BodyField& stored) { return stored.name == body; });
 }
 
-/// Of the patch that the result is of.
+/// The scene of the result's patch.
 contact::Scene scene_of(const contact::Case& input, const ModelResult& model) {
   if (!model.place) return input;
   for (const contact::Scene& scene :
@@ -223,7 +223,7 @@ std::vector<StressSet> body_sets(const ModelResult& model, std::size_t point,
 std::vector<StressSet> hybrid_sets(const contact::Case& input, const ModelResult& model,
                                    std::size_t point, const std::vector<NamedRequest>& requests,
                                    std::vector<contact::StressMaximum>& maxima) {
-  // What the file says of the case is not all that its bodies are laid out by.
+  // The case text alone does not determine the layout of the bodies.
   contact::Scene scene = scene_of(contact::parse_case(input.text, input.file), model);
   scene.subsurface.clear();
   scene.output.stress_maxima = true;

@@ -11,26 +11,26 @@
 
 namespace rollfem::app {
 
-/// Lines from the surface down under the centre of the patch, and under the most loaded element
-/// unless the centre is in it. Throws contact::InputError for a depth that is none.
+/// Lines from the surface down below the centre of the patch, and below the most loaded element
+/// unless it contains the centre. Throws contact::InputError for an invalid depth.
 std::vector<NamedRequest> depth_profiles(const contact::ModelResult& model, std::size_t point,
                                          const StressRequest& request);
 
-/// By the integrals over the tractions. `input`: materials of the case. Throws contact::InputError
-/// for a place that is in no half-space.
+/// Stresses from integrals over the tractions. `input`: materials of the case. Throws
+/// contact::InputError for a place outside its half-space.
 std::vector<postprocess::StressSet> halfspace_sets(contact::Scene scene,
                                                    const contact::ModelResult& model,
                                                    std::size_t point,
                                                    const std::vector<NamedRequest>& requests);
 
-/// By interpolation in the bodies, whose values the load point has. Throws contact::InputError for
-/// a place outside of them.
+/// Stresses by interpolation in the stored bodies of the load point. Throws contact::InputError for
+/// a place outside the bodies.
 std::vector<postprocess::StressSet> body_sets(const contact::ModelResult& model, std::size_t point,
                                               const std::vector<NamedRequest>& requests);
 
-/// By the half-space's integrals and the smooth correction, whose largest stresses of both bodies
-/// are `maxima`. Lines of a depth profile go down along the normal of the surface under their
-/// place. Throws contact::InputError for a place outside of its body.
+/// Stresses from the half-space's integrals and the smooth correction; `maxima`: the largest
+/// stresses of both bodies. Lines of a depth profile run down along the local surface normal.
+/// Throws contact::InputError for a place outside its body.
 std::vector<postprocess::StressSet> hybrid_sets(const contact::Case& input,
                                                 const contact::ModelResult& model,
                                                 std::size_t point,

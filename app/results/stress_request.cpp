@@ -17,7 +17,7 @@ using contact::InputError;
 
 namespace {
 
-/// A line or a side of a plane without length cannot be drawn.
+/// Whether a line and both sides of a plane have a length; otherwise they cannot be drawn.
 bool has_length(const contact::SubsurfaceRequest& places) {
   using Kind = contact::SubsurfaceRequest::Kind;
   if (places.kind == Kind::point) return true;
@@ -44,8 +44,8 @@ std::vector<NamedRequest> named_requests(const StressRequest& request) {
 std::optional<double> yield_shear_stress(const StressRequest& request) {
   if (request.yield_shear_stress && request.yield_strength)
     throw InputError(
-        "--yield-shear-stress and --yield-strength are both given; allowed: one of them; do: leave "
-        "one out (k = Y / sqrt(3))");
+        "--yield-shear-stress and --yield-strength exclude each other; allowed: one of them; do: "
+        "leave one out (k = Y / sqrt(3))");
   const auto positive = [](const char* name, double value) {
     if (!(value > 0.0) || !std::isfinite(value))
       throw InputError(

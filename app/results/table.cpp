@@ -33,7 +33,7 @@ std::string range_of(const char* name, const std::vector<double>& axis) {
                                         axis.front(), axis.back());
 }
 
-/// A line for each shift, and where contact jumps.
+/// One line per shift, with marks where contact jumps.
 std::string text_of_wheels(const CreepTable& table) {
   std::string text = "shift mm  angle mrad  radius mm  a mm   b mm   F_n N    p0 MPa  planes\n";
   for (std::size_t k = 0; k < table.wheels.size(); ++k) {
@@ -68,7 +68,7 @@ std::string summary_of(const CreepTable& table, double seconds) {
                       100.0 * force, 100.0 * moment);
   if (error.points > 0)
     text += fmt::format(
-        "interpolation at {} random points (seed {}):  forces off by up to {:.2g} % in 95 of 100, "
+        "interpolation error at {} random points (seed {}):  forces up to {:.2g} % in 95 of 100, "
         "{:.2g} % at most; moment {:.2g} %, {:.2g} %\n",
         error.points, error.seed, 100.0 * error.force_95, 100.0 * error.force_max,
         100.0 * error.moment_95, 100.0 * error.moment_max);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command `table`: the creep force law of a case's contact over scaled creepages and ratios of
-// its axes, or lateral shifts of its wheelset, with error bars and the error of interpolation
-// between the points.
+// The command `table`: the creep force law of a case's contact over scaled creepages and axis
+// ratios, or over lateral shifts of its wheelset, with error bars and interpolation errors.
 #pragma once
 
 #include "app/frame/command_frame.hpp"
@@ -10,14 +9,14 @@
 
 namespace rollfem::app {
 
-/// Without `directory` results/<case>_table. `resume` takes up finished points.
+/// Empty `directory`: results/<case>_table. `resume` continues from finished points.
 struct TableRequest : ComputingRequest {
   std::string case_file;
 };
 
 /// Writes DIR/table.h5, table.csv, interpolation.csv, over lateral shifts shifts.csv, and
-/// table.html. Throws contact::InputError before anything is computed, contact::SolveError where a
-/// point has no solution or a wheel does not touch.
+/// table.html. Throws contact::InputError before the computation, contact::SolveError if a point
+/// has no solution or a wheel does not touch.
 void table(TableRequest request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

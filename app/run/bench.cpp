@@ -31,19 +31,20 @@ namespace {
 
 using contact::ModelResult;
 
-/// Elements across of the half-space; the last one tells the speed of the machine.
+/// Elements across of the half-space; the last grid measures the speed of the machine.
 const std::vector<int> grids{24, 40, 80}, quick_grids{24, 40};
 constexpr int grid_of_theories = 40;
-/// Of what meshes bodies: the grid of the hybrid, the cells of finite elements.
+/// Resolution of models that mesh bodies: elements across of the hybrid, cells across of finite
+/// elements.
 constexpr int grid_of_hybrid = 24, cells_of_fem = 16;
-/// The least of so many times is taken: something else may be at work.
+/// The smallest of this many measured times counts, because other programs may be running.
 constexpr int repeats = 3;
 
-/// What a model has made of a case.
+/// Result of a model on a case.
 struct Row {
   std::optional<double> pressure_error, force_error;  ///< parts of the whole
   double seconds = 0.0;
-  double own_seconds = 0.0;  ///< of the processor, where other programs were at work; else the same
+  double own_seconds = 0.0;  ///< CPU time if other programs were running; otherwise the same
 };
 
 Row row_of(const BenchCase& given, const ModelResult& result) {
@@ -113,7 +114,7 @@ class Bench {
       tell(model, grid_of_theories, solved(given, model.name, grid_of_theories));
       return;
     }
-    // What is left has meshes of the bodies.
+    // The remaining models mesh the bodies.
     if (request_.quick || !given.of_bodies) return;
     const int across = model.keeps_bodies ? cells_of_fem : grid_of_hybrid;
     const double expected = predicted(given, model.name, across).value_or(0.0);
@@ -123,8 +124,8 @@ class Bench {
       tell(model, across, solved(given, model.name, across));
   }
 
-  /// The difference between the coarsest and the finest grid tells the speed: what a run takes
-  /// whatever its grid is in neither.
+  /// The difference between the coarsest and the finest grid measures the speed, because it
+  /// contains no overhead independent of the grid.
   void half_spaces(const contact::ModelInfo& model, const BenchCase& given) {
     struct Timed {
       double measured, expected;
@@ -144,7 +145,7 @@ class Bench {
     if (measured > 0.0 && expected > 0.0) speed_ = measured / expected;
   }
 
-  /// Of the runs of a case that tells the speed; of any other the only one.
+  /// The fastest of several runs of a case that measures the speed; a single run of any other case.
   std::optional<Row> quickest(const BenchCase& given, const std::string& model, int across) {
     std::optional<Row> row = solved(given, model, across);
     for (int k = 1; given.of_bodies && row && k < repeats; ++k)
@@ -159,7 +160,7 @@ class Bench {
     return request_.quick ? quick_grids : grids;
   }
 
-  /// Seconds by the laws of choice/laws.hpp.
+  /// Predicted seconds from choice/laws.hpp.
   std::optional<double> predicted(const BenchCase& given, const std::string& model,
                                   int across) const {
     const contact::Scene scene(input_of(given, model, across));
@@ -184,7 +185,7 @@ class Bench {
     return input;
   }
 
-  /// Nothing where the model cannot take the case.
+  /// Empty if the model cannot take the case.
   std::optional<Row> solved(const BenchCase& given, const std::string& model, int across) {
     const contact::Case input = input_of(given, model, across);
     const contact::Stopwatch watch;
@@ -247,7 +248,7 @@ void bench(const BenchRequest& request, const contact::ModelRegistry& models) {
         "rollfem bench: errors and seconds of the models on this machine, {} processors\n",
         std::thread::hardware_concurrency());
   const std::filesystem::path keep_in = modelling::machine_speed_file();
-  setenv("ROLLFEM_CACHE", "", 1);  // corrections of earlier runs would take no time
+  setenv("ROLLFEM_CACHE", "", 1);  // cached corrections would take no time
   frame.compute("rollfem bench", "cases", [&](const modelling::Solving& how) {
     Bench(request, models, how, keep_in, frame.provenance().started).run();
   });

@@ -9,12 +9,12 @@
 namespace rollfem::app {
 
 struct BenchRequest : ComputingRequest {
-  double seconds = 30.0;  ///< what is expected to take longer altogether is left out
-  bool quick = false;     ///< one case on coarse grids, nothing kept
+  double seconds = 30.0;  ///< time limit; runs expected to exceed it are skipped
+  bool quick = false;     ///< one case on coarse grids, nothing stored
 };
 
-/// Prints a table and keeps the machine's speed. Throws contact::InputError for seconds that are
-/// not positive.
+/// Prints a table and stores the machine's speed. Throws contact::InputError if `seconds` is not
+/// positive.
 void bench(const BenchRequest& request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

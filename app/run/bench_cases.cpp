@@ -5,7 +5,8 @@ namespace rollfem::app {
 
 namespace {
 
-/// Of the study of 2012 (cases/thesis_a.toml, thesis_c.toml): the rail's radius and creepages vary.
+/// Cases of the study of 2012 (cases/thesis_a.toml, thesis_c.toml) with varying rail radius and
+/// creepages.
 std::string crowned_rail(const std::string& title, const std::string& radius,
                          const std::string& creepages) {
   return "title = \"" + title +

@@ -8,23 +8,23 @@
 
 namespace rollfem::app {
 
-/// A force in the limit of ever finer grids, at a load point.
+/// Limit of a force under grid refinement, at a load point.
 struct BenchLimit {
-  std::size_t point = 0;  ///< from 0
+  std::size_t point = 0;  ///< counted from 0
   std::string quantity;   ///< a name of contact/result/quantities.hpp
-  double value = 0.0;     ///< in its unit
-  double whole = 0.0;     ///< what full sliding gives: errors are parts of it
+  double value = 0.0;     ///< in the unit of the quantity
+  double whole = 0.0;     ///< value at full sliding; errors are relative to it
 };
 
 struct BenchCase {
   std::string name;
-  std::string sentence;       ///< what it is
+  std::string sentence;       ///< description
   std::string text;           ///< a case file without models
-  double max_pressure = 0.0;  ///< MPa, Hertz's; 0: it is given
-  /// Of half-spaces: extrapolated from 160 and 320 elements across, to about 2e-4 of the whole.
-  /// tests/unit/app/bench_cases.cpp solves them anew.
+  double max_pressure = 0.0;  ///< Hertz's, MPa; 0: the pressure is given
+  /// Limits of the half-space, extrapolated from 160 and 320 elements across to about 2e-4 of the
+  /// whole; tests/unit/app/bench_cases.cpp recomputes them.
   std::vector<BenchLimit> limits;
-  bool of_bodies = false;  ///< finite elements and the hybrid solve it as well
+  bool of_bodies = false;  ///< true: finite elements and the hybrid solve it too
 };
 
 const std::vector<BenchCase>& bench_cases();

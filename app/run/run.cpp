@@ -31,8 +31,8 @@ fs::path output_directory(const RunRequest& request) {
   return fs::path("results") / fs::path(request.case_file).stem();
 }
 
-/// What would only come out after the hours of computing: a folder that cannot be made, a model
-/// that cannot take the case.
+/// Checks for problems that would otherwise appear only after hours of computing: a folder that
+/// cannot be created, a model that cannot take the case.
 void check_before(const RunRequest& request, const contact::Case& input,
                   const modelling::Placed& placed, const contact::ModelRegistry& models) {
   postprocess::check_directory(output_directory(request).string());
@@ -45,15 +45,15 @@ void check_before(const RunRequest& request, const contact::Case& input,
   if (any_stress || request.quiet) return;
   const auto warn = [&](const char* key) {
     std::cerr << fmt::format(
-        "warning: {}: {} is computed only by the models {}, none of which is run\n", input.file,
+        "warning: {}: {} is computed only by the models {}, and none of them runs\n", input.file,
         key, contact::listed(models.names(&contact::ModelInfo::has_stress)));
   };
   if (!input.subsurface.empty()) warn("[[subsurface]]");
   if (input.output.stress_maxima) warn("[output] stress_maxima");
 }
 
-/// Of which a line a position is printed: the one with most patches (not every theory takes all,
-/// and auto may take several), of those the one that others are measured against.
+/// The model shown for each position: the one with most patches (not every theory can take all of
+/// them, and auto may choose several), among equals the reference model.
 std::string model_to_tell(const postprocess::RunRecord& record,
                           const contact::ModelRegistry& models) {
   const auto patches = [&](const std::string& name) {
@@ -66,7 +66,7 @@ std::string model_to_tell(const postprocess::RunRecord& record,
   return most;
 }
 
-/// Else it comes out when `rollfem stress` is called.
+/// Tells early that `rollfem stress` will lack data.
 void tell_what_is_not_stored(const postprocess::RunRecord& record,
                              const contact::ModelRegistry& models) {
   const auto keeps = [&](const contact::ModelResult& model) {
@@ -95,7 +95,7 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
   tell_what_is_not_stored(record, models);
 }
 
-/// Results that are sound but less than what was asked for are written and are a failure still.
+/// Throws if sound results miss the requested accuracy: they are written, but the run fails.
 void refuse_shortfall(const postprocess::RunRecord& record) {
   std::string text;
   for (const contact::ModelResult& model : record.models)
@@ -106,7 +106,7 @@ void refuse_shortfall(const postprocess::RunRecord& record) {
         fmt::format("{}: the results were written, but {}", record.input.file, text));
 }
 
-/// The case with the models that run.
+/// Reads the case and sets the models to run.
 contact::Case read(const RunRequest& request, const contact::ModelRegistry& models) {
   contact::Case input =
       contact::read_case(request.case_file, modelling::model_words(models), request.changes);

@@ -8,12 +8,12 @@
 
 namespace rollfem::app {
 
-/// Without `models` those of the case file; without `directory` results/<case file without .toml>.
+/// Empty `models`: those of the case file. Empty `directory`: results/<case file without .toml>.
 struct RunRequest : ComputingRequest {
   std::string case_file;
 };
 
-/// Throws contact::InputError or contact::SolveError; nothing is written then.
+/// Throws contact::InputError or contact::SolveError and then writes nothing.
 void run(RunRequest request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

@@ -18,20 +18,20 @@ namespace {
 using contact::ModelResult;
 using contact::PointResult;
 
-/// Hertz and other theories of the normal problem alone have no creep curve.
+/// Hertz and other theories of the normal problem have no creep curve.
 bool has_friction(const ModelResult& model) {
   return std::any_of(model.points.begin(), model.points.end(),
                      [](const PointResult& point) { return point.max_traction > 0.0; });
 }
 
-/// What a search leaves of a creepage that is zero does not count.
+/// Ignores the residue of a search for zero creepage.
 bool any_creepage(const std::vector<PointResult>& points, double contact::Creepage::*member) {
   return std::any_of(points.begin(), points.end(), [&](const PointResult& point) {
     return std::abs(point.creepage.*member) > 1e-15;
   });
 }
 
-/// Under the values of a model: their bars, or why they have none.
+/// Row below the values of a model: their bars, or why there are none.
 std::string bar_row(const PointResult& point) {
   std::string text = fmt::format("{:<19}", "");
   const std::pair<const char*, int> columns[] = {{"max_pressure", 12},
@@ -44,7 +44,7 @@ std::string bar_row(const PointResult& point) {
   return text + "\n";
 }
 
-/// At the largest load, which is that of all points but in a history.
+/// Patch at the largest load, which is the load of all points except in a history.
 std::string patch_table(const std::vector<ModelResult>& models) {
   std::string text =
       fmt::format("{:<19}{:>12}{:>13}{:>13}{:>15}{:>13}{:>10}\n", "model", "p0 in MPa", "a in mm",
@@ -65,7 +65,7 @@ std::string patch_table(const std::vector<ModelResult>& models) {
   return text;
 }
 
-/// Columns are wide enough for the name over them and for the model's own error.
+/// Column width, enough for the heading and for the model error.
 std::size_t width_of(const ModelResult& model) {
   const bool with_error =
       std::any_of(model.points.begin(), model.points.end(),
@@ -73,8 +73,8 @@ std::size_t width_of(const ModelResult& model) {
   return std::max<std::size_t>(with_error ? 35 : 22, model.name.size() + 2);
 }
 
-/// "0.21601 +- 0.0012", with the error of the model where it is known: "0.20970 +- 1.7e-05, model
-/// 0.0062". The quantity is divided by `scale`; rounding must not print as -0.00000.
+/// "0.21601 +- 0.0012", with the model error if known: "0.20970 +- 1.7e-05, model 0.0062". The
+/// quantity is divided by `scale`; never prints -0.00000.
 std::string barred(double value, const PointResult& point, const char* quantity, double scale) {
   const auto bar = point.error_estimate.find(quantity);
   std::string text = bar == point.error_estimate.end()
@@ -85,7 +85,7 @@ std::string barred(double value, const PointResult& point, const char* quantity,
   return fmt::format("{:.5f} {:<10}", std::abs(value) < 5e-6 ? 0.0 : value, text);
 }
 
-/// One row a load point, one column a model.
+/// Table with one row per load point and one column per model.
 template <class Quantity>
 std::string curve_table(const std::vector<const ModelResult*>& models, const std::string& heading,
                         const Quantity& quantity) {
@@ -114,7 +114,7 @@ std::string curve_table(const std::vector<const ModelResult*>& models, const std
   return text + "\n";
 }
 
-/// Everything about one patch.
+/// All tables of one patch.
 std::string scene_table(const std::vector<ModelResult>& models) {
   std::string text = patch_table(models);
   std::vector<const ModelResult*> with_friction;
@@ -147,7 +147,7 @@ std::string place_line(const contact::ContactPlace& place) {
       place.y_track, place.y_rail, place.y_wheel, place.contact_angle, place.rolling_radius);
 }
 
-/// More patches than this are told in a line each.
+/// More patches than this get one line each.
 constexpr std::size_t most_told = 3;
 
 /// "0.3052 +- 0.0028"
@@ -155,13 +155,13 @@ std::string with_bar(const std::string& value, const PointResult& point, const c
   return value + ' ' + contact::bar_text(point, quantity);
 }
 
-/// The words of a sentence: numbers may differ in digits, sign and exponent.
+/// A sentence with its numbers masked, whatever their digits, sign and exponent.
 std::string without_numbers(const std::string& text) {
   static const std::regex number(R"([-+]?[0-9]+(\.[0-9]*)?(e[-+]?[0-9]+)?)");
   return std::regex_replace(text, number, "");
 }
 
-/// A line for each result: place, size and the first load point with its bars.
+/// One line per result: place, size and the first load point with its bars.
 std::string row_table(const std::vector<ModelResult>& models) {
   std::string text = fmt::format(
       "{:<6}{:>3}{:>6}{:>9}{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>18}{:>13}{:>20}\n",
@@ -186,8 +186,8 @@ std::string row_table(const std::vector<ModelResult>& models) {
   return text;
 }
 
-/// What a model leaves out by its own estimate, the largest of all load points; or that an estimate
-/// found no result. Empty where there is none to tell of.
+/// The model's own estimate of its model error, the largest of all load points, or a remark that
+/// the estimate failed. Empty without estimate.
 std::string model_error_text(const ModelResult& model) {
   constexpr const char* without_result = "not estimated: no result";
   if (model.model_error_source.rfind(without_result, 0) == 0)
@@ -250,7 +250,7 @@ std::string notes_text(const std::vector<ModelResult>& models) {
   struct Note {
     std::string words;  // with the model's name
     std::string text;
-    std::set<std::string> others = {};  // patches that have it with other numbers
+    std::set<std::string> others = {};  // patches with the same words and other numbers
   };
   std::vector<Note> notes;
   for (const ModelResult& model : models)
@@ -267,10 +267,10 @@ std::string notes_text(const std::vector<ModelResult>& models) {
   for (const Note& note : notes) {
     text += '\n' + note.text;
     if (!note.others.empty())
-      text += fmt::format(" ({} with other numbers)",
+      text += fmt::format(" (values differ for {})",
                           note.others.size() == 1
-                              ? "and another patch"
-                              : fmt::format("and {} other patches", note.others.size()));
+                              ? "1 other patch"
+                              : fmt::format("{} other patches", note.others.size()));
   }
   return text;
 }

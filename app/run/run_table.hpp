@@ -11,8 +11,8 @@ namespace rollfem::app {
 
 std::string run_table(const std::vector<contact::ModelResult>& models);
 
-/// What the models say of their results, a line each. Patches share most of it: a sentence that
-/// differs from patch to patch in its numbers alone is said once, with those of the first.
+/// Notes of the models on their results, one line each. A note that differs between patches only in
+/// its numbers appears once, with the numbers of the first patch.
 std::string notes_text(const std::vector<contact::ModelResult>& models);
 
 }  // namespace rollfem::app

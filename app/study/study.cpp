@@ -32,8 +32,8 @@ using postprocess::StudyPlace;
 using postprocess::StudySeries;
 using postprocess::StudyValues;
 
-/// Keys of a study with the load point (from 0) and the quantity that they stand for. A value of 0
-/// is one that the model does not give.
+/// Keys of a study, each with its load point (from 0) and quantity. A value of 0 means that the
+/// model does not give it.
 std::vector<std::tuple<std::string, std::size_t, std::string>> keys_of(
     const contact::ModelResult& result, bool patch) {
   std::vector<std::tuple<std::string, std::size_t, std::string>> keys;
@@ -42,7 +42,7 @@ std::vector<std::tuple<std::string, std::size_t, std::string>> keys_of(
     if (contact::quantity(result.points.front(), name) != 0.0) keys.emplace_back(name, 0, name);
   };
   put("max_pressure");
-  // A patch of profiles is no ellipse.
+  // A patch of profiles is not an ellipse.
   put(patch ? "contact_length" : "semi_axis_x");
   put(patch ? "contact_width" : "semi_axis_y");
   put("approach");
@@ -68,7 +68,7 @@ StudyValues bars_of(const contact::ModelResult& result, bool patch) {
   return bars;
 }
 
-/// Hertz's values where the case is one that they are exact for.
+/// Hertz's values, if they are exact for the case.
 StudyValues exact_values(const contact::Scene& scene) {
   if (scene.has_profiles()) return {};
   try {
@@ -78,11 +78,11 @@ StudyValues exact_values(const contact::Scene& scene) {
   }
 }
 
-/// What all series of a study share while they run.
+/// Data shared by all series of a study.
 struct Work {
   modelling::Solving how;
-  postprocess::CheckpointFolder* kept = nullptr;  ///< of the first process
-  std::vector<std::string> notes;                 ///< of the scenes
+  postprocess::CheckpointFolder* kept = nullptr;  ///< on the first process
+  std::vector<std::string> notes;                 ///< on the scenes
   std::function<void(const std::string&)> say;
 };
 
@@ -90,7 +90,7 @@ bool parallel(const LevelPlan& plan, const Work& work) {
   return work.how.models->at(plan.model).parallel;
 }
 
-/// The level as an earlier call left it, or solved. Of a parallel model collective.
+/// Takes the level from an earlier call or solves it. Collective for a parallel model.
 StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
                     const StudySeries& series, const std::string& place, const Work& work) {
   StudyLevel level;
@@ -125,8 +125,8 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
   return level;
 }
 
-/// A level may be too coarse to be laid out or to be solved: then the series begins with a finer
-/// one. After a level that was solved a failure ends it, since limits need levels in a row.
+/// If a level is too coarse to be meshed or solved, the series starts with a finer one. After a
+/// solved level a failure ends the series, because extrapolation needs consecutive levels.
 StudySeries run_series(const LevelPlan& plan, const std::string& place, const Work& work) {
   StudySeries series;
   series.model = plan.model;
@@ -165,7 +165,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const Wo
   return series;
 }
 
-/// The places of the case with what is known of them before any level is solved.
+/// The places of the case with the values known before any level is solved.
 std::vector<StudyPlace> places_of(const modelling::Scenes& scenes) {
   std::vector<StudyPlace> places;
   for (const contact::Scene& scene : scenes.list) {
@@ -178,8 +178,8 @@ std::vector<StudyPlace> places_of(const modelling::Scenes& scenes) {
   return places;
 }
 
-/// All series of a place. A theory that cannot take it says so when it runs: of "all" it is left
-/// out.
+/// Runs all series of a place. Under "all", a theory that turns out unable to take the place is
+/// left out.
 void run_place(const StudyRequest& request, const std::vector<std::string>& models,
                const contact::Scene& scene, StudyPlace& place, Work work) {
   const std::string name = place_name(place);
@@ -197,7 +197,7 @@ void run_place(const StudyRequest& request, const std::vector<std::string>& mode
     }
 }
 
-/// Failures of all series in one text; throws when no level at all was solved.
+/// Failures of all series in one text; throws if no level was solved.
 std::string failures_of(const postprocess::StudyRecord& record) {
   std::string failures;
   bool any = false;
@@ -236,14 +236,14 @@ postprocess::StudyRecord record_of(const StudyRequest& request, const contact::C
   if (input.has_profiles()) {
     record.notes = scenes.notes;
     record.notes.emplace_back(
-        "the balance of the wheelset is found once: all levels of a patch have the same normal "
+        "the balance of the wheelset is computed once: all levels of a patch have the same normal "
         "force and creepages, so that only the discretisation differs");
   }
   read_references(request, record);
   return record;
 }
 
-/// Places without any series (every model left out) say nothing.
+/// Removes places without any series (every model left out).
 void forget_empty(std::vector<StudyPlace>& places) {
   places.erase(std::remove_if(places.begin(), places.end(),
                               [](const StudyPlace& place) { return place.series.empty(); }),

@@ -10,20 +10,19 @@
 
 namespace rollfem::app {
 
-/// Without `models` the first that solves the elastic problem; "all": every model that can take the
-/// case. Without `directory` results/<case>_study. `resume` takes up finished levels.
+/// Empty `models`: the first one that solves the elastic problem; "all": every model that can take
+/// the case. Empty `directory`: results/<case>_study. `resume` continues from finished levels.
 struct StudyRequest : ComputingRequest {
   std::string case_file;
-  std::vector<std::string> vary;  ///< grid, cell, degree, domain; empty: as the model has it
+  std::vector<std::string> vary;  ///< grid, cell, degree, domain; empty: the model's default
   bool together = false;          ///< refine all of `vary` at once, not one at a time
-  int levels = 0;                 ///< 0: as the model has it
+  int levels = 0;                 ///< 0: the model's default
   /// exact, finest, extrapolated, QUANTITY=VALUE, with several patches PLACE.QUANTITY=VALUE
   std::vector<std::string> references;
 };
 
 /// Writes DIR/study.json, .csv and .html; with profiles every patch has its series. Throws
-/// contact::InputError before anything is computed, contact::SolveError at the end when a level
-/// failed.
+/// contact::InputError before the computation, contact::SolveError at the end if a level failed.
 void study(StudyRequest request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

@@ -63,7 +63,8 @@ void LevelPoints::drop() {
 
 std::string level_record_name(const std::string& place_key, const postprocess::StudySeries& series,
                               const StudyLevel& level) {
-  // The labels are rounded, and the parameter is that of the last thing that is refined.
+  // The exact parameter is part of the name, because labels are rounded; it belongs to the last
+  // refined quantity.
   std::string name = fmt::format("level-{}-{}-{}-{}-{:.12g}", place_key, series.model, series.vary,
                                  level.label, level.parameter);
   std::replace_if(

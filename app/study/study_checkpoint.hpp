@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a study keeps for a later call: its finished levels and the finished load
-// points of the current level, each with its seconds.
+// Work that a study stores for --resume: finished levels and the finished load points of the
+// current level, each with its seconds.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -14,18 +14,18 @@
 
 namespace rollfem::app {
 
-/// Load points of one level. Their records carry the seconds of the level so far, so that a level
-/// that was taken up costs what its calls took together.
+/// Load points of one level. Their records carry the seconds spent on the level so far, so that the
+/// cost of a resumed level covers all calls.
 class LevelPoints : public contact::Checkpoint {
  public:
-  /// `folder` may be null: nothing is kept or found.
+  /// `folder` may be null: nothing is stored or found.
   LevelPoints(postprocess::CheckpointFolder* folder, std::string level);
   std::optional<std::string> find(const std::string& name) override;
   void keep(const std::string& name, const std::string& record) override;
 
-  /// Of earlier calls; known after the level is solved.
+  /// Seconds of earlier calls; known after the level is solved.
   double seconds_before() const { return before_; }
-  /// The level is kept as a whole: its load points go.
+  /// Deletes the load points once the whole level is stored.
   void drop();
 
  private:
@@ -36,12 +36,12 @@ class LevelPoints : public contact::Checkpoint {
   Clock::time_point begin_ = Clock::now();
 };
 
-/// The name under which a level is kept: of the place, model and level as the study shows them.
+/// Name of a stored level, from place, model and level as the study shows them.
 std::string level_record_name(const std::string& place_key, const postprocess::StudySeries& series,
                               const postprocess::StudyLevel& level);
 
-/// A level that an earlier call has finished. `everywhere` (the model is parallel): collective, the
-/// folder of process 0 counts; null: each process by itself.
+/// A level finished by an earlier call. With `everywhere` (parallel model) the call is collective
+/// and uses the folder of process 0; null: each process for itself.
 std::optional<postprocess::StudyLevel> find_level(postprocess::CheckpointFolder* folder,
                                                   const std::string& name,
                                                   const modelling::ParallelSession* everywhere);

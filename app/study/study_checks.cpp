@@ -22,7 +22,7 @@ using contact::InputError;
 using postprocess::ReferenceRule;
 using postprocess::StudyPlace;
 
-/// A domain can be varied where the program chooses it.
+/// Throws unless the program chooses the domain, so that it can be varied.
 void check_domain(const contact::Case& input) {
   const char* why = nullptr;
   if (input.has_profiles())
@@ -41,7 +41,7 @@ bool asks_for_all(const StudyRequest& request) {
   return request.models == std::vector<std::string>{"all"};
 }
 
-/// One of the models of the study must have it.
+/// Throws unless a model of the study can refine `word`.
 void check_varied(const StudyRequest& request, const std::string& word,
                   const contact::ModelRegistry& known) {
   const std::vector<std::string> names = named_models(request, known);
@@ -58,7 +58,7 @@ void check_varied(const StudyRequest& request, const std::string& word,
                   word, allowed, models_that_vary(known, word).back()));
 }
 
-/// "left_3_1." of a place among several.
+/// Prefix "left_3_1." if there are several places.
 std::string prefix_of(const StudyPlace& place) {
   const std::string key = place_key(place);
   return key.empty() ? key : key + ".";
@@ -88,7 +88,7 @@ std::vector<std::string> quantities_of(const StudyPlace& place) {
   throw InputError(fmt::format("--reference {}: {}; {}; do: correct it", word, why, allowed));
 }
 
-/// PLACE.QUANTITY=VALUE; of one place its name may be left out.
+/// Reads PLACE.QUANTITY=VALUE; with a single place PLACE may be omitted.
 void read_number(const std::string& word, std::vector<StudyPlace>& places) {
   const std::size_t at = word.find('=');
   if (at == std::string::npos) refuse_reference(word, "not a reference", places);
@@ -104,7 +104,7 @@ void read_number(const std::string& word, std::vector<StudyPlace>& places) {
     refuse_reference(word, "the case has several patches, and this does not name one", places);
   const auto known = quantities_of(*meant);
   if (std::find(known.begin(), known.end(), key) == known.end())
-    refuse_reference(word, "no such quantity in this case", places);
+    refuse_reference(word, "unknown quantity in this case", places);
   const std::optional<double> value = contact::number_of(word.substr(at + 1));
   if (!value) refuse_reference(word, "the value is not a number", places);
   meant->given[key] = *value;
@@ -150,7 +150,7 @@ std::vector<std::string> models_of(const StudyRequest& request, const modelling:
   for (const std::string& name : named_models(request, known)) try {
       for (const contact::Scene& scene : scenes.list) known.check(scene, name);
       able.push_back(name);
-    } catch (const InputError&) {  // "all" means all that can
+    } catch (const InputError&) {  // "all" skips models that cannot take the case
       if (!asks_for_all(request)) throw;
     }
   return able;

@@ -14,24 +14,23 @@
 
 namespace rollfem::app {
 
-/// Where the study is written.
+/// Output folder of the study.
 std::filesystem::path directory_of(const StudyRequest& request);
 
-/// What the case need not be known for, and what its bodies cannot vary. Throws
-/// contact::InputError.
+/// Checks the options on their own and against the bodies of the case. Throws contact::InputError.
 void check_call(const StudyRequest& request, const contact::Case& input,
                 const contact::ModelRegistry& known);
 
-/// The models that the call names, before any is looked at: "all" are all there are.
+/// The models named by the call, unchecked; "all" gives every model.
 std::vector<std::string> named_models(const StudyRequest& request,
                                       const contact::ModelRegistry& known);
 
-/// Of these those that can take every scene. Throws contact::InputError for one that was named and
-/// cannot, and when none has something of --vary.
+/// The subset of these models that can take every scene. Throws contact::InputError for a named
+/// model that cannot, and if no model can refine what --vary requests.
 std::vector<std::string> models_of(const StudyRequest& request, const modelling::Scenes& scenes,
                                    const contact::ModelRegistry& known);
 
-/// Sets rule and given values from --reference. The places are there, with their creepages and
+/// Sets rule and given values from --reference. The places must already have their creepages and
 /// exact values. Throws contact::InputError.
 void read_references(const StudyRequest& request, postprocess::StudyRecord& record);
 

@@ -12,7 +12,7 @@ using contact::Refinement;
 
 namespace {
 
-/// What is not part of the question costs nothing in a study.
+/// Removes output and estimates that a study does not need.
 ModelInput bare(ModelInput input) {
   input.accuracy.relative.reset();
   input.subsurface.clear();

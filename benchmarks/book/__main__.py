@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""python3 -m book: makes the verification book. Called by `./rollfem book`, which builds first."""
+"""python3 -m book: writes the verification book. Called by `./rollfem book`, which builds first."""
 import argparse
 import contextlib
 import datetime
@@ -14,20 +14,20 @@ from .owner import Owned, owner
 def _parser():
     parser = argparse.ArgumentParser(
         prog="./rollfem book", formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Computes every benchmark again and writes the verification book: README.md, its\n"
+        description="Recomputes every benchmark and writes the verification book: README.md, its\n"
                     "figures (.svg) and book.json.",
         epilog="example: ./rollfem book --only carter cattaneo -o /tmp/book\n"
-               "Exit status: 0 every number is within what is allowed; 1 one is not, or a run failed;\n"
+               "Exit status: 0 all numbers are within their tolerances; 1 one is not, or a run failed;\n"
                "2 the call is wrong.")
     parser.add_argument("-o", "--output", metavar="DIR",
-                        help="folder for the book; without it docs/book of the source")
+                        help="folder for the book (default: docs/book of the source)")
     parser.add_argument("--only", nargs="+", metavar="CHAPTER", help="these chapters only (see --list)")
-    parser.add_argument("--list", action="store_true", help="name the chapters and end")
+    parser.add_argument("--list", action="store_true", help="list the chapters and exit")
     parser.add_argument("--results", metavar="DIR",
-                        help="where results are kept; without it results/book. Runs that are there of the "
-                             "same program and case are not computed again")
-    parser.add_argument("--fresh", action="store_true", help="compute again what is kept")
-    parser.add_argument("--png", metavar="DIR", help="also write bitmaps of the figures there")
+                        help="folder of the runs (default: results/book). Existing runs of the "
+                             "same program and case are reused")
+    parser.add_argument("--fresh", action="store_true", help="recompute existing runs")
+    parser.add_argument("--png", metavar="DIR", help="folder for additional bitmaps of the figures")
     parser.add_argument("--quiet", action="store_true", help="print the verdict only")
     parser.add_argument("--root", help=argparse.SUPPRESS)
     parser.add_argument("--build", help=argparse.SUPPRESS)
@@ -38,12 +38,12 @@ def _wanted(parser, options, known):
     names = [chapter.__name__.replace("_", "-") for chapter in known]
     for name in options.only or []:
         if name not in names:
-            parser.error(f"--only {name}: there is no such chapter; allowed: {', '.join(names)}")
+            parser.error(f"--only {name}: unknown chapter; allowed: {', '.join(names)}")
     return [c for c, name in zip(known, names) if not options.only or name in options.only]
 
 
 def _machine():
-    """Cores and processor, as the cost of a run means little without them."""
+    """Cores and processor, needed to interpret the cost of a run."""
     model = platform.processor() or platform.machine()
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as file:
@@ -54,13 +54,13 @@ def _machine():
 
 
 def _make(bench, chapters, say):
-    """(Chapters, [(name, why left out)], [sentence of a failure])."""
+    """Returns (chapters, [(name, why left out)], [failure message])."""
     from .runs import BookError
     made, left_out, failures = [], [], []
     for function in chapters:
         name = function.__name__.replace("_", "-")
         if getattr(function, "needs_fem", False) and not bench.has_fem:
-            left_out.append((name, "needs finite elements, which this build has not"))
+            left_out.append((name, "needs finite elements, which this build lacks"))
             continue
         say(f"chapter {name}")
         try:
@@ -116,7 +116,7 @@ def main():
     for text in failures + beyond:
         print(f"error: {text}", file=sys.stderr)
     judged = sum(row.allowed is not None for c in done for row in c.rows)
-    print(f"{judged} numbers are judged, {len(beyond) or 'none'} beyond what is allowed; "
+    print(f"{judged} numbers are judged, {len(beyond) or 'none'} beyond their tolerances; "
           f"{time.time() - begin:.0f} s\nbook: {os.path.join(directory, 'README.md')}")
     return 1 if failures or beyond else 0
 
@@ -125,5 +125,5 @@ if __name__ == "__main__":
     try:
         sys.exit(main())
     except KeyboardInterrupt:
-        print("interrupted: finished runs are kept; the same command takes them up", file=sys.stderr)
+        print("interrupted: finished runs are kept; the same command resumes", file=sys.stderr)
         sys.exit(130)

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a chapter of the book holds: rows of numbers beside their reference, figures, cost, tests."""
+"""The content of a chapter: rows of numbers with their references, figures, cost, tests."""
 import math
 from dataclasses import dataclass, field
 
 
 @dataclass
 class Row:
-    """One number beside its reference.
+    """One number with its reference.
 
-    `allowed`: largest |difference| that is held, a fraction of `of`, which is the reference itself
-    unless it is small or zero; `of_words` says what it is then ("mu F_z"). None where the book shows
-    a difference and holds none, as of a figure that others have read from a diagram.
+    `allowed`: tolerance of |difference| as a fraction of `of`, which is the reference itself unless that is small or
+    zero; `of_words` then names it ("mu F_z"). None if the book shows a difference without judging it, as for a value
+    read from a diagram.
     """
 
     quantity: str
@@ -20,10 +20,10 @@ class Row:
     allowed: float = None
     of: float = None
     of_words: str = ""
-    by: str = ""  # whose number: model, grid
+    by: str = ""  # origin of the number: model, grid
 
     def __post_init__(self):
-        # Numpy's numbers are no JSON.
+        # JSON does not accept numpy's numbers.
         self.reference, self.reached = float(self.reference), float(self.reached)
 
     @property
@@ -34,7 +34,7 @@ class Row:
 
     @property
     def holds(self):
-        """False also for a number that is none."""
+        """False also for NaN."""
         if self.allowed is None:
             return True
         return bool(math.isfinite(self.difference) and abs(self.difference) <= self.allowed)
@@ -42,7 +42,7 @@ class Row:
 
 @dataclass
 class Cost:
-    """What one computation took: wall-clock `seconds` of the model, number of `unknowns`."""
+    """Cost of one computation: wall time of the model in `seconds`, number of `unknowns`."""
 
     what: str
     seconds: float
@@ -51,7 +51,7 @@ class Cost:
 
 @dataclass
 class Table:
-    """Numbers that are shown and not held, e.g. models side by side. `rows` are lists of text."""
+    """Numbers shown without being judged, e.g. models side by side. `rows` are lists of text."""
 
     caption: str
     head: list
@@ -70,7 +70,7 @@ class Chapter:
     tables: list = field(default_factory=list)
     figures: list = field(default_factory=list)
     cost: list = field(default_factory=list)
-    tests: list = field(default_factory=list)  # as CTest prints them, without parameters
+    tests: list = field(default_factory=list)  # names as printed by CTest, without parameters
     after: str = ""
 
     @property

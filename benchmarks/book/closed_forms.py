@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closed forms, written apart from the program's code: the book must not check a formula with itself.
+"""Closed forms, independent of the program's code, so that the book does not check a formula against itself.
 
-Units mm, N, MPa. Elastic constants are G and nu of like bodies; E* = G/(1 - nu) unless told otherwise.
+Units mm, N, MPa. Elastic constants are G and nu of like bodies; E* = G/(1 - nu) unless stated otherwise.
 """
 import numpy as np
 
@@ -26,7 +26,7 @@ def hertz(curvature_x, curvature_y, force, modulus):
     small, large = sorted((curvature_x, curvature_y))
 
     def sides(k2):
-        """A and B times E*/p0 times the longer axis, for e^2 = k2."""
+        """A and B times E*/p0 times the longer semi-axis, for e^2 = k2."""
         first, second = elliptic_integrals(k2)
         ratio = np.sqrt(1 - k2)
         return ratio / k2 * (first - second), ratio / k2 * (second / ratio**2 - first)
@@ -87,7 +87,7 @@ def mindlin_shift(radius, force, friction, shear_modulus, poisson, part):
 
 
 def mindlin_part(radius, force, friction, shear_modulus, poisson, shift):
-    """The part of mu P that a shift makes: the inverse of mindlin_shift."""
+    """The fraction of mu P at a given shift: the inverse of mindlin_shift."""
     compliance = 2 * (2 - poisson) / shear_modulus
     reduced = 1 - shift * 16 * radius / (3 * friction * force * compliance)
     return 1 - max(reduced, 0.0) ** 1.5
@@ -140,7 +140,7 @@ def moving_wave(fraction_of_rayleigh, poisson):
 
 
 def free_rolling_creepage(friction_free_factor, semi_axis, radius):
-    """Creepage of free rolling of unlike cylinders where everything slips (Bentall and Johnson 1967).
+    """Creepage of free rolling of unlike cylinders in full slip (Bentall and Johnson 1967).
 
     `friction_free_factor` is kappa = 2 beta (twice Dundurs' constant), `radius` the relative one. The point of
     no slip c a follows from the balance of forces, asin c + c sqrt(1 - c^2) = pi/4.
@@ -153,7 +153,7 @@ def free_rolling_creepage(friction_free_factor, semi_axis, radius):
 
 
 def adhesive_free_rolling(beta):
-    """(xi R/a, largest pressure over Hertz's) of unlike cylinders that roll freely and adhere everywhere.
+    """(xi R/a, largest pressure over Hertz's) of unlike cylinders in free rolling with full adhesion.
 
     `beta` is Dundurs' constant of the pair, a Hertz's half width. p + i q is the jump across the patch of
     z - i xi - (z - 1)^(1/2 + i e) (z + 1)^(1/2 - i e), 2 pi e = ln((1 + beta)/(1 - beta)), which leaves no force along

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs that are too dear for the book, with the commands that made them; what they come to in words.
+"""Runs too expensive for the book, with their commands and conclusions.
 
-Made with rollfem 0.1.0 at commit 1256cd3 (the groove of 10.02 mm by the hybrid at f20b36b), some ten seconds of processor time each:
+Made with rollfem 0.1.0 at commit 1256cd3 (the groove of 10.02 mm by the hybrid at f20b36b), some ten seconds of CPU
+time each:
 
     rollfem run cases/conformal_groove.toml --model hybrid     with rail.transverse_radius = -10.25, -10.10, -10.05, and -10.02
                                                                with round_to = 0.85 of wheel and rail
@@ -25,7 +26,7 @@ GROOVES = {10.25: {"p0": 529.869, "a": 3.0778, "b": 2.9403, "approach": 0.022215
            10.05: {"p0": 349.162, "a": 2.3862, "b": 5.8782, "approach": 0.0170445},
            10.02: {"p0": 294.987, "a": 2.0936, "b": 8.1464, "approach": 0.0148658}}
 
-# What, unit, hybrid, finite elements (their bars: 1.4, 1.0, 0.75 MPa, 0.0002 mm, 1.5 MPa, 0.08 kN), allowed.
+# Quantity, unit, hybrid, finite elements (their bars: 1.4, 1.0, 0.75 MPa, 0.0002 mm, 1.5 MPa, 0.08 kN), allowed.
 BOTH = [("groove of 10.25 mm, no friction: p0", "MPa", 529.869, 529.469, 2e-3),
         ("groove of 10.05 mm, no friction: p0", "MPa", 349.162, 348.879, 2e-3),
         ("groove of 10.02 mm, no friction: p0", "MPa", 294.987, 294.977, 2e-3),
@@ -35,7 +36,7 @@ BOTH = [("groove of 10.25 mm, no friction: p0", "MPa", 529.869, 529.469, 2e-3),
         ("corner, given approach: F_z", "kN", 97.646, 97.409, 3e-3),
         ("corner, given approach: F_z, 5 cells in the semi-axis in place of 3", "kN", 97.426, 97.409, 2e-3)]
 
-# Whose, corner: F_z, p0; grooves of 10.25 and 10.05 mm: p0.
+# Body and model; corner: F_z, p0; grooves of 10.25 and 10.05 mm: p0.
 REST = [("segments of 35 mm in the corner, 16 mm in the grooves: hybrid", "-0.28 %", "-0.27 %", "-0.04 %", "-0.32 %"),
         ("the same by finite elements", "-0.39 %", "-0.29 %", "-0.07 %", ""),
         ("segments of 100 mm, 48 mm: hybrid", "+0.13 %", "+0.10 %", "+0.03 %", "0.00 %"),
@@ -48,7 +49,7 @@ REST = [("segments of 35 mm in the corner, 16 mm in the grooves: hybrid", "-0.28
         ("round to 0.9 (64 degrees): hybrid", "-2.84 %", "-0.95 %", "-0.06 %", "-0.30 %"),
         ("the same by finite elements", "-2.53 %", "-1.54 %", "", "")]
 
-# The corner at its approach: who, force along the approach in kN, sum of pressure in kN, p0 in MPa.
+# The corner at its approach: model, force along the approach in kN, sum of pressure in kN, p0 in MPa.
 CORNER = [("half-space, curved", "90.04", "92.74", "1005.4"),
           ("CONTACT on half-spaces", "89.25", "91.84", "1012"),
           ("hybrid, round to 0.7", "97.65 ± 0.74", "101.21", "1002.2 ± 1.8"),
@@ -56,7 +57,7 @@ CORNER = [("half-space, curved", "90.04", "92.74", "1005.4"),
           ("hybrid, round to 0.8", "96.86 ± 0.66", "100.37", "1002.4 ± 1.8"),
           ("hybrid, round to 0.9", "94.85 ± 0.46", "98.25", "993.6 ± 2.1"),
           ("CONTACT, coefficients by finite elements of others, friction of 0.3", "", "99.32", "1034")]
-# With friction and the rigid slip of CONTACT's cases 4 and 5: who, F_x, F_s, sum of pressure in kN, p0 in MPa.
+# With friction and the rigid slip of CONTACT's cases 4 and 5: model, F_x, F_s, sum of pressure in kN, p0 in MPa.
 CORNER_FRICTION = [("half-space, curved", "10.56", "22.66", "92.74", "1005.4"),
                    ("CONTACT on half-spaces", "10.50", "22.51", "91.84", "1012"),
                    ("hybrid, round to 0.7", "13.56 ± 0.30", "23.65", "102.05 ± 0.92", "1017.5 ± 2.7"),

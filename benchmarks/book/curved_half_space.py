@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Slip that gentle curvature adds to frictionless Hertz contact, to first order, in closed form up to one integral.
+"""Slip added by slight curvature to frictionless Hertz contact, to first order, in closed form up to one integral.
 
 The surface z = h = (x^2/R_x + y^2/R_y)/2 of a body above it is moved to z = 0: there the half-space's stresses leave
 tractions -d_b(h sigma_ab) - p h_,a along the surface, which strain it as they strain a half-space; and the strain
@@ -11,7 +11,7 @@ import numpy as np
 
 
 def _strain(semi_axes, curvatures, poisson, count=720):
-    """[e0, e_xx, e_yy] of e_x = e0 + e_xx x^2 + e_yy y^2 on the surface of one body, half-space's part left out."""
+    """[e0, e_xx, e_yy] of e_x = e0 + e_xx x^2 + e_yy y^2 on the surface of one body, without the half-space's part."""
     (a, b), (cx, cy) = semi_axes, curvatures
     theta = 2 * np.pi * np.arange(count) / count
     cos, sin = np.cos(theta), np.sin(theta)
@@ -20,7 +20,7 @@ def _strain(semi_axes, curvatures, poisson, count=720):
     wave = np.fft.fftfreq(count, 1 / count)
 
     def turned(values):
-        """Its derivative by theta; the functions are smooth and periodic."""
+        """Derivative with respect to theta of smooth periodic functions."""
         return np.fft.ifft(1j * wave * np.fft.fft(values)).real
 
     # A transform P(k) = F(k, theta) of the pressure, integrated along k with cos(k c), is F_0 + F_2 c^2; there k d/dk
@@ -57,9 +57,9 @@ def _strain(semi_axes, curvatures, poisson, count=720):
 
 
 def slip(semi_axes, wheel, rail, poisson):
-    """[s0, s_xx, s_yy] of the slip along x, s0 + s_xx x^2 + s_yy y^2, of two like bodies at no creepage.
+    """[s0, s_xx, s_yy] of the slip along x, s0 + s_xx x^2 + s_yy y^2, of two like bodies without creepage.
 
-    `semi_axes` (a, b); `wheel`, `rail`: curvatures (1/R_x, 1/R_y), > 0 convex. In units of p0/G; positive as
-    creepage. The difference of rolling radii is not in it.
+    `semi_axes` (a, b); `wheel`, `rail`: curvatures (1/R_x, 1/R_y), > 0 convex. In units of p0/G, with the sign of
+    creepage. Excludes the difference of rolling radii.
     """
     return _strain(semi_axes, rail, poisson) - _strain(semi_axes, wheel, poisson)

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An elastic sphere between two opposite Hertz pressures, by Lur'e's series: what curvature adds to the half-space.
+"""An elastic sphere between two opposite Hertz pressures, by Lur'e's series: the effect of curvature on the half-space.
 
 A. I. Lur'e, Three-Dimensional Problems of the Theory of Elasticity (1964), chapter 6. Inside a sphere, for every n,
 
     u_r = (A (n+1)(n-2+4nu) r^(n+1) + B n r^(n-1)) P_n,    u_theta = (A (n+5-4nu) r^(n+1) + B r^(n-1)) dP_n/dtheta
 
-and A and B follow from the pressure p_n P_n and no shear on the surface. The form is from memory; `residuals` shows
-that it is in equilibrium and has these tractions.
+and A and B follow from the pressure p_n P_n and no shear on the surface. `residuals` verifies that this form is in
+equilibrium and has these tractions.
 
 The series for strains of the surface, e_theta along the meridian and e_psi across, converge as n^(-3/2), oscillating.
-What their coefficients tend to for large n, c0 + c1/(n + 1/2), is summed in closed form, as sum p_n P_n is the
-pressure and sum p_n P_n/(n + 1/2) Mehler's integral (Kummer's way); the rest converges as n^(-7/2). Lengths in any
-unit, strains times G/p0.
+The limit of their coefficients for large n, c0 + c1/(n + 1/2), is summed in closed form, as sum p_n P_n is the pressure
+and sum p_n P_n/(n + 1/2) Mehler's integral (Kummer's way); the rest converges as n^(-7/2). Lengths in any unit, strains
+times G/p0.
 """
 import numpy as np
 
@@ -46,7 +46,7 @@ def _legendre(count, cosine):
 def _over_number(theta, angle):
     """Sum of p_n P_n/(n + 1/2) of one cap by sum P_n(cos t) cos((n + 1/2) f) = 1/sqrt(2 (cos f - cos t)), f < t."""
     end = np.minimum(theta, angle)
-    # f = end sin(v) takes the root away that stands at f = t inside the cap
+    # f = end sin(v) removes the root at f = t inside the cap
     v, weight = np.polynomial.legendre.leggauss(200)
     v, weight = np.pi / 4 * (v + 1), np.pi / 4 * weight
     f = end[:, None] * np.sin(v)
@@ -101,8 +101,8 @@ def half_space_strain(r, poisson):
 def elastic_slip(x, y, semi_axis, radius, poisson, count=4000):
     """Slip along x of the sphere, whose axle is parallel to y, over a flat rail, times G/p0, at (x, y)/a.
 
-    Positive as creepage: strain of the rail along x less strain of the sphere along its circle. The difference of
-    rolling radii, y^2/(2 R^2), is not in it.
+    With the sign of creepage: strain of the rail along x minus strain of the sphere along its circle. Excludes the
+    difference of rolling radii, y^2/(2 R^2).
     """
     r = np.hypot(x, y)
     angle = 2 * np.arcsin(semi_axis / (2 * radius))
@@ -130,7 +130,7 @@ def _displacement(n, poisson, place):
 
 
 def residuals(n, poisson, step=1e-3):
-    """(largest force left in equilibrium, largest traction on the surface beside the pressure), by differences."""
+    """(largest residual force in equilibrium, largest residual traction on the surface), by finite differences."""
     along = np.eye(3)
 
     def stress(place):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Kalker's creepage coefficients by a series: no grid, no table of others.
+"""Kalker's creepage coefficients by a series, without grid or printed table.
 
 Without slip, a pair of half-spaces that rolls with the creepages xi, eta and the spin phi has in its patch
 du_x/dx = xi - phi y, du_y/dx = eta + phi x, and no traction along the leading edge (Kalker 1967; 1990,
@@ -77,7 +77,7 @@ class Ellipse:
                 for n in range(parity, self.degree + 1 - m - q, 2)]
 
     def _solve(self, poisson, parity, loads):
-        """Terms of p_x and p_y, and a column of their coefficients for each load."""
+        """Terms of p_x and p_y, with a column of coefficients for each load."""
         terms = self._terms(parity), self._terms(1 - parity)
 
         def moved(kernels, chosen):
@@ -92,7 +92,7 @@ class Ellipse:
         right = np.array([np.concatenate(wanted[load]) for load in loads]).T
 
         def of_chords(columns):
-            """Less its mean over each chord, whose displacement is free, weighted as the chord is long."""
+            """Subtracts the mean over each chord, whose displacement is free, weighted by the chord's length."""
             rows = columns.reshape(2, len(self.y), len(self.x), -1)
             rows = (rows - rows.mean(axis=2, keepdims=True)) * ((1 - self.y**2)**0.25)[None, :, None, None]
             return rows.reshape(len(columns), -1)
@@ -104,7 +104,7 @@ class Ellipse:
         return np.array([self.force[arm][q][m, n] for q, m, n in chosen])
 
     def coefficients(self, poisson):
-        """{"C11", "C22", "C23", "C32", "C33"} with G = 1, a b = 1; C32 = -C23 is found, not set."""
+        """{"C11", "C22", "C23", "C32", "C33"} with G = 1, a b = 1; C32 = -C23 is a result, not an assumption."""
         (along, across), found = self._solve(poisson, 0, LOADS["even"])
         result = {"C11": self._sum("1", along) @ found[:len(along), 0]}
         (along, across), found = self._solve(poisson, 1, LOADS["odd"])
@@ -115,8 +115,8 @@ class Ellipse:
 
 
 def coefficients(ratio, poissons, degree=14):
-    """{nu: {name: (value, bar)}} for a/b = ratio: the bar is the change from a degree that is lower by 4."""
-    # Poles of the integrand over the angle come closer as the ellipse gets slender.
+    """{nu: {name: (value, bar)}} for a/b = ratio: the bar is the change from a degree lower by 4."""
+    # Poles of the integrand over the angle come closer for slender ellipses.
     turns = 10 * max(1.0, 0.1 / min(ratio, 1 / ratio))**0.5
     fine, coarse = (Ellipse(ratio, d, 6 * d, int(turns * d)) for d in (degree, degree - 4))
     result = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One process at a time makes a folder: the lock beside it, as the program takes it for its results."""
+"""Ensures that one process at a time writes a folder, with the same lock file as the program's results."""
 import contextlib
 import fcntl
 import os
@@ -10,11 +10,11 @@ _HEAD = "rollfem is writing the result beside this file.\n"
 
 
 class Owned(Exception):
-    """Another process is at work on the folder; says which."""
+    """Raised if another process is writing the folder; names it."""
 
 
 def _owner_of(file):
-    """What the owner says of itself; it may be about to write it."""
+    """The owner's description of itself; empty if not yet written."""
     for _ in range(10):
         file.seek(0)
         text = file.read()
@@ -26,7 +26,7 @@ def _owner_of(file):
 
 @contextlib.contextmanager
 def owner(folder, command):
-    """Holds DIR.lock. The lock ends with its process; a file that a killed one left is taken over."""
+    """Holds DIR.lock. The lock ends with its process; the file left by a killed process is reused."""
     path = os.path.realpath(folder) + ".lock"
     os.makedirs(os.path.dirname(path), exist_ok=True)
     while True:

@@ -14,14 +14,14 @@ How accurate rollfem is: every benchmark is recomputed and compared with a close
 independent method. References are computed by the book's own formulas (`benchmarks/book/closed_forms.py`) or quoted
 with their source (`benchmarks/book/published.py`); the values reached come from the runs and tests named. *Difference*
 is (reached − reference) in percent of the reference, or of the quantity stated. *Allowed* is the book's tolerance,
-that of the named test where it checks this number; where it is empty, the difference is shown for information.
+taken from the named test if it checks this number; if empty, the difference is only shown for information.
 `./rollfem book` regenerates this page and fails when a number exceeds its tolerance. Requirements and the tests that
 check them: [verification](../verification.md).
 """
 
 
 def number(value, digits=6):
-    """A number as a reader writes it: 6 digits, no exponent between 1e-4 and 1e7."""
+    """A number in reader's form: 6 digits, no exponent between 1e-4 and 1e7."""
     if value is None:
         return ""
     if not math.isfinite(value):
@@ -35,7 +35,7 @@ def number(value, digits=6):
 
 
 def percent(fraction, digits=2):
-    """Signed, with `digits` digits that count."""
+    """Signed, with `digits` significant digits."""
     value = 100 * fraction
     if not math.isfinite(value):
         return "none"
@@ -99,13 +99,13 @@ def chapter_text(chapter, place):
 
 
 def _anchor(place, title):
-    """What GitHub makes of a heading."""
+    """GitHub's anchor of a heading."""
     kept = "".join(c for c in f"{place}. {title}".lower() if c.isalnum() or c in " -_")
     return kept.replace(" ", "-")
 
 
 def worst(chapter):
-    """The row nearest to, or farthest beyond, what is allowed; None when none is judged."""
+    """The row nearest to, or farthest beyond, its tolerance; None if none is judged."""
     judged = [row for row in chapter.rows if row.allowed]
     return max(judged, key=lambda r: abs(r.difference) / r.allowed if math.isfinite(r.difference)
                else math.inf, default=None)
@@ -115,7 +115,7 @@ CLOSE = 0.8
 
 
 def _close(chapters):
-    """Rows that use most of their tolerance, and on what."""
+    """Rows that use most of their tolerance, with reasons."""
     rows = []
     for place, chapter in enumerate(chapters, 1):
         for row in chapter.rows:
@@ -144,19 +144,19 @@ def _contents(chapters, left_out):
 
 
 def book_text(chapters, left_out, made):
-    """The whole book; `made` says by what, where and when."""
+    """The whole book; `made`: command, version, machine and date."""
     judged = [row for chapter in chapters for row in chapter.rows if row.allowed is not None]
     beyond = sum(not row.holds for row in judged)
     close = sum(row.holds and row.allowed > 0 and abs(row.difference) > CLOSE * row.allowed for row in judged)
     summary = (f"{len(judged)} numbers are judged; {beyond or 'none'} of them {'is' if beyond < 2 else 'are'} beyond its "
                f"tolerance and {close} use more than {100 * CLOSE:.0f} % of it ([below](#close-to-their-tolerance)). "
-               f"Each chapter states the errors expected of both sides, of which its tolerances are made. Made by "
+               f"Each chapter states the expected errors of both sides, from which its tolerances follow. Made by "
                f"`{made['command']}` with {made['version']} on {made['host']}, {made['date']}; the computations took "
                f"{number(made['seconds'], 3)} s.")
     chapters_text = [chapter_text(c, place) for place, c in enumerate(chapters, 1)]
     return "\n\n".join([INTRO.strip(), summary, _contents(chapters, left_out),
                         "## Close to their tolerance\n\nThe rows of this run of `./rollfem book` that use more than "
-                        f"{100 * CLOSE:.0f} % of theirs, and what they spend it on.\n\n{_close(chapters)}", *chapters_text]) + "\n"
+                        f"{100 * CLOSE:.0f} % of theirs, and the reasons.\n\n{_close(chapters)}", *chapters_text]) + "\n"
 
 
 def book_json(chapters, left_out, made):
@@ -174,7 +174,7 @@ def book_json(chapters, left_out, made):
 
 
 def write_book(directory, chapters, left_out, made):
-    """README.md, which is what a browser of the repository shows of a folder, and book.json."""
+    """Writes README.md, which repository browsers show for a folder, and book.json."""
     write_whole(os.path.join(directory, "README.md"), book_text(chapters, left_out, made))
     write_whole(os.path.join(directory, "book.json"),
                 json.dumps(book_json(chapters, left_out, made), indent=1, ensure_ascii=False) + "\n")

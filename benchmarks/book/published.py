@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers of others, each with its source. Units mm, N, MPa, rad; signs are rollfem's."""
+"""Published numbers, each with its source. Units mm, N, MPa, rad; signs are rollfem's."""
 
 # CONTACT rev 2707 run for this project on case a: p0 by elements across.
 CONTACT_PRESSURE_A = {20: 577.730282, 40: 578.643455, 80: 578.888652, 160: 578.947893}
@@ -78,8 +78,8 @@ THESIS_TRACTION_A = {"CONTACT": 317.6, "WSC": 364.0, "SRS (FE)": 322.0}
 # of r2707, the right of r2447 (github.com/eve70a/CONTACT, examples/mbench_a22_right.ref_out; forces there in N, here
 # over mu F_n; its creepages are minus ours). By shift in mm: y, z on the track, contact angle, y on the wheel (to the
 # field), normal force, force along and across over mu F_n, approach, largest pressure, elements of 0.2 mm in contact,
-# xi, eta, spin. At 5 mm CONTACT joins the right wheel's two patches. The file's y on the rail is y on the
-# track + 760.5326 mm, and says nothing more.
+# xi, eta, spin. At 5 mm CONTACT joins the right wheel's two patches. The file's y on the rail is y on the track +
+# 760.5326 mm, without further information.
 MANCHESTER_COLUMNS = ("y", "z", "angle", "y_wheel", "force", "along", "across", "approach", "pressure", "elements",
                       "xi", "eta", "spin")
 MANCHESTER = {"left": {

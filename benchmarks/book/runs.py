@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs of the program and of its tests, for the chapters; kept, so that a second call takes them up."""
+"""Runs of the program and of its tests for the chapters; stored, so that a second call reuses them."""
 import ctypes
 import json
 import os
@@ -16,14 +16,14 @@ from . import style
 
 
 def read_run(folder):
-    """The result of a run, whose models tables and figures call by its labels."""
+    """The result of a run, with its labels of models for tables and figures."""
     result = read_result(folder)
     style.know({model.name: model.label for model in result.models})
     return result
 
 
 class BookError(Exception):
-    """The book cannot be made: said in one sentence."""
+    """The book cannot be written, for a reason in one sentence."""
 
 
 class RunFailed(BookError):
@@ -31,10 +31,10 @@ class RunFailed(BookError):
 
 
 def with_settings(text, settings):
-    """The text of a case file with other values: {"contact_grid.elements_across": 80, ...}.
+    """The text of a case file with changed values: {"contact_grid.elements_across": 80, ...}.
 
-    Keys must be there already, so that a misspelt one cannot be ignored. Values are TOML text or numbers.
-    "+" stands for sections to be added at the end, as text.
+    Keys must exist, so that misspelt ones are detected. Values are TOML text or numbers. "+" holds sections to append
+    as text.
     """
     settings = dict(settings)
     added = settings.pop("+", "")
@@ -49,13 +49,13 @@ def with_settings(text, settings):
             elif at == section and re.match(rf"{re.escape(key)}\s*=", line):
                 found = number
         if found is None:
-            raise BookError(f"the case file has no {name} to be changed")
+            raise BookError(f"the case file has no {name} to change")
         lines[found] = f"{key} = {value}"
     return "\n".join(lines) + added
 
 
 def _read(path):
-    """The text of a file, None when there is none."""
+    """The text of a file; None if it does not exist."""
     try:
         with open(path, encoding="utf-8") as file:
             return file.read()
@@ -69,7 +69,7 @@ def _write(path, text):
 
 
 def _end_with_the_book():
-    """In a child: it does not outlive a book that is killed, whose next call would find the result taken."""
+    """In a child process: ends it with a killed book, whose next call would otherwise find the result locked."""
     ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG
 
 
@@ -81,19 +81,19 @@ def _remove(path):
 
 
 class Bench:
-    """The program, its tests and a folder for what they compute.
+    """The program, its tests and a folder for their results.
 
-    `build`: the build tree; `folder`: results are kept there by name, and used again when the program
-    (version, commit) and the case file are the same and `fresh` is not set.
+    `build`: the build tree; `folder`: stores results by name; they are reused if program (version, commit) and case
+    file are the same and `fresh` is not set.
     """
 
     def __init__(self, root, build, folder, fresh=False, say=lambda text: None):
         self.root, self.build, self.folder, self.fresh, self.say = root, build, folder, fresh, say
         self.program = os.path.join(build, "app", "rollfem")
         if not os.access(self.program, os.X_OK):
-            raise BookError(f"there is no program {self.program}; do: ./rollfem build")
+            raise BookError(f"{self.program} does not exist; do: ./rollfem build")
         self.version = self._version()
-        self.figures, self.png = folder, None  # where figures go, and bitmaps of them
+        self.figures, self.png = folder, None  # folders of figures and their bitmaps
         os.makedirs(folder, exist_ok=True)
 
     def _version(self):
@@ -109,7 +109,7 @@ class Bench:
             return with_settings(file.read(), settings or {})
 
     def _call(self, name, command, made):
-        """Runs a command in the source folder; checks that it ended well and made what it should. Its CPU seconds."""
+        """Runs a command in the source folder and checks its status and output. Returns its CPU seconds."""
         def spent():
             usage = resource.getrusage(resource.RUSAGE_CHILDREN)
             return usage.ru_utime + usage.ru_stime
@@ -126,7 +126,7 @@ class Bench:
         return spent() - before
 
     def _stamped(self, target, stamp, command, resumable=False):
-        """Makes `target` by the command unless it is there of the same stamp; takes up one that was ended."""
+        """Makes `target` by the command unless it exists with the same stamp; resumes an interrupted one."""
         if not self.fresh and _read(target + ".stamp") == stamp and os.path.exists(target):
             self.say(f"  {os.path.basename(target)}: kept")
             return
@@ -159,26 +159,26 @@ class Bench:
         return target
 
     def cpu_seconds(self, name):
-        """What a result that is kept took, all threads together: unlike time that passes the same on a busy machine."""
+        """CPU time of a stored result over all threads, which unlike wall time is the same on a busy machine."""
         return float(_read(os.path.join(self.folder, name + ".cpu")) or "nan")
 
     def save(self, figure, name):
-        """Writes a figure of the book; its file name."""
+        """Writes a figure of the book; returns its file name."""
         style.save(figure, os.path.join(self.figures, name + ".svg"), self.png)
         return name + ".svg"
 
     def run(self, name, case, models=(), settings=None):
-        """`rollfem run` of a case, with other settings where given; its Result."""
+        """`rollfem run` of a case, with changed settings if given; returns its Result."""
         options = ["--model", ",".join(models)] if models else []
         return read_run(self._program("run", name, [case], settings, [*options, "--no-report"]))
 
     def study(self, name, case, options=(), settings=None):
-        """`rollfem study` of a case; study.json as a dict."""
+        """`rollfem study` of a case; returns study.json as a dict."""
         folder = self._program("study", name, [case], settings, [*options, "--no-report"])
         return read_json(folder, "study")
 
     def compare(self, name, cases, models):
-        """`rollfem compare` of cases; (compare.json, {case name: Result})."""
+        """`rollfem compare` of cases; returns (compare.json, {case name: Result})."""
         folder = self._program("compare", name, cases, None,
                                ["--model", ",".join(models), "--no-report"])
         comparison = read_json(folder, "compare")
@@ -186,15 +186,15 @@ class Bench:
                             for c in comparison["cases"]}
 
     def test(self, name):
-        """Runs one test, e.g. "verification_fem:PerssonPin.Touches..."; what it recorded.
+        """Runs one test, e.g. "verification_fem:PerssonPin.Touches...", and returns its records.
 
-        The numbers are floats by name (RecordProperty of GoogleTest), with "seconds" of the test.
-        Raises RunFailed when the test does not pass.
+        The numbers are floats by name (RecordProperty of GoogleTest), with "seconds" of the test. Raises RunFailed if
+        the test does not pass.
         """
         program, test = name.split(":")
         path = os.path.join(self.build, "tests", program)
         if not os.access(path, os.X_OK):
-            raise BookError(f"there is no test {path}; do: ./rollfem build")
+            raise BookError(f"{path} does not exist; do: ./rollfem build")
         target = os.path.join(self.folder, re.sub(r"[^A-Za-z0-9]+", "_", test) + ".json")
         command = [path, f"--gtest_filter={test}", f"--gtest_output=json:{target}"]
         self._stamped(target, f"{self.version}\n{os.path.getmtime(path)}\n{test}", command)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The look of the program's figures (styles.py) for those that are drawn with matplotlib, which only the
-verification book is: text as outlines so that it looks the same everywhere."""
+"""The look of the program's figures (styles.py) for matplotlib, which only the verification book uses: text as
+outlines, so that it looks the same everywhere."""
 import os
 import re
 
@@ -13,7 +13,7 @@ from rollfem_figures.styles import know, label  # noqa: F401
 
 BLUE = styles.COLOURS["blue"][0]
 GREY = "#666666"
-LINE = 1.5  # points; matplotlib counts dashes in these
+LINE = 1.5  # points; the unit of dashes in matplotlib
 
 
 def _dash(pixels):
@@ -21,7 +21,7 @@ def _dash(pixels):
 
 
 class _Looks(dict):
-    """{name of a model: (colour, dash, marker)} as matplotlib wants them."""
+    """{name of a model: (colour, dash, marker)} in matplotlib's form."""
 
     def __missing__(self, name):
         colour, dash, marker = styles.MODELS[name]
@@ -59,7 +59,7 @@ def use():
 
 
 def _shorten(path):
-    """Coordinates of curves to a hundredth of a point, which makes the file smaller by half."""
+    """Rounds coordinates of curves to a hundredth of a point, which halves the file."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     text = re.sub(r' d="[^"]*"', lambda found: re.sub(
@@ -69,7 +69,7 @@ def _shorten(path):
 
 
 def save(figure, path, png_folder=None):
-    """Writes the SVG whole or not at all; `png_folder` gets a bitmap too, for a quick look."""
+    """Writes the SVG completely or not at all; `png_folder` also gets a bitmap for a quick look."""
     frame = {"bbox_inches": "tight", "pad_inches": 0.05}
     with whole(path) as part:
         figure.savefig(part, format="svg", metadata={"Date": None, "Creator": None}, **frame)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the tolerances come from: the errors that are expected of both sides, and what the closest rows spend theirs on."""
+"""Origin of the tolerances: the expected errors of both sides, and the reasons of the rows closest to theirs."""
 
-# Chapter: what the reference is uncertain by, and what the grid, the cells or the step of the program cost there.
+# Chapter: uncertainty of the reference, and error of the program's grid, cells or steps there.
 BASIS = {
     "hertz": "the closed form is exact; the pressure is of second order (5.6e-4 in p0 at 40 across), the approach 1.4e-4, "
              "semi-axes are found below the element, to some 0.1 %.",
@@ -53,7 +53,7 @@ BASIS = {
                   "program: 5 % for both, more than a test of the method can use.",
 }
 
-# (chapter, words of the quantity, whose number): what a row spends more than 80 % of its tolerance on.
+# (chapter, words of the quantity, model): why a row uses more than 80 % of its tolerance.
 SPENT = (
     ("curvature-slip", "sphere: mean slip", "cells of a/5, which add some 3 %, less what lies beyond the segment; at 8 a both cancel"),
     ("curvature-slip", "sphere: slip over the patch", "cells of a/5, which add some 3 %"),
@@ -79,7 +79,7 @@ SPENT = (
 
 
 def spent_on(chapter, row):
-    """Why a row is close to its limit; empty where nothing is known."""
+    """Why a row is close to its limit; empty if unknown."""
     for name, words, reason in SPENT:
         if name == chapter and (words in row.quantity or words == row.by):
             return reason

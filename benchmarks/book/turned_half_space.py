@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Conformal contact on a half-space that is bent with the surface, apart from the program: what CONTACT does, step by step.
+"""Conformal contact on a half-space bent with the surface, independent of the program: CONTACT's method, step by step.
 
 Elements lie along the arc of the common circle of both bodies. Their influence is that of the half-space rolled out flat;
 *turned*, the displacement of an element I by tractions on J has the direction of the frame of J and is taken along that of
 I (CONTACT's variant 3 of the coefficients of Blanco-Lorenzo et al. 2016):
 
-    u_s(I) = cos a u_s - sin a u_n,   u_n(I) = sin a u_s + cos a u_n,   a = angle of J less angle of I
+    u_s(I) = cos a u_s - sin a u_n,   u_n(I) = sin a u_s + cos a u_n,   a = angle of J minus angle of I
 
 so that between like bodies pressure is coupled to friction. mm, N, MPa, rad; x along rolling, s along the arc, n into the
 wheel; tractions are those on the wheel, p_n > 0 in compression.
@@ -17,7 +17,8 @@ import numpy as np
 
 @dataclass
 class Scene:
-    """Circles across: `inner` convex in `outer` hollow; the wheel is the convex one in a groove, else the hollow one."""
+    """Circles across: convex `inner` in hollow `outer`; in a groove the wheel is the convex body, otherwise the hollow
+    one."""
 
     inner: float
     outer: float
@@ -26,7 +27,7 @@ class Scene:
     shear_modulus: float
     poisson: float = 0.28
     friction: float = 0.3
-    along_the_normal: bool = False  # the distance x^2/(2 R) is taken along the normal, as CONTACT's example has it
+    along_the_normal: bool = False  # the distance x^2/(2 R) is along the normal, as in CONTACT's example
 
 
 class Patch:
@@ -39,9 +40,9 @@ class Patch:
         self.s, self.x = (axis.ravel() for axis in np.meshgrid(
             (np.arange(count[0]) - count[0] // 2) * ds, (np.arange(count[1]) - count[1] // 2) * dx, indexing="ij"))
         radius = (scene.inner + scene.outer) / 2
-        self.lean = (1 if scene.wheel_is_inner else -1) * self.s / radius  # of the normal, seen along rolling
+        self.lean = (1 if scene.wheel_is_inner else -1) * self.s / radius  # angle of the normal, seen along rolling
         self.cosine, self.sine = np.cos(self.lean), np.sin(self.lean)
-        beside = radius - scene.inner  # of the common circle's middle from either other one
+        beside = radius - scene.inner  # distance of the common circle's centre from either of the others
         inner = beside * self.cosine + np.sqrt(scene.inner**2 - (beside * self.sine) ** 2)
         outer = -beside * self.cosine + np.sqrt(scene.outer**2 - (beside * self.sine) ** 2)
         fall = radius * (1 - self.cosine) * (1 if scene.wheel_is_inner else -1)
@@ -56,7 +57,7 @@ class Patch:
         self.drop = wheel - np.sign(wheel) * np.sqrt(wheel**2 - np.minimum(np.abs(place), 0.999 * abs(wheel)) ** 2)
 
     def influence(self, to, source, turned, ahead=0.0):
-        """Displacement [i][j] at elements `to`, `ahead` further along x, by unit tractions j on `source`."""
+        """Displacement [i][j] at elements `to`, shifted by `ahead` along x, under unit tractions j on `source`."""
         xx, yy, xy, nn = _coefficients(self.x[to][:, None] + ahead - self.x[source], self.s[to][:, None] - self.s[source],
                                        self.dx, self.ds, self.scene)
         none = 0 * nn
@@ -82,7 +83,7 @@ def _coefficients(x, y, dx, dy, scene):
 
 
 def pressure(patch, approach, turned, tractions=None, guess=None):
-    """p_n at that approach, displaced by given (p_x, p_s) too; active sets on the elements that overlap."""
+    """p_n at that approach, including displacements by given (p_x, p_s); active set on the overlapping elements."""
     overlap = patch.distance - approach * patch.cosine
     near = np.where(overlap < 0)[0]
     matrix = patch.influence(near, near, turned)[2]
@@ -146,8 +147,8 @@ def tractions(patch, normal, creepage, turned, start=None):
 def under_force(patch, force, approach, turned, creepage=None, feedback=False):
     """{p0, approach, friction_part, F_x} under a force along z; `creepage` None: no friction.
 
-    `approach`: a first guess. `feedback`: friction displaces the surfaces along the normal; without it friction
-    only carries its part of the load, as where pressure is found first and never again (Johnson's process).
+    `approach`: a first guess. `feedback`: friction displaces the surfaces along the normal; without it friction only
+    carries its part of the load, and the pressure is solved once (Johnson's process).
     """
     tried, friction, normal = [], None, None
     for _ in range(20):

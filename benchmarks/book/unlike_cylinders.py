@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tractive rolling of unlike cylinders by Gauss-Chebyshev quadrature, apart from the program's elements.
+"""Tractive rolling of unlike cylinders by Gauss-Chebyshev quadrature, independent of the program's elements.
 
 The problem is that of Bentall and Johnson (Int. J. Mech. Sci. 9 (1967) 389) and of Nowell and Hills (Int. J. Mech. Sci.
 30 (1988) 427), who solve it with Chebyshev polynomials as well; written from the equations of two half-planes (Johnson
-1985, 2.25), not from their papers, which could not be had. Over the patch |X| < 1, X = (x - m)/b, with the pressure p
+1985, 2.25), not from their papers, which were not available. Over the patch |X| < 1, X = (x - m)/b, with the pressure p
 and the traction q on the upper body, both in units of b/(c R), c = 2 (1 - nu)/(pi G):
 
     PV int p/(X - T) dT - pi beta q = M + X                     contact, M = m/b
     PV int q/(X - T) dT + pi beta p = -xi R/b                   adhesion
     q = -+ mu p                                                 slip, against its direction
 
-The patch is not symmetric, pressure and traction act on each other: nothing is left out. Material enters at X = 1.
-p and q are sqrt(1 - X^2) times functions known at the N nodes T_k = cos(k pi/(N + 1)), for which the integrals are sums
-at the N + 1 points between them (Erdogan and Gupta 1972). Adhesion is asked for at the point just upstream of the node
-that adheres: that is the solution bounded at the leading edge, and it has no singularity at the other end of an adhesion
-zone if and only if that end is in the right place.
+The patch is not symmetric, and pressure and traction are fully coupled. Material enters at X = 1. p and q are sqrt(1 -
+X^2) times functions known at the N nodes T_k = cos(k pi/(N + 1)), for which the integrals are sums at the N + 1 points
+between them (Erdogan and Gupta 1972). Adhesion is imposed at the point just upstream of the adhering node: that is the
+solution bounded at the leading edge, and it has no singularity at the other end of an adhesion zone if and only if that
+end is in the right place.
 """
 import numpy as np
 
@@ -29,9 +29,9 @@ class Rollers:
         between = np.pi * (2 * np.arange(1, count + 2) - 1) / (2 * (count + 1))
         self.node, self.point = np.cos(angle), np.cos(between)
         root = np.sin(angle)
-        # of values at nodes, PV int f/(X - T) dT at the points between
+        # maps values at nodes to PV int f/(X - T) dT at the points between
         self._integral = np.pi / (count + 1) * root / (self.point[:, None] - self.node)
-        # values at the points between, by f = sum b_n sin(n angle)
+        # maps to values at the points between, by f = sum b_n sin(n angle)
         sines = np.sin(np.outer(k, angle))
         self._between = 2 / (count + 1) * np.sin(np.outer(between, k)) @ sines
         self._whole = np.pi / (count + 1) * root  # int f dT
@@ -72,14 +72,14 @@ class Rollers:
             key = new.tobytes()
             if (new == side).all():
                 break
-            if key in seen:  # goes round: only the worst of each kind changes
+            if key in seen:  # the iteration cycles: change only the worst node of each kind
                 change = np.flatnonzero(new != side)
                 new = side.copy()
                 one = change[np.argmax(np.where(side[change] == 0, np.abs(q[change]) - bound[change],
                                                 np.abs(slip[change])))]
                 new[one] = 0 if side[one] else -int(np.sign(q[one]))
             seen.add(key)
-            if ratio is not None and new.all():  # the force needs a node that is free
+            if ratio is not None and new.all():  # a given force needs a free node
                 turn = np.flatnonzero(np.diff(new))
                 new[turn], new[turn + 1] = 0, 0
             side = new

@@ -1,17 +1,17 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Curved patches by CalculiX, without friction: what their curvature changes.
+"""Curved patches by CalculiX, without friction: the effect of their curvature.
 
 usage: benchmarks/calculix/curved_patch.py [--pair f|groove] [--cell 0.95] [--program build/app/rollfem] [-o FOLDER]
        [--store FILE]
 
-Two cases of one Hertzian ellipse: in the second it lies on curved surfaces. Cases a and f of the 2012 study (f: a rail
-of 50 mm under a concave wheel), or a wheel of 10 mm in a groove of 10.05 mm beside its equivalent on a flat rail. Their
-meshes are one mesh, mapped onto two shapes, so that errors of discretisation cancel in the difference: quarter bodies
-of 60 mm, bricks with incompatible modes (C3D8I), the far faces clamped and brought together, small displacements, and
-between opposite nodes one gap element each, whose clearance is the undeformed distance by formula along the mean
-normal. Pressure is the force of a gap element over its node's share of the surface. rollfem's pressures are fitted in
-the same way. The book quotes what --store writes (benchmarks/book/calculix.json).
+Two cases with the same Hertzian ellipse; in the second one it lies on curved surfaces. Cases a and f of the 2012 study
+(f: a rail of 50 mm under a concave wheel), or a wheel of 10 mm in a groove of 10.05 mm beside its equivalent on a flat
+rail. Their meshes are one mesh, mapped onto two shapes, so that errors of discretisation cancel in the difference:
+quarter bodies of 60 mm, bricks with incompatible modes (C3D8I), the far faces clamped and brought together, small
+displacements, and between opposite nodes one gap element each, whose clearance is the undeformed distance by formula
+along the mean normal. Pressure is the force of a gap element over its node's share of the surface. rollfem's pressures
+are fitted in the same way. The book quotes the output of --store (benchmarks/book/calculix.json).
 """
 import argparse
 import dataclasses
@@ -46,11 +46,11 @@ GROOVE = {"radius": 420.0, "force": 10e3, "young": 204.8e3, "poisson": 0.28, "he
           "approach": 0.0195}
 PAIRS = {"f": (Case("a", 2000.0, math.inf), Case("f", 50.0, 51.282)),
          "groove": (Case("flat", math.inf, -2010.0, **GROOVE), Case("groove", -10.05, -10.0, **GROOVE))}
-REACH = 60.0  # of the quarter bodies, along, across and down, mm
-ROUND_TO = 0.7  # circles end there, as parts of their radius, and go on straight
-PENALTY = 3e6  # of the contact, N/mm^3: some 0.2 um of overlap under p0
-OVERLAP_FORCE = 1e-3  # N, of a gap element that is wide open (CalculiX's default)
-NEAR = 0.01  # of the force: the rest is taken by p0 ~ F^(1/3)
+REACH = 60.0  # size of the quarter bodies, along, across and down, mm
+ROUND_TO = 0.7  # circles end at this fraction of their radius and continue straight
+PENALTY = 3e6  # penalty stiffness of the contact, N/mm^3: some 0.2 um of overlap under p0
+OVERLAP_FORCE = 1e-3  # N, force of a wide-open gap element (CalculiX's default)
+NEAR = 0.01  # relative to the force; p0 ~ F^(1/3) corrects the rest
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
@@ -112,7 +112,7 @@ class Bodies:
         self.area = half[0][:, None] * half[1][None, :]
 
     def number(self, body, i, j, k):
-        """Of a node; body 0 is the rail, 1 the wheel."""
+        """Number of a node; body 0 is the rail, 1 the wheel."""
         nx, ny, nz = self.shape
         return 1 + i + nx * (j + ny * (k + nz * body))
 
@@ -134,7 +134,7 @@ class Bodies:
                                for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1))]
 
     def contacts(self):
-        """(i, j) of the pairs that may touch."""
+        """(i, j) of node pairs that may touch."""
         a, b, _ = self.case.hertz
         return [(i, j) for j, s in enumerate(self.arc) for i, x in enumerate(self.x)
                 if (x / a)**2 + (s / b)**2 < 1.6]
@@ -154,7 +154,7 @@ def deck(bodies, approach):
     count = 0
     for count, cell in enumerate(bodies.cells(), 1):
         lines.append(", ".join(map(str, [count, *cell])))
-    # A yield stress out of reach makes the step one of iterations, without which gap elements stay open or closed.
+    # An unreachable yield stress makes the step iterative; otherwise gap elements stay open or closed.
     lines += ["*MATERIAL, NAME=STEEL", "*ELASTIC", f"{bodies.case.young}, {bodies.case.poisson}", "*PLASTIC", "1e9, 0.",
               "*SOLID SECTION, ELSET=SOLID, MATERIAL=STEEL"]
     pairs = bodies.contacts()
@@ -212,7 +212,7 @@ def fitted(case, x, arc, pressure):
 
 
 def by_calculix(case, cell, folder):
-    """What CalculiX has for a case: p0, a, b of the fit, sum of p dA over the force, cost."""
+    """CalculiX's result for a case: p0, a, b of the fit, sum of p dA over the force, cost."""
     bodies = Bodies(case, cell)
     stem = os.path.join(folder, f"calculix_{case.name}")
     before, approach, vertical = os.times().children_user, case.approach, 0.0
@@ -282,12 +282,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--pair", choices=PAIRS, default="f", help="the curved case: f, or the groove of 10.05 mm")
     parser.add_argument("--cell", type=float, default=0.95, help="in the patch, mm; 0.95: 25 CPU s a case, 0.63: 130")
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "app", "rollfem"), help="rollfem; '' for none")
+    parser.add_argument("--program", default=os.path.join(ROOT, "build", "app", "rollfem"), help="the program rollfem; '' for none")
     parser.add_argument("-o", "--output", default="results/calculix", help="folder of the decks and results")
-    parser.add_argument("--store", metavar="FILE", help="json to which the lines are added")
+    parser.add_argument("--store", metavar="FILE", help="JSON file to append the lines to")
     options = parser.parse_args()
     if not shutil.which("ccx"):
-        sys.exit("error: there is no ccx; do: apt install calculix-ccx")
+        sys.exit("error: ccx not found; do: apt install calculix-ccx")
     os.makedirs(options.output, exist_ok=True)
     lines = compared(options.pair, options.cell, options.program, options.output)
     first, second = (case.name for case in PAIRS[options.pair])

@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Damages files and kills the program, and looks at what it makes of that.
+"""Damages files and kills the program, and checks its reaction.
 
     campaign.py damage --program build/app/rollfem --kind results --count 500
     campaign.py kill --program build/app/rollfem --command run --count 200
 
-damage: meshes (rollfem mesh; needs finite elements), results (stress, figures), records (run --resume).
-Wrong is a signal, more than 5 s of CPU time, "internal error", a status other than 0, 1, 2, and a damaged result or
-record that is used. kill: run, compare, study or book, ended by SIGKILL at random moments, with its children or alone; wrong is
-a result after --resume (of the book: the same call) that is not the same to the last bit but for times, the call and
-its checksum.
-Every file and moment follows from --seed. Status 1 when anything went wrong; what did is kept in --folder."""
+damage: meshes (rollfem mesh; needs finite elements), results (stress, figures), records (run --resume). Wrong is a
+signal, more than 5 s of CPU time, "internal error", a status other than 0, 1, 2, and a damaged result or record that is
+used. kill: run, compare, study or book, ended by SIGKILL at random moments, with its children or alone; wrong is a
+result after --resume (for the book: the same call) that is not identical to the last bit, except for times, the call
+and its checksum. Every file and moment follows from --seed. Status 1 if anything went wrong; failures are kept in
+--folder."""
 import argparse
 import json
 import math
@@ -27,7 +27,7 @@ import time
 import h5py
 import numpy as np
 
-LIMIT = 5  # s of CPU time, so that a busy machine is not blamed on the program
+LIMIT = 5  # s of CPU time, so that a busy machine does not count against the program
 WAITING = 120  # s
 CASE = """title = "robustness"
 models = ["halfspace"]
@@ -52,11 +52,11 @@ cell_size = 1.88
 NUMBERS = [b"-1", b"0", b"2147483648", b"-2147483649", b"4294967297", b"18446744073709551616", b"1e308", b"nan"]
 TIMES = {"seconds", "started", "command", "case_file", "checksum", "host", "date", "time", "timestamp"}
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-CHAPTERS = ["hertz", "carter"]  # runs and a test, a second in all
+CHAPTERS = ["hertz", "carter"]  # runs and a test, one second in all
 
 
 def damaged(data, chance):
-    """Other bytes: bits turned, cut short, blocks zeroed, moved, lost or doubled, numbers replaced."""
+    """Damaged bytes: bits flipped, truncated, blocks zeroed, moved, lost or doubled, numbers replaced."""
     out = bytearray(data)
     while out == data:
         at, kind = chance.randrange(len(out)), chance.randrange(7)
@@ -85,7 +85,7 @@ def damaged(data, chance):
 
 
 def call(command, folder, limit=LIMIT):
-    """(status, what was printed); status None beyond the limit, negative for a signal."""
+    """(status, output); status None beyond the limit, negative for a signal."""
     def bound():
         resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
     try:
@@ -99,7 +99,7 @@ def call(command, folder, limit=LIMIT):
 
 
 def fault(status, said, may_succeed):
-    """What is wrong with the end of a call; empty when nothing is."""
+    """What is wrong with the end of a call; empty if nothing."""
     if status is None:
         return f"more than {LIMIT} s"
     if status < 0 or status >= 128:
@@ -123,8 +123,8 @@ def read(path):
 
 
 class Meshes:
-    """Meshes of the program's own making, in text, as [wheel] mesh."""
-    may_succeed = True  # a coordinate, a box or a blank may change and the mesh be sound
+    """Meshes written by the program, in text, as [wheel] mesh."""
+    may_succeed = True  # a coordinate, a box or a blank may change without harm
 
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
@@ -139,7 +139,7 @@ class Meshes:
 
 
 class Results:
-    """results.h5, by `stress` and in turn by the reader of the figures."""
+    """results.h5, read by `stress` and alternately by the reader of the figures."""
     may_succeed = False
 
     def __init__(self, program, folder):
@@ -161,8 +161,8 @@ class Results:
 
 
 class Records:
-    """One record of a run that was killed is damaged or replaced by another; it must be told of, and the
-    result be that of a run that was not killed."""
+    """One record of a killed run is damaged or replaced by another; the program must report it, and the result must
+    equal that of an uninterrupted run."""
     may_succeed = True
 
     def __init__(self, program, folder):
@@ -208,7 +208,7 @@ def without_times(value):
 
 
 def fields(path):
-    """{name: bytes} of all datasets but those of times."""
+    """{name: bytes} of all datasets except times."""
     found = {}
 
     def visit(name, item):
@@ -221,21 +221,21 @@ def fields(path):
 
 
 def lines(path):
-    """Those of a file but, of a page, what tells times."""
+    """The bytes of a file; for a page without times."""
     timed = ("Made by `", "| [", "Cost: ") if path.endswith(".md") else ()
     text = read(path).decode("utf-8", "replace")
     return [line for line in text.split("\n") if not any(sign in line for sign in timed)]
 
 
 def left_over(folder):
-    """What a finished call leaves neither in its result nor beside it."""
+    """Files that a finished call must not leave in or beside its result."""
     beside = [name for name in os.listdir(folder) if name.startswith("r.")]
     return beside + [name for _, folders, names in os.walk(os.path.join(folder, "r")) for name in folders + names
                      if name.endswith((".unfinished", ".lock", ".begun")) or ".partial-" in name]
 
 
 def differences(one, other):
-    """Files of two result folders that differ in more than times."""
+    """Files of two result folders with differences other than times."""
     found = []
     for base, _, names in os.walk(one):
         for name in names:
@@ -275,7 +275,7 @@ def damage(options, folder):
 
 
 class Command:
-    """A command of the program that is killed, and taken up with --resume."""
+    """A command of the program that is killed and resumed with --resume."""
 
     def __init__(self, options, folder):
         write(os.path.join(folder, "a.toml"), CASE.format(wheel="", across=options.across))
@@ -288,11 +288,11 @@ class Command:
         return [*self.command, "-o", name]
 
     def took_up(self, said):
-        return "solutions of an earlier run" in said or "was done before" in said
+        return "solutions of an earlier run" in said or "was already done" in said
 
 
 class Book:
-    """The verification book, whose same call takes runs up."""
+    """The verification book, which resumes with the same call."""
 
     def __init__(self, options, folder):
         build = os.path.dirname(os.path.dirname(options.program))
@@ -309,7 +309,7 @@ class Book:
 
 
 def work_of(process):
-    """CPU time of a process, its children and those that it has waited for, s."""
+    """CPU time of a process, its children and those it has waited for, s."""
     try:
         ticks = sum(int(field) for field in read(f"/proc/{process}/stat").rsplit(b")", 1)[1].split()[11:15])
         children = read(f"/proc/{process}/task/{process}/children").split()
@@ -319,9 +319,9 @@ def work_of(process):
 
 
 def kill_at(command, folder, work, alone):
-    """Kills a call that has used so much CPU time, with its children as the end of a session does, or `alone`.
-    Returns the CPU time of the call where it ended before, else None."""
-    step = 0.01  # s, of the clock of CPU time
+    """Kills a call after a given CPU time, with its children as at the end of a session, or `alone`. Returns the CPU
+    time of the call if it ended before, otherwise None."""
+    step = 0.01  # s, resolution of the CPU clock
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                           start_new_session=True) as child:
         used = work_of(child.pid)
@@ -339,7 +339,7 @@ def kill(options, folder):
     kind = (Book if options.command == "book" else Command)(options, folder)
     status, said = call(kind.into("whole"), folder, 600)
     if status != 0:
-        sys.exit(f"the sound call ended with {status}: {said}")
+        sys.exit(f"the undisturbed call ended with {status}: {said}")
     lasts = kill_at(kind.into("r"), folder, math.inf, False)
     wrong, killed, taken, ended, number = [], 0, 0, 0, 0
     while killed < options.count:
@@ -374,9 +374,9 @@ def main():
     parser.add_argument("--command", choices=["run", "compare", "study", "book"], default="run")
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", default="1")
-    parser.add_argument("--across", type=int, default=70, help="elements across of what is killed; work of the first "
-                        "half second is not kept")
-    parser.add_argument("--folder", default="robustness_faults", help="what went wrong is kept there")
+    parser.add_argument("--across", type=int, default=70, help="elements across of the killed run; work of the first "
+                        "half second is not stored")
+    parser.add_argument("--folder", default="robustness_faults", help="folder for failures")
     options = parser.parse_args()
     options.program = os.path.abspath(options.program)
     os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reads a case, changes it, solves it by two models and prints a curve with error bars; then a case
-// from text whose answer is known: case a's largest pressure after Hertz is 578.967 MPa. Call:
-// case_in_cpp CASE.toml
+// Reads a case, changes it, solves it with two models and prints a creep curve with error bars;
+// then solves a case from text with a known answer: the largest Hertzian pressure of case a is
+// 578.967 MPa. Call: case_in_cpp CASE.toml
 #include <cmath>
 #include <cstdio>
 #include <rollfem/rollfem.hpp>

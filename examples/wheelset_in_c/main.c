@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 /* A wheelset rolls through an S-curve. Both wheels are solved at every step, and the wheelset turns as their rolling
-   radii make it (Klingel's kinematics); what comes out are its way, patches and creep forces.
-   Call: wheelset_in_c [STEPS], of half a metre; a line every ten: s, shift, yaw, and of each wheel patches, force along and across. */
+   radii make it (Klingel's kinematics); prints the trajectory, the patches and the creep forces.
+   Call: wheelset_in_c [STEPS], of half a metre; prints a line every ten steps: s, shift, yaw, and for each wheel the
+   number of patches and the forces along and across. */
 #include <math.h>
 #include <rollfem/rollfem.h>
 #include <stdio.h>
@@ -14,7 +15,7 @@ static const double curve = 1500.0;  /* m, radius of both halves of the S */
 static const double length = 100.0;  /* m, of the whole S */
 static const double ds = 0.5;        /* m; the wheelset swings over some ten metres */
 
-/* 1/m, to the right first; half a sine each, so that the curvature has no jump. */
+/* 1/m, first to the right; two half sines, so that the curvature has no jump. */
 static double curvature(double s) {
   return sin(2.0 * 3.14159265358979 * s / length) / curve;
 }
@@ -52,8 +53,8 @@ int main(int count, char** words) {
     if (k % 10 == 0)
       printf("%8.2f %9.3f %9.3f %4d %9.0f %9.0f %4d %9.0f %9.0f\n", k * ds, 1e3 * shift, 1e3 * yaw, result[0].patches,
              result[0].force[0], result[0].force[1], result[1].patches, result[1].force[0], result[1].force[1]);
-    /* The wheel on the larger radius goes further: the wheelset turns away from it, over the ground; its yaw is that
-       against the track, which turns itself. */
+    /* The wheel on the larger radius runs further, so the wheelset turns away from it relative to the ground; its yaw
+       is relative to the track, which turns too. */
     const rollfem_patch *left = &result[0].patch[0], *right = &result[1].patch[0];
     turn = (left->rolling_radius - right->rolling_radius) / (radius * (right->position[1] - left->position[1]));
     yaw += ds * (turn - curvature(k * ds));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// rollfem from C++, in one header: read or parse a case, solve it with any model, look at the
-// results or write them as the program does. Units, signs and frames are those of the case file and
-// of results (docs/c_interface.md). What this header includes is what is installed and kept the
-// same within a minor version; everything else may change with every commit.
+// rollfem from C++, in one header: read or parse a case, solve it with any model, inspect the
+// results or write them as the program does. Units, signs and frames are those of case files and
+// results (docs/c_interface.md). Only this header and its includes are installed and stay
+// compatible within a minor version; everything else may change with every commit.
 #pragma once
 
 #include "contact/base/errors.hpp"
@@ -25,37 +25,37 @@ using contact::Progress;
 using contact::ProgressEvent;
 using contact::SolveError;
 
-/// A case, and what its models have found, one ModelResult for each model and patch.
+/// A case with its results, one ModelResult for each model and patch.
 using Result = postprocess::RunRecord;
 
-/// A case file. Throws InputError: FILE:LINE:COLUMN, key, value, what is allowed, what to do.
+/// Reads a case file. Throws InputError with FILE:LINE:COLUMN, key, value, allowed values and
+/// advice.
 Case read_case(const std::string& file);
 
-/// The same from text. `name` stands in messages for the file; files that the case names are
-/// looked for beside it.
+/// Parses a case from text. `name` represents the file in messages; paths in the case are relative
+/// to its folder.
 Case parse_case(const std::string& text, const std::string& name = "case");
 
-/// Every key with value, unit and whether it is the default; multi-line text.
+/// Multi-line text with every key, its value and unit, and whether it is the default.
 std::string describe(const Case& input);
 
-/// Names of the models that this build has, the cheaper first.
+/// Names of the models in this build, cheapest first.
 std::vector<std::string> models();
 
-/// Solves a case with the models named, or else with its own. `progress` (may be empty) is told of
-/// every iteration; what it throws ends the solution and comes out of here. May be called from
-/// several threads at once; finite elements then wait for each other. Throws InputError and
-/// SolveError. An accuracy that was asked for and not reached is no error here: it is said in
-/// ModelResult::shortfall.
+/// Solves a case with the named models, by default its own. `progress` (may be empty) is called at
+/// every iteration; an exception from it ends the solution and is passed on. Thread-safe, but
+/// finite-element solutions wait for each other. Throws InputError and SolveError. Missing a
+/// requested accuracy is no error: ModelResult::shortfall reports it.
 Result solve(const Case& input, const std::vector<std::string>& models = {},
              const Progress& progress = {});
 
-/// The same of case files.
+/// The same for case files.
 Result solve_file(const std::string& file, const std::vector<std::string>& models = {},
                   const Progress& progress = {});
 
-/// Writes the folder that `rollfem run` writes: whole or not at all. With `report` also figures and
-/// report.html, which take some seconds; returns why these were not drawn, empty when they were.
-/// Throws InputError when the folder cannot be written.
+/// Writes the same folder as `rollfem run`, completely or not at all. With `report` also figures
+/// and report.html, which take some seconds. Returns why these could not be drawn, or an empty
+/// text. Throws InputError if the folder cannot be written.
 std::string write(const std::string& folder, const Result& result, bool report = false);
 
 /// Folder of the Python package rollfem_figures, which draws reports and reads results.

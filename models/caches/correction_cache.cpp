@@ -23,7 +23,8 @@ namespace rollfem::modelling {
 
 namespace {
 
-/// Of the files and of how corrections are found: to be raised when the same scene has another one.
+/// Version of the files and of the way corrections are computed: raise it when the same scene gets
+/// another correction.
 constexpr int format = 3;
 
 constexpr const char* suffix = ".correction.h5";
@@ -48,7 +49,7 @@ fs::path folder_from_environment() {
     return text == nullptr ? std::string() : std::string(text);
   };
   if (std::getenv("ROLLFEM_CACHE") != nullptr) return value("ROLLFEM_CACHE");
-  // The standard of these folders: a relative one counts as none.
+  // The XDG standard ignores relative folders.
   if (const fs::path base = value("XDG_CACHE_HOME"); base.is_absolute()) return base / "rollfem";
   if (const fs::path home = value("HOME"); home.is_absolute()) return home / ".cache" / "rollfem";
   return {};
@@ -97,7 +98,7 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
         return found;
       }
     } catch (const std::exception&) {
-      // Told below.
+      // Reported as damaged below.
     }
     found.note = fmt::format("{} is damaged; the correction was recomputed", file.string());
   }

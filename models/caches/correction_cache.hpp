@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The folder in which corrections of the model hybrid are kept after a run, so that another load,
-// creepage or friction on the same bodies needs no finite elements.
+// The cache of the model hybrid: keeps corrections after a run, so that another load, creepage or
+// friction on the same bodies needs no finite elements.
 #pragma once
 
 #include "contact/scene/scene.hpp"
@@ -16,8 +16,8 @@ namespace rollfem::modelling {
 
 class CorrectionCache {
  public:
-  /// $ROLLFEM_CACHE, else rollfem in $XDG_CACHE_HOME, else in ~/.cache. No folder, and no cache,
-  /// where ROLLFEM_CACHE is empty or there is no home.
+  /// Uses $ROLLFEM_CACHE, else $XDG_CACHE_HOME/rollfem, else ~/.cache/rollfem. The cache is off if
+  /// ROLLFEM_CACHE is empty or there is no home folder.
   CorrectionCache();
   explicit CorrectionCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
@@ -25,28 +25,29 @@ class CorrectionCache {
   const std::filesystem::path& folder() const { return folder_; }
 
   struct Found {
-    std::optional<halfspace::SmoothParts> parts;  ///< with a note on where they come from
-    std::string note;                             ///< of a file that is damaged; else empty
+    std::optional<halfspace::SmoothParts> parts;  ///< with a note on their origin
+    std::string note;                             ///< names a damaged file; otherwise empty
   };
-  /// Of a correction scene (halfspace/patch/correction_scene.hpp). Parts for bodies without a plane
-  /// of symmetry serve those with one as well, those without stresses nobody who asks for some.
+  /// Looks up a correction scene (halfspace/patch/correction_scene.hpp). Parts for bodies without a
+  /// plane of symmetry also serve bodies with one; parts without stresses do not serve a request
+  /// with stresses.
   Found find(const contact::Scene& correction, bool with_stresses) const;
-  /// Whole or not at all; `seconds`: that finding them took. Why it could not be stored; empty: it
-  /// was.
+  /// Stores the parts completely or not at all; `seconds`: time taken to compute them. Returns why
+  /// they could not be stored, or an empty text.
   std::string keep(const contact::Scene& correction, const halfspace::SmoothParts& parts,
                    double seconds) const;
 
   struct Entry {
     std::filesystem::path file;
-    std::string words;  ///< the bodies in a line; empty: damaged, or of another program
+    std::string words;  ///< the bodies in one line; empty: damaged, or written by another program
     std::string made;   ///< UTC, ISO 8601
     std::uintmax_t bytes = 0;
     long unknowns = 0;
-    double seconds = 0.0;  ///< that it took
+    double seconds = 0.0;  ///< taken to compute it
   };
   /// Sorted by date.
   std::vector<Entry> entries() const;
-  /// Removes all of them, and what unfinished ones have left. Returns what could not be removed.
+  /// Removes all entries and the remains of unfinished ones. Returns what could not be removed.
   std::vector<std::string> clear() const;
 
  private:

@@ -24,7 +24,7 @@ void put(NamedValues& values, const std::string& name, const SmoothBox& box) {
   values.numbers[name + "_middle"] = box.middle;
 }
 
-/// What maps on and below the surface have in common.
+/// Common part of the maps on and below the surface.
 template <class Map>
 void put_map(NamedValues& values, const std::string& name, const Map& map) {
   if (map.empty()) return;
@@ -55,7 +55,7 @@ Eigen::Index surface_terms(int degree) {
   return static_cast<Eigen::Index>(halfspace::polynomial_powers(degree).size());
 }
 
-/// `terms`: how many coefficients there are for a degree of the fields.
+/// `terms`: number of coefficients for a degree of the fields.
 template <class Map, class Terms>
 Map map_of(const NamedValues& values, const std::string& name, const Terms& terms) {
   Map map;
@@ -68,7 +68,7 @@ Map map_of(const NamedValues& values, const std::string& name, const Terms& term
   map.coefficients = found->second;
   if (map.coefficients.rows() != terms(map.field_degree) ||
       map.coefficients.cols() != 3 * surface_terms(map.load_degree))
-    throw std::runtime_error("the coefficients of " + name + " have another shape");
+    throw std::runtime_error("the coefficients of " + name + " have the wrong shape");
   return map;
 }
 

@@ -11,10 +11,10 @@
 namespace rollfem::modelling {
 
 postprocess::NamedValues values_of(const halfspace::SmoothParts& parts);
-/// Throws std::runtime_error when something is missing or of another shape.
+/// Throws std::runtime_error when a value is missing or has the wrong shape.
 halfspace::SmoothParts parts_of(const postprocess::NamedValues& values);
 
-/// All values as bytes of this machine.
+/// All values as bytes in this machine's byte order.
 std::string packed(postprocess::NamedValues values);
 postprocess::NamedValues unpacked(const std::string& bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The speed of this machine relative to the one that run times are predicted for, as measured
+// The speed of this machine relative to the reference machine of the predicted run times, measured
 // by `rollfem bench` and stored in the user's cache folder.
 #pragma once
 
@@ -10,14 +10,14 @@
 namespace rollfem::modelling {
 
 struct MachineSpeed {
-  double times = 1.0;  ///< seconds here for a predicted one
+  double times = 1.0;  ///< seconds on this machine per predicted second
   std::string made;    ///< UTC, ISO 8601
 };
 
-/// Where it is kept, by host, since homes are shared; empty where there is no cache.
+/// The file of this host (home folders may be shared); empty if there is no cache.
 std::filesystem::path machine_speed_file();
 
-/// Nothing where `rollfem bench` was not run on this host with this version, or there is no cache.
+/// Empty if `rollfem bench` was not run on this host with this version, or if there is no cache.
 std::optional<MachineSpeed> machine_speed();
 
 /// Throws contact::InputError when it cannot be written.

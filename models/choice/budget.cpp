@@ -9,7 +9,8 @@ namespace rollfem::modelling {
 
 namespace {
 
-/// A prediction is wrong where it took so many times as long, and for longer than noise takes, s.
+/// A prediction counts as wrong if the level took this many times as long, and longer than this
+/// noise, s.
 constexpr double gross = 3.0, least_gross = 2.0;
 
 }  // namespace

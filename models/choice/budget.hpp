@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The time that a run takes where nobody has named an accuracy: shared by all scenes of a case,
-// counted in predicted seconds, so that the same case makes the same choices. The clock counts
-// only where a prediction was grossly wrong.
+// The time budget of a run without a requested accuracy: shared by all scenes of a case and counted
+// in predicted seconds, so that the same case leads to the same choices. Measured time counts only
+// where a prediction was grossly wrong.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +9,27 @@
 
 namespace rollfem::modelling {
 
-/// A run without an accuracy answers within this, s.
+/// Time limit of a run without a requested accuracy, s.
 constexpr double seconds_by_default = 60.0;
 
 class Budget {
  public:
-  /// `needs`: predicted seconds of each scene in the order in which they are solved; 0 where
-  /// nothing can be predicted. `times`: this machine's seconds for a predicted one.
+  /// `needs`: predicted seconds of each scene in the order of solution; 0 if there is no
+  /// prediction. `times`: seconds on this machine per predicted second.
   explicit Budget(std::vector<double> needs, double times = 1.0,
                   double seconds = seconds_by_default);
 
-  /// What all scenes need together where that can be predicted, s on this machine.
+  /// Predicted time of all scenes together, s on this machine.
   double needed() const;
 
-  /// What a level of the current scene may be predicted to take, s of a prediction: what is left
-  /// when later scenes get what they need, but no less than an equal share of what is left.
+  /// Largest predicted time of a level of the current scene, in predicted seconds: the budget left
+  /// after the needs of later scenes, but at least an equal share of the remaining budget.
   double allowed() const;
 
-  /// A level of the current scene was predicted to take so long and took so long, both in s.
-  /// Returns by how much its model is mispredicted: 1 where the prediction holds.
+  /// Records the predicted and the measured time of a level of the current scene, both in s.
+  /// Returns the factor by which its model is mispredicted: 1 if the prediction holds.
   double spend(double predicted, double taken);
 
-  /// The current scene is done.
   void next() { ++current_; }
 
  private:

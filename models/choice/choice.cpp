@@ -21,28 +21,29 @@ namespace {
 
 using contact::ModelResult;
 
-/// Where nothing is expected to meet the accuracy: a grid that comes as near as this to the best
-/// does, if it is cheaper.
+/// If no grid is expected to meet the accuracy, a cheaper grid within this factor of the best is
+/// accepted.
 constexpr double near_enough = 1.25;
 
-/// Model errors are expected to a factor of two or three only: until one is found it counts as this
-/// part, so that a cheap model is not ruled out, nor its first grid made too fine, by a guess.
+/// Expected model errors are known only to a factor of two or three. Until one is computed, this
+/// part of it counts, so that a guess neither rules out a cheap model nor makes its first grid too
+/// fine.
 constexpr double believed_of_expected = 1.0 / 3.0;
 
-/// What is believed of expectations.
+/// Weight of expected model errors until they are computed.
 std::vector<Forecast> hopes(std::vector<Forecast> forecasts, double accuracy) {
   for (Forecast& forecast : forecasts) {
     if (forecast.model_error_found) continue;
     forecast.model_error *= believed_of_expected;
-    // Nor is a fine grid laid before it is known.
+    // Fine grids wait until the model error is known.
     if (forecast.model_error <= accuracy)
       forecast.model_error = std::min(forecast.model_error, 0.5 * accuracy);
   }
   return forecasts;
 }
 
-/// What a model that is not taken would cost, or why it is none.
-/// `times`: seconds here for a predicted one.
+/// Cost of a model that was not chosen, or why it is unavailable. `times`: seconds on this machine
+/// per predicted second.
 std::string not_taken(const Forecast& forecast, double accuracy, double times = 1.0) {
   if (!forecast.cannot.empty()) return fmt::format("{}: {}", forecast.label, forecast.cannot);
   if (const auto plan = cheapest({forecast}, accuracy))
@@ -92,7 +93,7 @@ class Choice {
  private:
   double reached_best() const { return attempts_[best_->model]->reached.together(); }
 
-  /// What is to be solved; none where what is there is the best that can be had.
+  /// The next plan to solve; empty if no plan improves on the results so far.
   std::optional<Plan> next() const {
     std::vector<Forecast> hoped = hopes(forecasts_, accuracy_);
     for (Forecast& forecast : hoped) leave_out_slow(forecast.levels);
@@ -100,11 +101,11 @@ class Choice {
     const double least = near_enough * least_error(hoped, true);
     if (best_ && reached_best() <= least) return {};
     if (const auto plan = cheapest(hoped, least, true)) return plan;
-    // Some answer is better than none, however slow it is.
+    // Without any result yet, a slow plan is still worth solving.
     return best_ ? std::nullopt : quickest();
   }
 
-  /// Levels come with increasing seconds.
+  /// Levels are ordered by increasing time.
   void leave_out_slow(std::vector<Level>& levels) const {
     if (wanted_.budget == nullptr) return;
     const double allowed = wanted_.budget->allowed();
@@ -131,18 +132,18 @@ class Choice {
       count_failed(watch);
       if (failed_once_[plan.model]) return leave_out(forecast, error.what());
       failed_once_[plan.model] = true;
-      leave_out_grid(plan, error.what());  // another one may have a solution: a second chance
+      leave_out_grid(plan, error.what());  // another level may have a solution: retry once
     } catch (const contact::InputError& error) {
       leave_out(forecast, error.what());
     }
   }
 
-  /// Nothing is known of how it ends, but of how long it takes.
+  /// The outcome is unknown, but the time it takes is known.
   void announce(const Forecast& forecast, const Level& level) const {
     contact::ProgressEvent event;
     event.model = forecast.model;
     event.stage = "tried next";
-    event.finished = true;  // its line stays, whatever follows
+    event.finished = true;  // keep its line on the terminal
     event.note =
         fmt::format("{} across, about {}", level.across, duration(wanted_.times * level.seconds));
     contact::report(wanted_.progress, event);
@@ -152,7 +153,8 @@ class Choice {
     if (wanted_.budget != nullptr) wanted_.budget->spend(0.0, watch.seconds());
   }
 
-  /// Where a model is grossly mispredicted so are its finer grids, and what corrects it.
+  /// A gross misprediction also applies to the model's finer grids and to the model that corrects
+  /// it.
   void count(const Plan& plan, double predicted, double seconds) {
     if (wanted_.budget == nullptr) return;
     const double times = wanted_.budget->spend(predicted, seconds);
@@ -207,7 +209,7 @@ class Choice {
     if (better || met_) best_ = Best{plan.model, std::move(result)};
   }
 
-  /// Only the first of several processes has whole results.
+  /// Only the first of several processes holds complete results.
   void agree(Reached& reached, double& seconds) const {
     if (!wanted_.agree) return;
     const std::string text = wanted_.agree(
@@ -215,7 +217,7 @@ class Choice {
                     reached.discretisation, reached.model, reached.most_discretisation,
                     reached.most_model, reached.point, reached.quantity));
     std::istringstream words(text);
-    const auto number = [&] {  // infinity is one, too
+    const auto number = [&] {  // includes infinity
       std::string word;
       words >> word;
       return std::strtod(word.c_str(), nullptr);
@@ -230,17 +232,17 @@ class Choice {
     words >> reached.quantity;
   }
 
-  /// The first failure is that of the simplest model, and says most.
+  /// The first failure comes from the simplest model and is the most informative.
   [[noreturn]] void throw_why_none() const {
     if (failure_) std::rethrow_exception(failure_);
     std::string text;
     for (const Forecast& forecast : forecasts_)
       text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", forecast.label, forecast.cannot);
-    throw contact::InputError("no model can solve it: " + text +
+    throw contact::InputError("no model can solve this case: " + text +
                               "; do: change the case, or name a model");
   }
 
-  /// What was taken.
+  /// The model and level that were chosen.
   std::string taken() const {
     const Attempt& attempt = *attempts_[best_->model];
     return fmt::format("{}, {} across, {}: {}", forecasts_[best_->model].label, attempt.across,
@@ -256,10 +258,10 @@ class Choice {
     return not_taken(forecast, accuracy_, times_);
   }
 
-  /// This machine, as busy as it is, against the one that seconds are predicted for. A corrected
-  /// model says nothing of it, whose correction may have been kept from an earlier run.
+  /// Speed of this machine under its present load, relative to the reference machine of the
+  /// predictions. Corrected models are left out, because their correction may come from the cache.
   void calibrate(const Plan& plan, double seconds) {
-    constexpr double worth_it = 0.1;  // s; less is other things than solving
+    constexpr double worth_it = 0.1;  // s; shorter times are mostly overhead
     const double predicted = forecasts_[plan.model].levels[plan.level].seconds;
     if (seconds > worth_it && predicted > worth_it && forecasts_[plan.model].corrects.empty())
       times_ = seconds / predicted;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The choice among models: finds the cheapest whose total error meets an accuracy, by
-// solving the most promising, measuring the error reached and updating the forecast. States
-// in one sentence what was chosen, what was not, and why.
+// The choice among models: finds the cheapest model whose total error meets an accuracy, by solving
+// the most promising one, measuring the error reached and updating the forecast. One sentence
+// states which model was chosen, which ones were not, and why.
 #pragma once
 
 #include "contact/base/accuracy.hpp"
@@ -17,48 +17,51 @@
 
 namespace rollfem::modelling {
 
-/// Where a case does not say.
+/// Default if the case requests no accuracy.
 constexpr double default_accuracy = 0.01;
 
-/// A model that may be taken.
+/// A model that may be chosen.
 struct Candidate {
   Forecast forecast;
-  /// Solves on so many elements across. Throws contact::InputError, contact::SolveError.
+  /// Solves with `across` elements across the patch. Throws contact::InputError,
+  /// contact::SolveError.
   std::function<contact::ModelResult(int across)> solve;
-  /// Model errors that its results do not carry are unknown, unless it says that there are none.
+  /// True: results carry the model error. False: a model error missing from the results is unknown,
+  /// unless `largest_model_error` bounds it.
   bool estimates_model_error = false;
-  /// Where they are not estimated: none is larger, as part of its whole. 0: there is none.
+  /// Upper bound where model errors are not estimated, as part of the whole. 0: no bound.
   double largest_model_error = 0.0;
-  std::string no_model_error = {};  ///< why its model error cannot be known; empty: it can
+  std::string no_model_error = {};  ///< why its model error cannot be known; otherwise empty
 };
 
 struct Wanted {
   contact::AccuracyRequest accuracy;  ///< `relative` is set
   double friction_coefficient = 0.0;
-  /// Nobody named an accuracy: this is the time there is, and that it is not reached is no failure.
+  /// Time budget if no accuracy was requested; missing the default accuracy is then no failure.
   Budget* budget = nullptr;
-  double times = 1.0;  ///< this machine's seconds for a predicted one
-  /// A model that fails is left out and the others go on; else what it throws ends the choice.
+  double times = 1.0;  ///< seconds on this machine per predicted second
+  /// True: a model that fails is left out. False: its exception ends the choice.
   bool go_on = true;
-  /// Told what is tried and how long that takes before it begins. May be empty.
+  /// Receives the next model and its expected time before each solution. May be empty.
   contact::Progress progress = {};
-  /// Among processes: the text of the first on all of them. May be empty.
+  /// Collective: returns the text of the first process on every process. May be empty.
   std::function<std::string(const std::string&)> agree = {};
 };
 
-/// The result of the model that was taken. Its `choice` is the sentence, which is its first note as
-/// well; `shortfall` is set where the accuracy was asked for and is not reached. Throws
-/// contact::InputError where no candidate is in question, or what the last of them threw.
+/// The result of the chosen model. Its `choice` is the sentence about the choice, which is also its
+/// first note; `shortfall` is set if a requested accuracy is not reached. Throws
+/// contact::InputError if no candidate can take the case, otherwise rethrows the failure of the
+/// last candidate.
 contact::ModelResult choose(std::vector<Candidate> candidates, const Wanted& wanted);
 
-/// Predicted seconds of what is tried first; 0 where nothing is expected to do.
+/// Predicted seconds of the first attempt; 0 if no model is expected to suffice.
 double seconds_of_first(const std::vector<Forecast>& forecasts, double accuracy);
 
 /// "0.3 s", "4 min", "2 h".
 std::string duration(double seconds);
 
-/// "half-space with 24 across, about 0.3 s: discretisation 0.6 %, model 0.2 %", or that nothing is
-/// expected to do. `others`: with what is not taken, and why.
+/// "half-space with 24 across, about 0.3 s: discretisation 0.6 %, model 0.2 %", or a sentence that
+/// no model is expected to suffice. `others`: adds the models not chosen, with reasons.
 std::string verdict(const std::vector<Forecast>& forecasts, double accuracy, bool others);
 
 }  // namespace rollfem::modelling

@@ -18,7 +18,7 @@ void each_level(const std::vector<Forecast>& forecasts, bool unsolved, const Vis
   }
 }
 
-/// What a grid is expected to miss where another one does so much.
+/// Expected discretisation error of a grid, extrapolated from another grid's error.
 double expected_of(const Level& level, int across, double discretisation) {
   return discretisation * std::pow(static_cast<double>(across) / level.across, assumed_order);
 }

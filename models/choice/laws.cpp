@@ -10,45 +10,45 @@ namespace rollfem::modelling {
 
 namespace {
 
-/// Errors of the half-space on 24 elements across: the largest bars of the thesis's cases, of the
-/// traction coefficient in mu, without friction of the pressure.
+/// Errors of the half-space with 24 elements across: the largest bars in the thesis's cases, of the
+/// traction coefficient over mu or, without friction, of the pressure.
 constexpr int measured_across = 24;
 constexpr double error_with_friction = 0.006, error_without_friction = 0.0035;
 
-/// Of finite elements on 16 cells across.
+/// The same for finite elements with 16 cells across.
 constexpr int measured_cells = 16;
 constexpr double fem_error_with_friction = 0.006, fem_error_without_friction = 0.003;
 
-/// Elements across the smallest patch that results must have (contact/result/validity.cpp), and one
-/// more, since the patch need not lie well among them.
+/// Elements required across the smallest patch (contact/result/validity.cpp), plus one, because the
+/// patch may be badly aligned with the grid.
 constexpr double fewest_across = 5.0;
 
 // Seconds of one core of an idle machine at 2.5 GHz, -O3.
-constexpr double start = 5e-3;        ///< whatever the grid
-constexpr double per_element = 6e-6;  ///< of the patch, and load point
-/// Where pressure and friction change each other they are solved for together, by Newton's method,
-/// in steps that grow with the grid: 4 times on 32 across, 22 on 320.
+constexpr double start = 5e-3;        ///< independent of the grid
+constexpr double per_element = 6e-6;  ///< per element of the patch and load point
+/// Where pressure and friction influence each other, Newton's method solves for both; the factor of
+/// time grows with the grid: 4 with 32 elements across, 22 with 320.
 constexpr double coupled_times = 4.0, coupled_power = 0.75;
-/// Where friction carries a part of the load both are solved for in turn.
+/// Where friction carries a part of the load, pressure and friction are solved for in turn.
 constexpr double sharing_times = 2.0;
-/// The estimate of the model error takes more turns on steep profiles.
+/// The estimate of the model error takes more iterations on steep profiles.
 constexpr double steep_estimate_times = 2.0;
-constexpr double of_model_error = 0.1;  ///< a load point, on `usual_elements`
-constexpr double hybrid_times = 13.0;   ///< what the hybrid takes where the half-space takes 1
-/// The hybrid's correction where it is not kept from an earlier run, of halved and of whole bodies,
-/// and by how much the patch is longer one way.
+constexpr double of_model_error = 0.1;  ///< per load point, with `usual_elements`
+constexpr double hybrid_times = 13.0;   ///< time of the hybrid relative to the half-space
+/// Time of the hybrid's correction if it is not cached: for halved bodies, for whole bodies, and
+/// the growth with the patch's aspect ratio.
 constexpr double halved_correction = 4.5, halved_correction_of_length = 1.1;
 constexpr double whole_correction = 12.0, whole_correction_of_length = 4.2;
 constexpr double kept_correction = 0.01;
-/// Of finite elements, on 16 cells across, per 100 000 unknowns of halved bodies.
+/// Time of finite elements with 16 cells across, per 100 000 unknowns of halved bodies.
 constexpr double fem_start = 2.5, fem_point = 0.75, fem_whole_times = 1.85;
-constexpr double fem_power = 1.5;  ///< of cells across
+constexpr double fem_power = 1.5;  ///< exponent of the cells across
 /// Free meshes of whole sections have 110 000 to 300 000 unknowns on their coarsest level, which
 /// are factorised: a measured pair took 2.2 times the CPU time of its boxes on 8 cells across; the
 /// hybrid took 2.8 times.
 constexpr double sections_times = 2.8;
-/// 100 000 unknowns on 16 cells across: a patch of the same length and width, and by how much the
-/// longer exceeds the shorter.
+/// Unknowns in 100 000 with 16 cells across: for a patch of equal length and width, and the growth
+/// with its aspect ratio.
 constexpr double fem_unknowns = 1.7, fem_unknowns_of_length = 0.61;
 
 double elongation(const ContactSize& size) {
@@ -63,7 +63,7 @@ double correction_seconds(const ContactSize& size) {
                          : whole_correction + whole_correction_of_length * longer);
 }
 
-/// A grid on which the smallest patch has too few elements to be looked at at all.
+/// A grid on which the smallest patch has too few elements to be considered.
 bool too_coarse(const ContactSize& size, int across) {
   return across * size.smallest_part < fewest_across;
 }
@@ -79,15 +79,15 @@ void leave_out_too_coarse(const ContactSize& size, Forecast& forecast) {
         "largest",
         size.smallest_part);
 }
-/// On fewer elements forces have up to 0.4 % of mu too much.
+/// With fewer elements forces are up to 0.4 % of mu too large.
 constexpr int usual_elements = 32, few_elements = 20;
-/// Where that is a sixth of the accuracy.
+/// Applies where that error is a sixth of the accuracy.
 constexpr double accuracy_of_few = 0.025;
 
-/// Of 50 scenes none had more than 1.2 times what is expected.
+/// None of 50 scenes exceeded 1.2 times the expected error.
 constexpr double at_most = 2.0;
 
-/// Of the patch; a line contact has one row of them.
+/// Elements of the patch; a line contact has one row.
 double elements(const ContactSize& size, int across) {
   constexpr double pi = 3.14159265358979323846;
   return size.line ? across : 0.25 * pi * across * across * elongation(size);
@@ -97,7 +97,7 @@ double law(double error, int at, double across) {
   return error * std::pow(at / across, assumed_order);
 }
 
-/// `times` of the number across: how much more an element takes than in a plain half-space.
+/// `times` of the number across: cost of an element relative to a plain half-space.
 template <class Times>
 Forecast on_grids(const ContactSize& size, double fixed, const Times& times) {
   Forecast forecast;
@@ -124,8 +124,9 @@ const std::vector<int>& cells_across() {
 
 double expected_model_error(const ContactSize& size) {
   if (!size.bodies_known) return 0.0;
-  // First order of patch over radius; where bodies conform across the common surface is of second.
-  // Forces miss a part of the normal force, and percent are of friction times that.
+  // First order in patch over radius; for conforming bodies the common surface makes it second
+  // order across. The error of the forces is a part of the normal force, and percentages refer to
+  // friction times normal force.
   const double along = size.half_length / size.rolling_radius;
   const double across = size.half_width / size.radius_across;
   const double of_along = size.friction > 0.0 ? 0.36 / size.friction : 0.05;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-/// The bar; 0 of what needs none.
+/// The error bar; 0 for quantities that need none.
 double bar_of(const contact::PointResult& point, const std::string& name) {
   const auto bar = point.error_estimate.find(name);
   if (bar != point.error_estimate.end()) return bar->second;

@@ -18,9 +18,9 @@ namespace {
 #if ROLLFEM_WITH_FEM
 
 /// The two bodies are factorised side by side, one core each, and MPI processes share the cores:
-/// threads inside OpenBLAS would only get in the way. What waits sleeps or yields: a core that
-/// spins is taken from the other body, the other process or whoever else is on the machine.
-/// Libraries read this when they are loaded.
+/// threads inside OpenBLAS would only compete with them. Waiting threads sleep or yield, because a
+/// spinning core is lost to the other body, the other process or other users. Libraries read these
+/// settings when they are loaded.
 void leave_cores_to_others() {
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   setenv("OMP_WAIT_POLICY", "passive", 0);
@@ -33,12 +33,13 @@ void* open_library() {
   for (const auto& folder :
        {program / ".." / "fem", program / ".." / ROLLFEM_LIBDIR, code / ".." / "fem", code}) {
     const std::filesystem::path file = folder / ROLLFEM_FEM_LIBRARY;
-    // Global: MPI and PETSc open parts of themselves at run time, which look for these symbols.
+    // Global symbols: MPI and PETSc open plug-ins at run time that look for them.
     if (void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL)) return library;
     problems += fmt::format("\n  {}", dlerror());
   }
   throw contact::InputError(
-      "model fem: its library cannot be opened; do: build or install rollfem again" + problems);
+      "model fem: the finite-element library cannot be opened; do: build or install rollfem again" +
+      problems);
 }
 
 #endif
@@ -54,7 +55,8 @@ const fem::Entry& open_fem_library(const std::string&) {
   const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "rollfem_fem_entry"));
   if (entry == nullptr)
     throw contact::InputError(
-        "model fem: its library has another version; do: build or install rollfem again");
+        "model fem: the finite-element library belongs to another version; do: build or install "
+        "rollfem again");
   return *entry();
 }
 

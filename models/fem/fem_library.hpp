@@ -10,15 +10,16 @@
 namespace rollfem::modelling {
 
 /// Opens the library; throws contact::InputError in a build without it, or when it is not found
-/// beside the program. `asked_by`: what asked for the model, for the message.
+/// beside the program. `asked_by`: the option or key that requests the model, for the message.
 const fem::Entry& open_fem_library(const std::string& asked_by);
 
 // MPI, initialised only while parallel models run.
 
-/// Starts MPI, which the finite-element library brings; ends it when it goes.
+/// Starts the MPI of the finite-element library and finalises it on destruction.
 class ParallelSession {
  public:
-  /// `asked_by`: what asked for a parallel model, for the message of a build without the library.
+  /// `asked_by`: the option or key that requests a parallel model, for the message of a build
+  /// without the library.
   ParallelSession(const std::string& asked_by, int argc, char** argv);
   ~ParallelSession();
   ParallelSession(const ParallelSession&) = delete;

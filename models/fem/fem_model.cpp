@@ -17,7 +17,7 @@ using contact::RefinedInput;
 
 namespace {
 
-/// The expected patch, from which the model takes what the case does not say.
+/// The expected patch, from which the model derives values missing from the case.
 halfspace::PatchBox box_for(const ModelInput& input, const char* key) {
   try {
     return halfspace::PatchSearch(input).box();
@@ -72,7 +72,7 @@ contact::ModelInfo fem_model() {
   fem.choosable = contact::Choosable::finite_bodies;
   fem.measures_others = fem.has_stress = fem.keeps_bodies = fem.parallel = fem.in_compare = true;
   fem.built = ROLLFEM_WITH_FEM;
-  fem.no_model_error = "none known: linear elasticity of the bodies as the case gives them";
+  fem.no_model_error = "none known: linear elasticity of the bodies as given in the case";
   return fem;
 }
 

@@ -21,7 +21,8 @@ namespace {
 
 using halfspace::SmoothParts;
 
-/// In the cache, else by finite elements, which are then kept there.
+/// Takes the correction from the cache, otherwise computes it by finite elements and stores it
+/// there.
 SmoothParts found_here(const contact::Scene& scene, const contact::Progress& progress) {
   const contact::Scene correction = halfspace::correction_scene(scene);
   const CorrectionCache cache;
@@ -35,7 +36,7 @@ SmoothParts found_here(const contact::Scene& scene, const contact::Progress& pro
   return parts;
 }
 
-/// By the first process of a run, for all of them.
+/// The first process looks for all of them.
 SmoothParts find_smooth_parts(const contact::Scene& scene, const contact::Progress& progress) {
   const Processes here = processes();
   if (here.count == 1) return found_here(scene, progress);
@@ -77,7 +78,7 @@ contact::ModelInfo hybrid_model() {
   hybrid.has_stress = hybrid.corrects_stress = hybrid.parallel = true;
   hybrid.built = ROLLFEM_WITH_FEM;
   hybrid.no_model_error =
-      "not estimated: the error estimates include a tenth of what the correction changes";
+      "not estimated: the error estimates include a tenth of the correction's effect";
   return hybrid;
 }
 

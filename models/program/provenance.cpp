@@ -57,7 +57,7 @@ fs::path code_directory() {
   if (dladdr(reinterpret_cast<const void*>(&code_directory), &found) == 0)
     return program_directory();
   const fs::path file = fs::canonical(found.dli_fname, error);
-  // The name of a program may be one that was looked for on PATH.
+  // The program may have been found on PATH.
   const bool library = !error && file.filename().string().find(".so") != std::string::npos;
   return library ? file.parent_path() : program_directory();
 }
@@ -65,7 +65,7 @@ fs::path code_directory() {
 fs::path script_directory() {
   std::error_code error;
   const fs::path code = code_directory();
-  // Libraries may lie in a folder of their architecture.
+  // The library folder may have a subfolder per architecture.
   for (const fs::path& prefix : {program_directory() / "..", code / "..", code / ".." / ".."}) {
     const fs::path installed = prefix / ROLLFEM_DATADIR / "rollfem_figures";
     if (fs::exists(installed, error)) return installed.lexically_normal();

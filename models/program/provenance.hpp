@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Provenance of a result: who made it, where and when.
+// Provenance of a result: program, version, machine and time.
 #pragma once
 
 #include "contact/solve/model.hpp"
@@ -10,17 +10,16 @@
 
 namespace rollfem::modelling {
 
-/// Of what is computed now by this process. `command`: the whole call.
+/// Provenance of a result computed now by this process. `command`: the whole call.
 postprocess::Provenance provenance_of(const contact::ModelRegistry& models,
                                       const std::string& command);
 
-// Where the program finds its own parts, in the build folder and when installed.
+// Locations of the program's own parts, in the build folder and when installed.
 
 /// Folder of the running program.
 std::filesystem::path program_directory();
 
-/// Folder of the library that this code is in where another program has loaded it, else of the
-/// program.
+/// Folder of the library with this code if another program has loaded it, otherwise of the program.
 std::filesystem::path code_directory();
 
 /// Folder of the plotting program's Python package.

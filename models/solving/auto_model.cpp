@@ -27,7 +27,7 @@ using contact::Choosable;
 using contact::ModelRegistry;
 using contact::Scene;
 
-/// Of a section of true profiles, from its slopes at both ends of the patch, mm.
+/// Mean radius of a section of true profiles, from its slopes at both ends of the patch, mm.
 double mean_radius(const contact::HeightCurve& curve, double lower, double upper) {
   return (upper - lower) / std::abs(curve.at(upper).slope - curve.at(lower).slope);
 }
@@ -42,7 +42,8 @@ double radius_across(const Scene& scene) {
                   mean_radius(surface.profiles->wheel(), patch.y_lower, patch.y_upper));
 }
 
-/// Of Hertz's patches: sizes go with the cube root of the force, the square root of the approach.
+/// Smallest over largest size of Hertz's patches: sizes grow with the cube root of the force or the
+/// square root of the approach.
 double smallest_part(const Scene& scene) {
   double least = contact::infinity, most = 0.0;
   for (const contact::LoadPoint& point : scene.points) {
@@ -55,7 +56,7 @@ double smallest_part(const Scene& scene) {
   return least > 0.0 && most > 0.0 ? least / most : 1.0;
 }
 
-/// By the hybrid, which meshes neither rigid bodies nor flat ones.
+/// Number of bodies that the hybrid meshes: neither rigid nor flat ones.
 int meshed_bodies(const Scene& scene) {
   const contact::ContactSurface& surface = scene.geometry.surface;
   const bool flat_rail = !surface.profiles && std::isinf(surface.rail_transverse_radius);
@@ -69,7 +70,7 @@ int elements_of_model_error(const Scene& scene, const ContactSize& size) {
   return modelling::elements_of_model_error(size, accuracy_of(scene.accuracy));
 }
 
-/// So well that what a half-space neglects of them can be estimated.
+/// True if the geometry suffices to estimate the half-space's model error.
 bool bodies_known(const Scene& scene) {
   return scene.geometry.has_surfaces() && !scene.geometry.line;
 }
@@ -96,29 +97,31 @@ ContactSize size_of(const Scene& scene) {
   size.line = scene.geometry.line.has_value();
   size.true_sections = halfspace::has_true_sections(scene);
   size.steep = halfspace::is_steep(scene);
-  // Nor is it looked for where a half-space does anyway. Processes that looked might disagree.
+  // No look-up where a half-space suffices anyway, nor with several processes, which might
+  // disagree.
   if (elements_of_model_error(scene, size) > 0 && processes().count == 1)
     size.correction_kept = correction_is_kept(scene);
   return size;
 }
 
-/// This machine's seconds for a predicted one, where it was measured.
+/// Seconds on this machine per predicted second, if measured.
 double machine_times() {
   const std::optional<MachineSpeed> speed = machine_speed();
   return speed ? speed->times : 1.0;
 }
 
-/// Why a model is out of the question for the scene; empty: it is not.
+/// Why a model cannot take the scene; otherwise empty.
 std::string out_of_question(const contact::ModelInfo& model, const Scene& scene) {
   if (!model.built) return "not in this build";
   if (const auto reason = model.cannot(scene)) return *reason;
-  if (scene.asks_for_stress() && !model.has_stress) return "it has no stress below the surface";
+  if (scene.asks_for_stress() && !model.has_stress)
+    return "it computes no stress below the surface";
   const bool meshes = !scene.wheel.mesh.empty() || !scene.rail.mesh.empty();
   const bool boxes =
       !scene.options.fem.mesh || *scene.options.fem.mesh == contact::MeshFamily::structured;
   if (model.choosable == Choosable::corrected_half_spaces && (meshes || !boxes) &&
       scene.asks_for_stress())
-    return "it has stress only in bodies that are boxes below their surface";
+    return "it computes stress only in bodies that are boxes below their surface";
   return "";
 }
 
@@ -128,7 +131,7 @@ Forecast forecast_as(Choosable kind, const ContactSize& size, double accuracy) {
                                                   : modelling::halfspace_forecast(size, accuracy);
 }
 
-/// In the order of the registry.
+/// Forecasts in the order of the registry.
 std::vector<Forecast> forecasts_of(const Scene& scene, const ContactSize& size,
                                    const ModelRegistry& models) {
   std::vector<Forecast> all;
@@ -145,7 +148,7 @@ std::vector<Forecast> forecasts_of(const Scene& scene, const ContactSize& size,
   return all;
 }
 
-/// The scene on a grid of the choice's, for half-space and hybrid.
+/// The scene with a grid set by the choice, for half-space and hybrid.
 Scene on_grid(Scene scene, int across) {
   if (auto& cell = scene.contact_grid.cell_size) {
     const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
@@ -163,7 +166,7 @@ Scene on_cells(Scene scene, int across) {
   return scene;
 }
 
-/// Solves candidates, each passing the gate of its own model.
+/// Solves candidates; each passes the checks of its own model.
 class Solver {
  public:
   Solver(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint,
@@ -188,7 +191,7 @@ class Solver {
       const int elements = elements_of_model_error(asked_, size_);
       made.estimates_model_error = elements > 0;
       if (scene_.geometry.line)
-        made.no_model_error = "what half-planes neglect in line contact is not estimated";
+        made.no_model_error = "the model error of half-planes in line contact is not estimated";
       else if (!size_.bodies_known)
         made.no_model_error = "only the undeformed distance of the bodies is known";
       else if (elements == 0)
@@ -208,7 +211,7 @@ class Solver {
   }
 
  private:
-  /// Finer grids change little of it: what the first has found is that of all.
+  /// Finer grids hardly change the model error: the first estimate serves all of them.
   void share_model_error(int elements, contact::ModelResult& result) const {
     if (estimated_.empty()) {
       halfspace::add_model_error(scene_, progress_, result, elements);
@@ -231,12 +234,12 @@ class Solver {
   }
 
   const Scene& asked_;
-  Scene scene_;  ///< without an accuracy or estimates, which are here
+  Scene scene_;  ///< without requested accuracy and estimates, which this class handles
   ContactSize size_;
   const contact::Progress& progress_;
   contact::Checkpoint* checkpoint_;
   const Solving& how_;
-  mutable std::vector<std::map<std::string, double>> estimated_;  ///< of the load points
+  mutable std::vector<std::map<std::string, double>> estimated_;  ///< per load point
   mutable std::string source_;
 };
 
@@ -293,7 +296,7 @@ Budget budget_of(const std::vector<Scene>& scenes, const ModelRegistry& models) 
     try {
       needs.back() = seconds_of_first(forecasts_of(scene, models), accuracy_of(scene.accuracy));
     } catch (const std::runtime_error&) {
-      // No patch to expect anything of: what solves it will say so.
+      // No patch, so no expectation: the solver will report it.
     }
   }
   return Budget(std::move(needs), machine_times());

@@ -12,32 +12,32 @@
 
 namespace rollfem::modelling {
 
-/// For the registry: known and told of, but without a run of its own.
+/// Entry of the registry: a description without a solver of its own.
 contact::ModelInfo auto_model();
 
-/// Whether one of them is auto.
+/// Whether one of the names is auto.
 bool any_choice(const contact::ModelRegistry& models, const std::vector<std::string>& names);
 
-/// auto stands alone. Throws contact::InputError; `asked_by`: "--model".
+/// Throws contact::InputError if auto is combined with other models; `asked_by`: "--model".
 void check_alone(const contact::ModelRegistry& models, const std::vector<std::string>& names,
                  const std::string& asked_by);
 
-/// For commands that have models laid beside each other: throws contact::InputError for auto.
+/// For commands that compare models: throws contact::InputError for auto.
 void refuse_choice(const contact::ModelRegistry& models, const std::vector<std::string>& names,
                    const std::string& command);
 
-/// What is expected of the models of a scene before anything is solved. Throws contact::InputError
-/// and contact::SolveError where it has no patch.
+/// Forecasts for the models of a scene before anything is solved. Throws contact::InputError, and
+/// contact::SolveError if the scene has no patch.
 std::vector<Forecast> forecasts_of(const contact::Scene& scene,
                                    const contact::ModelRegistry& models);
 
-/// The accuracy that auto looks for: of the scene, or 1 %.
+/// The accuracy that auto aims for: requested by the scene, or 1 %.
 double accuracy_of(const contact::AccuracyRequest& asked);
 
-/// What choices for these scenes may spend where they name no accuracy.
+/// Time budget of the choices for these scenes if they request no accuracy.
 Budget budget_of(const std::vector<contact::Scene>& scenes, const contact::ModelRegistry& models);
 
-/// The result of the model taken, with its name. Every process of a parallel run calls it.
+/// The result of the chosen model, with its name. Collective in a parallel run.
 contact::ModelResult solve_by_choice(const contact::Scene& scene, const contact::Progress& progress,
                                      contact::Checkpoint* checkpoint, const Solving& how);
 

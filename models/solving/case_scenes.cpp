@@ -26,14 +26,14 @@ std::vector<std::array<double, 2>> on_track(const profiles::ProfileCurve& curve,
   return points;
 }
 
-/// Section of the wheel through its axle, leaning as the axle does.
+/// Section of the wheel through its axle, tilted like the axle.
 std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
                                                   const profiles::ProfileCurve& wheel,
                                                   const track::WheelRailContact& contact) {
   const bool left = contact.place.left;
   const contact::Axle axle =
       track::place_axle(contact.pose, input.wheelset, input.wheel.rolling_radius, left);
-  // Downwards from the axle, at a right angle to it.
+  // Unit vector downwards from the axle, perpendicular to it.
   const double length = std::hypot(axle.direction[1], axle.direction[2]);
   const std::array<double, 2> along{axle.direction[1] / length, axle.direction[2] / length};
   const std::array<double, 2> down{-along[1], along[0]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The scenes of a case: the case itself or, with profiles, one scene for each
-// patch in balance; and the figures and text about them.
+// The scenes of a case: the case itself or, with profiles, one scene for each patch in balance; and
+// tables and texts about them.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -23,26 +23,26 @@ struct Scenes {
   std::vector<std::string> notes;
 };
 
-/// The wheels of a case as they stand on their rails, to be passed on to all that asks for them;
-/// null for bodies with radii. Throws contact::InputError and contact::SolveError.
+/// The wheels of a case in position on their rails, placed once and passed on; null for bodies with
+/// radii. Throws contact::InputError and contact::SolveError.
 using Placed = std::shared_ptr<const track::PlacedWheels>;
 Placed placed_wheels(const contact::Case& input);
 
-/// With profiles those at positions that `share` holds, balances kept and taken up in `kept`, which
-/// may be null. Throws contact::InputError and contact::SolveError.
+/// The scenes of a case; with profiles only those at positions in `share`. Balances are stored in
+/// and resumed from `kept`, which may be null. Throws contact::InputError and contact::SolveError.
 Scenes scenes_of(const contact::Case& input, const Placed& placed,
                  const contact::Progress& progress = {}, contact::Checkpoint* kept = nullptr,
                  contact::Share share = {});
 
-/// The same before any balance, which takes time.
+/// The same without the balance, which takes time.
 std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input, const Placed& placed);
 
 /// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
-/// of the table without ending, and its text. One for each wheel that the case asks for.
+/// of the table without ending, and its text. One for each requested wheel.
 std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case& input,
                                                              const track::SearchScene& search);
 
-/// Where the wheels of a case with profiles touch their rails, as a table; nothing is solved.
+/// Table of the contacts of a case with profiles; nothing is solved.
 std::string contacts_text(const contact::Case& input, const track::SearchScene& search);
 
 }  // namespace rollfem::modelling

@@ -22,7 +22,7 @@ namespace {
 
 using contact::Scene;
 
-/// The worst bar of a level among what accuracy is asked of, as part of value or mu.
+/// The worst bar of a level among the quantities with requested accuracy, as part of value or mu.
 double worst_bar(const postprocess::StudyLevel& level, const contact::AccuracyRequest& asked,
                  double friction) {
   double worst = 0.0;
@@ -36,7 +36,7 @@ double worst_bar(const postprocess::StudyLevel& level, const contact::AccuracyRe
   return worst;
 }
 
-/// Elements across the smaller extent of a level of grids or cells.
+/// Elements across the smaller extent of the patch at a level of grids or cells.
 int elements_across(const postprocess::StudySeries& series, const postprocess::StudyLevel& level,
                     const Scene& scene) {
   const bool cells = series.vary != "grid" || scene.contact_grid.cell_size.has_value();
@@ -45,7 +45,7 @@ int elements_across(const postprocess::StudySeries& series, const postprocess::S
   return static_cast<int>(std::lround(std::min(extent.length, extent.width) / level.parameter));
 }
 
-/// What a study has solved of a model takes the place of what is expected.
+/// Replaces expected levels of a model by the levels that a study has solved.
 void take_levels(const postprocess::StudySeries& series, const Scene& scene, double friction,
                  Forecast& forecast) {
   if (series.levels.empty() || (series.vary != "grid" && series.vary != "cell")) return;
@@ -56,7 +56,7 @@ void take_levels(const postprocess::StudySeries& series, const Scene& scene, dou
                                  worst_bar(level, scene.accuracy, friction), level.seconds, true});
 }
 
-/// Of the half-space, on the few elements that its estimate takes anyway.
+/// Computes the half-space's model error on the few elements that its estimate uses anyway.
 void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
   if (!scene.geometry.has_surfaces() || scene.geometry.line || !how.first) return;
   Scene few = scene;
@@ -74,11 +74,11 @@ void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
             .most_model;
     half.model_error_found = true;
   } catch (const std::runtime_error&) {
-    // It stays what is expected.
+    // Keep the expected value.
   }
 }
 
-/// With the seconds of this machine.
+/// The forecasts in seconds of this machine.
 std::vector<Forecast> here(std::vector<Forecast> forecasts,
                            const std::optional<MachineSpeed>& speed) {
   if (speed)
@@ -87,16 +87,17 @@ std::vector<Forecast> here(std::vector<Forecast> forecasts,
   return forecasts;
 }
 
-/// Of a row of positions or several contacts.
+/// Line for the total of several positions or contacts.
 std::string total_line(const std::vector<Scene>& scenes, const contact::ModelRegistry& models) {
   if (scenes.size() < 2) return "";
   const double needed = budget_of(scenes, models).needed();
   const bool asked = scenes.front().accuracy.relative.has_value();
-  return fmt::format("  all {} contacts together: about {} if what is tried first does{}\n",
-                     scenes.size(), duration(needed),
-                     asked || needed <= seconds_by_default
-                         ? ""
-                         : "; without `accuracy` auto takes 60 s and says what is missing then");
+  return fmt::format(
+      "  all {} contacts together: about {} if the first attempt suffices{}\n", scenes.size(),
+      duration(needed),
+      asked || needed <= seconds_by_default
+          ? ""
+          : "; without `accuracy` auto stops after 60 s and states the error reached");
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ std::string expected_choice(const contact::Case& input, const contact::ModelRegi
     }
     text += total_line(scenes, models);
   } catch (const contact::SolveError&) {
-    return "";  // what solves the case will say it
+    return "";  // the solver will report it
   } catch (const contact::InputError&) {
     return "";
   }
@@ -134,7 +135,7 @@ void add_choice(const Scene& scene, const Solving& how, double friction,
   try {
     forecasts = forecasts_of(scene, *how.models);
   } catch (const std::runtime_error&) {
-    return;  // no patch to expect anything of
+    return;  // no patch, so no expectation
   }
   Forecast& half = forecasts.front();
   for (const postprocess::StudySeries& series : place.series)

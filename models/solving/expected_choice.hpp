@@ -12,11 +12,12 @@
 
 namespace rollfem::modelling {
 
-/// A line for each contact of the first position; nothing is solved but where true profiles touch.
+/// One line for each contact of the first position. Nothing is solved except the contact points of
+/// true profiles.
 std::string expected_choice(const contact::Case& input, const contact::ModelRegistry& models);
 
-/// Sets StudyPlace::choice for 5, 1 and 0.2 %. What half-spaces leave out is solved for, where a
-/// series of theirs is among those of the place; else it is expected.
+/// Sets StudyPlace::choice for 5, 1 and 0.2 %. The model error of half-spaces is computed if the
+/// place has a series of half-spaces; otherwise it is the expected one.
 void add_choice(const contact::Scene& scene, const Solving& how, double friction,
                 postprocess::StudyPlace& place);
 

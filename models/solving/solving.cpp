@@ -18,8 +18,8 @@ namespace rollfem::modelling {
 
 namespace {
 
-/// Progress says which model it is, which may use another, and which patch. A choice runs several,
-/// which say so.
+/// Adds model and patch to progress events, because a model may run another one. A choice leaves
+/// this to the models it runs.
 contact::Progress told(const contact::ModelInfo& model, const contact::Scene& scene,
                        const contact::Progress& progress) {
   const std::string patch = scene.place ? scene.place->label() + ": " : "";
@@ -31,7 +31,7 @@ contact::Progress told(const contact::ModelInfo& model, const contact::Scene& sc
   };
 }
 
-/// Regions of one contact that share its load on one grid, at the first load point.
+/// Note on the regions of one contact that share its load on one grid, at the first load point.
 std::string parts_note(const contact::ContactPlace& place, const contact::ModelResult& result) {
   const auto parts = contact::patch_parts(result.grid, result.points.front().fields);
   std::string text = fmt::format(
@@ -45,11 +45,11 @@ std::string parts_note(const contact::ContactPlace& place, const contact::ModelR
   return text;
 }
 
-/// What one plane leaves out where its patches have other normals: their pressure along y. Empty
-/// where it is small.
+/// Note on the force along y that a single plane neglects where its patches have other normals.
+/// Empty if it is small.
 std::string normals_note(const contact::Scene& scene, const contact::ModelResult& result,
                          bool joins_planes) {
-  constexpr double worth_a_note = 0.01;  // of the normal force
+  constexpr double worth_a_note = 0.01;  // part of the normal force
   if (scene.follows_surface > 0.0 || !joins_planes) return {};
   const contact::HeightCurve& rail = scene.geometry.surface.profiles->rail();
   double along_y = 0.0, least = contact::infinity, largest = -contact::infinity;
@@ -67,8 +67,8 @@ std::string normals_note(const contact::Scene& scene, const contact::ModelResult
       largest - least, along_y);
 }
 
-/// With the bar that follows from those of the two forces; one that is given or exact has none, nor
-/// has the share that the wheelset's balance has found.
+/// Adds the vertical force with the bar that follows from the bars of the two forces. A given or
+/// exact value has no bar, nor has a share found by the wheelset's balance.
 void add_vertical_force(const contact::ContactPlace& place, contact::PointResult& point) {
   point.vertical_force = track::vertical_force(point.normal_force, point.lateral_force, place);
   const auto bar = [&](const char* name) {
@@ -87,7 +87,7 @@ void add_vertical_force(const contact::ContactPlace& place, contact::PointResult
     point.no_bar["vertical_force"] = point.no_bar["lateral_force"];
 }
 
-/// What the result of a patch says beyond what the model knows.
+/// Adds to the result of a patch what the model does not know.
 void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
             const contact::ModelRegistry& models, contact::ModelResult& result) {
   if (!scene.place) return;
@@ -110,7 +110,7 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
   for (contact::PointResult& point : result.points) add_vertical_force(*scene.place, point);
 }
 
-/// Runs one model; an error that does not say so gets the name of the model.
+/// Runs one model and adds its name to errors that lack it.
 contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
                                const Solving& how) {
   const contact::ModelInfo& model = how.models->at(name);
@@ -130,18 +130,18 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
   }
 }
 
-/// How long the choices of all scenes should take, before the first begins.
+/// Announces the expected time of the choices of all scenes.
 void tell_of(const Budget& budget, std::size_t scenes, const contact::Progress& progress) {
   contact::ProgressEvent event;
   event.model = "auto";
   event.stage = "expected";
   event.finished = true;
-  event.note = fmt::format("about {} for {} contact{} if what is tried first does",
+  event.note = fmt::format("about {} for {} contact{} if the first attempt suffices",
                            duration(budget.needed()), scenes, scenes == 1 ? "" : "s");
   contact::report(progress, event);
 }
 
-/// The models that can take every scene; of the others a sentence, or what the registry throws.
+/// The models that can take every scene. For the others: a sentence, or the registry's exception.
 std::vector<std::string> able_models(const contact::Case& input, const Scenes& scenes,
                                      const Solving& how, std::vector<Missing>& missing) {
   std::vector<std::string> able;

@@ -18,11 +18,11 @@
 
 namespace rollfem::modelling {
 
-/// A model that has no result for a case, and why in one sentence.
+/// A model without a result for a case, with the reason in one sentence.
 struct Missing {
   std::string model;
   std::string reason;
-  bool failed = false;  ///< it tried; else the case is none that it can take
+  bool failed = false;  ///< true: the solution failed; false: it cannot take the case
 };
 
 struct Solved {
@@ -33,28 +33,29 @@ struct Solved {
 
 struct Solving {
   const contact::ModelRegistry* models = nullptr;
-  const ParallelSession* session = nullptr;  ///< where a model is parallel
-  /// Starts the session before a parallel model is run that may not have been needed. May be empty.
+  const ParallelSession* session = nullptr;  ///< set if a model is parallel
+  /// Starts the session before the first run of a parallel model that is only possibly needed. May
+  /// be empty.
   std::function<void()> need_session = {};
-  Placed placed;  ///< wheels that stand on their rails already; null: `solve` places them
+  Placed placed;  ///< wheels in position; null: `solve` places them
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
-  Budget* budget = nullptr;  ///< what a choice may spend where no accuracy is named; null: its own
+  Budget* budget = nullptr;  ///< of choices without requested accuracy; null: their own
   contact::Share share;      ///< positions of the wheelset that this call solves
-  bool first = true;  ///< the first process of a parallel run: it alone runs what is not parallel
-  bool together = true;  ///< this is the only process
-  /// A model that cannot take the case, or fails, is listed and the others go on; otherwise what it
-  /// throws ends the call.
+  bool first = true;         ///< first process of a parallel run, which alone runs serial models
+  bool together = true;      ///< this is the only process
+  /// True: a model that cannot take the case, or fails, is listed as missing. False: its exception
+  /// ends the call.
   bool go_on = false;
 };
 
 /// Runs the models of `input.models` on every scene of the case. Throws contact::InputError and
-/// contact::SolveError, which name model and patch. A failure of one of several processes is
-/// thrown whatever `go_on` says: the others may be inside a collective call.
+/// contact::SolveError, which name model and patch. With several processes a failure is thrown even
+/// with `go_on`, because the others may be inside a collective call.
 Solved solve(const contact::Case& input, const Solving& how);
 
-/// One model on one scene, or on a case with radii: what `solve` does for each. A parallel model is
-/// called by every process, the others on the first alone. Throws as `solve` does.
+/// One model on one scene or on a case with radii: one step of `solve`. Every process calls it for
+/// a parallel model, only the first for the others. Throws as `solve` does.
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<std::string>& notes, const Solving& how);
 

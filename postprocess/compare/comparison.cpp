@@ -17,7 +17,7 @@ using contact::ModelResult;
 using contact::PointResult;
 using contact::Quantity;
 
-/// -F_y / F_z, which no file has.
+/// -F_y / F_z, which no file contains.
 Quantity lateral_coefficient() {
   Quantity quantity = contact::quantity_named("traction_coefficient");
   quantity.name = "lateral_coefficient";
@@ -37,7 +37,7 @@ double value_of(const PointResult& point, const Quantity& quantity) {
   return quantity.value(point).value_or(0.0);
 }
 
-/// The bar of a value; that of the lateral coefficient, which no file has, from the force's.
+/// The error bar of a value; for the lateral coefficient it follows from the bar of the force.
 std::optional<double> error_of(const PointResult& point, const Quantity& quantity) {
   const bool lateral = is_named(quantity, "lateral_coefficient");
   const auto found = point.error_estimate.find(lateral ? "lateral_force" : quantity.name);
@@ -52,7 +52,7 @@ bool has_friction(const ModelResult& model) {
                      [](const PointResult& point) { return point.max_traction > 0.0; });
 }
 
-/// Whether any of the models has a lateral force worth a comparison.
+/// Whether one of the models has a lateral force worth comparing.
 bool has_lateral(const std::vector<const ModelResult*>& models) {
   for (const ModelResult* model : models)
     for (const PointResult& point : model->points)
@@ -69,7 +69,7 @@ std::string patch_label(const ModelResult& model) {
   return text;
 }
 
-/// The model that others are held against; null where there are none.
+/// The reference model; null if there are no models.
 const ModelResult* reference_among(const std::vector<const ModelResult*>& models,
                                    const std::vector<std::string>& references) {
   std::vector<std::string> names;
@@ -80,7 +80,7 @@ const ModelResult* reference_among(const std::vector<const ModelResult*>& models
   return nullptr;
 }
 
-/// A value of exactly 0 of a quantity that cannot be 0 is one that the model does not give.
+/// False for exactly 0 in a quantity that cannot be 0: the model does not give it.
 bool is_given(const Quantity& quantity, double value) {
   return quantity.of_friction() || value != 0.0;
 }
@@ -116,7 +116,7 @@ void refer(ComparedNumber& number, const ModelResult& reference, std::size_t k,
   number.reference_error = error_of(point, quantity).value_or(0.0);
 }
 
-/// All numbers of the models of one patch.
+/// Appends all numbers of the models of one patch.
 void append_patch(std::vector<ComparedNumber>& numbers,
                   const std::vector<const ModelResult*>& models, double friction,
                   const std::vector<std::string>& references) {
@@ -142,12 +142,12 @@ void append_patch(std::vector<ComparedNumber>& numbers,
       }
 }
 
-/// By how much a difference exceeds what the error bars allow.
+/// Amount by which a difference exceeds the error bars.
 double excess(const ComparedNumber& number) {
   return std::abs(number.difference()) - number.allowed();
 }
 
-/// Adds to the standing of the same place, model and quantity, or as a new one.
+/// Adds to the standing of the same place, model and quantity, or creates a new one.
 void gather(std::vector<Standing>& all, const Standing& more) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Standing& standing) {
     return standing.patch == more.patch && standing.model == more.model &&
@@ -177,7 +177,7 @@ std::vector<contact::Quantity> compared_quantities() {
 }
 
 bool ComparedNumber::differs() const {
-  // Models that agree to the last digits differ by rounding.
+  // Tiny differences are rounding.
   return reference_value.has_value() && std::abs(difference()) > allowed() + 1e-9;
 }
 

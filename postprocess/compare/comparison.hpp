@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Results of several models side by side: every number with its error bar and its difference
-// from a reference model, over one or several cases. Built from the summaries of result
-// folders, so that stored results take part like new ones.
+// Results of several models side by side: every number with its error bar and its difference from a
+// reference model, for one or several cases. Built from the summaries of result folders, so that
+// stored results are treated like new ones.
 #pragma once
 
 #include "contact/result/quantities.hpp"
@@ -13,11 +13,11 @@
 
 namespace rollfem::postprocess {
 
-/// A model that has no result for a case, and why.
+/// A model without a result for a case, and the reason.
 struct MissingModel {
   std::string model;
   std::string reason;
-  bool failed = false;  ///< else the case is none that it can take
+  bool failed = false;  ///< false: it cannot take the case
 };
 
 struct ComparedCase {
@@ -25,20 +25,21 @@ struct ComparedCase {
   std::string case_file;  ///< as given by the user
   std::string title;
   double friction = 0.0;  ///< coefficient
-  std::string summary;    ///< text of its summary.json; empty when no model gave a result
+  std::string summary;    ///< text of its summary.json; empty if no model gave a result
   std::vector<MissingModel> missing;
 };
 
 struct ComparisonRecord {
   Provenance provenance;
-  std::vector<std::string> models;  ///< as asked for
-  std::string reference;            ///< as asked for; may be empty
-  /// In what order models are taken as the reference: the one asked for, then the program's own.
+  std::vector<std::string> models;  ///< as requested
+  std::string reference;            ///< as requested; may be empty
+  /// Candidates for the reference in order of preference: the requested model, then the program's
+  /// defaults.
   std::vector<std::string> references;
   std::vector<ComparedCase> cases;
 };
 
-/// One quantity of one model at one load point, against the reference.
+/// One quantity of one model at one load point, compared with the reference.
 struct ComparedNumber {
   std::string patch;  ///< "left wheel, position 1"; empty without profiles
   std::string model;
@@ -49,23 +50,23 @@ struct ComparedNumber {
   double spin = 0.0;
   std::string quantity;  ///< as in summary.json, or lateral_coefficient = -F_y/F_z
   double value = 0.0;
-  std::optional<double> error;  ///< the model's own estimate, absolute; none: it gives no estimate
-  std::optional<double> model_error;  ///< what the model says that it leaves out, absolute
+  std::optional<double> error;        ///< the model's own estimate, absolute; empty: no estimate
+  std::optional<double> model_error;  ///< model error as estimated by the model, absolute
   std::optional<double> reference_value;
   double reference_error = 0.0;  ///< absolute; 0 without an estimate
-  /// What differences are relative to: the reference's value, or what full sliding gives.
+  /// Scale of relative differences: the reference's value, or the value at full sliding.
   double scale = 0.0;
   double difference() const { return (value - *reference_value) / scale; }
-  /// What both error bars allow together, relative to the scale.
+  /// Sum of both error bars, relative to the scale.
   double allowed() const { return (error.value_or(0.0) + reference_error) / scale; }
-  bool differs() const;  ///< by more than that; a theory without an estimate has no bar of its own
+  bool differs() const;  ///< by more than allowed(); a theory without an estimate has no bar
 };
 
-/// By what models are held against each other, those of the patch before those of friction.
+/// Quantities for comparing models: patch quantities first, then friction quantities.
 std::vector<contact::Quantity> compared_quantities();
 
-/// The model that others are compared with: the first of `order` that is among `models`, which have
-/// such results (of friction or of the patch), else the first of these.
+/// The reference model: the first entry of `order` that is among `models` (the models with results
+/// of friction, or of the patch), otherwise the first of `models`.
 std::string reference_of(const std::vector<std::string>& models,
                          const std::vector<std::string>& order);
 
@@ -73,23 +74,23 @@ std::string reference_of(const std::vector<std::string>& models,
 std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
                                              const std::vector<std::string>& references);
 
-/// How a model stands to the reference in one quantity at one place of one case.
+/// Comparison of a model with the reference in one quantity at one place of one case.
 struct Standing {
-  std::string patch;  ///< as in ComparedNumber; empty also when it is of all places together
+  std::string patch;  ///< as in ComparedNumber; also empty for all places together
   std::string model;
   std::string reference;
   std::string quantity;
-  int compared = 0;       ///< numbers
-  int differ = 0;         ///< of these, by more than their error bars
+  int compared = 0;       ///< number of compared values
+  int differ = 0;         ///< number of values that differ by more than the error bars
   ComparedNumber worst;   ///< the largest difference
-  ComparedNumber beyond;  ///< where the difference exceeds what the error bars allow the most
+  ComparedNumber beyond;  ///< the number that exceeds the error bars most
 };
 std::vector<Standing> standings(const std::vector<ComparedNumber>& numbers);
 
-/// The places of a case taken together: one standing for each model and quantity.
+/// Merges the places of a case: one standing for each model and quantity.
 std::vector<Standing> over_places(const std::vector<Standing>& standings);
 
-/// A case and how its models stand.
+/// A case with the standings of its models.
 struct CaseStandings {
   std::string name;
   std::vector<Standing> standings;
@@ -98,18 +99,18 @@ struct CaseStandings {
 CaseStandings case_standings(const ComparedCase& compared,
                              const std::vector<std::string>& references);
 
-/// For the terminal: the largest differences of every model, marked where any is beyond the error
-/// bars, and its seconds. Of several places the worst.
+/// Table for the terminal: the largest differences of every model over all places, marked if they
+/// exceed the error bars, and the seconds.
 std::string comparison_table(const CaseStandings& one);
 
-/// One line: which models are within the error bars of the reference in every case, and by how much
-/// the others are beyond them. Empty when nothing was compared.
+/// One line: which models agree with the reference within the error bars in every case, and by how
+/// much the others exceed them. Empty if nothing was compared.
 std::string comparison_verdict(const std::vector<CaseStandings>& cases);
 
-/// compare.json: cases, models and how they stand; docs/commands.md has the layout.
+/// Text of compare.json: cases, models and their standings; layout in docs/commands.md.
 std::string comparison_json(const ComparisonRecord& record);
 
-/// compare.csv: the numbers, one row for each.
+/// Text of compare.csv: one row per number.
 std::string comparison_csv(const ComparisonRecord& record);
 
 }  // namespace rollfem::postprocess

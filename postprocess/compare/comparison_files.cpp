@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// compare.json and compare.csv.
+// Writes compare.json and compare.csv.
 #include "postprocess/compare/comparison.hpp"
 #include "postprocess/write/json_head.hpp"
 

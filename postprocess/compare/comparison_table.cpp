@@ -13,11 +13,11 @@ namespace {
 
 using contact::joined;
 
-/// What the table has a column for; the files have more.
+/// Columns of the table; the files contain more quantities.
 struct Column {
   const char* quantity;
   const char* name;
-  const char* unit;  ///< of a difference
+  const char* unit;  ///< unit of a difference
 };
 
 constexpr Column columns[] = {{"max_pressure", "p0", "%"},
@@ -27,7 +27,7 @@ constexpr Column columns[] = {{"max_pressure", "p0", "%"},
                               {"lateral_coefficient", "-F_y/F_z", "% of mu"},
                               {"max_traction_x", "|p_x|", "% of mu p0"}};
 
-/// Percent with two digits that mean something.
+/// Percent with two significant digits.
 std::string percent(double value) {
   const double size = std::abs(100.0 * value);
   if (size < 0.0005) return "0";
@@ -51,7 +51,7 @@ std::vector<Column> compared_columns(const std::vector<Standing>& standings) {
   return found;
 }
 
-/// "halfspace", or "hertz, halfspace" where the wished one has no forces.
+/// "halfspace", or "hertz, halfspace" if the requested reference has no forces.
 std::string references_of(const std::vector<CaseStandings>& cases) {
   std::vector<std::string> names;
   for (const CaseStandings& one : cases)
@@ -61,8 +61,8 @@ std::string references_of(const std::vector<CaseStandings>& cases) {
   return joined(names);
 }
 
-/// "fem (p0 0.83 %, -F_x/F_z 1.7 % of mu)": the largest differences beyond the error bars; the name
-/// alone when all are within them, nothing when nothing of the model was compared.
+/// "fem (p0 0.83 %, -F_x/F_z 1.7 % of mu)": the largest differences beyond the error bars; only the
+/// name if all are within them; empty if nothing of the model was compared.
 std::string model_verdict(const std::vector<CaseStandings>& cases, const std::string& model,
                           bool& beyond) {
   std::vector<std::string> parts;

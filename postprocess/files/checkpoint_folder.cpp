@@ -17,10 +17,10 @@ namespace {
 
 using contact::InputError;
 
-/// Of the folder and of the records; to be raised when contact/result/record.cpp changes.
+/// Version of the folder and its records; raise it when contact/result/record.cpp changes.
 constexpr int format = 4;
 
-/// Less work than this is not worth a disk access.
+/// Less work than this is not worth disk access.
 constexpr auto grace = std::chrono::milliseconds(500);
 
 const char* const about_name = "about.txt";
@@ -35,7 +35,7 @@ bool is_of_checkpoint(const fs::path& name) {
   return name == about_name || is_record(name) || name.extension() == part_suffix;
 }
 
-/// A case is what its file says and what the files say that it names.
+/// Checksum of the case file and of the files that it names.
 unsigned long long checksum_of(const contact::Case& input) {
   unsigned long long hash = contact::checksum(input.text);
   for (const auto* lattice :
@@ -45,7 +45,7 @@ unsigned long long checksum_of(const contact::Case& input) {
       hash = contact::checksum(
           {reinterpret_cast<const char*>(column.data()), column.size() * sizeof(double)}, hash);
   }
-  std::error_code error;  // built-in profiles are no files
+  std::error_code error;  // built-in profiles have no file
   for (const std::string* name :
        {&input.wheel.profile.name, &input.rail.profile.name, &input.wheel.mesh, &input.rail.mesh})
     if (const fs::path file = fs::path(input.file).parent_path() / *name;
@@ -54,7 +54,7 @@ unsigned long long checksum_of(const contact::Case& input) {
   return hash;
 }
 
-/// A record holds the quantities of a load point in their order.
+/// Checksum of the list of quantities, because a record holds them in this order.
 unsigned long long checksum_of_quantities() {
   unsigned long long hash = contact::checksum({});
   for (const contact::Quantity& quantity : contact::quantities())
@@ -62,8 +62,8 @@ unsigned long long checksum_of_quantities() {
   return hash;
 }
 
-/// A record belongs to its folder (`about`: program and case) and its name (scene, model, level,
-/// load point): elsewhere it is as good as damaged.
+/// Seal of a record. It binds the record to its folder (`about`: program and case) and name (scene,
+/// model, level, load point); anywhere else it counts as damaged.
 std::string seal_of(const std::string& about, const std::string& name, const std::string& record) {
   const auto bound = contact::checksum(name + '\n', contact::checksum(about));
   return fmt::format("{:016x}", contact::checksum(record, bound));
@@ -77,7 +77,7 @@ std::optional<std::string> opened(const std::string& about, const std::string& n
   return record;
 }
 
-/// The value of a line "name: value".
+/// Value of the line "name: value".
 std::string line_of(const std::string& text, const std::string& name) {
   const std::size_t begin = text.find(name + ": ");
   if (begin == std::string::npos) return {};
@@ -91,8 +91,8 @@ fs::path folder_of_records(const std::string& result_directory) {
   return results.string() + ".unfinished";
 }
 
-/// Removes what is ours, last of all the file that says what the records are of: when a kill comes
-/// between, what is left can still be told.
+/// Removes our files. The file that identifies the records goes last, so that the rest remains
+/// identifiable if the process is killed in between.
 void empty(const fs::path& folder, std::error_code& error) {
   std::vector<fs::path> records;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -109,7 +109,7 @@ void remove_folder(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder, error)) return;
   empty(folder, error);
-  fs::remove(folder, error);  // stays when someone put a file there
+  fs::remove(folder, error);  // stays if it contains other files
 }
 
 }  // namespace
@@ -145,24 +145,24 @@ void CheckpointFolder::look_at(const contact::Case& input) {
                                  folder_.string(), error.message()));
   if (!resume_ || found_ == 0) return;
   if (!fs::exists(folder_ / about_name, error)) {
-    // Nobody can say of what: they are computed again.
+    // Their origin is unknown, so they are recomputed.
     found_ = 0;
     return;
   }
   const std::string about = contents_of(folder_ / about_name);
   const auto refuse = [&](const std::string& other) {
     throw InputError(fmt::format(
-        "--resume: {} holds load points {}; do: run without --resume to start anew (they are then "
+        "--resume: {} holds load points {}; do: run without --resume to start again (they are then "
         "replaced)",
         folder_.string(), other));
   };
   if (line_of(about, "format") != line_of(about_, "format") ||
       line_of(about, "program") != line_of(about_, "program"))
-    refuse(fmt::format("of another version of the program ({}; this is {})",
+    refuse(fmt::format("from another version of the program ({}; this is {})",
                        line_of(about, "program"), line_of(about_, "program")));
   if (line_of(about, "case") != line_of(about_, "case"))
-    refuse(
-        fmt::format("of another case: {} (or a file that it names) has changed since", input.file));
+    refuse(fmt::format("from another case: {} (or a file that it names) has changed since",
+                       input.file));
   begun_ = true;
 }
 
@@ -196,7 +196,7 @@ fs::path CheckpointFolder::set_aside() const {
   return folder_.string() + ".earlier";
 }
 
-/// Makes the folder; that of an earlier run is set aside until this one is done.
+/// Creates the folder; the folder of an earlier run is set aside until this run is done.
 void CheckpointFolder::begin() {
   if (found_ > 0) {
     remove_folder(set_aside());

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-/// Beyond the limit of file size a write then fails with EFBIG instead of ending the program.
+/// Makes a write beyond the limit of file size fail with EFBIG instead of ending the program.
 class IgnoreFileSizeSignal {
  public:
   IgnoreFileSizeSignal() : previous_(std::signal(SIGXFSZ, SIG_IGN)) {}
@@ -80,7 +80,7 @@ MadeFolders::MadeFolders(const fs::path& folder) {
   if (!error && fs::is_directory(folder, error)) return;
   const int reason = error ? error.value() : ENOTDIR;
   for (const fs::path& p : made_) fs::remove(p, error);
-  fail_to("make the folder", folder, reason);
+  fail_to("create the folder", folder, reason);
 }
 
 MadeFolders::~MadeFolders() {
@@ -96,7 +96,7 @@ FilesTogether::~FilesTogether() {
   for (const std::string& name : names_) fs::remove(part_of(name), ignored);
 }
 
-/// A name of its own: two processes may write the same file.
+/// A unique name, because two processes may write the same file.
 fs::path FilesTogether::part_of(const std::string& name) const {
   return folder_ / fmt::format("{}.{}.part", name, ::getpid());
 }

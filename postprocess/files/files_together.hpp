@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Files that appear whole or not at all, in a folder that may hold other files: written and flushed
-// under other names first, then renamed.
+// Files that appear completely or not at all, in a folder that may hold other files: first written
+// and flushed under temporary names, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +10,14 @@
 
 namespace rollfem::postprocess {
 
-/// A folder with its parents, made where they were missing.
+/// Creates a folder with missing parents.
 class MadeFolders {
  public:
-  /// Throws contact::InputError when it cannot be made; then none of them is left.
+  /// Throws contact::InputError if the folder cannot be created; then none of them remains.
   explicit MadeFolders(const std::filesystem::path& folder);
   MadeFolders(const MadeFolders&) = delete;
   MadeFolders& operator=(const MadeFolders&) = delete;
-  /// Removes those that were made, as far as they are empty, unless they are kept.
+  /// Removes the created folders that are empty, unless they are kept.
   ~MadeFolders();
   void keep() { made_.clear(); }
   /// Innermost first.
@@ -29,11 +29,11 @@ class MadeFolders {
 
 class FilesTogether {
  public:
-  /// Makes the folder where it is missing. Throws contact::InputError when it cannot be made.
+  /// Creates the folder if it is missing. Throws contact::InputError if that fails.
   explicit FilesTogether(const std::filesystem::path& folder);
   FilesTogether(const FilesTogether&) = delete;
   FilesTogether& operator=(const FilesTogether&) = delete;
-  /// Removes all that was made unless it was committed.
+  /// Removes everything created unless it was committed.
   ~FilesTogether();
 
   /// Throws contact::InputError (disk full, ...).
@@ -48,22 +48,21 @@ class FilesTogether {
   std::vector<std::string> names_;  ///< written, not yet renamed
 };
 
-/// One such file.
+/// Replaces a single file in this way.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-/// Writes and flushes one new file. Throws contact::InputError naming file and reason; then nothing
-/// is left of it.
+/// Writes and flushes one new file. Throws contact::InputError with file and reason; then nothing
+/// remains of it.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// Puts what has happened to the names in a folder on the disk. Best effort: some file systems
-/// cannot.
+/// Flushes changed names in a folder to the disk. Best effort: some file systems do not support it.
 void flush_folder(const std::filesystem::path& folder);
 
-/// "cannot make the folder results/a: No space left on device; nothing was written; do: ...".
+/// "cannot create the folder results/a: No space left on device; nothing was written; do: ...".
 /// Throws contact::InputError.
 [[noreturn]] void fail_to(const std::string& doing, const std::filesystem::path& path, int error);
 
-/// The whole file; empty where it cannot be read.
+/// Content of a file; empty if it cannot be read.
 std::string contents_of(const std::filesystem::path& file);
 
 }  // namespace rollfem::postprocess

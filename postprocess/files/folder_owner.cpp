@@ -35,7 +35,7 @@ std::string owner_text(const std::string& command) {
                      command);
 }
 
-/// What the owner says of itself; it may be about to write it.
+/// The owner's description of itself; empty if not yet written.
 std::string owner_of(const fs::path& file) {
   for (int attempt = 0; attempt < 10; ++attempt) {
     const std::string text = contents_of(file);
@@ -48,15 +48,15 @@ std::string owner_of(const fs::path& file) {
 
 }  // namespace
 
-/// False when the file that was locked is no longer the one of that name: its owner has removed it
-/// in between.
+/// Returns false if the locked file no longer has this name, because its owner has removed it in
+/// the meantime.
 bool FolderOwner::lock() {
   lock_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (lock_ < 0)
     throw contact::InputError(
         fmt::format("cannot write {}: {}; nothing was written; do: choose another folder with -o",
                     file_.string(), std::strerror(errno)));
-  // Where the file system has no locks, EWOULDBLOCK does not come, and nobody is refused.
+  // On a file system without locks, EWOULDBLOCK never occurs and no process is refused.
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);
     lock_ = -1;
@@ -86,7 +86,7 @@ FolderOwner::FolderOwner(const std::string& directory, const std::string& comman
                       file_.string()));
     if (::ftruncate(lock_, 0) != 0 ||
         ::write(lock_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
-      // Others are refused all the same, without being told by whom.
+      // Other processes are still refused, but without the owner's name.
     }
   } catch (...) {
     if (lock_ >= 0) ::close(lock_);
@@ -101,7 +101,7 @@ std::vector<fs::path> FolderOwner::made() const {
 }
 
 FolderOwner::~FolderOwner() {
-  ::unlink(file_.c_str());  // while it is locked: who waits for it notices
+  ::unlink(file_.c_str());  // while it is locked, so that waiting processes notice
   ::close(lock_);
 }
 

@@ -73,7 +73,7 @@ fs::path checked_target(const std::string& directory) {
   return target;
 }
 
-/// Whether a file of an earlier result, relative to its folder, is one that rollfem makes.
+/// Whether a file of an earlier result, relative to its folder, was written by rollfem.
 bool is_of_result(const fs::path& name) {
   static const std::set<std::string> files{
       "summary.json",   "results.h5",   "creep_curve.csv",   "contacts.csv", "patches.csv",
@@ -85,7 +85,7 @@ bool is_of_result(const fs::path& name) {
   return name.parent_path().empty() && files.count(name.string()) > 0;
 }
 
-/// Moves what is not ours from an earlier result to the new one, one folder at a time.
+/// Moves foreign files from an earlier result to the new one, one folder at a time.
 void carry_over(const fs::path& old_folder, const fs::path& new_folder, const fs::path& below,
                 bool& all_saved) {
   std::error_code error;
@@ -104,9 +104,9 @@ void carry_over(const fs::path& old_folder, const fs::path& new_folder, const fs
   if (error) all_saved = false;
 }
 
-/// Removes what runs that were killed while they wrote this result have left: DIR.partial-PID of
-/// processes that are gone. Each run holds a lock on its own folder, which also tells about
-/// processes on other machines where the file system shares locks.
+/// Removes the remains of runs killed while writing this result: DIR.partial-PID of dead processes.
+/// Each run locks its own folder, which also shows live processes on other machines if the file
+/// system shares locks.
 void remove_stale_partials(const fs::path& target) {
   const std::string prefix = target.filename().string() + ".partial-";
   std::error_code error;
@@ -142,7 +142,7 @@ ResultFolder::ResultFolder(const std::string& directory)
     }
     if (errno != EEXIST) break;
   }
-  fail_to("make the folder", partial_, errno);
+  fail_to("create the folder", partial_, errno);
 }
 
 ResultFolder::~ResultFolder() {
@@ -156,12 +156,12 @@ void ResultFolder::write(const std::string& name, std::string_view content) {
   const fs::path path = partial_ / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
-  if (error) fail_to("make the folder", path.parent_path(), error.value());
+  if (error) fail_to("create the folder", path.parent_path(), error.value());
   write_file(path, content);
 }
 
 void ResultFolder::commit() {
-  check_target(target_);  // someone may have put files there while the models ran
+  check_target(target_);  // files may have appeared there while the models ran
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(partial_, error))
     if (entry.is_directory()) flush_folder(entry.path());
@@ -173,7 +173,8 @@ void ResultFolder::commit() {
       fail_to("move the result to", target_, errno);
     committed_ = true;
   } else {
-    fs::path old_folder = partial_;  // after the exchange the old result has the partial's name
+    fs::path old_folder =
+        partial_;  // after the exchange the old result has the name of the partial one
     if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) != 0) {
       if (errno != EINVAL && errno != ENOSYS) fail_to("replace the result in", target_, errno);
       old_folder = fmt::format("{}.old-{}", target_.string(), ::getpid());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Checksums by which a damaged result is told before anything in it is used. They tell damage, not
-// malice.
+// Checksums that detect a damaged result before anything in it is used. They detect damage, not
+// manipulation.
 //
-// results.h5 begins with an HDF5 user block, which HDF5 libraries pass over: 512 bytes of text with
-// size and CRC-32 of what follows. JSON files end with a member `checksum`: the CRC-32 of all the
-// text before it. A file without one is of an earlier version, or of another program.
+// results.h5 begins with an HDF5 user block, which HDF5 libraries skip: 512 bytes of text with size
+// and CRC-32 of the data that follow. JSON files end with a member `checksum`: the CRC-32 of all
+// the text before it. A file without a checksum comes from an earlier version or another program.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ std::string hdf5_seal(std::string_view data);
 
 enum class Seal { intact, none, broken };
 
-/// Looks at a file that should be results.h5, without HDF5. Throws contact::InputError when it
-/// cannot be read or is no HDF5 file at all.
+/// Checks a file that should be results.h5 without using HDF5. Throws contact::InputError if it
+/// cannot be read or is not an HDF5 file.
 Seal check_hdf5_seal(const std::string& path);
 
 /// The text of a JSON object with its checksum as the last member.

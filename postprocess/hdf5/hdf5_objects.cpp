@@ -14,7 +14,7 @@ void check(herr_t status, const char* call) {
   if (status < 0) throw std::runtime_error(std::string("HDF5: ") + call + " failed");
 }
 
-/// UTF-8 strings of variable length: what h5py and MATLAB read without thinking.
+/// UTF-8 strings of variable length, which h5py and MATLAB read directly.
 Handle string_type() {
   Handle type(H5Tcopy(H5T_C_S1), "H5Tcopy");
   check(H5Tset_size(type, H5T_VARIABLE), "H5Tset_size");
@@ -29,7 +29,7 @@ void write_scalar_attribute(hid_t object, const std::string& name, hid_t type, c
   check(H5Awrite(attribute, type, value), "H5Awrite");
 }
 
-/// HDF5 would fill two buffers of a megabyte with zeros for every line of text.
+/// A small buffer: by default HDF5 zeroes two buffers of a megabyte for every line of text.
 Handle transfer_of_text() {
   constexpr std::size_t bytes = 1U << 14U;
   Handle transfer(H5Pcreate(H5P_DATASET_XFER), "H5Pcreate");
@@ -37,7 +37,7 @@ Handle transfer_of_text() {
   return transfer;
 }
 
-/// Datasets without a time of their own: the same result gives the same bytes.
+/// Datasets without time stamps, so that equal results give equal bytes.
 Handle dataset_options() {
   Handle options(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate");
   check(H5Pset_obj_track_times(options, false), "H5Pset_obj_track_times");
@@ -90,10 +90,10 @@ Handle::~Handle() {
 Handle create_file_in_memory() {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
   check(H5Pset_fapl_core(access, 1U << 20U, false), "H5Pset_fapl_core");
-  // The name is never used on disk, but must not be one of a file that exists.
+  // The name is never used on disk, but must not name an existing file.
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), "H5Pcreate");
   check(H5Pset_userblock(creation, seal_size), "H5Pset_userblock");
-  // Every dataset is one chunk, whose index would take 2 kB.
+  // Every dataset is a single chunk; the default index would take 2 kB.
   check(H5Pset_istore_k(creation, 1), "H5Pset_istore_k");
   return {H5Fcreate("rollfem-results-in-memory.h5", H5F_ACC_TRUNC, creation, access), "H5Fcreate"};
 }
@@ -105,7 +105,7 @@ std::string sealed_image(hid_t file) {
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file, bytes.data(), bytes.size()) != size)
     throw std::runtime_error("HDF5: H5Fget_file_image failed");
-  // The image is that of the data, without the user block.
+  // The image contains the data without the user block.
   return hdf5_seal(bytes) + bytes;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The few HDF5 calls needed to write and read results.h5, with handles
-// that close themselves and errors as exceptions.
+// The HDF5 calls needed to write and read results.h5, with handles that close themselves and errors
+// as exceptions.
 #pragma once
 
 #include <hdf5.h>
@@ -15,7 +15,7 @@ namespace rollfem::postprocess::hdf5 {
 /// Owns one HDF5 identifier of any kind.
 class Handle {
  public:
-  /// Throws std::runtime_error naming `call` when `id` is invalid.
+  /// Throws std::runtime_error naming `call` if `id` is invalid.
   Handle(hid_t id, const char* call);
   Handle(Handle&& other) noexcept : id_(other.id_) { other.id_ = H5I_INVALID_HID; }
   Handle(const Handle&) = delete;
@@ -28,7 +28,7 @@ class Handle {
   hid_t id_;
 };
 
-/// A new file in memory, and the bytes it has on disk: a user block with its checksum before it
+/// Creates a file in memory. Its bytes on disk start with a user block that holds the checksum
 /// (seal.hpp).
 Handle create_file_in_memory();
 std::string sealed_image(hid_t file);
@@ -40,8 +40,8 @@ void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, long value);
 void write_attribute(hid_t object, const std::string& name, const std::string& value);
 
-/// Datasets, of double, float, int or unsigned char with `shape` in row-major order, compressed
-/// from some size on.
+/// Writes a dataset of double, float, int or unsigned char with `shape` in row-major order,
+/// compressed above a certain size.
 template <class Number>
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
                      const Number* values);
@@ -50,14 +50,14 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::string& t
 
 void write_comment(hid_t object, const std::string& comment);
 
-/// A second name, in `group`, for what `path` in `parent` is.
+/// Links the object `path` of `parent` under a second name in `group`.
 void link(hid_t parent, const std::string& path, hid_t group, const std::string& name);
 
-/// What a reader must know of a dataset, as attributes unit, description and sign and as a comment.
+/// Describes a dataset by the attributes unit, description and sign and by a comment.
 void describe(hid_t object, const std::string& unit, const std::string& description,
               const std::string& sign);
 
-/// N numbers of every point as a dataset [points, N].
+/// Writes N numbers of every point as a dataset [points, N].
 template <std::size_t N, class Number>
 void write_rows(hid_t group, const char* name, const std::vector<std::array<Number, N>>& rows,
                 const std::string& unit, const std::string& description) {
@@ -67,7 +67,7 @@ void write_rows(hid_t group, const char* name, const std::vector<std::array<Numb
   describe(write_dataset(group, name, {rows.size(), N}, flat.data()), unit, description, "");
 }
 
-/// Opens a file for reading; std::runtime_error when it is none or damaged, and HDF5 prints
+/// Opens a file for reading; std::runtime_error if it is not an HDF5 file or damaged. HDF5 prints
 /// nothing.
 Handle open_file(const std::string& path);
 
@@ -78,12 +78,12 @@ bool has_attribute(hid_t object, const std::string& name);
 std::vector<std::string> members(hid_t group);
 Handle open_group(hid_t parent, const std::string& name);
 
-/// Attributes; std::runtime_error when it is missing or of another kind.
+/// Attributes; std::runtime_error if one is missing or has another type.
 double read_number(hid_t object, const std::string& name);
 std::string read_text(hid_t object, const std::string& name);
-/// All attributes that are numbers.
+/// All numeric attributes.
 std::map<std::string, double> read_numbers(hid_t object);
-/// Texts among the attributes, by name.
+/// All text attributes, by name.
 std::map<std::string, std::string> read_texts(hid_t object);
 
 /// A dataset of numbers with its shape; integers are converted.
@@ -92,7 +92,7 @@ struct Numbers {
   std::vector<double> values;
 };
 Numbers read_dataset(hid_t parent, const std::string& name);
-/// A dataset [n, N]; std::runtime_error when it has another shape.
+/// A dataset [n, N]; std::runtime_error if it has another shape.
 template <std::size_t N, class Number = double>
 std::vector<std::array<Number, N>> read_rows(hid_t parent, const std::string& name);
 /// A dataset of texts; a single text is one line.

@@ -9,7 +9,7 @@
 namespace rollfem::postprocess::hdf5 {
 namespace {
 
-/// Lets failures of HDF5 pass as exceptions alone, without its own text on stderr.
+/// Suppresses HDF5's own text on stderr; failures become exceptions.
 class Silence {
  public:
   Silence() {
@@ -29,7 +29,7 @@ class Silence {
   throw std::runtime_error(fmt::format("{} {}", what, name));
 }
 
-/// Strings of variable length as the library hands them out, which owns their memory.
+/// Strings of variable length in memory owned by the HDF5 library.
 class Texts {
  public:
   Texts(hid_t type, hid_t space, std::size_t count) : type_(type), space_(space), data_(count) {}

@@ -58,7 +58,7 @@ BodySampler::BodySampler(const contact::BodyField& body) : body_(body) {
   build(0, static_cast<int>(order_.size()));
 }
 
-/// Halves the cells at the middle one along the longest side of their box.
+/// Splits the cells at the median along the longest side of their box.
 int BodySampler::build(int first, int last) {
   const int index = static_cast<int>(tree_.size());
   tree_.emplace_back();
@@ -108,8 +108,8 @@ double BodySampler::longest_edge(int cell) const {
   return longest;
 }
 
-/// Newton's method, held in the unit cube. For a place in the cell it ends there; for one outside
-/// on the side of the cell, reached along the cell's own axes.
+/// Newton's method restricted to the unit cube. For a place in the cell it converges there; for one
+/// outside it ends on the side of the cell, reached along the cell's axes.
 BodySampler::Hit BodySampler::invert(int cell, const Place& place) const {
   Hit hit;
   hit.cell = cell;
@@ -174,7 +174,7 @@ double BodySampler::surface(double x, double y, double inner, double outer) cons
     throw contact::InputError(fmt::format(
         "the surface of the {} is not between z = {:g} and {:g} mm at x = {:g}, y = {:g} mm",
         body_.name, inner, outer, x, y));
-  // By halving: a place is in the body or not, and no value says how far.
+  // Bisection, because a place is only known to be in the body or not.
   for (int step = 0; step < 40; ++step) {
     const double middle = 0.5 * (inner + outer);
     (inside({x, y, middle}) ? inner : outer) = middle;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Displacement and stress at any place of a stored finite-element body: the hexahedron that holds
-// the place is found in a tree of boxes, its trilinear map is inverted, and the values of its nodes
-// are interpolated. Between the nodes this is as accurate as they are dense: the recovered stress
-// of the nodes is exact for the element's polynomials, the interpolation of them is of second
-// order in their distance.
+// Displacement and stress at any place of a stored finite-element body: a tree of boxes finds the
+// hexahedron around the place, its trilinear map is inverted, and its nodal values are
+// interpolated. The recovered nodal stress is exact for the element's polynomials; interpolation
+// between nodes is of second order in their distance.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -17,27 +16,28 @@ namespace rollfem::postprocess {
 using Place = std::array<double, 3>;  ///< mm, global frame
 
 struct BodySample {
-  Place place{};       ///< mm, where the values are: the surface for a place beyond it
-  double moved = 0.0;  ///< mm, from the place that was asked for
+  Place place{};       ///< mm, where the values apply: on the surface for a place beyond it
+  double moved = 0.0;  ///< mm, distance from the requested place
   std::array<double, 3> displacement{};  ///< mm
   std::array<double, 6> stress{};        ///< MPa: xx yy zz xy yz xz
 };
 
 class BodySampler {
  public:
-  /// Keeps a reference to the body. Throws contact::InputError when it has no cells or no stress.
+  /// Keeps a reference to the body. Throws contact::InputError if it has no cells or no stress.
   explicit BodySampler(const contact::BodyField& body);
   explicit BodySampler(contact::BodyField&&) = delete;
 
-  /// A place outside of all cells by up to two of the cells there is moved onto the surface, along
-  /// the axes of the nearest cell; further out contact::InputError says how far the body reaches.
+  /// A place outside all cells by at most two local cell sizes is moved onto the surface along the
+  /// axes of the nearest cell. Farther places throw contact::InputError with the extent of the
+  /// body.
   BodySample at(const Place& place) const;
 
   /// Whether the place is in a cell, to rounding.
   bool inside(const Place& place) const;
 
-  /// z of the surface over (x, y): between a place of the body and one beyond its surface,
-  /// z = inner and z = outer. Throws contact::InputError when they are not.
+  /// z of the surface at (x, y), between z = inner inside the body and z = outer outside. Throws
+  /// contact::InputError if they are not.
   double surface(double x, double y, double inner, double outer) const;
 
   /// Corners of the smallest box that holds the body, mm.
@@ -50,7 +50,7 @@ class BodySampler {
     int first = 0, last = 0;  ///< cells order_[first, last) of a leaf
     int left = -1, right = -1;
   };
-  /// Reference coordinates in [0, 1]^3 of the place of a cell nearest to `place`, and how far off.
+  /// Reference coordinates in [0, 1]^3 of the point of a cell nearest to `place`, and its distance.
   struct Hit {
     int cell = -1;
     Place reference{};

@@ -28,7 +28,7 @@ using namespace hdf5;
 
 const char* const again = "do: run the case again";
 
-/// The file that `path` means, after what can be said without HDF5.
+/// The file meant by `path`, after checks that do not need HDF5.
 std::string find_file(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -85,7 +85,7 @@ void check_format(hid_t file, const std::string& path) {
         fmt::format("{} is incomplete, because writing it was interrupted; {}", path, again));
 }
 
-/// Runs `read` and turns what HDF5 and the layout say into one message with the file's name.
+/// Runs `read` and turns errors of HDF5 and of the layout into one message with the file's name.
 template <class Read>
 auto guarded(const std::string& path, const Read& read) {
   try {
@@ -183,7 +183,7 @@ void read_fields(hid_t point, const contact::ContactGrid& grid, contact::Contact
     if (!has_member(point, field.name)) continue;
     const Numbers numbers = read_dataset(point, field.name);
     check(numbers, field.name);
-    // The table names the field for those who write; `fields` may be changed here.
+    // The table gives const access for writers; here `fields` may be changed.
     const_cast<Field&>(field.value(fields)) =
         Eigen::Map<const Field>(numbers.values.data(), grid.size());
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reads results.h5 back into the record it was written from, for commands that continue from
-// stored results (rollfem stress). Layout: docs/results.md.
+// Reads results.h5 back into the record of a run, for commands on stored results (rollfem stress).
+// Layout: docs/results.md.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -14,34 +14,34 @@ namespace rollfem::postprocess {
 struct StoredModel {
   std::string key;      ///< its group: "halfspace", with profiles "halfspace_left_3_1"
   std::string name;     ///< "halfspace"
-  bool placed = false;  ///< with profiles; then:
+  bool placed = false;  ///< with profiles, which set the members below
   bool left = true;
   int position = 1;
   int patch = 1;
   int points = 0;
-  std::vector<std::size_t> points_with_bodies;  ///< load points, from 0, with wheel and rail
+  std::vector<std::size_t> points_with_bodies;  ///< load points, from 0, that store wheel and rail
 };
 
 class ResultsFile {
  public:
-  /// A result folder or its results.h5. Throws contact::InputError that names the file and says
-  /// what to do: none there, not of rollfem, of another format version, cut short, damaged
-  /// (told by its checksum, before HDF5 opens it).
+  /// Opens a result folder or its results.h5. Throws contact::InputError with file and advice if it
+  /// is missing, not from rollfem, of another format version, truncated or damaged (detected by the
+  /// checksum before HDF5 opens it).
   explicit ResultsFile(const std::string& path);
 
   const std::string& path() const { return path_; }
-  /// False: of an earlier version, without a checksum, so that damage may go unnoticed.
+  /// False: written by an earlier version without a checksum, so that damage may go unnoticed.
   bool sealed() const { return sealed_; }
   /// Folder that holds the file.
   std::string directory() const;
-  /// Title, file, text, friction coefficient, radii and materials of the case; nothing else of it.
+  /// Only title, file, text, friction coefficient, radii and materials of the case.
   const contact::Case& input() const { return input_; }
-  /// In the order of the run.
+  /// Models in the order of the run.
   const std::vector<StoredModel>& models() const { return models_; }
 
   /// The record of a model: grid, load points with scalars, fields, error estimates and stress
-  /// maxima, nodes and cells of the bodies. Left empty: values of the bodies, subsurface, seconds;
-  /// of the place all but what StoredModel has.
+  /// maxima, nodes and cells of the bodies. Empty: values of the bodies, subsurface, seconds, and
+  /// all members of the place that StoredModel lacks.
   contact::ModelResult read(const StoredModel& model) const;
   /// Adds displacement and stress of the bodies at one of `model.points_with_bodies`.
   void read_bodies(const StoredModel& model, std::size_t point, contact::ModelResult& result) const;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""python3 -m rollfem_figures PATH: draws what rollfem has written there.
+"""python3 -m rollfem_figures PATH: draws the output of rollfem in PATH.
 
 A result folder gets figures/*.svg and report.html; the folder of a comparison, a study or a table compare.html,
 study.html or table.html; stress.json of `rollfem stress` stress.html and figures beside it; the table NAME.csv of a
@@ -11,24 +11,24 @@ import sys
 
 from .reader import ResultError, read_rows
 
-# Module whose build(path) draws, by the file that such a folder holds, and by a column that such a table has.
+# Module whose build(path) draws, by a characteristic file of the folder, and by a characteristic column of the table.
 OF_FOLDER = (("compare.json", "compare"), ("study.json", "study"), ("table.h5", "table"), ("", "report"))
 OF_TABLE = (("part", "profiles"), ("conicity_wave", "positions"), ("curvature", "profiles"))
 
 
 def main():
     parser = argparse.ArgumentParser(prog="rollfem_figures", description=__doc__)
-    parser.add_argument("path", help="a folder, stress.json or NAME.csv that rollfem has written")
+    parser.add_argument("path", help="a folder, stress.json or NAME.csv written by rollfem")
     path = parser.parse_args().path
     try:
-        # Only what the call asks for is loaded: the user waits for every module.
+        # Loads only the modules of the call, because the user waits for each of them.
         importlib.import_module(f".{_module_of(path)}", __package__).build(path)
     except (ResultError, OSError) as error:
         sys.exit(str(error))
 
 
 def _module_of(path):
-    """The module that draws what is there."""
+    """The module that draws the content of a path."""
     if os.path.basename(path) == "stress.json":
         return "stress_page"
     if not path.endswith(".csv"):
@@ -37,7 +37,7 @@ def _module_of(path):
     for column, module in OF_TABLE:
         if column in columns:
             return module
-    raise ResultError(f"{path}: not a table that is drawn; allowed: those of rollfem profile and rollfem wheelset")
+    raise ResultError(f"{path}: no figure exists for this table; allowed: tables of rollfem profile and rollfem wheelset")
 
 
 if __name__ == "__main__":

@@ -14,13 +14,13 @@ def _models(cases):
     return list(dict.fromkeys(m for case in cases for m in case["seconds"]))
 
 
-# With more places than this a case has one column for the worst of them.
+# With more places than this a case gets one column for the worst of them.
 MOST_PLACES = 4
 
 
 def _standing(case, model, quantity, place=None):
-    """The standing of a model in a quantity at a place; for all places together (None) the worst, with the
-    counts of all."""
+    """The standing of a model in a quantity at a place; for all places together (None) the worst one, with the total
+    counts."""
     found = [s for s in case["standings"] if s["model"] == model and s["quantity"] == quantity
              and place in (None, s.get("patch", ""))]
     if not found:
@@ -42,7 +42,7 @@ def _columns(cases):
 
 
 def _difference_cell(standing):
-    """The largest difference with what the error bars allow there, bold where any is beyond them."""
+    """The largest difference with the error bars there, bold if any difference exceeds them."""
     if standing is None:
         return "–"
     value = tables.percent(100 * standing["largest_difference"])
@@ -54,7 +54,7 @@ def _difference_cell(standing):
 
 
 def _heading(quantity):
-    """Title, symbol and what differences are a percentage of."""
+    """Title, symbol and reference of percentage differences."""
     of = quantity["relative_to"]
     of = "of the reference" if of == "value" else f"of {tables.symbol(of)}"
     title = " ".join(filter(None, (escape(quantity["title"]), tables.symbol(quantity["symbol"]))))
@@ -62,7 +62,7 @@ def _heading(quantity):
 
 
 def _difference_table(heading, columns):
-    """Largest difference of every model in columns of case, place, quantity and heading; empty when nothing was
+    """Largest difference of every model in columns of case, place, quantity and heading; empty if nothing was
     compared."""
     rows = []
     for model in _models([case for case, *_ in columns]):
@@ -73,7 +73,7 @@ def _difference_table(heading, columns):
 
 
 def _differences(cases, quantities):
-    """The tables of differences; of one case at one place one table with a column for each quantity."""
+    """The tables of differences; for one case at one place a single table with a column for each quantity."""
     columns = list(_columns(cases))
     headings = {name: _heading(quantity) for name, quantity in quantities.items()}
     if len(columns) == 1:
@@ -94,8 +94,8 @@ def _cost_table(cases):
 
 
 def cost_figure(cases):
-    """Largest difference from the reference against seconds, one marker for each model and case. None
-    when nothing was compared."""
+    """Largest difference from the reference against seconds, one marker for each model and case. None if nothing was
+    compared."""
     figure = Figure(2)
     for quantity, title, of in (("max_pressure", "largest pressure $p_0$", "reference"),
                                 ("traction_coefficient", "traction coefficient", "$\\mu$")):
@@ -132,20 +132,20 @@ def _case_section(comparison, case, directory):
              + page.section("Cost", tables.cost_table(result)) + report.notes(result))
     return "".join([heading, report.asked(result), _missing(case), report.lower(inner),
                     f"<p class=screen><a href=\"{escape(case['name'])}/report.html\">"
-                    "its own report with every number</a></p>"])
+                    "full report of this case</a></p>"])
 
 
 def _elasticity(cases):
     """Explains differences between finite elements and half-space that are not errors."""
     if not {"fem", "halfspace"} <= set(_models(cases)):
         return ""
-    return (" Differences between FEM and half-space beyond the bars are not numerical errors alone: a half-space "
-            "neglects the strain of a loaded wheel along its circle, which causes a force even at ξ = 0, and the "
+    return (" Differences between FEM and half-space beyond the error bars are not only numerical errors: a half-space "
+            "neglects the strain of a loaded wheel along its circumference, which causes a force even at ξ = 0, and the "
             "curvature of the patch (docs/verification.md).")
 
 
 def _asked(comparison):
-    """Models and cases; the model that differences refer to, and its substitute where that one has no value."""
+    """Models and cases, the reference model of the differences, and its substitute where it has no value."""
     ways = dict.fromkeys([comparison["reference"] or "halfspace",
                           *(m for m in ("halfspace", "fem") if m in comparison["models"])])
     first, *others = [escape(styles.label(name)) for name in ways]
@@ -155,7 +155,7 @@ def _asked(comparison):
     return (f"<p>Models: {names}. Differences are from {first}"
             + (f" or, where it has no value, from {' or '.join(others)}. " if others else ". ")
             + "Error bars are each model's own estimate of its numerical error; an exact closed form "
-            f"(Hertz) has none, so that what it neglects shows as a difference.</p><ul>{cases}</ul>")
+            f"(Hertz) has none, so its model error shows as a difference.</p><ul>{cases}</ul>")
 
 
 def build(directory):
@@ -175,6 +175,6 @@ def build(directory):
             report.verdict(comparison["verdict"]), _asked(comparison), page.section("Differences", drawn(""), found),
             page.hint("Largest difference over the load points of the case, with its sign. Bold: at least one "
                       "load point exceeds the error bars of both models together; their number is given below. “bars”: "
-                      f"what they allow at that point.{_elasticity(cases)}") if found else "",
+                      f"sum of both at that point.{_elasticity(cases)}") if found else "",
             page.section("Cost", _cost_table(cases)), *sections, report.CONVENTIONS],
         "Also in this folder: compare.csv with every number, compare.json, and a result folder for each case.")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Curves: traction coefficient against creepage, tractions along the middle lines, forces of strips."""
+"""Curves: traction coefficient against creepage, tractions along the centre lines, forces of strips."""
 import math
 
 import numpy as np
@@ -11,7 +11,7 @@ from .published import published
 
 
 def _draw_published(panel, result, models):
-    """Values of others as points, where our curves are: a point far outside would shrink them."""
+    """Published values as points, within the range of our curves, because a point far outside would shrink them."""
     own = [p["longitudinal_creepage"] for m in models for p in m.points]
     room = 0.05 * (max(own) - min(own))
     for number, row in enumerate(published(result)["creep_curve"]):
@@ -25,15 +25,15 @@ def _coefficient(point, force):
 
 
 def _error(point, force):
-    """The bar of the coefficient."""
+    """The error bar of the coefficient."""
     if force == "lateral_force":
         return (point.bar(force) or 0.0) / (abs(point["normal_force"]) or 1)
     return point.bar("traction_coefficient") or 0.0
 
 
 def creep_curve(result):
-    """-F_x/F_z of every model with friction, and beside it the difference from the reference model. None
-    when no model has two load points."""
+    """-F_x/F_z of every model with friction, and beside it the difference from the reference model. None if no model
+    has two load points."""
     models = [m for m in load_points.friction_models(result) if len(m.points) > 1]
     if not models:
         return None
@@ -59,7 +59,7 @@ def creep_curve(result):
         points = model.points if by_step else sorted(model.points, key=lambda p: p[scalar])
         at = np.array([factor * p[scalar] for p in points])
         values, errors = (np.array([of(p, force) for p in points]) for of in (_coefficient, _error))
-        # A straight line of a theory without a bound leaves the frame.
+        # The straight line of a theory without traction bound leaves the frame.
         look = {"see": model.has_bound, **styles.line(model, True)}
         top.line(at, values, **look)
         if errors.any():
@@ -74,8 +74,8 @@ def creep_curve(result):
 
 
 def line_of(axis):
-    """A function of model, load point and field: positions and values on the middle line within the patch, 0 at its
-    edges; None when the model does not give it. Separate patches are separated by NaN."""
+    """A function of model, load point and field: positions and values on the centre line within the patch, 0 at its
+    edges; None if the model does not give it. Separate patches are separated by NaN."""
     def curve(model, point, name):
         values, pressure = point.fields.get(name), point.fields.get("pressure")
         if values is None or pressure is None:
@@ -98,7 +98,8 @@ def strip_of(model, point, name):
 
 
 def _span(models, chosen, curve, signs):
-    """Lowest and highest of fields with their `signs` at all creepages, but of models that nothing bounds."""
+    """Lowest and highest value of fields with their `signs` at all creepages, except for models without traction
+    bound."""
     values = [0.0]
     for model in (m for m in models if m.has_friction and m.has_bound):
         for point in filter(None, map(model.at, chosen)):
@@ -110,7 +111,7 @@ def _span(models, chosen, curve, signs):
 
 
 def _draw_tractions(panel, models, key, curve, field, sides=(1,)):
-    """Minus a traction of every model, and thin its bound on both sides of 0 or above it."""
+    """Minus a traction of every model, and as thin lines its bound on both sides of 0 or above it."""
     for model in models:
         point = model.at(key) if model.has_friction else None
         thin = {"colour": styles.of_model(model)[0], "width": 0.8, "opacity": 0.75}
@@ -123,8 +124,9 @@ def _draw_tractions(panel, models, key, curve, field, sides=(1,)):
 
 def _panels(result, title, labels, half, curve, thin):
     """A figure of the pressure and, at several load points, the traction under its bound;
-    `curve(model, point, field)` gives what is drawn, None where the model has none. `title` of the first panel; `labels`
-    of x, of its y and of the others' y; `half`: which half-width is drawn; `thin`: the entry of the bound."""
+    `curve(model, point, field)` returns the curve, or None if the model has none. `title`: of the first panel;
+    `labels`: of x, of its y and of the others' y; `half`: half-width of the drawing; `thin`: legend entry of the
+    bound."""
     models = load_points.with_pressure(result)
     chosen = load_points.chosen_keys(models, 5)
     texts, shared = load_points.key_texts(chosen)
@@ -150,8 +152,8 @@ def _panels(result, title, labels, half, curve, thin):
 
 
 def path(result, axis):
-    """p_n, and p_x with the traction bound at several creepages, along the middle line of "x" or
-    "y". None when no model has a pressure field."""
+    """p_n, and p_x with the traction bound at several creepages, along the centre line "x" or "y". None if no model has
+    a pressure field."""
     if not load_points.with_pressure(result):
         return None
     own = any(m.name in ("fastsim", "strip") for m in load_points.with_pressure(result))
@@ -160,24 +162,24 @@ def path(result, axis):
 
 
 def strip_forces(result):
-    """Forces of the strips along rolling, over y: p_n, and -p_x at several creepages with the full
-    sliding of the same strips. None when no model has a pressure field."""
+    """Forces of the strips along rolling, over y: p_n, and -p_x at several creepages with the full sliding of the same
+    strips. None if no model has a pressure field."""
     if not load_points.with_pressure(result):
         return None
     return _panels(result, "normal force per strip", (ALONG["y"], "$\\int p_n dx$ [N/mm]", "$-\\int p_x dx$ [N/mm]"), 1,
                    strip_of, "full sliding of the strip")
 
 
-# Below this part of the largest bound p_y is noise on the scale of the figure.
+# Below this fraction of the largest bound, p_y is noise on the scale of the figure.
 LEAST_LATERAL = 0.02
 
 
 def lateral_paths(result):
-    """-p_y along the middle lines, y = 0 above and x = 0 below, at up to three creepages; thin the
-    bound, which leaves the frame where p_y is far below it. None without tangential tractions."""
+    """-p_y along the centre lines, y = 0 above and x = 0 below, at up to three creepages; thin lines: the bound, which
+    leaves the frame where p_y is far below it. None without tangential tractions."""
     models = [m for m in load_points.friction_models(result) if "traction_y" in m.points[0].fields]
     chosen = load_points.chosen_keys(models, 4)
-    chosen = chosen[1:] if len(chosen) > 3 else chosen  # of four the first says least
+    chosen = chosen[1:] if len(chosen) > 3 else chosen  # the first of four is the least informative
     if not chosen:
         return None
     texts, shared = load_points.key_texts(chosen)

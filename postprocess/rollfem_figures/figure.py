@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A figure: panels beside each other under one legend, as a file (SVG) and as part of a page, where
-the panels flow into the room there is."""
+"""A figure: panels side by side under one legend, as a file (SVG) and as part of a page, where the panels fill the
+available width."""
 from html import escape
 
 from . import labels, styles
@@ -9,41 +9,41 @@ from .files import write_whole
 
 
 class Figure:
-    """`columns`: panels in a row of the file, and of the page too where `in_rows`."""
+    """`columns`: panels per row of the file, and of the page too if `in_rows`."""
 
     def __init__(self, columns=3, heading="", in_rows=False):
         self.panels, self.columns, self.heading, self.in_rows = [], columns, heading, in_rows
         self.legend, self.said = [], ""
 
     def add(self, *arguments, **options):
-        """A new panel (Panel), whose named curves have entries in the legend."""
+        """Adds a panel (Panel), whose named curves have entries in the legend."""
         self.panels.append(Panel(*arguments, **options))
         self.panels[-1].entry = self.entry
         return self.panels[-1]
 
     def entry(self, text, colour=None, dash=(), width=1.6, marker=None, hollow=False, fill=None, opacity=1):
-        """An entry of the legend, if it has none that is called so: a line that looks so, an area, or the text alone."""
+        """Adds an entry to the legend unless the name exists: a line of this look, an area, or text only."""
         if text and all(text != other[0] for other in self.legend):
             self.legend.append((text, colour, dash, width, marker, hollow, fill, opacity))
 
     def model(self, model, marker=False):
-        """The entry of a model."""
+        """Adds the legend entry of a model."""
         colour, dash, own = styles.of_model(model)
         self.entry(styles.label(model), colour, dash, marker=own if marker else None)
 
     def tell(self, what, said):
-        """Sets the alternative text where it is not that of the panels: what is shown, and what is said of it."""
+        """Sets the alternative text if it is not made from the panels: the content of the figure and remarks."""
         self.said = f"{what}{'; '.join(said)}."
         return self
 
     @property
     def seen(self):
-        """The figure in words, for whoever hears the page."""
+        """The figure in words, for screen readers."""
         return labels.plain(self.said or "; ".join(panel.seen() for panel in self.panels) + ".")
 
     def charts(self, size, rows):
-        """A panel of that size for each row of title, label of x, of y, least span of y, and its curves: x, y and
-        the look (Panel.line). Returns them."""
+        """Adds a panel of that size for each row of title, label of x, of y, least span of y, and curves: x, y and look
+        (Panel.line). Returns the panels."""
         for title, across, up, least, curves in rows:
             panel = self.add(*size, title, across, up)
             panel.y.least = least
@@ -52,7 +52,7 @@ class Figure:
         return self.panels[-len(rows):]
 
     def _key(self, entry):
-        """The sign of an entry, 26 by 12 px; empty for a text alone."""
+        """The symbol of an entry, 26 by 12 px; empty for text only."""
         _, colour, dash, width, marker, hollow, fill, opacity = entry
         if fill:
             return f'<path class="f-{fill}" opacity="{opacity:g}" d="M3 1h20v10h-20z"/>'
@@ -84,7 +84,7 @@ class Figure:
         return f'<div class="panels" role="img" aria-label="{seen}">{"".join(parts)}</div>'
 
     def _legend_rows(self, room):
-        """The legend within so many px: (height, content)."""
+        """The legend within a width in px: (height, content)."""
         x, y, out = 8.0, 16.0, []
         for entry in self.legend:
             key = self._key(entry)
@@ -122,5 +122,5 @@ class Figure:
                 f'{"".join(parts)}</svg>\n')
 
     def save(self, path):
-        """Writes the file whole or not at all."""
+        """Writes the file completely or not at all."""
         write_whole(path, self.svg())

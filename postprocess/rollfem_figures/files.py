@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files: written completely or not at all, and told by their checksums when they are damaged
-(postprocess/files/seal.hpp); one without a checksum is of an earlier version."""
+"""Files: written completely or not at all, with checksums that detect damage (postprocess/files/seal.hpp); a file
+without a checksum comes from an earlier version."""
 import contextlib
 import os
 import re
@@ -29,7 +29,7 @@ def write_whole(path, text):
 
 
 def results_are_sound(path):
-    """False when the checksum of results.h5 does not match."""
+    """False if the checksum of results.h5 does not match."""
     with open(path, "rb") as file:
         block = file.read(_SEAL)
         if block.startswith(_HDF5):
@@ -42,7 +42,7 @@ def results_are_sound(path):
 
 
 def seal_results(path):
-    """Makes the checksum fit again after h5py or another program has changed results.h5."""
+    """Updates the checksum after h5py or another program has changed results.h5."""
     with open(path, "r+b") as file:
         data = file.read()[_SEAL:]
         text = (f"rollfem results\nbytes: {len(data)}\ncrc32: {zlib.crc32(data):08x}\n"
@@ -52,7 +52,7 @@ def seal_results(path):
 
 
 def json_is_sound(text):
-    """False when the checksum of a JSON file does not match."""
+    """False if the checksum of a JSON file does not match."""
     text = text.encode("utf-8")
     at = text.rfind(b'"checksum": "crc32 ')
     return at < 0 or text[at + 19:] == b'%08x"\n}\n' % zlib.crc32(text[:at])

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Labels of figures: plain text with symbols between dollars, as $p_n$ or $\\xi$, for SVG, for HTML and
-for whoever hears it read."""
+"""Labels of figures: plain text with symbols between dollars, as $p_n$ or $\\xi$, for SVG, HTML and screen readers."""
 import re
 from html import escape
 
@@ -8,12 +7,12 @@ GREEK = {"xi": "ξ", "eta": "η", "varphi": "φ", "mu": "μ", "int": "∫", "rig
 
 
 def math(symbol):
-    """A symbol of the files ("F_x", "xi") as one of a label."""
+    """Converts a symbol of the files ("F_x", "xi") to one of a label."""
     return "$" + re.sub(r"\b(xi|eta|phi|mu)\b", lambda found: "\\" + found[1].replace("phi", "varphi"), symbol) + "$"
 
 
 def _parts(text):
-    """(symbols, what) of a label: pieces outside and within dollars."""
+    """(whether symbols, text) for the pieces of a label outside and within dollars."""
     for number, part in enumerate(text.split("$")):
         if part:
             yield number % 2 == 1, part if number % 2 else re.sub(r"(?<![\w.])-(?=\d)", "−", part)
@@ -23,7 +22,7 @@ def _pieces(symbols):
     """(kind, text) of symbols: it (a letter), sub (an index) or empty."""
     for word, index, other in re.findall(r"(\\[a-z]+|[A-Za-z])|_\{?([A-Za-z0-9]+)\}?|([^A-Za-z_\\{}])", symbols):
         if word.startswith("\\") and word[1:] not in GREEK:
-            yield "", " "  # \, and the like
+            yield "", " "  # \, and similar
         elif word:
             yield ("" if word in ("\\int", "\\rightarrow") else "it"), GREEK.get(word[1:], word)
         elif index:
@@ -33,7 +32,7 @@ def _pieces(symbols):
 
 
 def _written(text, plain, forms):
-    """The label with its pieces as these functions of them make them."""
+    """The label with its pieces converted by these functions."""
     return "".join("".join(forms.get(kind, plain)(piece) for kind, piece in _pieces(part)) if symbols else plain(part)
                    for symbols, part in _parts(text.replace("\\,", " ")))
 
@@ -51,11 +50,11 @@ def html(text):
 
 
 def plain(text):
-    """The label as it is read."""
+    """The label as read aloud."""
     return _written(text, str, {})
 
 
 def width(text, size=12.0):
-    """About how wide the label is, px."""
+    """Approximate width of the label, px."""
     return sum(0.3 if c in " .,:;|il'()[]" else 0.66 if c.isupper() or c in "−+=%→mw" else 0.57
                for c in plain(text)) * size

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Load points: what tells them apart and how that is worded, which to draw when there are more than fit, and which
-model the others are compared with there."""
+"""Load points: their distinguishing values in words, the selection for drawings, and the reference model."""
 
-# Of a key (xi, eta, spin): the scalar, the symbol in figures and on pages, the factor, the unit, and its axis.
+# For the parts of a key (xi, eta, spin): the scalar, the symbol in figures and on pages, the factor, the unit, and the
+# axis label.
 PARTS = (("longitudinal_creepage", r"$\xi$", "ξ", 100, "%", r"longitudinal creepage $\xi$ [%]"),
          ("lateral_creepage", r"$\eta$", "η", 100, "%", r"lateral creepage $\eta$ [%]"),
          ("spin", r"$\varphi$", "φ", 1, "rad/mm", r"spin $\varphi$ [rad/mm]"))
-# Of a history: the scalar and its axis.
-STEPS = (("longitudinal_shift", "longitudinal shift since the beginning [mm]"),
-         ("lateral_shift", "lateral shift since the beginning [mm]"),
-         ("spin_shift", "rotation since the beginning [rad]"), ("distance", "distance rolled [mm]"), ("step", "step"))
+# For a history: the scalar and its axis label.
+STEPS = (("longitudinal_shift", "longitudinal shift since the start [mm]"),
+         ("lateral_shift", "lateral shift since the start [mm]"),
+         ("spin_shift", "rotation since the start [rad]"), ("distance", "rolled distance [mm]"), ("step", "step"))
 
 
 def creepage_axis(points):
-    """What varies along the creep curve: (scalar, factor, axis label)."""
+    """The varying quantity along the creep curve: (scalar, factor, axis label)."""
     if any(p.by_number and p["step"] for p in points):
         name, label = next((row for row in STEPS[:-1] if any(p[row[0]] for p in points)), STEPS[-1])
         return name, 1.0, label
@@ -22,16 +22,16 @@ def creepage_axis(points):
 
 
 def varying(keys):
-    """Which parts of the keys differ from load point to load point."""
+    """The parts of the keys that differ between load points."""
     return [k for k in range(3) if len({key[k] for key in keys}) > 1]
 
 
 def key_texts(creepages):
-    """What distinguishes the load points, e.g. "ξ = 0.2 %", for each of a list of keys, (xi, eta, spin)
-    or (number,); and what they share, e.g. "η = 0.1 %", empty when it is nothing."""
+    """The distinguishing values of load points, e.g. "ξ = 0.2 %", for each of a list of keys, (xi, eta, spin) or
+    (number,); and their common values, e.g. "η = 0.1 %", empty if there are none."""
     if any(len(c) == 1 for c in creepages):
         return {c: f"load point {c[0]:.0f}" for c in creepages}, ""
-    # One point: say what is not zero.
+    # For a single point: the nonzero values.
     told = varying(creepages) or [k for k in range(3) if any(c[k] for c in creepages)] or [0]
 
     def text(key, wanted):
@@ -47,16 +47,16 @@ def friction_models(result):
 
 
 def with_pressure(result):
-    """The models that have a field of pressure."""
+    """The models with a pressure field."""
     return [m for m in result.models if m.points and "pressure" in m.points[0].fields]
 
 
-# Models that others are compared with where none is requested: those that leave out least first.
+# Default reference models, those with the smallest model error first.
 BEST = ("hybrid", "fem", "halfspace")
 
 
 def reference_for_patch(result):
-    """The requested one, otherwise the best in the run."""
+    """The requested reference model, otherwise the best one in the run."""
     return _first_of(result.models, (result.reference, *BEST, "hertz"))
 
 
@@ -69,24 +69,24 @@ def _first_of(models, names):
 
 
 def all_keys(models):
-    """The key of every load point of the models, in the order of the first that has it."""
+    """The keys of all load points of the models, in order of first appearance."""
     return list(dict.fromkeys(point.key for model in models for point in model.points))
 
 
 def _evenly(found, count):
-    """So many of a list: the first, the last and those evenly between them; the middle one of them for 1."""
+    """`count` entries of a list: the first, the last and evenly spaced ones between them; for 1 the middle one."""
     if len(found) <= count:
         return found
     return [found[round(k * (len(found) - 1) / (count - 1))] for k in range(count)] if count > 1 else [
         found[len(found) // 2]]
 
 
-# Rows of a table of load points; of longer lists it has some, and files have all.
+# Most rows of a table of load points; longer lists are thinned out, files contain all.
 MOST_ROWS = 60
 
 
 def shown_keys(models):
-    """All keys, or of a long list some."""
+    """All keys, or a selection from a long list."""
     return _evenly(all_keys(models), MOST_ROWS)
 
 
@@ -96,15 +96,15 @@ def chosen_keys(models, count):
         return [c for c in keys if any((p := m.at(c)) and what(p) for m in models)]
 
     loaded = having(all_keys(models), lambda p: p["max_traction"] > 0)
-    loaded = having(loaded, lambda p: "pressure" in p.fields) or loaded  # a long list keeps the fields of some
-    if sticking := having(loaded, lambda p: p["adhesion_area"] > 0):  # of those that slip everywhere the first tells all
+    loaded = having(loaded, lambda p: "pressure" in p.fields) or loaded  # long lists store fields at some load points only
+    if sticking := having(loaded, lambda p: p["adhesion_area"] > 0):  # among points in full slip, the first suffices
         sliding = [c for c in loaded if c not in sticking]
         loaded = [c for c in loaded if c not in sliding[1:]]
     return _evenly(loaded, count)
 
 
 def typical_key(models):
-    """One load point at which adhesion and slip are both there, else the middle one."""
+    """A load point with both adhesion and slip area, otherwise the middle one."""
     def imbalance(key):
         points = [p for m in models if (p := m.at(key)) and p["contact_area"] > 0]
         return min((abs(p["adhesion_area"] / p["contact_area"] - 0.5) for p in points), default=1.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures over the patch: outlines of all models, zones of adhesion and slip of each, oblique views of tractions."""
+"""Drawings over the patch: outlines of all models, adhesion and slip area of each, oblique views of tractions."""
 import numpy as np
 
 from . import load_points, styles
@@ -10,21 +10,20 @@ from .reader import ADHESION
 
 
 def _zoned(result):
-    """The models whose patch has zones."""
+    """The models with adhesion and slip areas."""
     return [m for m in load_points.friction_models(result)
             if m.has_bound and {"pressure", "state"} <= set(m.points[0].fields)]
 
 
 def contact_area(result):
-    """Adhesion and slip of every model with friction at a few creepages. None when no model has
-    them."""
+    """Adhesion and slip area of every model with friction at a few creepages. None if there are none."""
     zoned = _zoned(result)
     chosen = load_points.chosen_keys(zoned, 4) if zoned else []
     if not chosen:
         return None
     texts, shared = load_points.key_texts(chosen)
     half = extent(zoned)
-    # Tall patches: a row for each model, all its creepages beside each other; else the other way round.
+    # Tall patches: a row for each model with all its creepages side by side; otherwise transposed.
     by_model = half[0] <= 1.3 * half[1] or len(zoned) == 1
     figure = Figure(len(chosen) if by_model else len(zoned), in_rows=True)
     said = []
@@ -46,8 +45,7 @@ def contact_area(result):
 
 
 def _bordered_keys(zoned):
-    """Up to three load points: those with a border between the zones, of which the last is followed by
-    full slip where the curve gets there."""
+    """Up to three load points with both areas; if the curve reaches full slip, the last one is in full slip."""
     def adheres(model, key):
         point = model.at(key)
         return point is not None and "state" in point.fields and (point.fields["state"] == ADHESION).any()
@@ -63,9 +61,8 @@ def _bordered_keys(zoned):
 
 
 def outlines(result):
-    """Outlines of all models overlaid, at up to three creepages with the border between adhesion
-    (on the leading side) and slip of each; shaded are the zones of the reference model. None when no
-    model has a pressure field."""
+    """Outlines of all models overlaid, at up to three creepages with each model's border between adhesion (on the
+    leading side) and slip area; those of the reference model are shaded. None if no model has a pressure field."""
     models, zoned = load_points.with_pressure(result), _zoned(result)
     if not models:
         return None
@@ -81,7 +78,7 @@ def outlines(result):
         panel = patch_panel(figure, texts[key] if key else "", (ALONG["x"], ALONG["y"]),
                             half, min(135 / half[0], 150 / half[1]), 115)
         for model in models:
-            # Hertz has one load point, whatever the others have.
+            # Hertz has a single load point.
             point = (model.at(key) if key else None) or (model.points[0] if model not in zoned else None)
             found = zones(model, point) if point else None
             if found is None:
@@ -111,7 +108,7 @@ class _Oblique:
         self.low, self.top = min(0.0, float(values.min())), max(0.0, float(values.max()))
         if self.top - self.low < 1e-9:
             self.top = self.low + 1e-9
-        self.skew = 0.75 * half_x / half_y  # all in units of half_x, whatever the patch's shape
+        self.skew = 0.75 * half_x / half_y  # all in units of half_x for any shape of patch
         self.rise = 0.6 * half_x / half_y
         self.lift = 1.5 * half_x / (self.top - self.low)
 
@@ -135,7 +132,7 @@ def _strips(panel, view, model, values, state, count=24):
         else:
             kinds = np.maximum(state[j, columns][:-1], state[j, columns][1:])
         starts = np.flatnonzero(np.concatenate([[True], kinds[1:] != kinds[:-1]]))
-        for a, b in zip(starts, [*starts[1:], len(kinds)]):  # segments of one colour are one line
+        for a, b in zip(starts, [*starts[1:], len(kinds)]):  # segments of equal colour form one line
             panel.paths([ends[a:b + 1]], ("grey", "adhesion", "slip", "ink")[int(kinds[a])],
                         opacity=0.6 if kinds[a] == 0 else 1, order=2 + depth)
 
@@ -143,7 +140,7 @@ def _strips(panel, view, model, values, state, count=24):
 def _frame(panel, view, unit_label):
     """Axes of the projection: x in front, y on the right, the traction on the left."""
     half_x, half_y, small = view.half_x, view.half_y, 0.05 * view.half_x
-    below = view.lift * view.low  # labels stand under what hangs below the plane
+    below = view.lift * view.low  # labels stand below everything under the plane
     lines = [view(half_x * np.array([-1, 1, 1, -1, -1]), half_y * np.array([-1, -1, 1, 1, -1]))]
 
     def axis(marks, place, away, anchor, shift):
@@ -182,8 +179,8 @@ def _view(figure, model, values, state, title, unit_label):
 
 
 def oblique(result, model):
-    """p_n and -p_x over the patch at one creepage, the same for every model, strip by strip; p_n alone
-    of a model without friction. None without fields."""
+    """p_n and -p_x over the patch at a common creepage, strip by strip; only p_n for a model without friction. None
+    without fields."""
     pressure = model.points[0].fields.get("pressure") if model.points else None
     if pressure is None or not (pressure > 0).any():
         return None

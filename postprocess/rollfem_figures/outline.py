@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines on which a field on a grid has a value (marching squares); with them the edge of the patch and the border
-between its zones below the element size."""
+"""Contour lines of a field on a grid (marching squares), for sub-element edges of the patch and borders between
+adhesion and slip area."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,25 +9,25 @@ from .reader import ADHESION, SLIP
 
 # Labels of the axes of the patch.
 ALONG = {"x": "$x$ [mm], rolling $\\rightarrow$", "y": "$y$ [mm], lateral"}
-LEAST_HEIGHT = 80  # px, of a panel with a patch, so that its label has room
+LEAST_HEIGHT = 80  # px, least width of a panel with a patch, for its label
 
 
-# Of the 16 ways in which the corners of a cell are above (bits: 1 at (i, j), 2 at (i+1, j), 4 at
-# (i+1, j+1), 8 at (i, j+1)), the sides that a line joins, with what is above on its left; sides:
-# 0 below, 1 right, 2 above, 3 left. Saddles are joined as if the middle was not above.
+# For the 16 combinations of cell corners above the level (bits: 1 at (i, j), 2 at (i+1, j), 4 at (i+1, j+1), 8 at (i,
+# j+1)): the sides joined by a line, with higher values on its left. Sides: 0 below, 1 right, 2 above, 3 left. Saddles
+# count as below in the middle.
 _JOINED = {1: [(0, 3)], 2: [(1, 0)], 3: [(1, 3)], 4: [(2, 1)], 5: [(0, 3), (2, 1)], 6: [(2, 0)],
            7: [(2, 3)], 8: [(3, 2)], 9: [(0, 2)], 10: [(1, 0), (3, 2)], 11: [(1, 2)], 12: [(3, 1)],
            13: [(0, 1)], 14: [(3, 0)]}
 
 
 def _edges(side, i, j, width):
-    """Numbers of the sides of cells among all sides of the grid: those along x are even."""
+    """Numbers of cell sides in the grid: sides along x have even numbers."""
     at = {0: (i, j), 1: (i + 1, j), 2: (i, j + 1), 3: (i, j)}[side]
     return 2 * (at[1] * width + at[0]) + (side in (1, 3))
 
 
 def _places(edges, x, y, values, level):
-    """Where the level is passed on sides of cells, by their numbers."""
+    """Crossings of the level on cell sides, by their numbers."""
     width = len(x)
     place, upright = edges // 2, edges % 2
     j, i = place // width, place % width
@@ -38,7 +38,7 @@ def _places(edges, x, y, values, level):
 
 
 def contour_lines(x, y, values, level):
-    """Lines of a field [ny, nx] at a level as arrays [n, 2]; closed ones end where they begin."""
+    """Contour lines of a field [ny, nx] at a level as arrays [n, 2]; closed lines repeat their first point."""
     above = values >= level
     kind = (above[:-1, :-1] * 1 + above[:-1, 1:] * 2 + above[1:, 1:] * 4 + above[1:, :-1] * 8)
     follows = {}
@@ -60,7 +60,7 @@ def contour_lines(x, y, values, level):
 
 
 def at_points(x, y, values, points):
-    """A field between the points of its even grid, bilinearly."""
+    """Bilinear interpolation of a field on its even grid."""
     i = np.clip((points[:, 0] - x[0]) / (x[1] - x[0]), 0, len(x) - 1.000001)
     j = np.clip((points[:, 1] - y[0]) / (y[1] - y[0]), 0, len(y) - 1.000001)
     k, m = i.astype(int), j.astype(int)
@@ -78,13 +78,13 @@ def edge_function(pressure):
     known = pressure > 0
     values = np.where(known, pressure, 0.0) ** 2
     scale = values.max() if values.size else 0.0
-    for _ in range(2):  # the second ring gives the corners between a row and a column
+    for _ in range(2):  # the second ring fills the corners between a row and a column
         values, known = _continued(values, known, -1e-6 * scale)
     return np.where(known, values, -0.05 * scale)
 
 
 def _continued(values, known, largest):
-    """`values` with one more ring of elements around the known ones, at most `largest` there."""
+    """`values` with one more ring of elements around the known ones, limited to `largest`."""
     sums, counts = np.zeros_like(values), np.zeros_like(values)
     for axis in (0, 1):
         for step in (1, -1):
@@ -92,7 +92,7 @@ def _continued(values, known, largest):
             reaches = np.roll(known, step, axis) & ~known
             border = [slice(None)] * 2
             border[axis] = slice(0, 1) if step == 1 else slice(-1, None)
-            reaches[tuple(border)] = False  # what np.roll took from the other side
+            reaches[tuple(border)] = False  # values that np.roll wrapped around
             sums += np.where(reaches, np.minimum(2 * near - far, largest), 0.0)
             counts += reaches
     return np.where(known, values, sums / np.maximum(counts, 1)), known | (counts > 0)
@@ -123,7 +123,7 @@ def padded(model, values, outside):
 
 
 def extent(models):
-    """Half-widths (x, y) in mm of a frame around the patches of all models."""
+    """Half-widths (x, y), mm, of a frame around the patches of all models."""
     half_x = half_y = 0.0
     for model in models:
         for point in model.points:
@@ -136,7 +136,7 @@ def extent(models):
 
 
 def patch_panel(figure, title, labels, half, scale, narrowest):
-    """A panel for patches within the half-widths (extent), so many px a mm, and at least so wide."""
+    """Adds a panel for patches within the half-widths (extent), with a scale in px per mm and a least width."""
     panel = figure.add(max(2 * half[0] * scale, narrowest), 0, title, *labels, equal=True)
     wide = panel.width / (2 * scale)
     high = max(half[1], LEAST_HEIGHT / (2 * scale))
@@ -173,7 +173,7 @@ class Zones:
 
 
 def zones(model, point):
-    """Zones of a load point; None where nothing is in contact."""
+    """Zones of a load point; None without contact."""
     pressure, state = point.fields.get("pressure"), point.fields.get("state")
     if pressure is None or not (pressure > 0).any():
         return None

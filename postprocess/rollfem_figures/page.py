@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The frame of every report: one file with everything in it, for the screen, the phone and the printer,
-on light and on dark ground, read by eye or by ear. And the drawing of its figures."""
+"""The frame of every report: one self-contained file for screens, phones, printers and screen readers,
+on light and dark ground; and the drawing of its figures."""
 import os
 import re
 from html import escape
@@ -56,7 +56,7 @@ white-space:normal}tbody th{position:static}.plot{max-width:100%}}
 
 
 def made_by(program, run):
-    """The program and the call that made the results, as HTML."""
+    """The program and the call behind the results, as HTML."""
     made = f"rollfem {program['version']} ({program['commit']}), {run['started']}, {run['host']}"
     if run["processes"] > 1:
         made += f", {run['processes']} processes"
@@ -70,21 +70,21 @@ class Drawn:
         self.figures = figures
 
     def __call__(self, *starts):
-        """Those whose names begin so, in their order."""
+        """The figures whose names begin with `prefix`, in their order."""
         return "".join(html for name, html in self.figures.items() if name.startswith(starts))
 
     def under(self, prefix):
-        """Those whose names begin so, by the rest of their names."""
+        """The figures whose names begin with `prefix`, by the rest of their names."""
         return Drawn({name[len(prefix):]: html for name, html in self.figures.items() if name.startswith(prefix)})
 
 
-# Fewer figures are drawn before other processes have started.
+# Starting processes takes longer than drawing fewer figures.
 LEAST_SPREAD = 24
 
 
 def draw_all(captioned, directory):
-    """Draws figures, an iterable of (file name, caption, function that makes a Figure or returns None), and writes their
-    files to figures/, many on all cores; returns those that there are (Drawn)."""
+    """Draws figures, an iterable of (file name, caption, function that makes a Figure or returns None), and writes
+    their files to figures/, using all cores for many; returns the drawn ones (Drawn)."""
     captioned = list(captioned)
     folder = os.path.join(directory, "figures")
     os.makedirs(folder, exist_ok=True)
@@ -102,12 +102,12 @@ def draw_all(captioned, directory):
     return Drawn({name: html for (name, *_), html in zip(captioned, drawn) if html})
 
 
-_task = None  # of the processes that draw: they get it as they are forked, results and all
+_task = None  # shared with the drawing processes, which inherit it when forked
 
 
 def _spread(task, count, workers):
-    """task(0), ..., task(count - 1) by forked processes, the next numbers to whoever is free."""
-    import multiprocessing  # pylint: disable=import-outside-toplevel; half as long as a report takes
+    """Runs task(0), ..., task(count - 1) in forked processes; each takes the next number when free."""
+    import multiprocessing  # pylint: disable=import-outside-toplevel; importing takes half the time of a report
 
     global _task
     _task = task
@@ -120,18 +120,18 @@ def _do_task(number):
 
 
 def section(heading, *parts):
-    """Parts under a second heading; nothing where they are empty."""
+    """Parts under a second-level heading; empty if they are empty."""
     body = "".join(parts)
     return f"<h2>{heading}</h2>{body}" if body else ""
 
 
 def hint(text):
-    """A remark in small letters; nothing where it is empty."""
+    """A remark in small letters; empty if there is none."""
     return f"<p class=hint>{text}</p>" if text else ""
 
 
 def _slug(text, taken):
-    """An id for a heading that no other has."""
+    """A unique id for a heading."""
     plain = re.sub(r"<[^>]*>|&[a-z]+;", "", text)
     slug = re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-") or "part"
     name, number = slug, 1
@@ -143,7 +143,7 @@ def _slug(text, taken):
 
 
 def _contents(body):
-    """The body with an id on every second heading, and the list of links to them."""
+    """The body with an id on every second-level heading, and a list of links to them."""
     taken = set(re.findall(r'\bid="?([^"\s>]+)', body))
     entries = []
 
@@ -161,10 +161,10 @@ def _contents(body):
 
 
 def write_page(path, title, made, parts, beside=""):
-    """Writes a page whole or not at all: its heading with `made` under it, how it came about, and the parts, with a
-    table of contents of their second headings; `beside`: what lies in the folder, at the end. All of it is HTML."""
+    """Writes a page completely or not at all: its heading, below it `made` (provenance), and the parts with a table of
+    contents of their second-level headings; `beside`: other files in the folder, at the end. All texts are HTML."""
     body, contents = _contents("".join(parts))
-    # Tables of many columns have the printer take paper that lies on its side.
+    # Tables with many columns are printed in landscape format.
     sideways = "@page{size:A4 landscape}" if 'class="wide many"' in body else ""
     footer = f"<footer class=screen><p class=hint>{beside}</p></footer>" if beside else ""
     text = "".join([

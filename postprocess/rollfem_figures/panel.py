@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A panel of a figure: axes and what is drawn in them, written as SVG with classes for colours, so
-that the page that holds it decides on light or dark ground (styles.css)."""
+"""A panel of a figure: axes and their content as SVG with classes for colours, so that the surrounding page decides on
+light or dark ground (styles.css)."""
 import functools
 import math
 
@@ -12,8 +12,8 @@ MINUS = "−"
 
 
 def widened(low, high, least=0.0, part=0.02):
-    """Limits that do not blow up a constant: at least `least` apart, and `part` of the larger of
-    both, so that what differs by rounding is a straight line."""
+    """Limits that do not magnify a constant: apart by at least `least` and by `part` of the larger one, so that
+    rounding differences look like a straight line."""
     room = max(least, part * max(abs(low), abs(high))) or 1.0
     if high - low >= room:
         return low, high
@@ -22,7 +22,7 @@ def widened(low, high, least=0.0, part=0.02):
 
 
 def nice_step(span, most):
-    """The smallest of 1, 2, 5 times a power of ten that divides a span into `most` parts at most."""
+    """The smallest step of 1, 2 or 5 times a power of ten that divides a span into at most `most` parts."""
     power = 10.0 ** math.floor(math.log10(span / most))
     return next(s * power for s in (1, 2, 5, 10) if s * power * most >= 0.999999 * span)
 
@@ -32,7 +32,7 @@ def _raised(exponent):
 
 
 def tick_text(value, step):
-    """A tick with as many digits as the step needs."""
+    """The text of a tick with the digits required by the step."""
     if abs(value) < 1e-6 * step:
         return "0"
     digits = max(0, -math.floor(math.log10(step) + 1e-9))
@@ -61,8 +61,8 @@ def span_text(values):
 
 
 class Axis:
-    """`limits`: (low, high), either may be None: from what is drawn with a margin, never less than
-    `least` apart. `ticks`: [(value, text)] instead of even ones."""
+    """`limits`: (low, high); None: from the content with a margin, at least `least` apart. `ticks`: [(value, text)]
+    instead of even ones."""
 
     def __init__(self, label="", log=False, margin=0.05, least=0.0):
         self.label, self.log, self.margin, self.least = label, log, margin, least
@@ -70,7 +70,7 @@ class Axis:
         self._low, self._high = math.inf, -math.inf
 
     def see(self, values):
-        """Values that the limits shall hold."""
+        """Adds values that the limits must include."""
         values = np.asarray(values, dtype=float)
         values = values[np.isfinite(values) & ((values > 0) | (not self.log))]
         if values.size:
@@ -95,7 +95,7 @@ class Axis:
             text for _, text in self.marks(1, False)[::max(1, len(self.ticks) - 1)])
 
     def shares(self, values):
-        """Where values are between the limits: 0 to 1."""
+        """Relative position of values between the limits: 0 to 1."""
         low, high = self.range()
         values = np.asarray(values, dtype=float)
         if self.log:
@@ -104,8 +104,7 @@ class Axis:
         return 1.0 - share if self.flipped else share
 
     def marks(self, pixels, across):
-        """[(value, text)] of the ticks of an axis so many pixels long; `across`: its labels stand beside
-        each other."""
+        """[(value, text)] of the ticks of an axis of a length in pixels; `across`: its labels stand side by side."""
         low, high = self.range()
         if self.ticks is not None:
             return [(value, text) for value, text in self.ticks if low <= value <= high]
@@ -124,7 +123,7 @@ class Axis:
             step = nice_step(step * 1.01, 1)
 
 
-_SCALE = 10  # what is drawn between the axes is in whole tenths of a pixel
+_SCALE = 10  # content between the axes is in whole tenths of a pixel
 
 
 def _number(value):
@@ -139,7 +138,7 @@ def _moves(points, close):
 
 
 def _spots(marker, r):
-    """The corners of a marker of radius r about 0, whether closed; pairs of ends of open ones."""
+    """The corners of a marker of radius r about 0 and whether it is closed; for open markers pairs of ends."""
     k = 0.8 * r
     return {"o": None, "s": [(-k, -k), (k, -k), (k, k), (-k, k)], "D": [(0, -r), (r, 0), (0, r), (-r, 0)],
             "^": [(0, -r), (r, k), (-r, k)], "v": [(0, r), (r, -k), (-r, -k)],
@@ -165,7 +164,7 @@ def marker_path(marker, x, y, r):
 
 
 def strokes(colour, width, dash=(), fill=None, scale=1):
-    """Attributes of a path; nothing drawn along it for colour None."""
+    """Attributes of a path; no stroke for colour None."""
     names = [f"s-{colour}"] if colour else []
     names.append(f"f-{fill}" if fill else "n")
     text = f'class="{" ".join(names)}"'
@@ -182,8 +181,8 @@ def _path(look, data, opacity=1):
 
 
 def _later(order, text=False):
-    """Makes a method's result part of the panel, drawn when the limits of the axes are known, after what has a smaller
-    `order`."""
+    """Adds a method's result to the panel. It is drawn when the limits of the axes are known, after content with a
+    smaller `order`."""
     def wrap(draw):
         @functools.wraps(draw)
         def add(self, *arguments, order=order, **options):
@@ -193,14 +192,14 @@ def _later(order, text=False):
 
 
 class Panel:
-    """`width`, `height` of the field between the axes, px. `equal`: mm of both axes are as long: the
-    height follows from the limits, which must be given. `bare`: no axes."""
+    """`width`, `height` of the field between the axes, px. `equal`: equal scales on both axes, so that the height
+    follows from the limits, which must be given. `bare`: no axes."""
 
     def __init__(self, width, height, title="", xlabel="", ylabel="", equal=False, bare=False):
         self.width, self.height, self.title = width, height, title
         self.x, self.y = Axis(xlabel, margin=0.03), Axis(ylabel)
         self.equal, self.bare, self.room_left = equal, bare, 54
-        self.entry = lambda *look: None  # of the figure's legend
+        self.entry = lambda *look: None  # entries of the figure's legend
         self._marks, self._curves = [], {}
 
     def _tenths(self, x, y):
@@ -209,8 +208,8 @@ class Panel:
 
     def line(self, x, y, colour="ink", width=1.6, dash=(), marker=None, size=3.2, hollow=False, order=2,
              opacity=1, see=True, joined=True, name=""):
-        """A curve, broken where a value is NaN, with markers; markers alone unless `joined`. `hollow`: filled
-        with the ground; "open": not at all. `name`: of its entry in the legend; none without it, or without a point."""
+        """A curve with markers, interrupted at NaN; only markers unless `joined`. `hollow`: filled with the ground;
+        "open": unfilled. `name`: legend entry; no entry without a name or without points."""
         x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
         if not len(x):
             return
@@ -227,7 +226,7 @@ class Panel:
             self._markers(x[whole], y[whole], marker, size, strokes(colour, 1.2, (), fill, _SCALE), opacity, order=order)
 
     def spots(self, pairs, joined=False, **look):
-        """A line of pairs of coordinates; their markers alone unless `joined`."""
+        """A line through pairs of coordinates; only markers unless `joined`."""
         self.line(*(zip(*pairs) if pairs else ((), ())), joined=joined, **look)
 
     def bars(self, x, y, errors, colour):
@@ -247,20 +246,20 @@ class Panel:
 
     @_later(1)
     def area(self, rings, fill, opacity=1):
-        """Areas within closed lines [n, 2]; a line within another makes a hole."""
+        """Areas within closed lines [n, 2]; a line inside another one makes a hole."""
         data = "".join(_moves(self._tenths(*ring.T), True) for ring in rings if len(ring) > 2)
         what = f'fill="{fill}"' if fill.startswith("#") else strokes(None, 1, (), fill)
         return _path(f'fill-rule="evenodd" {what}', data, opacity)
 
     @_later(2)
     def paths(self, lines, colour, width=1.2, dash=(), opacity=1):
-        """Several lines [n, 2] alike, as one path."""
+        """Several lines [n, 2] of equal look, as one path."""
         data = "".join(_moves(self._tenths(*part.T), False) for part in lines if len(part) > 1)
         return _path(strokes(colour, width, dash, None, _SCALE), data, opacity)
 
     @_later(1)
     def level(self, value, colour="soft", dash=(1.5, 2.2), width=1.0, upright=False):
-        """A line all across the panel."""
+        """A line across the whole panel."""
         share = (self.x if upright else self.y).shares([value])[0]
         wide, high = self.width * _SCALE, self.height * _SCALE
         return _path(strokes(colour, width, dash, None, _SCALE),
@@ -268,22 +267,22 @@ class Panel:
 
     @_later(0)
     def band(self, low, high, fill="band"):
-        """Shaded between two values of y."""
+        """A shaded band between two values of y."""
         top, bottom = ((1 - s) * self.height * _SCALE for s in np.clip(self.y.shares([high, low]), 0, 1))
         wide = self.width * _SCALE
         return _path(f'class="f-{fill}"', f"M0 {top:.0f}h{wide:.0f}V{bottom:.0f}h-{wide:.0f}z")
 
     @_later(5, text=True)
     def text(self, x, y, text, anchor="start", colour="soft", shift=(0, 0), share=(False, False), small=True):
-        """A word at a place, moved by `shift` px to the right and down; `share`: x, y are shares of the
-        panel, from the left and from below."""
+        """A word at a place, moved by `shift` px to the right and down; `share`: x, y are fractions of the panel from
+        the lower left corner."""
         across = x if share[0] else self.x.shares([x])[0]
         up = y if share[1] else self.y.shares([y])[0]
         return (f'<text x="{_number(across * self.width + shift[0])}" y="{_number((1 - up) * self.height + shift[1])}" '
                 f'text-anchor="{anchor}" class="{"sm " if small else ""}f-{colour}">{labels.svg(text)}</text>')
 
     def seen(self):
-        """What is drawn, in words: between which values of its axes, and of each of its curves with a name."""
+        """The content in words: ranges of the axes and of each named curve."""
         title, known = self.title.replace("\n", ", "), {name: values for name, values in self._curves.items() if values}
         up = span_text(sum(known.values(), [])) if known and self.y.ticks is None else self.y.words()
         named = ", ".join(f"{name} {span_text(values)}" for name, values in known.items() if name)
@@ -291,13 +290,13 @@ class Panel:
                 + (f" ({named})" if named else ""))
 
     def fit(self):
-        """With equal axes, the height (or the width, if that was None) that the limits ask for."""
+        """With equal axes, the height (or the width, if it was None) that follows from the limits."""
         if self.equal:
             (left, right), (low, high) = self.x.range(), self.y.range()
             self.height = self.width * (high - low) / (right - left)
 
     def _frame(self):
-        """(grid and axes, words, room on the left) of the ticks."""
+        """(grid and axes, words, width on the left) of the ticks."""
         across = self.x.marks(self.width, True)
         up = self.y.marks(self.height, False)
         grid, names = [], []

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""With profiles: where the wheels touch the rails, and how that goes along a row of positions. And a wheelset over its
-lateral shift: the difference of its rolling radii, its contact angles and its equivalent conicity, from the table that
-`rollfem wheelset` wrote (wheelset.csv) or a run of a row of shifts (wheelset_rigid.csv; its own wheelset.csv has the
-loaded patches of each position)."""
+"""With profiles: the contacts of wheels and rails, also along a sweep of positions. And a wheelset over its lateral
+shift: difference of rolling radii, contact angles and equivalent conicity, from the table of `rollfem wheelset`
+(wheelset.csv) or of a run with a lateral sweep (wheelset_rigid.csv; its wheelset.csv has the loaded patches of each
+position)."""
 import itertools
 import math
 import os
@@ -26,15 +26,14 @@ def positions(result):
 
 
 def pair(result, wheel, position):
-    """Wheel on rail at one position with the contact points, and the distance between the two; None
-    without profiles."""
+    """Wheel on rail at one position with the contact points, and the distance between both; None without profiles."""
     drawn = result.profiles.get((wheel, position))
     touching = [m.place for m in first_of_scenes(result) if (m.place["wheel"], m.place["position"]) == (wheel, position)]
     return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}") if drawn and touching else None
 
 
 def force_to_the_right(model):
-    """Of the wheel along y of the track at the first load point, N, from the forces in the patch's frame
+    """Force on the wheel along y of the track at the first load point, N, from the forces in the patch frame
     (docs/track.md)."""
     angle, tilt = model.place["contact_angle"], 1 if model.place["wheel"] == "left" else -1
     point = model.points[0]
@@ -42,11 +41,11 @@ def force_to_the_right(model):
 
 
 PRESSURE = "largest pressure"
-FORCES = ("$F_x$ on the wheel", "force to the right on the wheel")  # those of all its patches
+FORCES = ("$F_x$ on the wheel", "force to the right on the wheel")  # summed over all its patches
 
 
 def _at(name, factor=1.0):
-    """A scalar of a model's first load point or of its place, times a factor."""
+    """A scalar of a model's first load point or of its place, scaled by a factor."""
     return lambda model: factor * (model.place[name] if name in model.place else model.points[0][name])
 
 
@@ -66,8 +65,8 @@ PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_r
 
 
 def along(result):
-    """What a row of positions is drawn over: (values by position, axis label): the lateral shift, else
-    the yaw, in which no two are alike; else their numbers."""
+    """Abscissa of a sweep of positions: (values by position, axis label). The lateral shift, otherwise the yaw, if all
+    values differ; otherwise the position numbers."""
     at = {m.place["position"]: m.place for m in result.models if m.place}
     for name, factor, label in (("lateral_shift", 1.0, "lateral shift of the wheelset [mm]"),
                                 ("yaw", 1e3, "yaw of the wheelset [mrad]")):
@@ -78,7 +77,7 @@ def along(result):
 
 
 def at_words(result, position):
-    """" at a lateral shift of 3 mm", where one of a row of positions is; empty of a single one."""
+    """" at a lateral shift of 3 mm" for a position of a sweep; empty for a single position."""
     at, label = along(result)
     if len(at) < 2:
         return ""
@@ -90,16 +89,16 @@ WHEELS = (("left", (), False), ("right", (5, 2.5), True))  # wheel, dash, hollow
 
 
 def reference_of_row(result):
-    """Name of the model that rows are drawn of: one that has most places (Hertz cannot take every patch), of
-    those the reference."""
+    """Name of the model drawn in sweeps: the one with most places (Hertz cannot take every patch), among equals the
+    reference."""
     names = list(dict.fromkeys(m.name for m in result.models if m.points and m.place))
     wished = [name for name in (result.reference, *load_points.BEST) if name in names] + names
     return max(wished, key=lambda name: sum(m.name == name for m in result.models))
 
 
 def _row(title, models, at, value):
-    """[(spots (where, value), whether a line joins them)] of one model and wheel: the sum over its patches of a force,
-    else the most loaded patch, then the others."""
+    """[(spots (where, value), whether a line joins them)] of one model and wheel: the sum over its patches for a force,
+    otherwise the most loaded patch, then the others."""
     spots = [(at[m.place["position"]], value(m), m.place["patch"] == 1) for m in models]
     if title in FORCES:
         return [(sorted((where, sum(v for w, v, _ in spots if w == where)) for where in {w for w, *_ in spots}), True)]
@@ -129,14 +128,14 @@ def sweep(result):
     return figure
 
 
-# Of the table of contacts: heading, what a place has, factor, significant digits (None: as given).
+# Columns of the table of contacts: heading, member of the place, factor, significant digits (None: as given).
 COLUMNS = (("shift [mm]", "lateral_shift", 1, None), ("yaw [mrad]", "yaw", 1e3, None), ("roll [mrad]", "roll", 1e3, 4),
            ("y track [mm]", "y_track", 1, 7), ("y rail [mm]", "y_rail", 1, 5), ("y wheel [mm]", "y_wheel", 1, 5),
            ("angle [°]", "contact_angle", 180 / math.pi, 4), ("radius [mm]", "rolling_radius", 1, 7))
 
 
 def contact_table(result):
-    """One row for every patch: where it is and what the models make of it."""
+    """One row for every patch: its place and the results of the models."""
     names = list(dict.fromkeys(m.name for m in result.models))
     rows = []
     for _, scene in result.scenes():
@@ -153,12 +152,12 @@ BOTH = (("left", "blue", (), "o"), ("right", "slip", (5, 2), "s"))
 KINDS = (("wave", "blue", ()), ("harmonic", "slip", (5, 2)))
 UNDER_LOAD = " (markers: under load)"
 SHIFT = "shift to the right [mm]"
-# Least spans of the scales, so that cones, which have one conicity and one angle, are straight lines.
+# Least spans of the scales, so that cones, with constant conicity and angle, appear as straight lines.
 LEAST_RADIUS, LEAST_ANGLE, LEAST_CONICITY, LEAST_LENGTH = 0.2, 0.5, 0.05, 5.0
 
 
 def _conicity_seen(table):
-    """The conicity in words, at the amplitude nearest to 3 mm that has one."""
+    """The conicity in words, at the amplitude nearest to 3 mm with a value."""
     known = np.flatnonzero(np.isfinite(table["conicity_wave"]))
     if not known.size:
         return "the wheelset does not oscillate"
@@ -169,15 +168,15 @@ def _conicity_seen(table):
 
 
 def _radius_differences(loaded):
-    """[(lateral shift, right less left rolling radius)]; empty for one wheel."""
+    """[(lateral shift, right minus left rolling radius)]; empty for one wheel."""
     radius = {(p["position"], p["wheel"]): p["rolling_radius"] for p in loaded}
     return sorted((p["lateral_shift"], radius[p["position"], "right"] - radius[p["position"], "left"])
                   for p in loaded if p["wheel"] == "left" and (p["position"], "right") in radius)
 
 
 def draw_wheelset(table, loaded=()):
-    """Radii, angles and conicity over the shift: lines rigid; markers `loaded`, the places of the most loaded
-    patches of a run. Where some of these are to the left, so are the lines, mirrored."""
+    """Radii, angles and conicity over the shift: lines for the rigid wheelset; markers `loaded` for the most loaded
+    patches of a run. If some of these are to the left, the lines are extended by mirroring."""
     shift, difference = table["lateral_shift"], table["radius_difference"]
     angle = {side: np.degrees(table[f"angle_{side}"]) for side in ("left", "right")}
     left = slice(None, 0, -1) if any(place["lateral_shift"] < 0 for place in loaded) else slice(0)
@@ -196,28 +195,28 @@ def draw_wheelset(table, loaded=()):
         angles += [line(angle[side], angle[other], colour=colour, dash=dash), *markers(spots, colour=colour, marker=marker)]
         figure.entry(f"{side} wheel" + UNDER_LOAD * bool(spots), colour, dash, marker=marker if spots else None)
     if differences:
-        figure.entry("right less left" + UNDER_LOAD, "ink", marker="D")
+        figure.entry("right minus left" + UNDER_LOAD, "ink", marker="D")
     length = table["wave_length"] * 1e-3
     figure.charts((270, 200), [
-        ("rolling radii", SHIFT, "right less left [mm]", LEAST_RADIUS,
+        ("rolling radii", SHIFT, "right minus left [mm]", LEAST_RADIUS,
          [line(difference, -difference), *markers(differences, marker="D", size=2.8)]),
         ("contact angles", SHIFT, "contact angle [°]", LEAST_ANGLE, angles),
         ("equivalent conicity", "amplitude [mm]", "conicity [-]", LEAST_CONICITY,
          [(shift, table[f"conicity_{kind}"], {"colour": colour, "dash": dash, "name": f"conicity, {kind}"})
           for kind, colour, dash in KINDS]),
-        ("length of the wave", "amplitude [mm]", "[m]", LEAST_LENGTH, [(shift, length, {})])])
+        ("wavelength", "amplitude [mm]", "[m]", LEAST_LENGTH, [(shift, length, {})])])
     return figure.tell(f"Wheelset shifted by 0 to {shift[-1]:.3g} mm: ", [
         f"the right rolling radius grows to {difference[-1]:.3g} mm more than the left, the right contact angle to "
         f"{angle['right'].max():.3g} degrees", _conicity_seen(table)])
 
 
 def build(path):
-    """NAME.svg of a table NAME.csv that `rollfem wheelset` wrote."""
+    """Draws NAME.svg from a table NAME.csv of `rollfem wheelset`."""
     draw_wheelset(read_columns(path, "conicity_wave")[1]).save(os.path.splitext(path)[0] + ".svg")
 
 
 def wheelset(result):
-    """The figure of a run over its row of shifts. None without such a row."""
+    """The figure of a run with a lateral sweep. None without a sweep."""
     path = os.path.join(result.directory, "wheelset_rigid.csv")
     if not os.path.exists(path):
         return None
@@ -243,7 +242,7 @@ def _shift_cell(row, column, factor, digits):
 
 
 def wheelset_table(result):
-    """HTML: one line a position, by the model that row figures have; empty without a row of shifts."""
+    """HTML: one line per position, by the model drawn in sweeps; empty without a lateral sweep."""
     path = os.path.join(result.directory, "wheelset.csv")
     if not os.path.exists(path):
         return ""
@@ -255,6 +254,6 @@ def wheelset_table(result):
     return (tables.table([column[0] for column in columns],
                          [[_shift_cell(row, *column[1:]) for column in columns] for row in rows])
             + f"<p class=hint>Patches by {styles.label(reference)} at the first load point; length and width: most loaded patch of a wheel; "
-            "forces on the wheel, along the track and to the right. Rigid: without a load. Conicity at the "
+            "forces on the wheel, along the track and to the right. Rigid: unloaded. Conicity at the "
             "amplitude of the "
             "shift: by harmonic linearisation, and that of cones with the same wave (UIC 519, EN 15302).</p>")

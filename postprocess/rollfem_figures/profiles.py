@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Profiles: one of wheel or rail with its curvature over y below it; and a wheel on its rail with the distance between
+"""Profiles: a profile of wheel or rail with its curvature over y; and a wheel on its rail with the distance between
 them."""
 import math
 import os
@@ -9,17 +9,17 @@ import numpy as np
 from .figure import Figure
 from .reader import read_columns, read_rows
 
-LINEAR = 1e-3  # 1/mm: the scale of curvature is linear below, logarithmic beyond: radii from 10 mm to 10 m
-DECADE = 0.6  # how long the linear part is, in decades
+LINEAR = 1e-3  # 1/mm; the scale of curvature is linear below and logarithmic beyond: radii from 10 mm to 10 m
+DECADE = 0.6  # length of the linear part, in decades
 
 
 def joints(s):
-    """Indices of the first of the two rows that every joint of the curvature has."""
+    """Indices of the first of two rows at every joint of the curvature."""
     return np.flatnonzero(np.diff(s) == 0.0)
 
 
 def on_scale(curvature):
-    """Where a curvature (1/mm) is on the scale: linear about 0, logarithmic beyond."""
+    """Position of a curvature (1/mm) on the scale: linear about 0, logarithmic beyond."""
     size = np.abs(np.asarray(curvature, dtype=float)) / LINEAR
     return np.sign(curvature) * np.where(size <= 1, DECADE * size, DECADE + np.log10(np.maximum(size, 1)))
 
@@ -56,7 +56,7 @@ PATCH_COLOURS = ["red", "blue", "green", "pink"]
 
 
 def _as_function(points):
-    """(y, z) of a section with rising y, of an undercut side only what comes first."""
+    """(y, z) of a section with increasing y; of an undercut side only the first part."""
     order = np.argsort(points[:, 0], kind="stable")
     y, z = points[order].T
     keep = np.concatenate([[True], np.diff(y) > 1e-9])
@@ -72,7 +72,7 @@ def draw_pair(drawn, touching, title):
     for name, ink in (("rail", "ink"), ("wheel", "blue")):
         y, z = drawn[name].T
         shape.line(y, -z, ink, 1.5, name=name)
-    # Vertical distance around the contact, before they are pressed together.
+    # Vertical undeformed distance around the contact.
     rail, wheel = _as_function(drawn["rail"]), _as_function(drawn["wheel"])
     low, high = min(p["y_track"] for p in touching) - 20, max(p["y_track"] for p in touching) + 20
     y = np.linspace(max(rail[0][0], wheel[0][0], low), min(rail[0][-1], wheel[0][-1], high), 600)
@@ -89,7 +89,7 @@ def draw_pair(drawn, touching, title):
 
 
 def _pair_of(path):
-    """What draw_pair takes, from a table of wheel, rail and patches."""
+    """The arguments of draw_pair from a table of wheel, rail and patches."""
     title, rows = read_rows(path)
     drawn = {part: np.array([[float(row["y"]), float(row["z"])] for row in rows if row["part"] == part])
              for part in ("rail", "wheel")}
@@ -99,7 +99,7 @@ def _pair_of(path):
 
 
 def build(path):
-    """NAME.svg of a table NAME.csv that `rollfem profile` wrote, of one profile or of a case's wheel on its rail."""
+    """Draws NAME.svg from a table NAME.csv of `rollfem profile`, for one profile or a case's wheel on its rail."""
     pair = "part" in read_rows(path)[1][0]
     figure = draw_pair(*_pair_of(path)) if pair else draw_profile(*read_columns(path, "curvature"))
     figure.save(os.path.splitext(path)[0] + ".svg")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Published values for a case (published.json), shown beside our own."""
+"""Published values for a case (published.json), shown beside rollfem's."""
 import json
 import math
 import os
@@ -13,8 +13,8 @@ def _all():
 
 
 def _is(value, wanted):
-    """Whether an input is what the entry says: null is flat, a list has all that are allowed, near and
-    within a range."""
+    """Whether an input matches the entry: null means flat, a list holds all allowed values; near and within give a
+    range."""
     if value is None:
         return False
     if wanted is None:
@@ -31,8 +31,8 @@ def _has(values, wanted):
 
 
 def _case(result):
-    """The entry whose inputs are all those of the result, and whose place is that of its patch; empty
-    when there is none. A result of several patches has none: ask for one of its scenes."""
+    """The entry whose inputs match the result and whose place matches its patch; empty if there is none. A result with
+    several patches has none; pass one of its scenes."""
     places = {m.place["wheel"]: m.place for m in result.models if m.place}
     if len(result.scenes()) > 1:
         return {}
@@ -45,10 +45,10 @@ def _case(result):
 
 
 def published(result):
-    """What is known of the case: `creep_curve`, rows name, source, xi (list), traction_coefficient (list, -F_x/F_z);
-    `patch`, rows name, source, and of semi_axis_x, semi_axis_y, contact_length, contact_width (mm), contact_area (mm²),
-    max_pressure (MPa), approach (mm), max_traction_x ({"xi", "value" in MPa}) those that are known; `says`, remarks of the
-    2012 study; `sources`, one sentence for each. Empty where nothing is."""
+    """Published data for the case: `creep_curve`, rows name, source, xi (list), traction_coefficient (list, -F_x/F_z);
+    `patch`, rows name, source, and the known ones of semi_axis_x, semi_axis_y, contact_length, contact_width (mm),
+    contact_area (mm²), max_pressure (MPa), approach (mm), max_traction_x ({"xi", "value" in MPa}); `says`, remarks of
+    the 2012 study; `sources`, one sentence for each. Empty if nothing is published."""
     found = {"creep_curve": [], "patch": [], "says": "", **_case(result)}
     used = dict.fromkeys(row["source"] for row in found["patch"] + found["creep_curve"])
     return {**found, "sources": "; ".join(_all()["sources"][name] for name in used)}

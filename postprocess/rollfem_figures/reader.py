@@ -39,8 +39,7 @@ class Body:
 
 
 class Bodies(Mapping):
-    """{"wheel": Body, "rail": Body} under one load. They are large: read from the file each time
-    that one is looked up."""
+    """{"wheel": Body, "rail": Body} under one load. They are large, so every look-up reads from the file."""
 
     def __init__(self, nodes, values):
         """`nodes`, `values`: the groups that hold points and cells, displacement and stress."""
@@ -63,7 +62,7 @@ class Bodies(Mapping):
         return len(self._groups)
 
 
-# Sizes whose error is twice that of another.
+# Quantities whose error is twice that of another one.
 TWICE = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
 
 
@@ -71,11 +70,11 @@ TWICE = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
 class Point:
     """One load point of one model.
 
-    `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in
-    summary.json. `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y,
-    gap (mm), state (0 exterior, 1 adhesion, 2 slip), ...; what the model does not give is missing.
-    By quantity: `error_estimate`, the bars, in its unit; `no_bar`, why it has none ("exact", "given", ...);
-    `model_error`, what the model leaves out, in its unit; `richardson`, the value at elements of size 0.
+    `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in summary.json.
+    `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y, gap (mm), state (0 exterior, 1
+    adhesion, 2 slip), ...; fields not given by the model are missing. By quantity: `error_estimate`, the error bar, in
+    its unit; `no_bar`, why it has none ("exact", "given", ...);
+    `model_error`, in its unit; `richardson`, the value extrapolated to element size 0.
     """
 
     scalars: dict
@@ -84,17 +83,17 @@ class Point:
     no_bar: dict
     model_error: dict
     richardson: dict
-    subsurface: list  # of every [[subsurface.*]]: dicts kind, body, points [n, 3], displacement [n, 3], stress [n, 6]
+    subsurface: list  # dicts for every [[subsurface.*]]: kind, body, points [n, 3], displacement [n, 3], stress [n, 6]
     stress_maxima: list  # the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm)
-    bodies: Mapping  # {"wheel": Body, "rail": Body}; empty but for finite elements, where the file keeps them
-    number: int = 0  # of the load point, from 0
-    by_number: bool = False  # told apart by its number: steps of a history, prescribed forces
+    bodies: Mapping  # {"wheel": Body, "rail": Body} of finite elements, if stored; otherwise empty
+    number: int = 0  # number of the load point, from 0
+    by_number: bool = False  # identified by its number: steps of a history, prescribed forces
 
     def __getitem__(self, name):
         return self.scalars[name]
 
     def bar(self, quantity):
-        """The error bar of a quantity; None where it has none."""
+        """The error bar of a quantity; None if it has none."""
         if quantity not in self.error_estimate and TWICE.get(quantity) in self.error_estimate:
             return 2 * self.error_estimate[TWICE[quantity]]
         return self.error_estimate.get(quantity)
@@ -106,8 +105,8 @@ class Point:
 
     @property
     def key(self):
-        """What tells the load points of a case apart, the same in every model: (xi, eta, spin); the
-        number from 1 in a history and where forces are prescribed, so that creepages are results."""
+        """Key of a load point within its case, equal in every model: (xi, eta, spin), or the number from 1 in a history
+        or with prescribed forces, where creepages are results."""
         return (float(self.number + 1),) if self.by_number else self.creepages
 
 
@@ -116,36 +115,36 @@ class Model:
     """All load points of one model on its contact grid; `x`, `y` are element centres in mm."""
 
     name: str
-    label: str  # what figures call it
-    key: str  # name of its group in results.h5: the name, and with profiles the patch
+    label: str  # label in figures
+    key: str  # name of its group in results.h5: the name, with profiles followed by the patch
     seconds: dict
     unknowns: int
     contact_elements: int
     notes: list
-    model_error_source: str  # what the model errors were taken from, or why there are none
+    model_error_source: str  # source of the model errors, or why there are none
     x: np.ndarray
     y: np.ndarray
     dx: float
     dy: float
-    # with profiles: where the patch is, a dict of wheel, position, patch, y_track (mm),
-    # contact_angle (rad), ...; else None
+    # with profiles: the place of the patch, a dict of wheel, position, patch, y_track (mm), contact_angle (rad), ...;
+    # otherwise None
     place: dict
     points: list
-    _found: dict = field(default=None, repr=False, compare=False)  # points by key, made when first asked
+    _found: dict = field(default=None, repr=False, compare=False)  # points by key, created on first use
 
     @property
     def bodies(self):
-        """{"wheel": Body, "rail": Body} of the last load point that has them; empty but for finite elements."""
+        """{"wheel": Body, "rail": Body} of the last load point that stores them; empty except for finite elements."""
         return next((p.bodies for p in reversed(self.points) if p.bodies), {})
 
     @property
     def has_friction(self):
-        """Whether the model answers a question about friction at all."""
+        """Whether the model covers friction."""
         return any(p["max_traction"] > 0 or any(p.creepages) for p in self.points)
 
     @property
     def has_bound(self):
-        """Whether its tractions are bounded by friction: those of the linear theory are not."""
+        """Whether its tractions have a bound; those of the linear theory do not."""
         return self.name != "linear"
 
     def at(self, key):
@@ -161,9 +160,9 @@ class Model:
         return min(self.points, key=lambda p: abs(p["longitudinal_creepage"] - longitudinal_creepage))
 
     def middle(self, values, axis):
-        """`values` [ny, nx] along the middle line: axis "x" for the line y = 0, "y" for x = 0.
+        """`values` [ny, nx] along a centre line: axis "x" for the line y = 0, "y" for x = 0.
 
-        The row or column nearest to 0; the mean of two when they are equally near.
+        The row or column nearest to 0; the mean of two if they are equally near.
         """
         across = self.y if axis == "x" else self.x
         distance = np.abs(across)
@@ -173,13 +172,13 @@ class Model:
 
 @dataclass
 class Quantity:
-    """What a scalar of a load point is."""
+    """Description of a scalar of a load point."""
 
     title: str  # for headings: "largest pressure"
-    symbol: str  # "F_x", "xi"; empty where there is none
-    unit: str  # "-" where it has none
+    symbol: str  # "F_x", "xi"; empty if there is none
+    unit: str  # "-" if it has none
     meaning: str = ""
-    percent_of: str = ""  # what errors and differences are given in percent of: "value", "mu F_z", ...
+    percent_of: str = ""  # reference of errors and differences in percent: "value", "mu F_z", ...
 
 
 @dataclass
@@ -196,7 +195,7 @@ class Result:
     quantities: dict = field(default_factory=dict)  # {name: Quantity}, in the order of summary.json
     # with profiles: {(wheel, position): {"rail": [n, 2], "wheel": [n, 2]}}, y and z on the track
     profiles: dict = field(default_factory=dict)
-    # name of the model that the others are compared with, where the user has chosen one
+    # name of the reference model, if the user has chosen one
     reference: str = ""
 
     def scenes(self):
@@ -209,12 +208,12 @@ class Result:
         return [(label, replace(self, models=models)) for label, models in found.items()]
 
     def model(self, name):
-        """The (first) model of that name; KeyError when it is not part of the result."""
+        """The (first) model of that name; KeyError if the result does not contain it."""
         return {model.name: model for model in reversed(self.models)}[name]
 
 
 def place_label(place):
-    """What tells a patch from the others of a run; empty without profiles."""
+    """Label of a patch within a run; empty without profiles."""
     if not place:
         return ""
     text = f"{place['wheel']} wheel, position {place['position']}"
@@ -252,7 +251,7 @@ def _read_point(group, number, by_number, nodes):
 
 
 def full_sliding(point, percent_of, friction):
-    """What full sliding gives of a quantity whose errors are in percent of `percent_of`; 0 of others."""
+    """Full-sliding value of a quantity whose errors are in percent of `percent_of`; 0 for other quantities."""
     if not percent_of.startswith("mu"):
         return 0.0
     size = {"mu": 1.0, "mu F_z": point["normal_force"], "mu p_0": point["max_pressure"],
@@ -266,7 +265,7 @@ def _read_model(key, group, by_number):
     place = _attributes(group["place"]) if "place" in group else None
     for count in ("position", "patch", "patches") if place else ():
         place[count] = int(place[count])
-    # Hertz has one point whatever the case asks for.
+    # Hertz always has a single point.
     points = [_read_point(group["points"][each], number, by_number and name != "hertz", group.get("bodies"))
               for number, each in enumerate(sorted(group["points"]))]
     return Model(name, about.get("label", ""), key, _attributes(group["seconds"]), about["unknowns"],
@@ -297,7 +296,7 @@ def _read_file(path, directory):
 
 
 def read_rows(path):
-    """(title, [{column without its unit: text}]) of a CSV table; the title is that of a comment above it."""
+    """(title, [{column without its unit: text}]) of a CSV table; the title comes from a comment above it."""
     with open(path, encoding="utf-8", newline="") as file:
         title = file.readline()
         if not title.startswith("#"):
@@ -308,7 +307,7 @@ def read_rows(path):
 
 
 def read_columns(path, needed):
-    """(title, {column without its unit: array}) of a CSV table of numbers, nan where one is missing. ResultError without
+    """(title, {column without its unit: array}) of a CSV table of numbers; nan marks a missing one. ResultError without
     the column `needed`."""
     title, rows = read_rows(path)
     if not rows or needed not in rows[0]:
@@ -317,7 +316,7 @@ def read_columns(path, needed):
 
 
 def _add_numbers(study, path):
-    """Gives the levels of a study their numbers, by quantity, which stand in its table."""
+    """Adds to the levels of a study their numbers by quantity, from its table."""
     levels = {(place["key"], series["model"], series["vary"], level["label"], level["parameter"]): level
               for place in study["places"] for series in place["series"] for level in series["levels"]}
     for level in levels.values():
@@ -334,7 +333,8 @@ def _add_numbers(study, path):
 
 
 def read_json(directory, kind):
-    """compare.json or study.json, by its kind, the levels of a study with their numbers. Raises ResultError where it is damaged or of another format."""
+    """Reads compare.json or study.json by its kind, with the numbers of a study's levels. Raises ResultError if it is
+    damaged or has another format."""
     path = os.path.join(directory, f"{kind}.json")
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read()
@@ -354,13 +354,13 @@ def read_json(directory, kind):
 
 
 def read_result(path):
-    """Reads a result folder, or its results.h5. Raises ResultError when it is not a whole one."""
+    """Reads a result folder or its results.h5. Raises ResultError if it is not complete."""
     directory = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
     file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
     if not os.path.exists(file):
         raise ResultError(f"there is no {file}: not a result folder of `rollfem run`")
-    if not os.path.isfile(file):  # of a device no end would be found
-        raise ResultError(f"{file} is no file")
+    if not os.path.isfile(file):  # a device would have no end
+        raise ResultError(f"{file} is not a file")
     try:
         sound = results_are_sound(file)
     except OSError as error:
@@ -369,7 +369,7 @@ def read_result(path):
         raise ResultError(f"{file} is not a result of rollfem (no HDF5 file)")
     if not sound:
         raise ResultError(f"{file} is truncated or damaged: its checksum does not match; "
-                          "run the case again, or take a copy")
+                          "run the case again, or use a copy")
     try:
         return _read_file(file, directory)
     except OSError as error:

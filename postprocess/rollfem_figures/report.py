@@ -14,24 +14,24 @@ A positive longitudinal creepage ξ brakes the wheel and gives a negative F<sub>
 coefficient is −F<sub>x</sub>/F<sub>z</sub>, so that the creep curve rises with ξ, and the figures draw
 −p<sub>x</sub> for the same reason. Slip is that of the wheel's surface relative to the rail.</p>""")
 
-BARS = ("±: uncertainty left by grid and solver, estimated by the model, in the unit of the value; a word in its place "
-        "says why there is none (exact: a closed form; theory: an approximate theory). “model ±”: what the model "
-        "neglects on any grid; the notes say how it was estimated.")
+BARS = ("±: error bar for grid and solver, estimated by the model, in the unit of the value; a word in its place "
+        "says why there is none (exact: a closed form; theory: an approximate theory). “model ±”: model error, "
+        "present on any grid; the notes say how it was estimated.")
 
-# Of the figures of a patch: file name, caption, and the function of the result that draws it or returns None.
+# Figures of a patch: file name, caption, and the function of the result that draws it or returns None.
 OF_PATCH = (
     ("creep_curve", "Creep curve: traction coefficient of every model with friction, and beside it the difference from "
      "the reference model if there are several. Bars: error estimates.", curves.creep_curve),
-    *((f"path_{axis}", f"Along the middle line {across} = 0: contact pressure, and tangential traction under its bound "
+    *((f"path_{axis}", f"Along the centre line {across} = 0: contact pressure, and tangential traction under its bound "
        "(thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two coincide the surfaces slip.",
        lambda result, axis=axis: curves.path(result, axis)) for axis, across in ("xy", "yx")),
-    ("path_lateral", "Lateral traction along both middle lines. It vanishes along y = 0 where nothing drives the "
-     "material sideways and the patch is symmetric.", curves.lateral_paths),
-    ("strip_force", "Force per strip: pressure and tangential traction summed along rolling, for each mm of width. "
-     "Thin: the same strip sliding fully.", curves.strip_forces),
-    ("outlines", "Contact areas of all models overlaid, with the border between adhesion and slip of each; shaded: the "
-     "zones of the reference model. Material enters on the right.", maps.outlines),
-    ("contact_area", "Zones of adhesion and slip, model by model.", maps.contact_area))
+    ("path_lateral", "Lateral traction along both centre lines. It vanishes along y = 0 in a symmetric patch without "
+     "lateral creepage or spin.", curves.lateral_paths),
+    ("strip_force", "Force per strip: pressure and tangential traction summed along rolling, per mm of width. "
+     "Thin: the same strip in full sliding.", curves.strip_forces),
+    ("outlines", "Contact patches of all models overlaid, with the border between adhesion and slip area of each; shaded: the "
+     "areas of the reference model. Material enters on the right.", maps.outlines),
+    ("contact_area", "Adhesion and slip areas, model by model.", maps.contact_area))
 
 
 def captions(result):
@@ -48,37 +48,37 @@ def captions(result):
 
 
 def place_captions(result):
-    """The same for the figures before the patches, when wheel and rail have profiles."""
+    """The same for the figures before the patches, if wheel and rail have profiles."""
     numbers = positions.positions(result)
     for wheel, position in result.profiles:
         if position in (numbers[0], numbers[-1]):
             yield (f"pair_{wheel}_{position:.0f}.svg",
                    f"The {wheel} wheel on its rail{positions.at_words(result, position)}, with the contact "
-                   "points. Right: the undeformed distance between the two around them.",
+                   "points. Right: the undeformed distance around them.",
                    lambda wheel=wheel, position=position: positions.pair(result, wheel, position))
-    yield ("wheelset.svg", "The wheelset over its lateral shift: rolling radii and contact angles, without a load "
+    yield ("wheelset.svg", "The wheelset over its lateral shift: rolling radii and contact angles, unloaded "
            "(lines) and under load (markers); equivalent conicity over the amplitude, from the wave of the free "
            "wheelset (UIC 519, EN 15302) and by harmonic linearisation, and the wavelength.",
            lambda: positions.wheelset(result))
-    yield ("positions.svg", "Over the positions: where wheel and rail touch, and the results at the first load "
+    yield ("positions.svg", "Over the positions: contact points of wheel and rail, and the results at the first load "
            "point. Lines: the most loaded patch; single points: further patches; forces: sum over the patches of a "
            "wheel. Filled: left wheel, open: right wheel.", lambda: positions.sweep(result))
 
 
-# With more patches than this, each gets only the most telling figures.
+# With more patches than this, each gets only the most informative figures.
 MOST_FULL = 8
 
 
 def _telling(scene):
-    """Beginnings of the names of the figures that every patch of a long row has."""
+    """Prefixes of the figures drawn for every patch of a long sweep."""
     reference = load_points.reference_for_forces(scene) or load_points.reference_for_patch(scene)
     return ("creep_curve", "path_x", "path_y", "outlines", "stress_",
             *(f"oblique_{what}_{reference.name}.svg" for what in ("px", "pn")))
 
 
 def all_captions(result):
-    """Of a whole run: the places of the patches, then the figures of each patch, whose names begin
-    with s1_, s2_, ... when there are several."""
+    """The same for a whole run: the places of the patches, then the figures of each patch, whose names begin with s1_,
+    s2_, ... if there are several."""
     scenes = result.scenes()
     if result.models and result.models[0].place:
         yield from place_captions(result)
@@ -88,7 +88,7 @@ def all_captions(result):
         yield from ((first + name, words + caption, draw) for name, caption, draw in captions(scene) if name.startswith(telling))
 
 
-# What is in contact and under what load, by a key that only such a case has; the last where no other fits.
+# Description of bodies and load, by a key specific to such a case; the last one is the fallback.
 SHAPES = (("given_max_pressure", "Hertz's pressure of {given_max_pressure} MPa given on an ellipse of semi-axes "
            "{given_semi_axis_x} by {given_semi_axis_y} mm"),
           ("distance_A", "Undeformed distance A x² + B y² with A = {distance_A}, B = {distance_B} 1/mm"),
@@ -168,14 +168,14 @@ def notes(result):
                 said[words][1].add(model.key)
     rows = []
     for (name, _), (note, others) in said.items():
-        more = "" if not others else " (and another patch with other numbers)" if len(others) == 1 else (
-            f" (and {len(others)} other patches with other numbers)")
+        more = "" if not others else " (values differ for 1 other patch)" if len(others) == 1 else (
+            f" (values differ for {len(others)} other patches)")
         rows.append(f"<li>{escape(name)}: {escape(note + more)}</li>")
     return section("Notes on the models", "<ul>" + "".join(rows) + "</ul>" if rows else "")
 
 
 def lower(html, levels=1):
-    """The HTML with every heading so many levels lower."""
+    """The HTML with every heading lowered by `levels`."""
     return re.sub(r"(</?h)([23])>", lambda found: f"{found[1]}{int(found[2]) + levels}>", html)
 
 
@@ -190,12 +190,12 @@ def _patch(scene, images, heading):
     return f"<h3>{escape(heading)}</h3>" + lower(html, 2) if heading else html
 
 
-# Of so many patches the printer gets all.
+# With up to this many patches, all are printed.
 MOST_PRINTED = 4
 
 
 def patches(result, figures, name="patch"):
-    """The patch; one of several is shown, which the reader chooses. `name`: of the choice."""
+    """The section of the patch; with several, the reader chooses the one shown. `name`: of the choice."""
     if len(result.scenes()) < 2:
         return "".join(_patch(scene, figures, "") for _, scene in result.scenes())
     articles = []
@@ -207,8 +207,8 @@ def patches(result, figures, name="patch"):
 
 
 def _chooser(result, articles, name):
-    """One of many patches shown at a time, chosen in a table of positions and wheels; without a script. `articles`: HTML
-    of each of the scenes; `name`: of the choice, unlike others of the page."""
+    """One of many patches shown at a time, chosen in a table of positions and wheels; without a script. `articles`:
+    HTML of each of the scenes; `name`: of the choice, unique on the page."""
     inputs, rules, parts, cells = [], [], [], {}
     for number, ((label, scene), article) in enumerate(zip(result.scenes(), articles), 1):
         this, place = f"{name}{number}", scene.models[0].place
@@ -228,24 +228,24 @@ def _chooser(result, articles, name):
                           for wheel in ("left", "right") if any(key[1] == wheel for key in cells)],
                          frame="chooser", name="choose a patch")
     return (f"<section aria-label=\"Patches\"><style>{''.join(rules)}</style>{''.join(inputs)}"
-            "<p class=hint>Choose a patch (1: the most loaded of its wheel); arrow keys go along the row.</p>"
+            "<p class=hint>Choose a patch (1: the most loaded of its wheel); arrow keys move along the row.</p>"
             f"{table}{''.join(parts)}</section>")
 
 
 def touching(result, figures):
-    """The section on where wheel and rail touch, for profiles; otherwise empty."""
+    """The section on the contacts of wheel and rail, for profiles; otherwise empty."""
     if not (result.models and result.models[0].place):
         return ""
     row = positions.wheelset_table(result)
     return section("Wheelset over lateral shift", row, figures("wheelset.svg")) * bool(row) + section(
         "Where wheel and rail touch", positions.contact_table(result),
-        hint("Track: y to the right, positive angles rise to the flange; profile coordinates: y to the field side. Forces "
-             "and pressures at the first load point."), figures("pair_", "positions"))
+        hint("Track: y to the right, contact angle positive where the plane falls towards the middle of the track; "
+             "profile coordinates: y to the field side. Forces and pressures at the first load point."), figures("pair_", "positions"))
 
 
 def build(directory, reference=""):
-    """Draws and writes the report of a folder; returns its result and its figures (page.Drawn), without those for which
-    it has no data. `reference`: name of the model that the others are compared with, where it is there."""
+    """Draws and writes the report of a folder; returns its result and the figures for which it has data (page.Drawn).
+    `reference`: name of the preferred reference model."""
     result = read_result(directory)
     result.reference = reference
     styles.know({model.name: model.label for model in result.models})
@@ -259,7 +259,7 @@ def build(directory, reference=""):
         asked(result), touching(result, figures), patches(result, figures), section("Cost", tables.cost_table(result)),
         notes(result), CONVENTIONS, f"<div class=screen><h2>Every load point</h2>{details}</div>"],
         "Also in this folder: results.h5 (all fields), summary.json, creep_curve.csv, contacts.csv (with profiles), "
-        "wheelset.csv (for a row of shifts), path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "
+        "wheelset.csv (for a lateral sweep), path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "
         "ParaView), figures/.")
     return result, figures
 
@@ -269,7 +269,7 @@ LOOKS = [(r"\bmu\b", "μ"), (r"\bp0\b", "p<sub>0</sub>"), (r"([Fp])_([xyz])", r"
 
 
 def verdict(text):
-    """The verdict of a comparison or study, models by the names that figures and tables have."""
+    """The verdict of a comparison or study, with the model labels of figures and tables."""
     text = escape(text)
     for pattern, look in LOOKS + [(rf"(?<![\w.-]){name}(?![\w-])", label)
                                   for name, label in styles.LABELS.items()]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""stress.html: what `rollfem stress` found, at all load points that were asked for: depth profiles, lines, planes and the
+"""stress.html: results of `rollfem stress` at all requested load points: depth profiles, lines, planes and the
 shakedown map."""
 import math
 import os
@@ -17,32 +17,33 @@ from .stresses import MEASURES
 from .tables import number, plain, table
 
 DASHES = [(), (7.5, 2.3), (1.5, 1.5), (6, 1.5, 1.5, 1.5)]
-# Load points of one model beside each other: the colours, from the first on.
+# Colours of the load points of one model, from the first on.
 POINT_COLOURS = ["blue", "red", "green", "pink", "amber", "sky", "brown", "violet", "wine", "forest"]
 MOST_FIGURES = 40  # of each kind
 
 
 def load_point(model):
-    """Which load point of the model is drawn."""
+    """Label of the drawn load point of the model."""
     key = tuple(model.data[name] for name in ("longitudinal_creepage", "lateral_creepage", "spin"))
     return f"step {model.data['step']}" if model.data["step"] else load_points.key_texts([key])[0][key]
 
 
 def entry_name(result, model):
-    """What tells one entry from the others: its model, its load point, or both."""
+    """The distinguishing part of an entry: its model, its load point, or both."""
     models, points = ({key(m) for m in result.models} for key in (styles.label, load_point))
     return ", ".join(([styles.label(model)] if len(models) > 1 or len(points) < 2 else [])
                      + ([load_point(model)] if len(points) > 1 else []))
 
 
 def _shared(result):
-    """The load point that all share, or empty."""
+    """The common load point, or empty."""
     points = {load_point(m) for m in result.models}
     return points.pop() if len(points) == 1 else ""
 
 
 def _by_name(result, prefix):
-    """{(name, body): [(number, model, set)]} of the sets whose names begin so (a prefix or several), of some of the names, in order."""
+    """{(name, body): [(number, model, set)]} of the sets whose names begin with a prefix (or one of several), for some
+    of the names, in order."""
     names = dict.fromkeys(s.name for m in result.models for s in m.sets if s.name.startswith(prefix))
     found = {(name, body): [(k, m, m.set(name, body)) for k, m in enumerate(result.models) if m.set(name, body)]
              for name in list(names)[:MOST_FIGURES] for body in ("wheel", "rail")}
@@ -50,8 +51,8 @@ def _by_name(result, prefix):
 
 
 def depth_profile(result, by_body):
-    """Stresses down from the surface, {body: sets (_by_name)}: the measures of a body in one panel, or in a panel each
-    where there are several models or load points."""
+    """Stresses down from the surface, {body: sets (_by_name)}: the measures of a body in one panel, or one panel each
+    for several models or load points."""
     several = len(result.models) > 1
     looks = _looks(result)
     figure = Figure(len(MEASURES) if several else 2, in_rows=several)
@@ -78,7 +79,7 @@ def _depth_panel(figure, width, title, label):
 
 
 def _looks(result):
-    """A look of each entry: of its model where they differ in that, else a colour for each load point."""
+    """The look of each entry: of its model if models differ, otherwise a colour for each load point."""
     if len({m.name for m in result.models}) == len(result.models):
         return [styles.line(m) for m in result.models]
     names, points = (list(dict.fromkeys(map(of, result.models))) for of in (lambda m: m.name, load_point))
@@ -87,7 +88,7 @@ def _looks(result):
 
 
 def along_line(result, body, parts):
-    """Four measures along a line, every model and load point in a look of its own."""
+    """Four measures along a line, with one look for every model and load point."""
     looks = _looks(result)
     return stresses.along_line(
         [({**looks[place], "name": entry_name(result, model)}, np.stack([part[axis] for axis in "xyz"], axis=1),
@@ -96,9 +97,8 @@ def along_line(result, body, parts):
 
 
 def _lattice(part):
-    """In-plane coordinates [across, along] of a plane, with their labels: that of the global frame
-    for a side that follows an axis, else the distance along it; of a skew parallelogram the
-    distance across its first side."""
+    """In-plane coordinates [across, along] of a plane, with their labels: the global coordinate for a side along an
+    axis, otherwise the distance along the side; of a skew parallelogram the distance across its first side."""
     points = np.array([part[c].reshape(part.shape) for c in ("x", "y", "z")])
     offset = points - points[:, :1, :1]
     sides, found = [], []
@@ -119,7 +119,7 @@ def _lattice(part):
     return found[0][1], found[1][1], found[0][2], found[1][2]
 
 
-# The colour map viridis, in steps; and where on it the words are white.
+# The colour map viridis in steps, and the part with white text.
 VIRIDIS = ("#440154 #481b6d #46327e #3f4788 #365c8d #2e6e8e #277f8e #21918c #1fa187 #2db27d #4ac16d #73d056 "
            "#a0da39 #d0e11c #fde725").split()
 
@@ -129,14 +129,14 @@ def _shade(number, levels):
 
 
 def _filled(panel, right, up, values):
-    """Areas above ever higher levels over each other. The lattice may be askew: levels are found over the
-    numbers of its points. Returns the levels."""
+    """Overlaid areas above increasing levels. The lattice may be skew, because contours are computed over the indices
+    of its points. Returns the levels."""
     low, high = float(values.min()), float(values.max())
     step = nice_step(max(high - low, 1e-6 * max(abs(high), 1e-9)), len(VIRIDIS) - 1)
     first = math.floor(low / step + 1e-9)
     levels = [step * n for n in range(first, first + len(VIRIDIS)) if step * n < high]
     rows, columns = values.shape
-    # A ring around, beyond the border, closes the lines; the border cuts it off.
+    # A ring beyond the border closes the lines; the border clips it.
     x, y = np.arange(-1, columns + 1.0), np.arange(-1, rows + 1.0)
     x[[0, -1]], y[[0, -1]] = (-1e-3, columns - 1 + 1e-3), (-1e-3, rows - 1 + 1e-3)
     wide = np.pad(values, 1, constant_values=low - 1e3 * (high - low or 1.0))
@@ -155,7 +155,7 @@ def _edge(right, up):
 
 
 def _scale(figure, levels, step, height):
-    """A panel with the colours of the levels."""
+    """A panel with the colour scale of the levels."""
     panel = figure.add(14, height, " ")
     panel.x.ticks, panel.x.limits, panel.room_left = [], (0.0, 1.0), 34
     panel.y.limits = (levels[0], levels[-1] + step)
@@ -186,7 +186,7 @@ KINDS = (("line", (7.5, 3), "line contact"), ("circle", (1.5, 1.5), "circular co
 
 
 def _curves(result):
-    """{key of a model: (model, its shakedown at all load points, numbers of those that were asked for)}."""
+    """{key of a model: (model, its shakedown at all load points, numbers of the requested ones)}."""
     return {m.key: (m, m.data["shakedown"], [other.data["point"] for other in result.models if other.key == m.key])
             for m in result.models}
 
@@ -210,7 +210,7 @@ def shakedown_map(result):
         panel.line(at, bounds[f"{kind}_shakedown"], "soft", 1.1, dash, name=f"shakedown limit, {name}")
         panel.line(at, bounds[f"{kind}_elastic"], "sky", 1.1, dash, name=f"elastic limit, {name}")
     for size, (model, curve, asked) in zip((4.5, 3.2, 2.6, 2.2) * len(curves), curves.values()):
-        look = {**styles.line(model, True), "size": size}  # models that agree stay visible
+        look = {**styles.line(model, True), "size": size}  # models that coincide stay visible
         spots = [(p["tangential_coefficient"], p["load_factor"]) for p in curve]
         chosen = [spots[number_ - 1] for number_ in asked]
         panel.spots(spots, True, hollow=True, order=4, **{**look, "name": ""})
@@ -218,7 +218,7 @@ def shakedown_map(result):
                      marker=look["marker"])
         panel.spots(chosen, order=5, **{**look, "name": f"{look['name']} (filled: the load points of the stresses)"})
     panel.text(0.012, 0.3, "elastic")
-    if top < 6:  # else there is no room between the limits
+    if top < 6:  # otherwise there is no space between the limits
         panel.text(0.008, 3.2, "elastic shakedown")
     panel.text(0.97, 0.93, "plastic flow at every pass", "end", share=(True, True))
     return figure.tell("Shakedown map, ", [panel.seen()])
@@ -270,7 +270,7 @@ def _contacts(result, heads):
 
 
 def _verdicts(result, image):
-    """One verdict of shakedown for every load point of every model; nothing without a yield stress."""
+    """One verdict on shakedown for every load point of every model; empty without a yield stress."""
     if result.yield_shear_stress is None:
         return ""
     html = []
@@ -286,14 +286,14 @@ def _verdicts(result, image):
                            "shakedown limit", "σ<sub>v</sub>/(√3 k)", "surface fatigue index", "verdict"], rows))
     ratio = result.models[0].data["shakedown"][0]["ellipse"]["ratio"]
     return section(f"Shakedown, k = {number(result.yield_shear_stress, 4)} MPa", *html, hint(
-        f"The limit is that of an ellipse b/a = {number(ratio, 3)}, like the patch, in full slip: "
+        f"The limit is for an ellipse b/a = {number(ratio, 3)}, like the patch, in full slip: "
         "there the largest shear on planes parallel to the surface is k. First yield is judged by the largest "
         "von Mises stress σ<sub>v</sub> of this contact if known, otherwise by the lower of the elastic "
         "limits of line and circle."), image)
 
 
 def build(path):
-    """Draws what stands with stress.json to figures/ beside it and writes stress.html."""
+    """Draws the folder of stress.json to figures/ and writes stress.html."""
     directory = os.path.dirname(os.path.abspath(path))
     result = read_stress(directory)
     styles.know({model.name: model.label for model in result.models})

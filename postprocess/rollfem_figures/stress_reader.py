@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What `rollfem stress` wrote, as numpy arrays.
+"""Output of `rollfem stress` as numpy arrays.
 
 Units mm, N, MPa. Global frame: x along rolling, y lateral, z into the wheel. Tension is positive.
 """
@@ -35,13 +35,13 @@ class StressSet:
 
 @dataclass
 class StressModel:
-    """Of one model at one load point. `data` is its entry in stress.json."""
+    """Stresses of one model at one load point. `data` is its entry in stress.json."""
 
     name: str
     key: str
     sets: list
     data: dict
-    label: str = ""  # what figures call it
+    label: str = ""  # label in figures
 
     def set(self, name, body):
         """The set of that name and body, or None."""
@@ -54,7 +54,7 @@ class StressResult:
     title: str
     source: str
     models: list
-    yield_shear_stress: float = None  # MPa, or None when none was given
+    yield_shear_stress: float = None  # MPa, or None if none was given
     shakedown_map: dict = None  # boundaries: lists by name, over tangential_coefficient
 
 
@@ -68,7 +68,7 @@ def _rows(path):
 
 
 def read_stress(directory):
-    """Reads the folder of a `rollfem stress` call. Raises ResultError when it is none."""
+    """Reads the folder of a `rollfem stress` call. Raises ResultError if it is not one."""
     try:
         with open(os.path.join(directory, "stress.json"), encoding="utf-8") as file:
             data = json.load(file)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stress in the bodies: measures, curves along lines and the table of the largest values, of a run as of
-`rollfem stress`."""
+"""Stress in the bodies: measures, curves along lines and the table of the largest values, for runs and for `rollfem
+stress`."""
 from html import escape
 
 import numpy as np
@@ -9,15 +9,15 @@ from . import load_points, styles
 from .figure import Figure
 from .tables import measured, number, plain, table
 
-# measure: (column, label, colour). One colour a measure where they share a panel.
+# measure: (column, label, colour). One colour per measure in a common panel.
 MEASURES = [("von_mises", "von Mises", "blue"), ("tresca", "Tresca", "red"),
             ("orthogonal_shear", "orthogonal shear", "green"), ("hydrostatic", "hydrostatic", "soft")]
 LARGEST = {**{name: label for name, label, _ in MEASURES[:3]}, "principal_1": "principal, tension"}
 
 
 def measures(stress):
-    """Scalars of stresses [n, 6] (xx yy zz xy yz xz, MPa): von Mises, Tresca (difference of the outer
-    principal stresses), hydrostatic (mean, negative in compression) and orthogonal shear stress."""
+    """Scalar measures of stresses [n, 6] (xx yy zz xy yz xz, MPa): von Mises, Tresca (difference of the outer principal
+    stresses), hydrostatic (mean, negative in compression) and orthogonal shear stress."""
     xx, yy, zz, xy, yz, xz = np.asarray(stress, dtype=float).T
     principal = np.linalg.eigvalsh(
         np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2))
@@ -31,11 +31,11 @@ def measures(stress):
 
 
 def _position(points):
-    """Where the points are along their line: (values, axis label)."""
+    """Positions of the points along their line: (values, axis label)."""
     change = points[-1] - points[0]
     length = np.linalg.norm(change)
     names = (r"$x$ [mm], rolling $\rightarrow$", r"$y$ [mm], lateral", "$z$ [mm], into the wheel")
-    # The third coordinate of a line on a curved surface changes, too.
+    # On a curved surface the third coordinate changes too.
     for axis in (2, 0, 1):
         if length > 0 and abs(change[axis]) > 0.995 * length:
             if axis == 2 and points[:, 2].min() * points[:, 2].max() >= 0:
@@ -46,8 +46,8 @@ def _position(points):
 
 
 def along_line(curves, heading):
-    """Four measures along a line; `curves`: look with a name, places [n, 3], arrays by measure; `heading`: what they
-    share."""
+    """Four measures along a line; `curves`: look with a name, places [n, 3], arrays by measure; `heading`: their common
+    part."""
     figure = Figure(2)
     axis_label = _position(curves[0][1])[1]
     panels = figure.charts((300, 165), [
@@ -62,14 +62,14 @@ def along_line(curves, heading):
 
 
 def lines(result):
-    """(number in the case from 0, kind, body) of every request that is a line or follows a surface."""
+    """(number in the case from 0, kind, body) of every request for a line or along a surface."""
     found = {k: (k, part["kind"], part["body"]) for model in result.models for point in model.points
              for k, part in enumerate(point.subsurface) if part["kind"] in ("line", "surface")}
     return [found[k] for k in sorted(found)]
 
 
 def of_request(result, number_of_request):
-    """The stress of every model that has it along one request of a run. None when none has."""
+    """The stress of every model with stresses along one request of a run. None if there is none."""
     models = [m for m in result.models if any(p.subsurface for p in m.points)]
     key = load_points.typical_key(models) or (models[0].points[0].key if models else None)
     found = [(model, point.subsurface[number_of_request]) for model in models
@@ -88,14 +88,14 @@ def caption(kind, body):
 
 
 def largest_cell(value, error, place, more=""):
-    """Value, bar and place of a largest stress, and what else is said of the place."""
+    """Value, bar and place of a largest stress, with a remark on the place."""
     at = ", ".join(number(round(float(x), 2) + 0.0, 3) for x in place)
     return f"{measured(value, error, 4)}<br><span class=d>at ({at}) mm{more}</span>"
 
 
 def largest_table(heads, cell_of):
-    """The largest stresses of both bodies, a column under each head; cell_of(column, body, measure) is None where there
-    is none. Empty without any."""
+    """The largest stresses of both bodies, with a column per head; cell_of(column, body, measure) is None for a missing
+    value. Empty without values."""
     rows = []
     for body in ("wheel", "rail"):
         for measure, name in LARGEST.items():
@@ -106,7 +106,7 @@ def largest_table(heads, cell_of):
 
 
 def maxima_table(result):
-    """The largest stresses over all load points of a run, with places; empty without any."""
+    """The largest stresses over all load points of a run, with places; empty if there are none."""
     models = [m for m in result.models if any(p.stress_maxima for p in m.points)]
 
     def cell(column, body, measure):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""study.html: errors of one case on ever finer grids, against unknowns and seconds."""
+"""study.html: errors of one case on successively finer grids, against unknowns and seconds."""
 import os
 from html import escape
 
@@ -11,7 +11,7 @@ from .reader import Quantity, read_json
 from .labels import math
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
-SMALLEST = 1e-9  # relative; below it an error is nothing that a figure can show
+SMALLEST = 1e-9  # relative; smaller errors cannot be drawn
 
 
 def _is_coefficient(key):
@@ -29,27 +29,27 @@ def _title(place, key):
 
 
 def _keys(place):
-    """Those of the references: patch first, then along the creep curve."""
+    """Keys of the references: patch first, then along the creep curve."""
     patch = [name for name in PATCH if name in place["references"]]
     rest = [k for k in place["references"] if _is_coefficient(k)]
     return patch + sorted(rest, key=lambda k: int(k.split(":")[1]))
 
 
 def typical_coefficient(place, friction):
-    """Key of the load point whose coefficient is nearest to 0.65 mu, where adhesion and slip are both
-    there; None without any."""
+    """Key of the load point whose coefficient is nearest to 0.65 mu, with both adhesion and slip; None if there is
+    none."""
     keys = [k for k in _keys(place) if _is_coefficient(k)]
     wanted = 0.65 * friction
     return min(keys, key=lambda k: abs(abs(place["references"][k]["value"]) - wanted), default=None)
 
 
 def _curve(series, key, across):
-    """Positions and errors in percent of the levels; what is exact cannot be drawn."""
+    """Positions and errors in percent of the levels; exact values cannot be drawn."""
     return [(level[across], 100 * level["errors"][key]) for level in series["levels"]
             if level["errors"].get(key, 0) > SMALLEST and level[across] > 0]
 
 
-# Series of one model refined in different ways: dash, marker, whether it is hollow.
+# Looks of series of one model refined in different ways: dash, marker, hollow or not.
 VARIANTS = [(None, None, False), ((1.5, 1.5), None, True), ((6, 1.5, 1.5, 1.5), "^", True), ((3, 3), "v", False)]
 
 
@@ -63,7 +63,7 @@ def _look(place, series):
 
 
 def _add_band(panel, place, key, friction):
-    """A band of errors that the reference cannot tell; whether there is one."""
+    """Draws a band of errors below the uncertainty of the reference; returns whether there is one."""
     reference = place["references"][key]
     scale = friction if _is_coefficient(key) else abs(reference["value"])
     level = 100 * reference["uncertainty"] / scale if scale > 0 else 0.0
@@ -77,7 +77,7 @@ ORDER = {"colour": "soft", "width": 1.0, "dash": (1.5, 2.2)}
 
 
 def errors_figure(place, across, wanted, friction):
-    """Errors of the keys against "seconds" or "unknowns", log-log. None when there are none."""
+    """Errors of the keys against "seconds" or "unknowns", log-log. None if there are none."""
     curves = {key: [(series, found) for series in place["series"] if (found := _curve(series, key, across))]
               for key in wanted}
     curves = {key: found for key, found in curves.items() if found}
@@ -93,7 +93,7 @@ def errors_figure(place, across, wanted, friction):
         for series, spots in found:
             panel.spots(spots, True, **_look(place, series))
             if across == "unknowns" and series["model"] == "halfspace" and len(spots) >= 3:
-                # The slope of order 2 on a surface: error falls as 1/unknowns.
+                # Slope of order 2 on a surface grid: the error falls as 1/unknowns.
                 ends = np.array([spots[0][0], spots[-1][0]]) * 1.6
                 panel.line(ends, 1.6 * spots[0][1] * ends[0] / ends, **ORDER)
                 extra["order 2"] = ORDER
@@ -117,7 +117,7 @@ def _heading(place, key):
 
 
 def _is_reference(place, series, level, key):
-    """The finest value that errors are measured against has none itself."""
+    """Whether the value is itself the finest one used as reference, which has no error."""
     return (place["references"][key]["kind"] == "finest" and level is series["levels"][-1]
             and level["errors"].get(key) == 0)
 
@@ -166,7 +166,7 @@ def _series_table(place, series):
 
 
 def _overview(study):
-    """One row for each series of each place: the largest pressure, which is the first thing asked for."""
+    """One row for each series of each place, for the largest pressure."""
     rows = []
     for place, series in ((place, series) for place in study["places"] for series in place["series"]):
         levels = [level for level in series["levels"] if "max_pressure" in level["values"]]
@@ -181,17 +181,17 @@ def _overview(study):
          "p<sub>0</sub>, limit [MPa]", "seconds, all levels"], rows)) if len(study["places"]) > 1 else ""
 
 
-HINTS = """±: the model's own estimate; of limits, the uncertainty left by the levels.
+HINTS = """±: the model's own estimate; for limits, the uncertainty from the levels.
 Errors in percent of the reference, of traction coefficients in percent of μ. Orders: from the
-errors of a level and the one before if the reference is exact or given, otherwise from the last three values.
+errors of a level and the previous one if the reference is exact or given, otherwise from the last three values.
 Limit: Richardson's value of the three finest levels with its uncertainty; if these show no order (not monotone, or
-changes that do not decrease), that of a curve fitted to all levels, if four or more follow one;
+changes that do not decrease), the limit of a curve fitted to all levels, if four or more follow one;
 otherwise the finest value with three times the largest change.
 An order well above 2 is partly coincidence. Seconds: elapsed time, including all load points and error
 estimates."""
 
 
-# With more patches than this the details of each are folded away.
+# With more patches than this the details of each are collapsed.
 MOST_OPEN = 3
 
 
@@ -201,7 +201,7 @@ def _figures(study):
     for place in study["places"]:
         suffix = f"_{place['key']}" if place["key"] else ""
         if len(study["places"]) <= MOST_OPEN or len(place["series"]) > 1:
-            yield (f"speed_error{suffix}.svg", "Error against seconds. Where a line stays flat, the error is that of the "
+            yield (f"speed_error{suffix}.svg", "Error against seconds. Where a line stays flat, the error comes from the "
                    "theory, not of the grid. An exact reference (Hertz) is not drawn.",
                    lambda place=place: speed_error(place, friction))
         yield (f"error_unknowns{suffix}.svg", "Error against unknowns, every quantity of the study.",

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One look for all figures: colours that colour-blind readers can tell apart (Okabe and Ito), on white
-and on black paper, a marker and a dash for each model. How a model is called comes with the results,
-from the program's registry."""
+"""One look for all figures: colours that colour-blind readers can distinguish (Okabe and Ito), on white and black
+ground, and a marker and a dash for each model. Model labels come with the results, from the program's registry."""
 
 # name: (on light ground, on dark ground).
 COLOURS = {
@@ -13,7 +12,7 @@ COLOURS = {
     "brown": ("#8B5A2B", "#c08d5a"), "grey": ("#8c8c8c", "#9a9a9a"), "wine": ("#882255", "#cc6699"),
     "forest": ("#117733", "#55bb77"), "violet": ("#6A3D9A", "#a981d6"),
 }
-# name: (colour, dash in px, marker), so that a model looks the same in every figure ever drawn.
+# name: (colour, dash in px, marker), so that a model looks the same in all figures.
 MODELS = {
     "hertz": ("ink", (7.5, 3), "x"),
     "halfspace": ("blue", (), "o"),
@@ -25,14 +24,14 @@ MODELS = {
     "vermeulen-johnson": ("brown", (1.5, 3), "*"),
     "linear": ("grey", (7.5, 7.5), "+"),
 }
-# Those of other models, in the order in which they are met.
+# Looks of other models, in order of appearance.
 SPARE = [("wine", (10, 1.5, 1.5, 1.5), "<"), ("forest", (4.5, 1.5, 1.5, 1.5, 1.5, 1.5), ">"),
          ("violet", (3, 3), "h")]
 LABELS = {}
 
 
 def know(labels):
-    """How models are called, {name: label}. Call before drawing; later calls add to it."""
+    """Sets model labels, {name: label}. Call before drawing; later calls add labels."""
     LABELS.update((name, label) for name, label in labels.items() if label)
 
 
@@ -41,12 +40,12 @@ def _name(model):
 
 
 def label(model):
-    """How a model, or that of a name, is called."""
+    """Label of a model or of a model name."""
     return LABELS.get(_name(model), _name(model))
 
 
 def of_model(model):
-    """(colour, dash, marker) of a model, or of that of a name."""
+    """(colour, dash, marker) of a model or of a model name."""
     return MODELS.setdefault(_name(model), SPARE[len(MODELS) % len(SPARE)])
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""table.html: a table of creep forces that `rollfem table` wrote, as numpy arrays, as surfaces and curves, and how far off
-it is between its points."""
+"""table.html: a table of creep forces of `rollfem table` as numpy arrays, as surfaces and curves, with its
+interpolation error."""
 import os
 from dataclasses import dataclass
 from html import escape
@@ -28,8 +28,8 @@ class CreepTable:
     force_bar: np.ndarray
     moment_bar: np.ndarray
     interpolation: dict
-    checked: np.ndarray  # [points, 10]: a/b or mm, xi', eta', phi', F_x, F_y, M_z interpolated, and solved for
-    wheels: dict  # of every lateral shift; empty over ratios
+    checked: np.ndarray  # [points, 10]: a/b or mm, xi', eta', phi', F_x, F_y, M_z interpolated, and computed
+    wheels: dict  # one entry per lateral shift; empty over axis ratios
 
     @property
     def first(self):
@@ -38,13 +38,13 @@ class CreepTable:
 
 
 def read_table(directory):
-    """The table of a folder."""
+    """Reads the table of a folder."""
     path = os.path.join(directory, "table.h5")
     if not results_are_sound(path):
         raise ResultError(f"{path}: is damaged; do: run rollfem table again")
     with h5py.File(path, "r") as file:
         if file.attrs.get("format") != "rollfem table":
-            raise ResultError(f"{path}: is no table")
+            raise ResultError(f"{path}: is not a table")
         checked = file["interpolation"]
         first = "lateral_shift" if "lateral_shift" in file["axes"] else "axis_ratio"
         wheel = file.get("wheel", {})
@@ -55,7 +55,7 @@ def read_table(directory):
             {**dict(getattr(wheel, "attrs", {})), **{name: wheel[name][()] for name in wheel}})
 
 
-# Of each panel: the force, its name, the axis that runs to the right and the one that runs to the back.
+# For each panel: the force, its name, the axis to the right and the axis to the back.
 VIEWS = (("longitudinal_force", "$-F_x/μF_n$", "longitudinal", "spin"),
          ("lateral_force", "$-F_y/μF_n$", "lateral", "spin"),
          ("spin_moment", "$-M_z/(μF_n$ $c)$", "spin", "longitudinal"))
@@ -64,12 +64,12 @@ COLOURS = ("blue", "slip", "green", "red", "pink", "sky", "wine")
 
 
 def _middle(axis):
-    """The place of the value nearest to 0 among creepages; to the right of it where two are."""
+    """Index of the creepage nearest to 0; of two equally near ones the right one."""
     return int(np.argmin(np.abs(axis) - 1e-12 * np.sign(axis)))
 
 
 def _first(found):
-    """The ratio of axes, or the shift, that is drawn: the one in the middle."""
+    """Index of the drawn axis ratio or shift: the middle one."""
     return len(found.axes[found.first]) // 2
 
 
@@ -77,24 +77,24 @@ ALL = slice(None)
 
 
 def _forces(found, force, **at):
-    """-force at these places of the axes, on the other axes where creepages are 0 and in the middle of the first."""
+    """-force at these indices of the axes, with the other creepages 0 and the middle of the first axis."""
     return -found.forces[force][tuple(
         at.get(name, _first(found) if name == found.first else _middle(axis)) for name, axis in found.axes.items())]
 
 
 def _plane(found, force, right, back):
-    """-force over (back from 0 on, right), the others 0."""
+    """-force over (back from 0 on, right), with the other creepages 0."""
     order, values = list(found.axes), _forces(found, force, **{right: ALL, back: ALL})
     return (values if order.index(back) < order.index(right) else values.T)[found.axes[back] >= 0]
 
 
 def _some(count, most):
-    """Up to so many of the numbers below `count`, evenly from the first to the last."""
+    """Up to `most` of the numbers below `count`, evenly spaced from the first to the last."""
     return np.unique(np.linspace(0, count - 1, min(most, count)).round().astype(int))
 
 
 def _even(values):
-    """Creepages as the axes of the table have them: even up to 1, then in equal ratios."""
+    """Creepages in the coordinate of the table's axes: even up to 1, then in equal ratios."""
     size = np.abs(values)
     return np.sign(values) * np.where(size <= 1, size, 1 + np.log(np.maximum(size, 1)))
 
@@ -137,12 +137,12 @@ def _said_first(found, place):
 
 
 def surfaces(found):
-    """The three forces over the creepage that makes them and one that takes part."""
+    """The three forces over the creepage that causes them and a second one."""
     result = Figure(3)
     for force, name, right, back in VIEWS:
         panel = result.add(330, 270, name, bare=True)
         behind, across = found.axes[back], found.axes[right]
-        shown = across >= (0 if found.first == "lateral_shift" else -np.inf)  # else the surface hides its negative half
+        shown = across >= (0 if found.first == "lateral_shift" else -np.inf)  # otherwise the surface hides its negative half
         _oblique(panel, across[shown], behind[behind >= 0], _plane(found, force, right, back)[:, shown],
                  (LETTER[right], LETTER[back]))
     result.entry(f"{_said_first(found, _first(found))}; creepages that are not shown are 0")
@@ -151,7 +151,7 @@ def surfaces(found):
 
 
 def _charts(size, rows):
-    """A figure of panels of that size: title, label of x, of y, and the curves."""
+    """A figure with panels of that size: title, label of x, of y, and the curves."""
     result = Figure(4 if len(rows) > 3 else 3)
     result.charts(size, [(*row, 0.0, curves) for *row, curves in rows])
     return result
@@ -178,7 +178,7 @@ def _rows(found, force, right, back):
 
 
 def ratios(found):
-    """The forces of each creepage alone, a curve for each ratio of axes or some shifts. None where there is one."""
+    """The forces of each creepage alone, with a curve for each axis ratio or some shifts. None for a single one."""
     count = len(found.axes[found.first])
     return None if count < 2 else _charts((290, 220), [(name, LETTER[right], name, [
         (found.axes[right], _forces(found, force, **{found.first: ratio, right: ALL}),
@@ -187,7 +187,7 @@ def ratios(found):
 
 
 def _some_from_zero(axes):
-    """Of every axis the places of up to four creepages from 0 to where sliding sets in, and of the largest."""
+    """For every axis, the indices of up to four creepages from 0 to the onset of full sliding, and of the largest."""
     rising = [np.flatnonzero((axis >= 0) & (axis <= 1.2)) for axis in axes]
     count = min(4, *map(len, rising))
     return [[*places[np.linspace(0, len(places) - 1, count).round().astype(int)], len(axis) - 1]
@@ -195,7 +195,7 @@ def _some_from_zero(axes):
 
 
 def _over_shifts(found, values, colour, **look):
-    """Curves between the shifts after which contact jumps."""
+    """Curves between the shifts where contact jumps."""
     jumps = found.wheels["jump_after"]
     ends = np.flatnonzero(jumps) + 1
     for part in map(slice, [0, *ends], [*ends, len(jumps)]):
@@ -207,7 +207,8 @@ def _shifted(found):
 
 
 def shifts(found):
-    """Forces of each creepage alone over the shift, gaps where contact jumps. None over ratios, and of one shift."""
+    """Forces of each creepage alone over the shift, gaps where contact jumps. None over axis ratios and for a single
+    shift."""
     if not _shifted(found):
         return None
     rights = [right for _, _, right, _ in VIEWS]
@@ -221,7 +222,7 @@ def shifts(found):
         for force, name, right, _ in VIEWS])
 
 
-# Of each panel over the shift: the title, its unit, the factor, and of each curve the entry, its name, colour and dash.
+# For each panel over the shift: title, unit, factor, and for each curve the legend entry, member, colour and dash.
 OF_WHEEL = (("contact angle", "mrad", 1e3, (("contact_angle", "", "blue", ()),)),
             ("rolling radius", "mm", 1, (("rolling_radius", "", "blue", ()),)),
             ("semi-axes of the ellipse", "mm", 1, (("semi_axis_x", "a, along rolling", "blue", ()),
@@ -230,7 +231,7 @@ OF_WHEEL = (("contact angle", "mrad", 1e3, (("contact_angle", "", "blue", ()),))
 
 
 def wheels(found):
-    """Where the wheel touches. None over ratios, and of one shift."""
+    """Contact data of the wheel. None over axis ratios and for a single shift."""
     return _charts((230, 200), [(name, LETTER["lateral_shift"], f"{name} [{unit}]", [
         curve for entry, word, colour, dash in entries
         for curve in _over_shifts(found, factor * found.wheels[entry], colour, dash=dash, name=word)])
@@ -238,12 +239,12 @@ def wheels(found):
 
 
 def errors(found):
-    """How many of the points at random are off by how much. None without any."""
+    """Distribution of the interpolation error over the random points. None without points."""
     if not len(found.checked):
         return None
     off = found.checked[:, 4:7] - found.checked[:, 7:10]
     result = Figure(1)
-    panel = result.add(420, 220, "interpolation between the points", "error [%]", "share of points [%]")
+    panel = result.add(420, 220, "interpolation between the points", "error [%]", "fraction of points [%]")
     panel.x.log, panel.y.limits = True, (0, 100)
     share = 100 * (np.arange(len(off)) + 1) / len(off)
     for name, size, colour, dash in (("forces, of $μF_n$", np.hypot(off[:, 0], off[:, 1]), "blue", ()),
@@ -260,8 +261,8 @@ def figures(found):
             (curves, "The same as curves; creepages that are not named are 0."),
             (ratios, f"One creepage alone, for {varied}."),
             (shifts, "One creepage alone over the shift; gaps where contact jumps."),
-            (wheels, "Where the wheel touches, without friction."),
-            (errors, "Share of random points whose interpolation error is no larger.")):
+            (wheels, "Contact of the wheel, without friction."),
+            (errors, "Fraction of random points with at most this interpolation error.")):
         yield f"table_{draw.__name__}.svg", caption, lambda draw=draw: draw(found)
 
 
@@ -277,12 +278,12 @@ def _said(found):
     def percent(value):
         return number(100 * float(value), 2)
 
-    rows = [["bars at the points, largest", percent(found.force_bar.max()), percent(found.moment_bar.max())]]
+    rows = [["largest error bars at the points", percent(found.force_bar.max()), percent(found.moment_bar.max())]]
     said = "Interpolation was not checked."
     if error["points"]:
         rows += [[f"interpolation, {what}", percent(error["force_" + key]), percent(error["moment_" + key])]
                  for key, what in (("rms", "root mean square"), ("95", "95 of 100 points"), ("max", "largest"))]
-        said = (f"Interpolation: {error['points']} random points between those of the grid (seed {error['seed']}), each "
+        said = (f"Interpolation: {error['points']} random points between the grid points (seed {error['seed']}), each "
                 "solved separately.")
     return table(["error", "forces [% of μF<sub>n</sub>]", "moment [% of μF<sub>n</sub>c]"], rows) + hint(said)
 
@@ -293,7 +294,7 @@ def _of_what(found):
     force = found.wheels["normal_force"]
     return (f"Creep forces of a wheel on its rail, friction {number(float(found.wheels['friction_coefficient']), 3)}, normal force "
             f"{number(float(force.min()), 6)} to {number(float(force.max()), 6)} N, creepages and forces of the main contact; "
-            "a and b are those of the ellipse that carries as far")
+            "a and b are the semi-axes of the equivalent ellipse")
 
 
 def build(directory):

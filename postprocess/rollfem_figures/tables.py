@@ -10,7 +10,7 @@ from .reader import full_sliding, place_label
 
 
 def number(value, digits=5):
-    """A number for reading: `digits` significant ones, no exponent where it can be helped."""
+    """A number for reading: `digits` significant digits, without exponent if possible."""
     if value is None:
         return "–"
     if value == 0:
@@ -26,12 +26,12 @@ def number(value, digits=5):
 
 
 def plain(value):
-    """A number that the user gave, without the digits that it does not need."""
+    """A number given by the user, without superfluous digits."""
     return f"{value:.6g}".replace("-", "−")
 
 
 def digits(value, count):
-    """A number of so many significant digits, of all that it needs for None."""
+    """A number with `digits` significant digits; None: all that it needs."""
     return plain(value) if count is None else number(value, count)
 
 
@@ -42,11 +42,11 @@ def percent(value):
     return ("0.00" if float(text) == 0 else text).replace("-", "−") + " %"
 
 
-ROUNDING = 1e-7  # of a value: a bar below is not worth a line
+ROUNDING = 1e-7  # relative to the value; smaller bars are not shown
 
 
 def measured(value, bar, digits=5):
-    """value ± bar, or the word in place of the bar."""
+    """value ± bar, or value with a word instead of the bar."""
     html = number(value, digits)
     if isinstance(bar, str):
         return html + (f"&nbsp;<span class=e>{escape(bar)}</span>" if bar else "")
@@ -56,7 +56,7 @@ def measured(value, bar, digits=5):
 
 
 def barred(point, quantity, digits=5):
-    """The value of a load point with its bar, or with why it has none."""
+    """The value of a load point with its bar, or the reason why it has none."""
     if quantity not in point.scalars:
         return "–"
     bar = point.bar(quantity)
@@ -64,7 +64,7 @@ def barred(point, quantity, digits=5):
 
 
 def with_bar(point, quantity, digits=5):
-    """The value of a load point with what is said of its error, and under it what the model leaves out."""
+    """The value of a load point with its error bar, and below it the model error."""
     html = barred(point, quantity, digits)
     model_error = point.model_error.get(quantity)
     if model_error is not None:
@@ -73,8 +73,8 @@ def with_bar(point, quantity, digits=5):
 
 
 def against(point, base, quantity, scale):
-    """The difference to the reference in percent of a scale, bold where it is beyond both error bars (a theory without
-    an estimate has none); nothing without a scale."""
+    """The difference from the reference in percent of a scale, bold if it exceeds both error bars (a theory without an
+    estimate has none); empty without a scale."""
     if not scale:
         return ""
     difference = point[quantity] - base[quantity]
@@ -83,13 +83,13 @@ def against(point, base, quantity, scale):
     return f"<br><span class=d>{f'<b>{text}</b>' if abs(difference) > allowed else text}</span>"
 
 
-# With so many columns a table is printed on a page that lies on its side (page.page).
+# With this many columns a table is printed in landscape format (page.page).
 MANY = 6
 
 
 def table(head, rows, kind="", frame="", name=""):
-    """HTML table that scrolls within its frame where it is wider than the page; the first cell of a row is
-    its heading. `kind`, `frame`: classes of the two; `name`: for whoever hears it, else the first head."""
+    """HTML table that scrolls within its frame if it is wider than the page; the first cell of a row is its heading.
+    `kind`, `frame`: classes of table and frame; `name`: for screen readers, by default the first head."""
     name = name or "table: " + re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", head[0])).strip()
     frame = frame or "many" * (len(head) >= MANY)
     body = "".join("<tr><th scope=row>" + row[0] + "</th>" + "".join(f"<td>{c}</td>" for c in row[1:]) + "</tr>"
@@ -98,7 +98,7 @@ def table(head, rows, kind="", frame="", name=""):
             f'<thead><tr>{"".join(f"<th scope=col>{h}</th>" for h in head)}</tr></thead><tbody>{body}</tbody></table></div>')
 
 
-# What the letters of the files look like on a page.
+# Letters of the files as shown on a page.
 GREEK = {"xi": "ξ", "eta": "η", "phi": "φ", "mu": "μ"}
 
 
@@ -109,12 +109,12 @@ def symbol(text):
 
 
 def unit(quantity):
-    """" [mm²]"; empty where it has none."""
+    """" [mm²]"; empty if there is none."""
     return "" if quantity.unit == "-" else f" [{quantity.unit.replace('^2', '²')}]"
 
 
 def heading(quantity):
-    """Title, symbol and unit of a scalar as the file has them."""
+    """Title, symbol and unit of a scalar from the file."""
     return " ".join(filter(None, (escape(quantity.title), symbol(quantity.symbol)))) + unit(quantity)
 
 
@@ -123,8 +123,8 @@ PATCH = ["max_pressure", "contact_length", "contact_width", "semi_axis_x", "semi
 
 
 def _tells(result, quantity):
-    """Whether a row of the patch table says anything: a given force is the same in every model, and
-    an ellipse has semi-axes, a patch of profiles a length and a width."""
+    """Whether a row of the patch table is useful: a given force is the same in every model, and an ellipse has
+    semi-axes, a patch of profiles a length and a width."""
     of_profiles = bool(result.models and result.models[0].place)
     if quantity.startswith(("contact_length", "contact_width", "semi_axis")):
         return quantity.startswith("contact") == of_profiles
@@ -133,8 +133,8 @@ def _tells(result, quantity):
 
 
 def _compared(head, models, reference, rows):
-    """A table of models beside each other, the reference first, so that no width of window hides it; `rows`: the
-    first cells and the cell of a model (a function)."""
+    """A table of models side by side, the reference first, so that no window hides it; `rows`: the first cells and the
+    cell of a model (a function)."""
     models = sorted(models, key=lambda model: model is not reference)
     return table([head] + [escape(styles.label(m)) for m in models],
                  [[first] + [cell(m) for m in models] for first, cell in rows])
@@ -156,7 +156,7 @@ def patch_table(result):
 
 
 def published_table(result):
-    """What others give for the patch of this case; empty without any."""
+    """Published values for the patch of this case; empty if there are none."""
     known = published(result)
     rows = known["patch"]
     if not rows:
@@ -175,7 +175,8 @@ def published_table(result):
 
 
 def _creepage_head(models):
-    """(heading, words of a key) of what varies over the load points; what they share is in `shared_creepage`."""
+    """(heading, words of a key) for the values that vary over the load points; `shared_creepage` has the common
+    ones."""
     told = _told(models)
     if told is None:
         return "load point", lambda key: plain(key[0])
@@ -185,14 +186,14 @@ def _creepage_head(models):
 
 
 def _told(models):
-    """Which parts of the keys are in a table; None where they are numbers."""
+    """The parts of the keys shown in a table; None if keys are numbers."""
     found = load_points.all_keys(models)
     return None if any(len(key) == 1 for key in found) else load_points.varying(found) or [0]
 
 
 def shared_creepage(models):
-    """" All at η = 0.1 %.", of what is not zero and not in the table, since it is the same at every load
-    point; empty if nothing is."""
+    """" All at η = 0.1 %." for nonzero values outside the table, which are the same at every load point; empty if there
+    are none."""
     first, told = next(iter(load_points.all_keys(models)), (0,)), _told(models)
     said = [f"{symbol} = {plain(factor * first[k])} {unit_}"
             for k, (_, _, symbol, factor, unit_, _) in enumerate(load_points.PARTS)
@@ -201,8 +202,8 @@ def shared_creepage(models):
 
 
 def creepage_table(result, quantity):
-    """A quantity of friction of every model that has friction at every creepage. Differences to the
-    reference are in percent of what full sliding gives in the reference."""
+    """A friction quantity of every model with friction at every creepage. Differences from the reference are in percent
+    of the reference's value in full sliding."""
     models = load_points.friction_models(result)
     reference = load_points.reference_for_forces(result)
     head, words = _creepage_head(models)
@@ -237,7 +238,7 @@ def cost_table(result):
 
 
 def points_table(result, model):
-    """Every scalar of every load point, but those that are 0 in all."""
+    """Every scalar of every load point, except those that are 0 everywhere."""
     head, words = _creepage_head([model])
     quantities = {n: q for n, q in result.quantities.items() if n != "converged" and any(p.scalars.get(n) for p in model.points)}
     rows = [[words(p.key), *(barred(p, n) for n in quantities), "yes" if p["converged"] else "no"]

@@ -13,7 +13,7 @@ namespace {
 constexpr int nodes = 24;
 using Gauss = boost::math::quadrature::gauss<double, nodes>;
 
-/// Gauss's places on -1 to 1 with their weights, of which boost keeps the positive half.
+/// Gauss points on -1 to 1 with their weights; boost stores only the positive half.
 struct Rule {
   std::array<double, nodes> at{}, weight{};
   Rule() {
@@ -32,15 +32,15 @@ struct Shear {
   double of_traction = 0.0;
 };
 
-/// Of an ellipse of semi-axes 1 and `ratio` at (x, 0, z). Places are taken as sinh of even ones
-/// about the field point, so that they are as dense as the point load asks for.
+/// Shear of an ellipse with semi-axes 1 and `ratio` at (x, 0, z). Integration points are the sinh
+/// of even ones about the field point, to be dense where the point load is steep.
 Shear shear_at(double x, double z, double ratio) {
   static const Rule rule;
   Shear sum;
   const double from = std::asinh((-1.0 - x) / z), to = std::asinh((1.0 - x) / z);
   for (int i = 0; i < nodes; ++i) {
     const double s = 0.5 * (to - from) * rule.at[static_cast<std::size_t>(i)] + 0.5 * (to + from);
-    const double away = -z * std::sinh(s);  // from the load to the field point
+    const double away = -z * std::sinh(s);  // distance from the load to the field point
     const double place = x - away;
     const double weight =
         0.5 * (to - from) * rule.weight[static_cast<std::size_t>(i)] * z * std::cosh(s);
@@ -51,7 +51,7 @@ Shear shear_at(double x, double z, double ratio) {
       const double y = near * std::sinh(t);
       const double pressure = std::sqrt(std::max(0.0, rest - y * y / (ratio * ratio)));
       const double distance2 = near * near + y * y;
-      // Both sides of y = 0.
+      // Factor 2 for both sides of y = 0.
       const double part = 2.0 * weight * 0.5 * end * rule.weight[static_cast<std::size_t>(j)] *
                           near * std::cosh(t) * 1.5 / M_PI * pressure /
                           (distance2 * distance2 * std::sqrt(distance2));
@@ -75,7 +75,7 @@ EllipseShear::EllipseShear(double ratio) : ratio_(std::clamp(ratio, 0.1, 50.0)) 
 }
 
 double EllipseShear::largest(double friction) const {
-  double found = friction;  // on the surface it is that of the tractions
+  double found = friction;  // on the surface, xz is the traction
   for (std::size_t k = 0; k < of_pressure_.size(); ++k)
     found = std::max(found, std::abs(of_pressure_[k] + friction * of_traction_[k]));
   return found;

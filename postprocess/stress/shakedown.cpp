@@ -13,7 +13,7 @@ using contact::Stress;
 
 constexpr double poisson_ratio = 0.3;
 
-/// Largest von Mises stress and |xz| of a field, in p0.
+/// Largest von Mises stress and |xz| of a field, over p0.
 struct Largest {
   double von_mises = 0.0;
   double shear = 0.0;
@@ -24,8 +24,8 @@ struct Largest {
   ShakedownLimits limits() const { return {std::sqrt(3.0) / von_mises, 1.0 / shear}; }
 };
 
-/// Line contact of half width 1 and p0 = 1 under pressure and friction, plane strain; x along
-/// sliding, z > 0 into the material.
+/// Stress of a line contact of half-width 1 and p0 = 1 under pressure and friction, plane strain; x
+/// along sliding, z > 0 into the material.
 Stress line_field(double x, double z, double friction) {
   const double half = 1.0 - x * x + z * z;
   const double root = std::hypot(half, 2.0 * x * z);
@@ -45,8 +45,8 @@ Stress line_field(double x, double z, double friction) {
   return stress;
 }
 
-/// Largest stresses of the circle below the surface, in p0, at friction 0, 0.05, ... 0.35; with
-/// more friction the largest ones are at the surface. (verification/shakedown.cpp makes them anew.)
+/// Largest subsurface stresses of the circle over p0, at friction 0, 0.05, ... 0.35; with more
+/// friction the largest ones are at the surface. verification/shakedown.cpp recomputes them.
 struct BelowSurface {
   double von_mises;
   double shear;
@@ -69,7 +69,7 @@ BelowSurface below_surface(double friction) {
 
 Stress sliding_circle_surface(double x, double friction) {
   const double c = std::sqrt(1.0 - x * x);
-  // (1 - c^3) / x^2 written so that nothing cancels at the centre.
+  // (1 - c^3) / x^2 without cancellation at the centre.
   const double lift = (1.0 - 2.0 * poisson_ratio) / 3.0 * (1.0 + c + c * c) / (1.0 + c);
   Stress stress;
   stress.zz = -c;
@@ -81,7 +81,7 @@ Stress sliding_circle_surface(double x, double friction) {
 
 ShakedownLimits line_contact_limits(double traction_coefficient) {
   Largest largest;
-  // Depths from the surface on, denser there; x beside the edge itself, where the form is 0/0.
+  // Depths start at the surface and are denser there; x avoids the edge, where the formula is 0/0.
   for (int j = 0; j <= 150; ++j) {
     const double z = 1.5 * std::pow(j / 150.0, 1.5);
     for (int i = -150; i <= 150; ++i)

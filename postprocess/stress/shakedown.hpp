@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The shakedown map of rolling and sliding contact as engineers draw it (Johnson 1985, section 9.2;
-// Johnson 1989): load factor p0/k, k the yield stress in shear, against traction coefficient T/N.
-// Below the lower boundary nothing yields. Below the upper one residual stresses let every further
-// passage be elastic; above it the material flows at every passage.
+// The shakedown map of rolling and sliding contact (Johnson 1985, section 9.2; Johnson 1989): load
+// factor p0/k, with the yield stress in shear k, against traction coefficient T/N. Below the lower
+// boundary nothing yields. Below the upper one residual stresses make later passages elastic; above
+// it the material yields at every passage.
 //
-// The boundaries are those of tractions proportional to Hertz's pressure, T/N p (full slip), with
-// Poisson's ratio 0.3 and von Mises's condition, for a line contact (plane strain) and a circle:
+// The boundaries assume tractions proportional to Hertz's pressure, T/N p (full slip), Poisson's
+// ratio 0.3 and von Mises's condition, for a line contact (plane strain) and a circle:
 // - elastic: p0 at which the largest von Mises stress is sqrt(3) k. Without friction 3.11 k for the
 //   line, 2.79 k for the circle.
 // - shakedown: p0 at which the largest |xz| anywhere, the shear on planes parallel to the surface,
-//   is k. Residual stress that is the same all along the rolling direction cannot balance xz, and
-//   everything else it can (for the line Melan's theorem then gives just this value). Without
-//   friction 4.00 k (Johnson 1962) and 4.68 k (Ponter, Hearle & Johnson 1985); where the surface
-//   decides, 1/(T/N).
+//   is k. Residual stress that is uniform along the rolling direction can balance every component
+//   except xz (for the line, Melan's theorem then gives exactly this value). Without friction 4.00
+//   k (Johnson 1962) and 4.68 k (Ponter, Hearle & Johnson 1985); where the surface decides,
+//   1/(T/N).
 #pragma once
 
 #include "contact/result/stress_measures.hpp"
@@ -31,21 +31,20 @@ struct ShakedownLimits {
 /// sections 4.2 and 7.1), to 1e-3. `traction_coefficient` >= 0.
 ShakedownLimits line_contact_limits(double traction_coefficient);
 
-/// Circular contact, to 2e-3: below the surface from a table that was made with the exact integrals
-/// of half-space elements (160 across the circle), at the surface from closed forms (Hamilton
-/// 1983).
+/// Circular contact, to 2e-3: below the surface from a table computed with the exact integrals of
+/// half-space elements (160 across the circle), at the surface from closed forms (Hamilton 1983).
 ShakedownLimits point_contact_limits(double traction_coefficient);
 
-/// Stress on the surface of the circle along y = 0, |x| <= 1 in radii, in p0, under pressure p and
-/// the traction friction p along +x, z into the material (Hamilton 1983; Johnson 1985, sections
+/// Stress over p0 on the surface of the circle along y = 0, |x| <= 1 in radii, under pressure p and
+/// traction friction times p along +x, z into the material (Hamilton 1983; Johnson 1985, sections
 /// 3.4 and 7.1): tension at x = -1, where the surface yields first.
 contact::Stress sliding_circle_surface(double x, double friction);
 
-/// Yield stress in shear of a yield strength in tension by von Mises's condition: Y / sqrt(3).
+/// Yield stress in shear for a yield strength Y in tension by von Mises's condition: Y / sqrt(3).
 double yield_shear_stress(double yield_strength);
 
-/// Surface fatigue index of Ekberg, Kabo & Andersson (2002), T/N - k/p0: positive where the surface
-/// is expected to ratchet.
+/// Surface fatigue index of Ekberg, Kabo & Andersson (2002), T/N - k/p0: positive if the surface is
+/// expected to ratchet.
 double surface_fatigue_index(double traction_coefficient, double load_factor);
 
 /// "elastic", "elastic shakedown" or "beyond shakedown": where a point lies in the map.

@@ -23,8 +23,7 @@ using contact::PointResult;
 using contact::StressMaximum;
 using Json = nlohmann::ordered_json;
 
-/// The name under which a result keeps the bar of one of its largest stresses, where `maximum` is
-/// that one; else empty.
+/// Name of the stored error bar of a largest stress, if `maximum` is that stress; otherwise empty.
 std::string name_of_stored(const PointResult& point, const StressMaximum& maximum) {
   for (const StressMaximum& stored : point.stress_maxima)
     if (stored.body == maximum.body && stored.measure == maximum.measure &&
@@ -33,13 +32,13 @@ std::string name_of_stored(const PointResult& point, const StressMaximum& maximu
   return {};
 }
 
-/// Stresses that are made of a stored result have the one grid that it keeps.
+/// Stresses computed from a stored result have only its single grid.
 std::string bar_of(const PointResult& point, const StressMaximum& maximum) {
   const std::string text = contact::bar_text(point, name_of_stored(point, maximum));
   return text.empty() ? contact::no_bar::one_grid : text;
 }
 
-/// "error_estimate" or "no_bar" of a stress.
+/// Adds "error_estimate" or "no_bar" of a stress.
 void add_bar(const PointResult& point, const StressMaximum& maximum, Json& entry) {
   const auto bar = point.error_estimate.find(name_of_stored(point, maximum));
   if (bar != point.error_estimate.end())
@@ -96,7 +95,7 @@ Json limits_json(const ShakedownLimits& limits, double load_factor) {
           {"region", shakedown_region(limits, load_factor)}};
 }
 
-/// Largest von Mises stress of the bodies over that at which the material yields, sqrt(3) k.
+/// Largest von Mises stress of the bodies over the yield value sqrt(3) k.
 double yield_ratio(const std::vector<StressMaximum>& maxima, double k) {
   double most = 0.0;
   for (const StressMaximum& maximum : maxima)
@@ -104,8 +103,8 @@ double yield_ratio(const std::vector<StressMaximum>& maxima, double k) {
   return most / (std::sqrt(3.0) * k);
 }
 
-/// Of a load point: of those that were looked at closely what was found there, of the others what
-/// is stored, which may be nothing.
+/// Yield ratio of a load point: from the computed stresses of chosen load points, from stored ones
+/// of the others; empty if nothing is stored.
 std::optional<double> yield_ratio_at(const StressReport& report, const StressOfModel& model,
                                      std::size_t number, double k) {
   for (const StressOfModel& other : report.models)
@@ -122,9 +121,8 @@ EllipseShear ellipse_of(const StressOfModel& model) {
   return EllipseShear(point.semi_axis_x > 0.0 ? point.semi_axis_y / point.semi_axis_x : 1.0);
 }
 
-/// What becomes of the material: of the stress itself whether it yields at first, where it is
-/// known, else of the lower elastic limit of line and circle; of the ellipse whether residual
-/// stress stops that.
+/// State of the material: first yield from the computed stress if known, otherwise from the lower
+/// elastic limit of line and circle; shakedown from the limit of the ellipse.
 std::string verdict(double load_factor, double traction, double shakedown_limit,
                     std::optional<double> ratio) {
   const double elastic =
@@ -133,7 +131,7 @@ std::string verdict(double load_factor, double traction, double shakedown_limit,
   return (ratio ? *ratio < 1.0 : load_factor <= elastic) ? "elastic" : "elastic shakedown";
 }
 
-/// Every load point in the map.
+/// All load points in the map.
 Json shakedown_json(const StressReport& report, const StressOfModel& model, double k) {
   Json list = Json::array();
   const EllipseShear ellipse = ellipse_of(model);
@@ -158,7 +156,7 @@ Json shakedown_json(const StressReport& report, const StressOfModel& model, doub
   return list;
 }
 
-/// The boundaries as curves, for drawing.
+/// Boundaries of the map as curves, for drawing.
 Json map_json(const EllipseShear& ellipse) {
   Json map{{"ellipse_ratio", ellipse.ratio()}};
   for (int step = 0; step <= 60; ++step) {
@@ -195,7 +193,7 @@ std::string heading(const StressOfModel& model, bool named) {
 std::string row(const std::string& what, const StressMaximum& maximum, const PointResult& point) {
   const double pressure = point.max_pressure;
   const auto& p = maximum.place;
-  // Rounding must not print as -0.000.
+  // Avoids printing -0.000.
   const auto zero = [](double value) { return std::abs(value) < 5e-4 ? 0.0 : value; };
   return fmt::format("  {:<22}{:<6} {:<17}{:>10.2f} {:<11}{:>8.4f}{:>10.3f}{:>9.3f}{:>9.3f}\n",
                      what, maximum.body, maximum.measure, maximum.value, bar_of(point, maximum),
@@ -203,14 +201,14 @@ std::string row(const std::string& what, const StressMaximum& maximum, const Poi
                      zero(p[2]));
 }
 
-/// Whether stresses at a load point were asked for.
+/// Whether stresses at a load point were requested.
 bool is_chosen(const StressReport& report, const StressOfModel& model, std::size_t number) {
   return std::any_of(report.models.begin(), report.models.end(), [&](const StressOfModel& other) {
     return other.point == number && other.result.key() == model.result.key();
   });
 }
 
-/// Of all load points of a model.
+/// Shakedown table of all load points of a model.
 std::string shakedown_table(const StressReport& report, const StressOfModel& model, double k) {
   const EllipseShear ellipse = ellipse_of(model);
   std::string text = fmt::format(

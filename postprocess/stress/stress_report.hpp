@@ -16,12 +16,12 @@ namespace rollfem::postprocess {
 struct StressSet {
   std::string name;  ///< point_1, line_1, plane_1, surface_1, depth_centre, depth_most_loaded
   contact::SubsurfaceField field;
-  double moved = 0.0;  ///< mm, largest distance that a place was moved onto the surface
+  double moved = 0.0;  ///< mm, largest distance by which a place was moved onto the surface
 };
 
-/// Of one model at one load point.
+/// Stresses of one model at one load point.
 struct StressOfModel {
-  contact::ModelResult result;  ///< all load points, of which the scalars are used
+  contact::ModelResult result;  ///< all load points; only their scalars are used
   std::size_t point = 0;
   std::vector<StressSet> sets;
   std::vector<contact::StressMaximum> maxima;
@@ -31,15 +31,15 @@ struct StressReport {
   std::string source;  ///< results.h5
   std::string title;
   std::optional<double> yield_shear_stress;  ///< k, MPa
-  bool point_named = false;                  ///< else it is the last, which the table says
+  bool point_named = false;  ///< false: the default, the last one, which the table mentions
   std::vector<StressOfModel> models;
 };
 
-/// point, line, plane, surface.
+/// "point", "line", "plane" or "surface".
 const char* kind_of(const contact::SubsurfaceRequest& request);
 
-/// The largest value of every measure in a body, with its place. Places nearer to z = 0 than
-/// `least_depth`, but not on it, do not count.
+/// The largest value of every measure in a body, with its place. Ignores places nearer to z = 0
+/// than `least_depth`, but not on it.
 std::vector<contact::StressMaximum> largest_stresses(
     const std::string& body, const std::vector<std::array<double, 3>>& places,
     const std::vector<std::array<double, 6>>& stress, double least_depth = 0.0);
@@ -47,12 +47,12 @@ std::vector<contact::StressMaximum> largest_stresses(
 /// Tangential force over normal force, sqrt(Fx^2 + Fy^2)/Fz: the abscissa of the shakedown map.
 double tangential_coefficient(const contact::PointResult& point);
 
-/// One row per model, set and place; the columns of subsurface.csv.
+/// Text of stress.csv: one row per model, set and place; columns as in subsurface.csv.
 std::string stress_csv(const StressReport& report);
-/// Everything but the rows of stress.csv: largest values of the bodies and of every set with their
-/// places, shakedown points and boundaries of the map. Layout: docs/subsurface.md.
+/// Text of stress.json, which has no rows of stress.csv: largest values of the bodies and of every
+/// set with their places, shakedown points and boundaries of the map. Layout: docs/subsurface.md.
 std::string stress_json(const StressReport& report);
-/// For the screen.
+/// Table for the terminal.
 std::string stress_table(const StressReport& report);
 
 }  // namespace rollfem::postprocess

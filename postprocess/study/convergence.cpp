@@ -11,14 +11,14 @@
 namespace rollfem::postprocess {
 namespace {
 
-constexpr double safety = 1.25;       // Roache, three levels
-constexpr double safety_blind = 3.0;  // Eca and Hoekstra, no order
+constexpr double safety = 1.25;       // Roache's factor for three levels
+constexpr double safety_blind = 3.0;  // Eca and Hoekstra's factor without an order
 constexpr double formal_order = 2.0;
-constexpr double rounding = 1e-12;  // relative; changes below are none
+constexpr double rounding = 1e-12;  // relative; smaller changes are rounding
 constexpr std::size_t fewest_to_fit = 4;
 constexpr double largest_fitted_order = formal_order + 0.5;
-constexpr double spread_safety = 1.5;  // of the spread of a few extrapolated values
-constexpr double most_scatter = 0.2;   // of the mean change from level to level
+constexpr double spread_safety = 1.5;  // factor of the spread of a few extrapolated values
+constexpr double most_scatter = 0.2;   // relative to the mean change between levels
 
 struct Three {
   std::optional<double> order;
@@ -55,11 +55,12 @@ Three three_levels(double coarse, double middle, double fine, double ratio) {
 struct Fit {
   double order = 0.0;
   double limit = 0.0;
-  double squares = std::numeric_limits<double>::infinity();  ///< weighted mean of the residuals
+  double squares = std::numeric_limits<double>::infinity();  ///< weighted mean of squared residuals
   double last_residual = 0.0;
 };
 
-/// Least squares of limit + C ratio^(-order k) at one order; finer levels weigh more, as 1/h.
+/// Least-squares fit of limit + C ratio^(-order k) for a given order; finer levels have weights
+/// 1/h.
 Fit fit_at(const std::vector<double>& values, double ratio, double order) {
   double w = 0.0, wx = 0.0, wf = 0.0, wxx = 0.0, wxf = 0.0;
   const auto weight = [&](std::size_t k) { return std::pow(ratio, static_cast<double>(k)); };
@@ -86,15 +87,15 @@ Fit fit_at(const std::vector<double>& values, double ratio, double order) {
   return fit;
 }
 
-/// Sets order, value and uncertainties from all values, where a curve of an order that the methods
-/// may have goes through them with little scatter.
+/// Sets order, value and uncertainties from all values if a curve with a plausible order fits them
+/// with little scatter.
 void fit_all(const std::vector<double>& values, double ratio, Limit& limit) {
   const std::size_t n = values.size();
   if (n < fewest_to_fit) return;
   Fit best;
   for (double order = least_order; order <= largest_fitted_order + 1e-9; order += 0.01)
     if (const Fit fit = fit_at(values, ratio, order); fit.squares < best.squares) best = fit;
-  // At a border the best order lies beyond.
+  // At a border, the best order lies beyond the range.
   if (best.order < least_order + 0.005 || best.order > largest_fitted_order - 0.005) return;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const auto count = static_cast<double>(n);
@@ -107,7 +108,7 @@ void fit_all(const std::vector<double>& values, double ratio, Limit& limit) {
       safety * std::abs(values.back() - best.limit) + scatter + std::abs(best.last_residual);
 }
 
-/// Of the last two.
+/// Largest change, at least of the last two values.
 double largest_change(const std::vector<double>& values) {
   const std::size_t n = values.size();
   double change = std::abs(values[n - 1] - values[n - 2]);
@@ -123,13 +124,13 @@ double noise_of_rounding(const std::vector<double>& values) {
   return rounding * std::max(std::abs(values.back()), std::abs(values.front()));
 }
 
-/// From the last three values, which show an order.
+/// Extrapolates from the last three values, which show an order.
 void extrapolate(const std::vector<double>& values, double ratio, const Three& last, Limit& limit) {
   const std::size_t n = values.size();
   const double finest = values[n - 1];
   const double now = finest - values[n - 2];
   limit.value = last.richardson;
-  // Faster than the method can be is chance, and so is what it extrapolates to.
+  // Convergence faster than the method's order is coincidence, and so is its extrapolation.
   if (*last.order > largest_fitted_order) {
     const double believed =
         std::max(std::abs(now), std::abs(values[n - 2] - values[n - 3]) / ratio);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A refinement study as a record and as files: values level by level, their errors against a
-// reference, observed orders and limits. Layout of the files: docs/commands.md.
+// A refinement study as a record and as files: values per level, their errors against a reference,
+// observed orders and limits. Layout of the files: docs/commands.md.
 #pragma once
 
 #include "postprocess/study/convergence.hpp"
@@ -20,13 +20,13 @@ using StudyValues = std::map<std::string, double>;
 
 struct StudyLevel {
   std::string label;       ///< "40 across", "0.47 mm"
-  double parameter = 0.0;  ///< what is varied, as a number
+  double parameter = 0.0;  ///< the varied quantity as a number
   long unknowns = 0;
   int contact_elements = 0;
-  double seconds = 0.0;  ///< as a user waits for it, error estimates included
+  double seconds = 0.0;  ///< wall time, error estimates included
   StudyValues values;
-  StudyValues bars;    ///< absolute, the model's own; of keys that it has an estimate of
-  double noise = 0.0;  ///< what its solver ended at, relative
+  StudyValues bars;    ///< the model's own error bars, absolute, for keys with an estimate
+  double noise = 0.0;  ///< relative tolerance reached by its solver
 };
 
 /// One model, refined in one way.
@@ -34,37 +34,37 @@ struct StudySeries {
   std::string model;
   std::string vary;       ///< "grid", "cell", "degree", "domain", "grid and domain"; "" one level
   std::string parameter;  ///< "elements across", "FE cell in mm"
-  /// By which cells shrink (domains grow) from level to level; 0 where that has no meaning.
+  /// Factor by which cells shrink (domains grow) from level to level; 0 if not meaningful.
   double ratio = 0.0;
   std::vector<StudyLevel> levels;  ///< coarsest first
-  std::string failure;             ///< of levels that should have a result; empty: none
-  bool measures_others = false;    ///< the others are held against it where it has three levels
+  std::string failure;             ///< why levels failed; empty: none failed
+  bool measures_others = false;    ///< reference for the others if it has three levels
   bool limit_of_its_own = false;   ///< finite bodies do not tend to the closed form
-  std::string left_out = {};       ///< coarse levels that the case cannot be laid out on, and why
+  std::string left_out = {};       ///< coarse levels that do not fit the case, and why
 };
 
 enum class ReferenceRule {
-  automatic,     ///< exact where there is such a value, else extrapolated
+  automatic,     ///< exact if there is such a value, otherwise extrapolated
   exact,         ///< Hertz
   finest,        ///< the finest level
-  extrapolated,  ///< Richardson value of the series; its finest where it shows no order
+  extrapolated,  ///< Richardson value of the series; its finest value without an order
 };
 
 struct StudyReference {
   double value = 0.0;
-  double uncertainty = 0.0;  ///< absolute; 0: exact, or given
+  double uncertainty = 0.0;  ///< absolute; 0: exact or given
   std::string kind;          ///< "exact", "given", "extrapolated", "finest"
 };
 
-/// What is studied at one contact: that of a case with radii, or one patch of true profiles. Each
-/// has limits of its own.
+/// The study of one contact: of a case with radii, or of one patch of true profiles. Each has its
+/// own limits.
 struct StudyPlace {
-  std::optional<contact::ContactPlace> place;  ///< of a patch; none with radii
+  std::optional<contact::ContactPlace> place;  ///< of a patch; empty with radii
   std::vector<contact::Creepage> creepages;    ///< of the load points
-  StudyValues exact;                           ///< Hertz, where it holds
-  StudyValues given;                           ///< of the user; take precedence
+  StudyValues exact;                           ///< Hertz's values, if they are valid
+  StudyValues given;                           ///< given by the user; take precedence
   std::vector<StudySeries> series;
-  /// Accuracy in percent -> which model and grid meet it, in a sentence.
+  /// Accuracy in percent, and a sentence on the model and grid that reach it.
   std::vector<std::pair<double, std::string>> choice;
 };
 
@@ -75,7 +75,7 @@ struct StudyRecord {
   std::string case_text;
   double friction = 0.0;
   ReferenceRule rule = ReferenceRule::automatic;
-  std::vector<std::string> notes;  ///< what a reader must know of all places
+  std::vector<std::string> notes;  ///< remarks on all places
   std::vector<StudyPlace> places;
 };
 
@@ -84,44 +84,46 @@ std::string place_name(const StudyPlace& place);
 /// "left_3_1"; empty with radii.
 std::string place_key(const StudyPlace& place);
 
-/// Index of the series whose levels are the reference for all: the half-space refined in its grid,
-/// else the first with three levels, else the first. Throws std::logic_error without series.
+/// Index of the series used as reference for all: the half-space refined in its grid, otherwise the
+/// first with three levels, otherwise the first. Throws std::logic_error without series.
 std::size_t reference_series(const StudyPlace& place);
 
-/// Reference of every key that any level has.
+/// References of all keys that occur in any level.
 std::map<std::string, StudyReference> references(const StudyPlace& place, ReferenceRule rule);
 
-/// The key is a traction coefficient, whose errors are relative to the coefficient of friction.
+/// Whether the key is a traction coefficient, whose errors are relative to the coefficient of
+/// friction.
 bool is_coefficient(const std::string& key);
 
-/// What errors of the key are percent of: "value", "mu".
+/// Reference of percentage errors of the key: "value" or "mu".
 const char* percent_of(const std::string& key);
 
-/// Whether the finest value of a series is itself the reference: it then shows no error.
+/// Whether the finest value of a series is itself the reference, and so shows no error.
 bool is_reference(const StudyPlace& place, const StudySeries& series,
                   const StudyReference& reference);
 
-/// |value - reference|, relative to the reference, of coefficients to the coefficient of friction.
+/// |value - reference| relative to the reference, for coefficients relative to the coefficient of
+/// friction.
 double study_error(const StudyRecord& record, const std::string& key, double value,
                    const StudyReference& reference);
 
-/// Limit of one key of a series; none with fewer than two levels or without a ratio.
+/// Limit of one key of a series; empty with fewer than two levels or without a ratio.
 std::optional<Limit> series_limit(const StudySeries& series, const std::string& key);
 
-/// Orders at the levels of a series that have the key: from the errors of a level and the one
-/// before where the reference is exact or given, else from the last three values, since an
-/// extrapolated reference would give back the order that it was made with.
+/// Orders at the levels of a series with the key: from the errors of a level and the previous one
+/// if the reference is exact or given, otherwise from the last three values, because an
+/// extrapolated reference would reproduce its own order.
 std::vector<std::optional<double>> level_orders(const StudyRecord& record,
                                                 const StudySeries& series, const std::string& key,
                                                 const StudyReference& reference);
 
-/// One line: how far the finest levels are off, and how many sequences of levels show an order.
+/// One line: errors of the finest levels, and the number of sequences of levels that show an order.
 std::string study_verdict(const StudyRecord& record);
 
 std::string study_json(const StudyRecord& record);
 /// One row per place, series, level and key.
 std::string study_csv(const StudyRecord& record);
-/// For the terminal: a table for each series of each place, and the verdict.
+/// Text for the terminal: a table for each series of each place, and the verdict.
 std::string study_table(const StudyRecord& record);
 
 }  // namespace rollfem::postprocess

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// study.json and study.csv.
+// Writes study.json and study.csv.
 #include "postprocess/study/study.hpp"
 #include "postprocess/write/json_head.hpp"
 
@@ -86,14 +86,14 @@ std::string bar_cell(const StudyLevel& level, const std::string& key) {
   return bar == level.bars.end() ? std::string() : fmt::format("{}", bar->second);
 }
 
-/// ",reference,uncertainty,kind,error,percent of,order" of a value, empty cells for what there is
-/// not.
+/// Cells ",reference,uncertainty,kind,error,percent of,order" of a value; missing entries are
+/// empty.
 std::string reference_cells(const StudyRecord& record, const StudySeries& series,
                             const std::string& key, const StudyLevel& level,
                             const References& refs) {
   const auto reference = refs.find(key);
   if (reference == refs.end()) return ",,,,,,";
-  std::size_t k = 0;  // among the levels that have the key
+  std::size_t k = 0;  // index among the levels with the key
   for (const StudyLevel& other : series.levels) {
     if (&other == &level) break;
     if (other.values.count(key) > 0) ++k;

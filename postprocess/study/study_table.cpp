@@ -33,13 +33,13 @@ std::string percent(const std::string& key, double error) {
       is_coefficient(key) ? contact::ErrorScale::friction : contact::ErrorScale::value, error);
 }
 
-/// "+- 0.58", what the model says of its own value.
+/// "+- 0.58", the model's own error bar.
 std::string bar_text(const StudyLevel& level, const std::string& key) {
   const auto bar = level.bars.find(key);
   return bar == level.bars.end() ? std::string() : fmt::format("+- {:.2g}", bar->second);
 }
 
-/// The finest level that has the key; null when none has.
+/// Value of the finest level with the key; null if there is none.
 const double* finest_value(const StudySeries& series, const std::string& key) {
   const double* last = nullptr;
   for (const StudyLevel& level : series.levels)
@@ -52,7 +52,7 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
                       const std::string& key, const StudyReference& reference) {
   std::string text = fmt::format("  {}, reference {:.7g}{} ({})\n", name_of(place, key),
                                  reference.value, unit_of(key), reference.kind);
-  // Labels of several things refined together are long.
+  // Labels of quantities refined together are long.
   std::size_t width = series.parameter.size();
   for (const StudyLevel& level : series.levels) width = std::max(width, level.label.size());
   text += fmt::format("    {:<{}}{:>10}{:>10}{:>14}{:>12}{:>16}{:>8}\n", series.parameter, width,
@@ -94,7 +94,7 @@ std::string series_name(const StudySeries& series) {
   return series.model + (series.vary.empty() ? "" : fmt::format(" ({})", series.vary));
 }
 
-/// The largest errors of finest levels; 0 without any.
+/// The largest errors of finest levels; 0 if there are none.
 struct Errors {
   double pressure = 0.0;
   double coefficient = 0.0;
@@ -102,7 +102,7 @@ struct Errors {
 
 struct Orders {
   int sequences = 0;
-  int shown = 0;   ///< by the last three levels
+  int shown = 0;   ///< orders from the last three levels
   int fitted = 0;  ///< to all levels
 };
 
@@ -122,7 +122,7 @@ void gather(const StudyRecord& record, const StudyPlace& place, const StudySerie
   }
 }
 
-constexpr double smallest = 1e-9;  // less is rounding
+constexpr double smallest = 1e-9;  // smaller errors are rounding
 
 /// "p0 0.27 %, -F_x/F_z 0.5 % of mu".
 std::string words_of(const Errors& errors) {
@@ -137,7 +137,7 @@ std::string words_of(const Errors& errors) {
 }  // namespace
 
 std::string study_verdict(const StudyRecord& record) {
-  std::vector<std::string> names;  // of the series, in their order
+  std::vector<std::string> names;  // names of the series, in their order
   std::map<std::string, Errors> errors;
   Orders orders;
   for (const StudyPlace& place : record.places) {

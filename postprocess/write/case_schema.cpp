@@ -17,7 +17,7 @@ using contact::Key;
 using contact::KeyKind;
 using Json = nlohmann::ordered_json;
 
-/// A number within the bounds; validators read inf as a number beyond any bound.
+/// Schema of a number within the bounds; validators read inf as a number beyond any bound.
 Json number_in(const contact::Bounds& bounds, const char* type) {
   Json schema{{"type", type}};
   const char* const upper = bounds.upper_open ? "exclusiveMaximum" : "maximum";
@@ -27,7 +27,7 @@ Json number_in(const contact::Bounds& bounds, const char* type) {
   if (std::isfinite(bounds.upper) && !bounds.infinite) schema[upper] = bounds.upper;
   if (two_sided) return schema;
   if (bounds.infinite) schema.erase("minimum");
-  // Away from zero by the lower bound, on either side.
+  // Magnitude above the lower bound, with either sign.
   Json either = Json::array();
   either.push_back({{"maximum", -bounds.lower}});
   either.push_back({{"minimum", bounds.lower}});
@@ -88,7 +88,7 @@ Json value_of(const Key& key, const contact::ModelWords& models) {
   return {};
 }
 
-/// What an editor shows beside the key.
+/// Text that an editor shows for the key.
 std::string description(const Key& key, const contact::ModelWords& models) {
   std::string text = key.sentence;
   if (!key.unit.empty()) text += fmt::format(" Unit: {}.", key.unit);
@@ -105,7 +105,7 @@ Json section_of(const contact::Section& section, const contact::ModelWords& mode
     Json value = value_of(key, models);
     value["description"] = description(key, models);
     schema["properties"][key.name] = std::move(value);
-    // Elsewhere another section may stand for it: profiles for radii.
+    // Elsewhere another section may replace it, as profiles replace radii.
     if (key.required && section.repeated) schema["required"].push_back(key.name);
   }
   if (!section.repeated) return schema;

@@ -8,9 +8,9 @@
 
 namespace rollfem::postprocess {
 
-/// Derived from the table of keys: types, bounds, words, defaults and sentences; keys that are not
-/// in it are errors, as they are when a case is read. What concerns several keys at once (one of
-/// normal_force and approach, lists of one length) is left to the reader.
+/// Derived from the table of keys: types, bounds, words, defaults and sentences. Unknown keys are
+/// errors, as for the reader of cases. Only the reader checks rules that involve several keys (one
+/// of normal_force and approach, lists of equal length).
 std::string case_schema(const contact::ModelWords& models);
 
 }  // namespace rollfem::postprocess

@@ -26,19 +26,20 @@ std::string header(const std::string& name, const std::string& unit) {
   return fmt::format(",{} [{}]", name, unit);
 }
 
-/// Empty where the model does not give it.
+/// Cell of a quantity; empty if the model does not give it.
 std::string cell(const Quantity& quantity, const PointResult& point) {
   const std::optional<double> value = quantity.value(point);
   return value ? fmt::format(",{}", *value) : ",";
 }
 
-/// What is counted or measured has no column for a bar; what is given may be found instead.
+/// Whether a quantity has a column for its bar: not counts and times, but given values, which may
+/// be results in other problems.
 bool may_have_bar(const Quantity& quantity) {
   const std::string word = quantity.no_bar;
   return word.empty() || word == contact::no_bar::given;
 }
 
-/// The bar, or the word in place of it; empty where there is no value.
+/// The bar, or the word instead of it; empty without a value.
 std::string bar_cell(const PointResult& point, const std::string& name) {
   if (const auto bar = point.error_estimate.find(name); bar != point.error_estimate.end())
     return fmt::format(",{}", bar->second);
@@ -51,7 +52,7 @@ std::string model_error_cell(const PointResult& point, const std::string& name) 
   return error == point.model_error.end() ? "," : fmt::format(",{}", error->second);
 }
 
-/// With profiles every row says to which patch it belongs; else there are no such columns.
+/// Whether rows have columns for the patch, as with profiles.
 bool has_places(const RunRecord& run) {
   return std::any_of(run.models.begin(), run.models.end(),
                      [](const ModelResult& model) { return model.place.has_value(); });
@@ -101,7 +102,7 @@ void append_path(std::string& text, const ModelResult& model, std::size_t number
 
 std::vector<int> middle_lines(double first, double step, int count) {
   if (count < 1 || !(step > 0.0)) return {};
-  const double position = -first / step;  // of the origin, in elements
+  const double position = -first / step;  // position of the origin, in elements
   const double below = std::floor(position);
   const bool between = std::abs(position - below - 0.5) < 1e-6;
   const auto clamp = [count](double k) {

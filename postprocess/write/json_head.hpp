@@ -18,7 +18,7 @@ nlohmann::ordered_json json_head(int format, const std::string& kind, const Prov
 /// Title, symbol and unit by name, for headings.
 nlohmann::ordered_json headings_json(const std::vector<contact::Quantity>& quantities);
 
-/// The file's text with its checksum; what is not UTF-8 is shown with replacement characters.
+/// The file's text with its checksum; invalid UTF-8 becomes replacement characters.
 std::string json_text(const nlohmann::ordered_json& json, int indent = 1);
 
 }  // namespace rollfem::postprocess

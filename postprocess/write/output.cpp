@@ -15,8 +15,8 @@
 namespace rollfem::postprocess {
 namespace {
 
-/// The surface of every load point that keeps it, the series of them, and the last one under a name
-/// of its own.
+/// Writes the contact surface of every load point that stores it, their series, and the last one
+/// under a separate name.
 void write_contact(ResultFolder& folder, const contact::ModelResult& model,
                    const contact::OutputOptions& wanted) {
   const std::string stem = model.key() + "_contact";
@@ -37,7 +37,7 @@ void write_contact(ResultFolder& folder, const contact::ModelResult& model,
   folder.write("fields/" + stem + ".pvd", series_pvd(times, files));
 }
 
-/// Wheel and rail of every load point that keeps them, alike.
+/// The same for wheel and rail of every load point that stores them.
 void write_body_files(ResultFolder& folder, const contact::ModelResult& model) {
   const std::vector<std::size_t> kept = model.points_with_bodies();
   if (kept.empty()) return;

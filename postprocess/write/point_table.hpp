@@ -9,7 +9,7 @@
 
 namespace rollfem::postprocess {
 
-/// A field over the contact grid: which one, and what a reader must know about it.
+/// A field over the contact grid with its description.
 struct PointField {
   const char* name;
   const char* unit;
@@ -18,10 +18,10 @@ struct PointField {
   const contact::Field& (*value)(const contact::ContactFields&);
 };
 
-/// All floating-point fields of a load point. A field of size 0 is one the model does not give.
+/// All floating-point fields of a load point. A field of size 0 is not given by the model.
 const std::vector<PointField>& point_fields();
 
-/// A number of the place of a patch on track and profiles, the same in every file.
+/// A scalar of the place of a patch on track and profiles, the same in every file.
 struct PlaceScalar {
   const char* name;
   const char* unit;

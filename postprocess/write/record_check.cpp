@@ -22,7 +22,7 @@ void require_finite(double value, const std::string& where) {
   require(false, where, fmt::format("is {}, which is not a finite number", value));
 }
 
-/// The same of entry k; millions of them are checked, so that names are made for the bad ones only.
+/// The same for entry k. Millions of entries are checked, so only bad ones get a name.
 void require_finite(double value, const std::string& where, std::size_t k) {
   if (!std::isfinite(value)) require_finite(value, fmt::format("{}[{}]", where, k));
 }
@@ -95,7 +95,7 @@ void check_body(const std::string& where, const contact::BodyField& body) {
                 fmt::format("name point {} of {}", corner, body.points.size()));
 }
 
-/// A load point keeps the values of all bodies or of none.
+/// A load point must store the values of all bodies or of none.
 void check_body_values(const std::string& where, const std::vector<contact::BodyField>& bodies,
                        const std::vector<contact::BodyValues>& values) {
   if (values.empty()) return;

@@ -6,9 +6,9 @@
 
 namespace rollfem::postprocess {
 
-/// Throws std::logic_error naming the field when the record holds a number that is not finite, a
-/// field that does not fit its grid, or a model name that is empty, repeated or not a file name. A
-/// result like that is a defect of the model that made it, and must not reach a file.
+/// Throws std::logic_error naming the field if the record holds a number that is not finite, a
+/// field that does not fit its grid, or a model name that is empty, repeated or not a file name.
+/// Such a result is a defect of its model and must not reach a file.
 void check_record(const RunRecord& run);
 
 }  // namespace rollfem::postprocess

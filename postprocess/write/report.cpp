@@ -22,14 +22,14 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-/// Absolute where it is a path: Python is started in another folder.
+/// A path becomes absolute, because Python starts in another folder.
 std::string find_python() {
   if (const char* chosen = std::getenv("ROLLFEM_PYTHON"); chosen && *chosen)
     return std::strchr(chosen, '/') != nullptr ? fs::absolute(chosen).string() : chosen;
   return ::access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
 }
 
-/// The folder from which the package can be run, given the package or the folder that holds it.
+/// The folder from which the package runs, given the package or its parent folder.
 fs::path package_parent(const fs::path& scripts) {
   fs::path path = fs::absolute(scripts);
   if (fs::exists(path / "rollfem_figures" / "__main__.py")) return path;
@@ -58,7 +58,7 @@ std::string read_to_end(int pipe) {
   }
 }
 
-/// Runs a program in a folder; returns what it printed when it failed, empty when it did not.
+/// Runs a program in a folder; returns its output on failure, empty on success.
 std::string run(std::vector<std::string> call, std::vector<std::string> environment,
                 const std::string& folder) {
   int ends[2];
@@ -91,7 +91,7 @@ std::string run(std::vector<std::string> call, std::vector<std::string> environm
                              : fmt::format("{} failed without a message", call[0]);
 }
 
-/// A traceback is for a file; the user is told its last line, which says what happened.
+/// Writes a traceback to a file and returns its last line, which names the error.
 std::string one_line(const fs::path& directory, std::string printed) {
   while (!printed.empty() && printed.back() == '\n') printed.pop_back();
   const std::size_t last = printed.rfind('\n');
@@ -103,8 +103,8 @@ std::string one_line(const fs::path& directory, std::string printed) {
   return printed.substr(last + 1) + (file ? fmt::format(" (full text in {})", log.string()) : "");
 }
 
-/// The environment of this process, but PYTHONPATH without what is relative or empty, which stands
-/// for the user's folder.
+/// The environment of this process, with PYTHONPATH reduced to absolute paths; relative and empty
+/// ones refer to the user's folder.
 std::vector<std::string> environment() {
   const std::string name = "PYTHONPATH=";
   std::vector<std::string> all;
@@ -130,8 +130,8 @@ std::string make_report(const std::string& path, const std::string& script_direc
   if (parent.empty())
     return fmt::format("no Python package rollfem_figures in {}", script_directory);
   const fs::path what = fs::absolute(path);
-  // Python looks for modules in the folder where it is started before any other place: that is the
-  // package's, never the user's, where a numpy.py would be run.
+  // Python searches its starting folder for modules first. It starts in the package's folder,
+  // because in the user's folder a numpy.py would run.
   const std::string printed =
       run({find_python(), "-B", "-X", "utf8", "-m", "rollfem_figures", what.string()},
           environment(), parent.string());

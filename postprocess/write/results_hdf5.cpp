@@ -67,11 +67,12 @@ void write_case(hid_t file, const contact::Case& input) {
   write_attribute(group, "rail_young_modulus", input.rail.material.young_modulus);
   write_attribute(group, "rail_poisson_ratio", input.rail.material.poisson_ratio);
   const Handle text = write_dataset(group, "text", input.text);
-  write_comment(text, "The case file as it was read (TOML)");
+  write_comment(text, "The case file as read (TOML)");
 }
 
 void write_provenance(hid_t file, const Provenance& provenance) {
-  const Handle group = create_group(file, "provenance", "Who made this result, where and when");
+  const Handle group =
+      create_group(file, "provenance", "Program, version, machine and time of this result");
   write_attribute(group, "version", provenance.version);
   write_attribute(group, "commit", provenance.commit);
   write_attribute(group, "host", provenance.host);
@@ -80,7 +81,7 @@ void write_provenance(hid_t file, const Provenance& provenance) {
   write_attribute(group, "processes", static_cast<long>(provenance.processes));
 }
 
-/// The attributes of a load point explained, for readers that show no comments.
+/// Explains the attributes of a load point for programs that do not show comments.
 void write_documentation(hid_t file) {
   std::vector<std::string> lines;
   for (const contact::Quantity& quantity : contact::quantities())
@@ -91,7 +92,7 @@ void write_documentation(hid_t file) {
   write_comment(dataset, "Unit and meaning of the attributes of /models/NAME/points/NUMBER");
 }
 
-/// The same of the scalars alone, in columns for programs.
+/// The same for the scalars only, in columns for programs.
 void write_quantities(hid_t file) {
   const Handle group = create_group(
       file, "quantities", "Scalars of a load point: entry k of each dataset describes one");
@@ -109,9 +110,9 @@ void write_quantities(hid_t file) {
   column("name", "Attribute of /models/NAME/points/NUMBER", &contact::Quantity::name);
   column("title", "For headings", &contact::Quantity::title);
   column("symbol", "F_x, xi, ...; empty if there is none", &contact::Quantity::symbol);
-  column("unit", "- if it has none", &contact::Quantity::unit);
-  column("meaning", "What it is, with its sign", &contact::Quantity::meaning);
-  write_column("percent_of", "What percentages of errors and differences refer to; empty: nothing",
+  column("unit", "- if there is none", &contact::Quantity::unit);
+  column("meaning", "Meaning, with sign", &contact::Quantity::meaning);
+  write_column("percent_of", "Reference of percentages of errors and differences; empty: none",
                [](const contact::Quantity& quantity) { return contact::text_of(quantity.scale); });
 }
 
@@ -191,12 +192,13 @@ void write_stress_maxima(hid_t point, const std::vector<contact::StressMaximum>&
     place.push_back(maximum.place);
   }
   write_comment(write_dataset(group, "body", body), "wheel or rail");
-  write_comment(write_dataset(group, "measure", measure), "of which stress");
+  write_comment(write_dataset(group, "measure", measure), "stress measure");
   describe(write_dataset(group, "value", {value.size()}, value.data()), "MPa", "largest value", "");
   write_rows(group, "place", place, "mm", "x, y, z in the global frame, z into the wheel");
 }
 
-/// Counts and truths (1 or 0) as integers; none where the model does not give it.
+/// Writes a quantity; counts and booleans (1 or 0) as integers, nothing if the model does not give
+/// it.
 void write_quantity(hid_t group, const contact::Quantity& quantity, const PointResult& point) {
   const std::optional<double> value = quantity.value(point);
   if (!value) return;
@@ -227,8 +229,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
       group, "no_bar", "Attributes: why a quantity has no error estimate, docs/results.md");
   for (const auto& [quantity, word] : point.no_bar) write_attribute(words, quantity, word);
   if (!point.model_error.empty())
-    write_by_quantity(group, "model_error",
-                      "Attributes: what the model neglects, by quantity, in its unit",
+    write_by_quantity(group, "model_error", "Attributes: model error by quantity, in its unit",
                       point.model_error);
   if (!point.richardson.empty())
     write_by_quantity(group, "richardson", "Attributes: values extrapolated to cells of size 0",
@@ -241,7 +242,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
 
 void write_place(hid_t model, const contact::ContactPlace& place) {
   const Handle group = create_group(
-      model, "place", "Attributes: where the patch is on the track and on the profiles");
+      model, "place", "Attributes: place of the patch on the track and on the profiles");
   write_attribute(group, "wheel", std::string(place.left ? "left" : "right"));
   for (const PlaceScalar& scalar : place_scalars())
     write_attribute(group, scalar.name, scalar.value(place));
@@ -270,7 +271,7 @@ void write_model(hid_t models, const ModelResult& model, long order,
 
 void write_pairs(hid_t file, const std::vector<PlacedPair>& pairs) {
   if (pairs.empty()) return;
-  const Handle all = create_group(file, "profiles", "Wheel and rail as they stand on the track");
+  const Handle all = create_group(file, "profiles", "Wheel and rail in position on the track");
   for (const PlacedPair& pair : pairs) {
     const std::string side = pair.left ? "left" : "right";
     const Handle group = create_group(all, fmt::format("{}_{}", side, pair.position),
@@ -303,7 +304,7 @@ std::string results_hdf5(const RunRecord& run) {
     for (std::size_t k = 0; k < run.models.size(); ++k)
       write_model(models, run.models[k], static_cast<long>(k), run.input.output);
   }
-  // Last, so that a reader can tell a whole file from one whose writing was cut short.
+  // Written last, so that a reader recognises incomplete files.
   write_attribute(file, "complete", 1L);
   return sealed_image(file);
 }

@@ -9,13 +9,14 @@
 
 namespace rollfem::postprocess {
 
-/// Raised when names or meanings change: a reader of an earlier one must refuse the file.
+/// Incremented when names or meanings change; readers of an earlier version must refuse the file.
 inline constexpr int hdf5_format_version = 2;
-/// Raised when something is added, which a reader of the version may ignore.
+/// Incremented when something is added; readers of the version may ignore it.
 inline constexpr int hdf5_format_minor = 0;
 
-/// The bytes of results.h5. The file is made in memory: HDF5 cannot fail on a full disk half-way,
-/// and bytes are written like those of every other file. The record must have passed check_record.
+/// The bytes of results.h5. The file is created in memory, so that HDF5 cannot fail half-way on a
+/// full disk and the bytes are written like those of other files. The record must have passed
+/// check_record.
 std::string results_hdf5(const RunRecord& run);
 
 }  // namespace rollfem::postprocess

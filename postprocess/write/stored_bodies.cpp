@@ -66,10 +66,10 @@ void write_body_values(hid_t point, const std::vector<BodyField>& bodies,
 void write_bodies(hid_t model, const contact::ModelResult& result) {
   const std::vector<std::size_t> kept = result.points_with_bodies();
   if (kept.empty()) return;
-  const Handle all = create_group(
-      model, "bodies",
-      "Wheel and rail: nodes and hexahedra; displacement and stress are links to those "
-      "of the load point of the attribute load_point (from 0)");
+  const Handle all =
+      create_group(model, "bodies",
+                   "Wheel and rail: nodes and hexahedra; displacement and stress are links to the "
+                   "load point in the attribute load_point (from 0)");
   write_attribute(all, "load_point", static_cast<long>(kept.back()));
   for (const BodyField& body : result.bodies) {
     const Handle group = create_group(all, body.name, "The whole segment, both halves");

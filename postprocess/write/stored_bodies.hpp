@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Wheel and rail in results.h5: nodes and cells once per model, displacement and stress of the
-// nodes at every load point that keeps them. Layout: docs/results.md.
+// Wheel and rail in results.h5: nodes and cells once per model, nodal displacement and stress at
+// every load point that stores them. Layout: docs/results.md.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -11,21 +11,21 @@
 
 namespace rollfem::postprocess {
 
-/// points/NUMBER/bodies of a load point; nothing when it keeps none. `bodies`: ModelResult::bodies.
+/// Writes points/NUMBER/bodies of a load point, if it stores bodies. `bodies`: ModelResult::bodies.
 void write_body_values(hid_t point, const std::vector<contact::BodyField>& bodies,
                        const contact::PointResult& result);
 
-/// MODEL/bodies, after all load points.
+/// Writes MODEL/bodies, after all load points.
 void write_bodies(hid_t model, const contact::ModelResult& result);
 
 /// Load points of a stored model that have bodies, from 0.
 std::vector<std::size_t> points_with_bodies(hid_t model);
 
-/// Nodes and cells. std::runtime_error when they do not fit together.
+/// Reads nodes and cells. std::runtime_error if they are inconsistent.
 std::vector<contact::BodyField> read_bodies(hid_t model);
 
-/// Displacement and stress of `bodies` at a load point of points_with_bodies(). std::runtime_error
-/// when there are not as many as nodes.
+/// Reads displacement and stress of `bodies` at a load point of points_with_bodies().
+/// std::runtime_error if their number differs from that of the nodes.
 std::vector<contact::BodyValues> read_body_values(hid_t model, std::size_t point,
                                                   const std::vector<contact::BodyField>& bodies);
 

@@ -23,7 +23,7 @@ ordered_json part_json(const contact::PatchPart& part) {
           {"longitudinal_force", part.longitudinal_force},
           {"lateral_force", part.lateral_force},
           {"max_pressure", part.max_pressure},
-          // Regions are told apart on the finest grid alone.
+          // Regions are distinguished only on the finest grid.
           {"no_bar", contact::no_bar::one_grid}};
 }
 

@@ -9,8 +9,8 @@
 
 namespace rollfem::postprocess {
 
-/// The text of summary.json; doubles with as many digits as give the same number back. The record
-/// must have passed check_record.
+/// The text of summary.json; doubles have enough digits to be recovered exactly. The record must
+/// have passed check_record.
 std::string summary_json(const RunRecord& run);
 
 }  // namespace rollfem::postprocess

@@ -103,7 +103,7 @@ std::vector<Number> flatten(const std::vector<std::array<Number, N>>& values) {
 
 const std::vector<std::string> xyz{"x", "y", "z"};
 
-/// Cells that all have N corners.
+/// Cells with N corners each.
 template <std::size_t N>
 std::string cells_xml(const std::vector<std::array<int, N>>& cells, std::uint8_t vtk_type) {
   std::vector<std::int32_t> corners;
@@ -138,7 +138,7 @@ const double* data_or_null(const Field& field) {
   return field.size() > 0 ? field.data() : nullptr;
 }
 
-/// Three fields as one vector; a missing component is 0, nothing is written when all are missing.
+/// Three fields as one vector; a missing component is 0; empty if all are missing.
 std::string vector_xml(const std::string& name, const Field& x, const Field& y, const Field* z) {
   const double* const parts[] = {data_or_null(x), data_or_null(y), z ? data_or_null(*z) : nullptr};
   const Eigen::Index size = std::max({x.size(), y.size(), z ? z->size() : 0});

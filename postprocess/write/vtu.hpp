@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files for ParaView (VTK XML unstructured grid, zlib-compressed base64): bodies, the contact
-// surface, and either of all load points as a time series.
+// surface, and both for all load points as time series.
 #pragma once
 
 #include "contact/result/result.hpp"
@@ -11,7 +11,7 @@
 
 namespace rollfem::postprocess {
 
-/// A body; nodes and cells are packed once for all load points.
+/// A body whose nodes and cells are packed once for all load points.
 class BodyVtu {
  public:
   explicit BodyVtu(const contact::BodyField& body);
@@ -30,12 +30,12 @@ class BodyVtu {
 /// tractions, bound, slip, gap, displacement difference and state per cell.
 std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointResult& point);
 
-/// What stands for the time in the series of these load points: the longitudinal creepage where it
-/// tells all of them apart, else the number of the point from 0 (steps of a history, spin, ...).
+/// Times of the series: the longitudinal creepage if it differs between all load points, otherwise
+/// the number of the point from 0 (steps of a history, spin, ...).
 std::vector<double> series_times(const std::vector<contact::PointResult>& points);
 
-/// The .pvd file of a series: per time the names of its parts, relative to it. ParaView sorts by
-/// time.
+/// The .pvd file of a series: for each time the names of its parts, relative to the file. ParaView
+/// sorts by time.
 std::string series_pvd(const std::vector<double>& times,
                        const std::vector<std::vector<std::string>>& files);
 

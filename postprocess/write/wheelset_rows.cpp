@@ -15,8 +15,8 @@ namespace {
 using contact::ModelResult;
 using contact::PointResult;
 
-/// Of the wheel along y of the track, with the patch's y and normal tilted by the contact angle
-/// (docs/track.md: y of a left patch points to the field, of a right one to the middle).
+/// Force on the wheel along y of the track. The patch's y and normal are tilted by the contact
+/// angle (docs/track.md: y of a left patch points to the field side, of a right one to the middle).
 double force_to_the_right(const contact::ContactPlace& place, const PointResult& point) {
   const double sine = std::sin(place.contact_angle);
   const double cosine = std::cos(place.contact_angle);
@@ -24,7 +24,7 @@ double force_to_the_right(const contact::ContactPlace& place, const PointResult&
   return -point.lateral_force * cosine + tilt * point.normal_force * sine;
 }
 
-/// `digits` behind the point in a column; "-" where there is no number.
+/// Number with `digits` decimals in a column; "-" if empty.
 std::string column(const std::optional<double>& value, int width, int digits) {
   if (!value) return fmt::format("{:>{}}", "-", width);
   const double rounded = std::abs(*value) < 0.5 * std::pow(10.0, -digits) ? 0.0 : *value;
@@ -85,7 +85,7 @@ std::vector<std::string> model_names(const RunRecord& run) {
 std::string wheelset_table(const RunRecord& run, const std::string& model) {
   if (run.wheelset.empty()) return {};
   std::string text = fmt::format(
-      "\nthe wheelset, by {} at the first load point; rigid: without a load; F_y: to the right, on "
+      "\nthe wheelset, by {} at the first load point; rigid: unloaded; F_y: to the right, on "
       "the wheel\n"
       "{:>4}{:>10}{:>20}{:>29}{:>17}{:>18}{:>18}\n"
       "{:>4}{:>10}{:>10}{:>10}{:>11}{:>9}{:>9}{:>9}{:>8}{:>10}{:>8}{:>10}{:>8}\n",

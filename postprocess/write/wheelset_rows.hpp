@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A row of positions of a wheelset: the totals of each wheel's patches at each position.
+// A lateral sweep of a wheelset: the totals of each wheel's patches at each position.
 #pragma once
 
 #include "postprocess/write/output.hpp"
@@ -22,18 +22,18 @@ struct WheelAt {
   double max_pressure = 0.0;        ///< MPa, the largest of its patches
 };
 
-/// `main` is null where this model has no such patch. `point` counts from 0.
+/// `main` is null if the model has no such patch. `point` counts from 0.
 WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int position,
                  std::size_t point);
 
-/// Rolling radius of the right wheel less that of the left one, of the most loaded patches, mm.
+/// Rolling radius of the right wheel minus that of the left one at the most loaded patches, mm.
 std::optional<double> loaded_radius_difference(const WheelAt& left, const WheelAt& right);
 
 /// Names of the models, in the order of the results.
 std::vector<std::string> model_names(const RunRecord& run);
 
-/// One line a position, of one model at its first load point: radii, conicity, angles, pressures
-/// and forces to the side of both wheels. Empty where the run has no row of lateral shifts.
+/// One line per position for one model at its first load point: radii, conicity, angles, pressures
+/// and lateral forces of both wheels. Empty if the run has no lateral sweep.
 std::string wheelset_table(const RunRecord& run, const std::string& model);
 
 }  // namespace rollfem::postprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rolling contact of wheel and rail, with an error bar on every number.
+"""Rolling contact of wheel and rail, with error bars.
 
     import rollfem
     result = rollfem.solve("case.toml", model="halfspace")

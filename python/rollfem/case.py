@@ -66,7 +66,7 @@ def _plain(value):
 
 
 def _merge(into, other):
-    """Merges `other` into a dict of sections: sections key by key, everything else as it is."""
+    """Merges `other` into a dict of sections: sections key by key; other values replace existing ones."""
     for name, value in other.items():
         if isinstance(value, dict):
             kept = into.setdefault(name, {})
@@ -78,8 +78,8 @@ def _merge(into, other):
 
 
 def nested(changes):
-    """{"friction.coefficient": 0.3} and {"friction__coefficient": 0.3} as sections; a name without a section is
-    looked for in all of them."""
+    """{"friction.coefficient": 0.3} and {"friction__coefficient": 0.3} as sections; a name without a section is looked
+    up in all sections."""
     found = {}
     for name, value in changes.items():
         if not isinstance(name, str):
@@ -94,13 +94,13 @@ def nested(changes):
 
 
 def path_of(name):
-    """Section and name of a key given by its name alone: "spin" is ["rolling", "spin"]. An unknown one is returned as it
-    is, and the reader rejects it. InputError where several sections have the key."""
+    """Section and name of a key given only by its name: "spin" is ["rolling", "spin"]. An unknown name is returned
+    unchanged for the reader to reject. Raises InputError if several sections have the key."""
     sections = [section for section, key in _core.keys() if key == name]
     if "" in sections or not sections:
         return [name]
     if len(sections) > 1 and "history" in sections:
-        sections.remove("history")  # what it has of the same name is for single steps
+        sections.remove("history")  # its keys of the same name are for single steps
     if len(sections) > 1:
         raise InputError(f"{name}: several sections have this key; allowed: "
                          + ", ".join(f"{section}.{name}" for section in sections)
@@ -109,11 +109,11 @@ def path_of(name):
 
 
 class Case:
-    """What is to be solved: the sections and keys of a case file (docs/case-file.md), checked as a file is.
+    """A problem to solve: the sections and keys of a case file (docs/case-file.md), with the same checks.
 
     rollfem.Case("case.toml"), rollfem.Case({"load": {"normal_force": 50e3}, ...}), rollfem.Case(load={...}, ...), or a
-    file or dict with keywords, which then replace single keys. A case never changes; `with_` makes another. Raises
-    rollfem.InputError.
+    file or dict with keywords, which then replace single keys. A case is immutable; `with_` returns a changed copy.
+    Raises rollfem.InputError.
     """
 
     def __init__(self, source=None, /, **sections):
@@ -137,7 +137,7 @@ class Case:
 
     @classmethod
     def of(cls, file, data):
-        """From the contents of a case file, whose name is "" where there is none."""
+        """A case from the contents of a case file, whose name is "" if there is none."""
         case = cls.__new__(cls)
         case._file, case._data = file, data
         case.core = case._parsed()
@@ -149,11 +149,11 @@ class Case:
         try:
             return _core.parse_case(text, name)
         except InputError as error:
-            # Lines and columns are those of a text that nobody has written.
+            # Lines and columns would refer to generated text.
             raise InputError(re.sub(rf"^{re.escape(name)}:\d+:\d+:", f"{name}:", str(error))) from None
 
     def with_(self, changes=None, /, **keys):
-        """Another case with these keys: with_(friction__coefficient=0.3), with_(spin=1e-4), with_({"load.normal_force":
+        """A copy with changed keys: with_(friction__coefficient=0.3), with_(spin=1e-4), with_({"load.normal_force":
         60e3}), with_(rolling={"spin": 0.0}). A key set to None is removed."""
         if changes is not None and not isinstance(changes, dict):
             raise InputError(f"with_({changes!r}): allowed: a dict of keys, or keywords")
@@ -182,7 +182,7 @@ class Case:
 
     @property
     def title(self):
-        """As the case has it."""
+        """The title in the case."""
         return self.core.title
 
     @property
@@ -205,7 +205,7 @@ class Case:
         return self.core.describe()
 
     def write(self, file):
-        """Writes the case file, and returns its name."""
+        """Writes the case file and returns its name."""
         with open(file, "w", encoding="utf-8") as out:
             out.write(self.text)
         return file

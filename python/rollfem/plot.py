@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures of results; each returns matplotlib axes, created here unless given."""
+"""Figures of results; each function returns matplotlib axes and creates them unless given."""
 import numpy as np
 
 STATE_COLOURS = {"adhesion": "#56B4E9", "slip": "#E69F00"}
@@ -25,7 +25,7 @@ def _edges(centres, size):
 
 
 def creep_curve(model, x="longitudinal_creepage", y="traction_coefficient", ax=None, **style):
-    """One quantity over another, by their names, with error bars where there are any."""
+    """Plots one quantity over another, by their names, with error bars if available."""
     ax = _axes(ax)
     bars = model.bars(y)
     style = {"marker": "o", "markersize": 4, "capsize": 2, "label": model.label or model.name, **style}
@@ -36,7 +36,7 @@ def creep_curve(model, x="longitudinal_creepage", y="traction_coefficient", ax=N
 
 
 def creep_curves(result, x="longitudinal_creepage", y="traction_coefficient", ax=None, **style):
-    """The same for every model and patch with more than one load point; for all if none has."""
+    """The same for every model and patch with more than one load point, or for all if there is none."""
     ax = _axes(ax)
     several = [model for model in result if len(model) > 1] or list(result)
     for model in several:
@@ -57,14 +57,14 @@ def _map(model, values, ax, label, **style):
 
 
 def pressure(model, point=0, ax=None, **style):
-    """Pressure over the patch at a load point (from 0)."""
+    """Plots the pressure over the patch at a load point (counted from 0)."""
     values = model.points[point]["pressure"]
     return _map(model, np.ma.masked_less_equal(values, 0.0), ax, "pressure (MPa)", **{"cmap": "viridis", **style})
 
 
 def traction(model, point=0, ax=None, arrows=12, **style):
-    """Size of the tangential traction over the patch, with arrows of its direction on the wheel, some `arrows` each
-    way, and the border between adhesion and slip."""
+    """Plots the magnitude of the tangential traction over the patch, with some `arrows` arrows in each direction for
+    its direction on the wheel, and the border between adhesion and slip area."""
     at = model.points[point]
     px, py = at["traction_x"], at["traction_y"]
     outside = at["pressure"] <= 0.0
@@ -82,7 +82,7 @@ def traction(model, point=0, ax=None, arrows=12, **style):
 
 
 def path(model, axis="x", point=0, ax=None):
-    """Tangential traction and its bound along the middle line of the patch: axis "x" or "y"."""
+    """Plots tangential traction and traction bound along a centre line of the patch: axis "x" or "y"."""
     ax = _axes(ax)
     for field, label, line in (("traction_bound", "bound", "--"), ("traction_x", "$p_x$", "-"),
                                ("traction_y", "$p_y$", "-")):
@@ -95,7 +95,7 @@ def path(model, axis="x", point=0, ax=None):
 
 
 def surface(sweep, quantity="traction_coefficient", ax=None, **style):
-    """A quantity over the first axis of a sweep, a curve for each value of the second, if there is one."""
+    """Plots a quantity over the first axis of a sweep, with one curve for each value of the second axis, if any."""
     ax = _axes(ax)
     values = sweep.values(quantity)
     names = list(sweep.axes)

@@ -11,7 +11,7 @@ from .result import ModelResult, Result
 
 
 def _reader():
-    """The reader of the plotting program, which knows earlier formats and checksums."""
+    """The reader of the plotting program, which supports earlier formats and checksums."""
     folder = os.path.dirname(_core.figures_directory())
     if folder not in sys.path:
         sys.path.append(folder)
@@ -31,8 +31,8 @@ def _model(model):
 
 
 def read(folder):
-    """A folder that `rollfem run` or `Result.write` has written, or its results.h5, as a rollfem.Result. Raises
-    rollfem.InputError when it is not a complete result."""
+    """Reads a folder written by `rollfem run` or `Result.write`, or its results.h5, as a rollfem.Result. Raises
+    rollfem.InputError if it is not a complete result."""
     reader = _reader()
     try:
         stored = reader.read_result(os.fspath(folder))
@@ -43,8 +43,8 @@ def read(folder):
 
 
 class StoredCase(Case):
-    """The case of a stored result. It is parsed only when more than title and text is needed: files that it names may
-    be gone, which must not keep a result from being shown."""
+    """The case of a stored result. It is parsed only if more than title and text is needed, because missing files of
+    the case must not prevent showing the result."""
 
     def __init__(self, stored):
         self._stored, self._file = stored, stored.case_file

@@ -15,14 +15,14 @@ class Quantity:
     """Description of a scalar of a load point."""
 
     title: str  #: for headings: "largest pressure"
-    symbol: str  #: "F_x", "xi"; empty where there is none
-    unit: str  #: "-" where it has none
+    symbol: str  #: "F_x", "xi"; empty if there is none
+    unit: str  #: "-" if it has none
     meaning: str
-    percent_of: str  #: what errors are given in percent of: "the value", "mu F_z", ...
+    percent_of: str  #: reference of errors in percent: "the value", "mu F_z", ...
 
     @property
     def label(self):
-        """For an axis: "largest pressure (MPa)"."""
+        """Label for an axis: "largest pressure (MPa)"."""
         return self.title if self.unit == "-" else f"{self.title} ({self.unit})"
 
 
@@ -42,13 +42,13 @@ FIELDS = {name: Field(*row) for name, row in _core.fields().items()}
 class Point:
     """One load point of one model: every quantity and every field by its name.
 
-    point.max_pressure is a number, None where the model does not give it; point.pressure an array [ny, nx], None where
-    the model has none. Bars are absolute, in the unit of the quantity:
+    point.max_pressure is a number, point.pressure an array [ny, nx]; None if the model does not give it. Error bars are
+    absolute, in the unit of the quantity:
 
-    error_estimate: {quantity: uncertainty left by grid and solver};
-    no_bar: {quantity: why it has none};
-    model_error: {quantity: what the model neglects, on any grid};
-    richardson: {quantity: value extrapolated to elements of size 0};
+    error_estimate: {quantity: error bar for grid and solver};
+    no_bar: {quantity: why it has no error bar};
+    model_error: {quantity: error of the model itself, on any grid};
+    richardson: {quantity: value extrapolated to element size 0};
     subsurface: for every [[subsurface.*]] a dict of kind, body, points [n, 3] (mm), displacement [n, 3] (mm), stress
     [n, 6] (MPa: xx, yy, zz, xy, yz, xz);
     stress_maxima: dicts of body, measure, value (MPa), place (mm);
@@ -68,11 +68,11 @@ class Point:
         self.x, self.y = x, y
 
     def __getitem__(self, name):
-        """A quantity or field; KeyError where the model does not give it."""
+        """A quantity or field by name; KeyError if the model does not give it."""
         return self.fields[name] if name in self.fields else self.scalars[name]
 
     def bar(self, name):
-        """The error bar of a quantity, in its unit; None where it has none."""
+        """The error bar of a quantity, in its unit; None if it has none."""
         return self.error_estimate.get(name)
 
     def __repr__(self):
@@ -85,12 +85,13 @@ class Point:
 class ModelResult:
     """Results of one model on one patch: its load points on its contact grid.
 
-    Every quantity is an array over the load points: model.traction_coefficient; nan where the model does not give it.
+    Every quantity is an array over the load points: model.traction_coefficient; nan if the model does not give it.
     x, y: centres of the contact elements, mm; dx, dy: their size, mm.
     name, label: of the model; key: name with wheel, position and patch for true profiles; place: a dict
     of these, with y_track (mm), contact_angle (rad), ..., or None.
-    seconds: {stage: s}; unknowns, contact_elements: numbers; notes: what a reader must know; choice: why `auto` chose it;
-    shortfall: what was requested and not reached; model_error_source: how model errors were estimated.
+    seconds: {stage: s}; unknowns, contact_elements: numbers; notes: remarks on the results; choice: why `auto` chose
+    it;
+    shortfall: requested accuracy that was not reached; model_error_source: how model errors were estimated.
     """
 
     def __init__(self, record):
@@ -99,16 +100,16 @@ class ModelResult:
         self.points = [Point(each, self.x, self.y) for each in points]
 
     def values(self, name):
-        """A quantity as an array over the load points; nan where it is not given."""
+        """A quantity as an array over the load points; nan if it is not given."""
         return _array(self.points, name)
 
     def bars(self, name):
-        """Its error bars, in its unit; nan where there are none."""
+        """The error bars of a quantity, in its unit; nan if there are none."""
         return np.array([np.nan if point.bar(name) is None else point.bar(name) for point in self.points])
 
     def middle(self, field, axis="x", point=0):
-        """(place in mm, values) of a field, by its name, along the middle line: "x" the line y = 0, "y" the line x = 0;
-        the mean of two lines that are equally near."""
+        """(place in mm, values) of a field, by its name, along a centre line: "x" is the line y = 0, "y" the line x =
+        0; the mean of the two nearest rows if they are equally near."""
         values = self.points[point][field]
         across, size = (self.y, self.dy) if axis == "x" else (self.x, self.dx)
         distance = np.abs(across)
@@ -127,8 +128,8 @@ class ModelResult:
         return self.points[number]
 
     def columns(self):
-        """{name: array over the load points} of all quantities that the model gives, with NAME_bar beside those that
-        have error bars."""
+        """{name: array over the load points} of all quantities that the model gives, with NAME_bar for those with error
+        bars."""
         found = {}
         for name in QUANTITIES:
             if any(point.scalars.get(name) is not None for point in self.points):
@@ -138,7 +139,7 @@ class ModelResult:
         return found
 
     def to_dataframe(self):
-        """`columns()` as a pandas.DataFrame, a line for each load point. ImportError without pandas."""
+        """`columns()` as a pandas.DataFrame, one row per load point. ImportError without pandas."""
         return frame_of(self.columns())
 
     plot_creep_curve = plot.creep_curve
@@ -153,10 +154,10 @@ class ModelResult:
 
 
 class Result:
-    """A case and the results of its models: result["halfspace"], or result.models in the order of the run, with true
-    profiles one for each patch of each wheel and position.
+    """A case and the results of its models: result["halfspace"], or result.models in the order of the run; with true
+    profiles there is one for each patch of each wheel and position.
 
-    case: the rollfem.Case. provenance: {version, commit, ...}, of results that were read.
+    case: the rollfem.Case. provenance: {version, commit, ...} of stored results.
     """
 
     def __init__(self, case, models, core=None, provenance=None, folder=""):
@@ -166,7 +167,7 @@ class Result:
 
     @classmethod
     def of(cls, case, core):
-        """From results of the library."""
+        """A Result from the library's results."""
         return cls(case, [ModelResult(record) for record in _core.models_of(core)], core)
 
     @property
@@ -175,7 +176,7 @@ class Result:
         return self.case.title
 
     def __getitem__(self, key):
-        """A model by its key, or the first of that name; or by number."""
+        """A model by its key, its name (the first one) or its number."""
         if isinstance(key, int):
             return self.models[key]
         for model in [*(m for m in self.models if m.key == key), *(m for m in self.models if m.name == key)]:
@@ -190,15 +191,15 @@ class Result:
 
     @property
     def points(self):
-        """Load points of the only model; ValueError where there are several results."""
+        """Load points of the only model; ValueError if there are several results."""
         if len(self.models) != 1:
             raise ValueError(f"this result has {', '.join(model.key for model in self.models)}; do: take one, as in "
                              f"result[{self.models[0].key!r}].points" if self.models else "there is no model")
         return self.models[0].points
 
     def columns(self):
-        """{name: array} over all models and load points, with columns model, key and point (from 0), and of the place
-        with true profiles."""
+        """{name: array} over all models and load points, with columns model, key and point (from 0), and with true
+        profiles those of the place."""
         parts = [model.columns() for model in self.models]
         names = dict.fromkeys(name for part in parts for name in part)
         found = {"model": np.repeat([m.name for m in self.models], [len(m) for m in self.models]),
@@ -213,12 +214,12 @@ class Result:
         return found
 
     def to_dataframe(self):
-        """`columns()` as a pandas.DataFrame, a line for each model and load point. ImportError without pandas."""
+        """`columns()` as a pandas.DataFrame, one row per model and load point. ImportError without pandas."""
         return frame_of(self.columns())
 
     def write(self, folder, report=False):
-        """Writes the folder that `rollfem run` writes, whole or not at all; with `report` also figures and report.html.
-        Raises rollfem.InputError."""
+        """Writes the same folder as `rollfem run`, completely or not at all; with `report` also figures and
+        report.html. Raises rollfem.InputError."""
         if self._core is None:
             raise _core.InputError(f"{folder}: this result was read from {self.folder}; do: copy that folder")
         problem = _core.write(self._core, str(folder), report)
@@ -251,13 +252,13 @@ def frame_of(columns):
     try:
         import pandas
     except ImportError as error:
-        raise ImportError("to_dataframe needs pandas; do: apt install python3-pandas, or take columns(), which has the "
-                          "same in numpy arrays") from error
+        raise ImportError("to_dataframe needs pandas; do: apt install python3-pandas, or use columns(), which has the "
+                          "same data as numpy arrays") from error
     return pandas.DataFrame(columns)
 
 
 def stress_measures(stress):
-    """Scalars of stresses [..., 6] in MPa: xx, yy, zz, xy, yz, xz, as point.subsurface and point.bodies have them.
+    """Scalar measures of stresses [..., 6] in MPa: xx, yy, zz, xy, yz, xz, as in point.subsurface and point.bodies.
 
     A dict of arrays, MPa, tension positive:
     hydrostatic: (xx + yy + zz) / 3;
@@ -270,12 +271,12 @@ def stress_measures(stress):
 
 
 def _document():
-    """Makes quantities and fields documented attributes."""
+    """Turns quantities and fields into documented attributes."""
     for name, quantity in QUANTITIES.items():
         symbol = f", {quantity.symbol}" if quantity.symbol else ""
         text = f"{quantity.title}{symbol} [{quantity.unit}]: {quantity.meaning}"
         setattr(Point, name, property(lambda self, name=name: self.scalars.get(name), doc=text))
-        if name != "seconds":  # of a model those of its stages
+        if name != "seconds":  # seconds of a model are per stage
             setattr(ModelResult, name, property(lambda self, name=name: self.values(name), doc=f"Over load points. {text}"))
     for name, field in FIELDS.items():
         sign = f"; {field.sign}" if field.sign else ""

@@ -8,7 +8,7 @@ from .result import Result
 
 
 class AccuracyWarning(UserWarning):
-    """The results are sound, but the accuracy that the case asks for was not reached."""
+    """The results are sound but miss the requested accuracy."""
 
 
 class DoubtWarning(UserWarning):
@@ -16,9 +16,9 @@ class DoubtWarning(UserWarning):
 
 
 def names_of(model, models):
-    """The models that `model` and `models` of a call request; empty: those of the case."""
+    """The models requested by the arguments `model` and `models`; empty: those of the case."""
     if model is not None and models is not None:
-        raise _core.InputError("model and models are both given; do: give one of them")
+        raise _core.InputError("model and models exclude each other; do: give one of them")
     given = model if models is None else models
     if given is None:
         return []
@@ -32,12 +32,12 @@ def names_of(model, models):
 def solve(case=None, /, *, model=None, models=None, progress=None, **sections):
     """Solves a case and returns a rollfem.Result.
 
-    case: a case file, a dict of sections, or a rollfem.Case; sections may also be keywords (load={...}), which replace
-    single keys of the case. model, models: a name, or several; otherwise those of the case, or `auto`. progress: called
-    with a rollfem.Progress at every iteration; an exception raised by it ends the solution. Other Python threads run
-    meanwhile; Ctrl-C ends it with KeyboardInterrupt.
+    case: a case file, a dict of sections, or a rollfem.Case; keyword sections (load={...}) replace single keys of the
+    case. model, models: one name or several; default: those of the case, or `auto`. progress: called with a
+    rollfem.Progress at every iteration; an exception raised by it ends the solution. Other Python threads keep running;
+    Ctrl-C raises KeyboardInterrupt.
 
-    Raises rollfem.InputError for a case or call that is wrong, rollfem.SolveError where no solution was reached.
+    Raises rollfem.InputError for an invalid case or call, rollfem.SolveError if there is no solution.
     """
     names = names_of(model, models)
     if not isinstance(case, Case) or sections:

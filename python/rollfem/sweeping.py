@@ -10,16 +10,16 @@ from .case import Case, nested
 from .result import QUANTITIES, frame_of
 from .solving import names_of, solve
 
-#: Keys of [rolling] that take lists: all their combinations are load points of one solution.
+# : Keys of [rolling] that take lists; all their combinations become load points of one solution.
 CREEPAGES = ("longitudinal_creepage", "lateral_creepage", "spin")
 MOST_POINTS = 1000  # of a list in a case
 
 
 class Sweep:
-    """Results over a grid of values: sweep.traction_coefficient, or sweep.values("...") of a model, is an array with one
-    axis for each key, in their order; nan where there is no solution.
+    """Results over a grid of values: sweep.traction_coefficient, or sweep.values("...") of a model, is an array with
+    one axis per key, in the given order; nan marks a missing solution.
 
-    axes: {key: values}; results: the rollfem.Results behind them; failures: {index: why} with skip_failures.
+    axes: {key: values}; results: the underlying rollfem.Results; failures: {index: reason} with skip_failures.
     """
 
     def __init__(self, axes, models):
@@ -34,7 +34,7 @@ class Sweep:
         return tuple(len(values) for values in self.axes.values())
 
     def points(self, model=None):
-        """An array of rollfem.Point; None where there is no solution. `model`: which of several."""
+        """An array of rollfem.Point; None marks a missing solution. `model`: required if there are several."""
         if model is None:
             if len(self._points) > 1:
                 raise ValueError(f"this sweep has {', '.join(self._points)}; do: name one, as in values(..., model=...)")
@@ -50,7 +50,7 @@ class Sweep:
         return self._map(model, lambda point: point.scalars.get(name))
 
     def bars(self, name, model=None):
-        """Its error bars, in its unit."""
+        """The error bars of a quantity over the grid, in its unit."""
         return self._map(model, lambda point: point.bar(name))
 
     def _map(self, model, get):
@@ -68,7 +68,7 @@ class Sweep:
         raise AttributeError(f"a sweep has no {name}")
 
     def columns(self, model=None):
-        """{name: array} over the combinations: a column for each key, then the quantities."""
+        """{name: array} over the combinations: one column per key, then the quantities."""
         grids = np.meshgrid(*self.axes.values(), indexing="ij")
         found = {name: grid.ravel() for name, grid in zip(self.axes, grids)}
         for name in QUANTITIES:
@@ -88,12 +88,12 @@ class Sweep:
         for model in result:
             if model.place is not None and model.place["patches"] > 1:
                 raise InputError("a wheel has several patches here, which one array cannot hold; do: solve each "
-                                 "combination, and take what you need from its result")
+                                 "combination and read the values from its result")
             name = model.name if model.place is None else f"{model.name}_{model.place['wheel']}"
             if model.place is not None and model.place["position"] > 1:
                 raise InputError("the case has several positions; do: sweep over them (lateral_shift=[...])")
             points = self._points.setdefault(name, np.full(self.shape, None, dtype=object))
-            # What knows no creepage has one load point for all of them.
+            # Models without creepage have a single load point for all combinations.
             points[index] = model.points[number if len(model) > 1 else 0]
 
     def __repr__(self):
@@ -103,7 +103,7 @@ class Sweep:
 
 
 def _solve_into(sweep, case, indices, how, skip):
-    """Solves the load points of a case; if that fails and failures may be skipped, each separately."""
+    """Solves the load points of a case together; if that fails and failures may be skipped, separately."""
     try:
         result = solve(case, **how)
     except SolveError as error:
@@ -125,10 +125,10 @@ def _solve_into(sweep, case, indices, how, skip):
 def sweep(case, axes=None, /, *, model=None, models=None, progress=None, skip_failures=False, **keys):
     """Solves a case at every combination of values and returns a rollfem.Sweep.
 
-    sweep(case, longitudinal_creepage=[...], spin=[...]), sweep(case, {"friction.coefficient": [0.3, 0.5]}),
-    sweep(case, friction__coefficient=[0.3, 0.5]). Creepages are load points of one solution, which costs least; all other
-    keys take a solution for each combination. skip_failures: combinations without a solution are nan and listed in
-    `failures`; otherwise the first raises rollfem.SolveError.
+    sweep(case, longitudinal_creepage=[...], spin=[...]), sweep(case, {"friction.coefficient": [0.3, 0.5]}), sweep(case,
+    friction__coefficient=[0.3, 0.5]). Creepages become load points of one solution, which is cheapest; other keys need
+    one solution per combination. skip_failures: combinations without a solution are nan and listed in `failures`;
+    otherwise the first failure raises rollfem.SolveError.
     """
     case = case if isinstance(case, Case) else Case(case)
     asked = {name: [v for v in np.atleast_1d(np.asarray(values, dtype=object)).tolist()]
@@ -154,7 +154,7 @@ def sweep(case, axes=None, /, *, model=None, models=None, progress=None, skip_fa
 
 
 def _path(name):
-    """Section and key that a name stands for."""
+    """Section and key of a name."""
     at, path = nested({name: 0}), []
     while isinstance(at, dict):
         path.append(next(iter(at)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of the creep force law that `rollfem table` has written."""
+"""Tables of the creep force law, written by `rollfem table`."""
 import os
 
 import numpy as np
@@ -9,7 +9,7 @@ from .result import frame_of
 
 
 class Table:
-    """A table of creep forces, and what it says between its points.
+    """A table of creep forces, with interpolation between its points.
 
         table = rollfem.Table("results/thesis_a_table")       # or its table.h5
         force = table.forces(semi_axis_x=4.1, semi_axis_y=9.4, shear_modulus=80769.0, friction_bound=27.5e3,
@@ -21,10 +21,10 @@ class Table:
 
     axes: {"axis_ratio" or "lateral_shift", "longitudinal", "lateral", "spin": values}; longitudinal_force,
     lateral_force (over mu F_n), spin_moment (over mu F_n sqrt(a b)), force_bar, moment_bar: arrays over these four
-    axes. interpolation: errors at random points between those of the grid. Over lateral shifts also
+    axes. interpolation: errors at random points between the grid points. Tables over lateral shifts also have
     force_along_normal (over mu F_n) and wheels, {name: array over the shifts}: contact_angle, rolling_radius,
-    normal_force, ... (docs/tables.md); else None. Raises rollfem.InputError for a file that is no table, and for a
-    ratio or a shift outside of it.
+    normal_force, ... (docs/tables.md); otherwise None. Raises rollfem.InputError for a file that is not a table, and
+    for a ratio or shift outside the table.
     """
 
     def __init__(self, path):
@@ -52,17 +52,17 @@ class Table:
 
     def scaled(self, longitudinal=0.0, lateral=0.0, spin=0.0, axis_ratio=None, lateral_shift=None):
         """Forces over mu F_n, the moment over mu F_n sqrt(a b), at scaled creepages xi', eta', phi' (docs/tables.md);
-        arguments may be arrays. Without `axis_ratio` or `lateral_shift` (mm) the only one of the table. Returns a
-        TableForces."""
+        arguments may be arrays. `axis_ratio` or `lateral_shift` (mm) may be omitted if the table has only one. Returns
+        a TableForces."""
         first = next(iter(self.axes))
         given = {"axis_ratio": axis_ratio, "lateral_shift": lateral_shift}
         for name, value in given.items():
             if name != first and value is not None:
-                raise ValueError(f"this table is over {first}; do: name that in place of {name}")
+                raise ValueError(f"this table is over {first}; do: give that instead of {name}")
         place = given[first]
         if place is None:
             if self.shape[0] != 1:
-                raise ValueError(f"this table has several values of {first}; do: name {first}")
+                raise ValueError(f"this table has several values of {first}; do: give {first}")
             place = self.axes[first][0]
         return self._ask(self._core.scaled, place, longitudinal, lateral, spin)
 
@@ -70,13 +70,13 @@ class Table:
                longitudinal_creepage=0.0, lateral_creepage=0.0, spin=0.0):
         """Forces of friction on the wheel. All arguments may be arrays. Returns a TableForces.
 
-        Of an ellipse, in the units of the arguments, which must be consistent (mm, N, MPa or m, N, Pa): semi_axis_x,
-        semi_axis_y: along rolling and across; shear_modulus: combined, 1/G = (1/G1 + 1/G2)/2; friction_bound: mu F_n.
+        For an ellipse, in the units of the arguments, which must be consistent (mm, N, MPa or m, N, Pa): semi_axis_x,
+        semi_axis_y: along and across rolling; shear_modulus: combined, 1/G = (1/G1 + 1/G2)/2; friction_bound: mu F_n.
 
-        Of a wheel, in mm, N and N mm: lateral_shift of the wheelset; friction_bound: mu F_n of all contacts, without it
-        that of the table; creepages of the main contact, the most loaded one, in whose frame the forces are. The table
-        holds for the load it was made with. Between two shifts where contact jumps the nearer one is taken, and the
-        bars hold all by which they differ.
+        For a wheel, in mm, N and N mm: lateral_shift of the wheelset; friction_bound: mu F_n of all contacts, by
+        default that of the table; creepages of the main (most loaded) contact. Forces are in the frame of the main
+        contact. The table is valid for the load it was computed with. Between two shifts where contact jumps, the
+        nearer one applies, and the bars include the full difference between both.
         """
         ellipse = {"semi_axis_x": semi_axis_x, "semi_axis_y": semi_axis_y, "shear_modulus": shear_modulus}
         creepages = longitudinal_creepage, lateral_creepage, spin
@@ -97,8 +97,8 @@ class Table:
         return self._ask(self._core.of_wheel, lateral_shift, friction_bound, *creepages)
 
     def wheel_at(self, lateral_shift):
-        """{name: number or array} of `wheels` at a lateral shift (mm); jump_after: 1 where contact jumps there. Raises
-        rollfem.InputError for a table over ratios of axes."""
+        """{name: number or array} of `wheels` at a lateral shift (mm); jump_after: 1 if contact jumps there. Raises
+        rollfem.InputError for a table over axis ratios."""
         shifts = np.asarray(lateral_shift, dtype=float)
         found = self._core.wheels_at(np.ascontiguousarray(shifts).ravel())
         return {name: np.array(values).reshape(shifts.shape)[()] for name, values in found.items()}
@@ -110,7 +110,7 @@ class Table:
         return TableForces(*(column.reshape(arrays[0].shape)[()] for column in found))
 
     def columns(self):
-        """{name: array}, one entry for each point."""
+        """{name: array} with one entry per point."""
         grids = np.meshgrid(*self.axes.values(), indexing="ij")
         found = {name: grid.ravel() for name, grid in zip(self.axes, grids)}
         for name in ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar"):
@@ -128,9 +128,9 @@ class Table:
 
 
 class TableForces:
-    """What a table says: longitudinal_force, lateral_force, spin_moment, and the bars force_bar (of the force vector)
-    and moment_bar, which hold the bars of the grid around the point and what 95 of 100 points at random were off by
-    interpolation; force_along_normal, 0 of an ellipse. Numbers or arrays."""
+    """Values of a table: longitudinal_force, lateral_force, spin_moment, and the bars force_bar (of the force vector)
+    and moment_bar, which add the error bars at the surrounding grid points and the interpolation error not exceeded at
+    95 of 100 random points; force_along_normal, 0 for an ellipse. Numbers or arrays."""
 
     __slots__ = ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar", "force_along_normal")
 

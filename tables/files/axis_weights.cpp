@@ -8,13 +8,14 @@ namespace rollfem::tables {
 
 namespace {
 
-/// Weights of three values in the slope of their parabola at the middle one.
+/// Weights of three values in the slope of their parabola at the middle value.
 std::array<double, 3> middle_slope(double before, double after) {
   const double both = before + after;
   return {-after / (before * both), (after - before) / (before * after), before / (after * both)};
 }
 
-/// The same at the first one; `near` and `far` are the distances between them.
+/// The same at the first value; `near` and `far` are the distances to the next one and between the
+/// others.
 std::array<double, 3> end_slope(double near, double far) {
   const double both = near + far;
   return {-(2.0 * near + far) / (near * both), both / (near * far), -near / (far * both)};

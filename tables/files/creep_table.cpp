@@ -25,11 +25,11 @@ void refuse_shape(const std::string& what) {
   throw contact::InputError("table: " + what + "; do: use a file written by rollfem table");
 }
 
-/// The weights along the axes of creepage of forces that pass 0 smoothly and of those that do not.
+/// Weights along the creepage axes, for forces smooth at 0 and for forces bent at 0.
 using CreepageWeights = std::array<std::array<AxisWeights, 2>, 3>;
 
-/// What F_x, F_y, M_z and the force along the normal do along xi', eta' and phi': those that a
-/// creepage makes are bent at 0.
+/// Behaviour of F_x, F_y, M_z and the force along the normal at 0 of xi', eta' and phi': a force is
+/// bent at 0 along the creepage that causes it.
 constexpr AtZero at_zero[4][3] = {{AtZero::bent, AtZero::smooth, AtZero::smooth},
                                   {AtZero::smooth, AtZero::bent, AtZero::bent},
                                   {AtZero::smooth, AtZero::bent, AtZero::bent},
@@ -40,9 +40,9 @@ double value_of(const CreepTable& table, std::size_t point, std::size_t q) {
   return q == along_normal ? table.along_normal[point] : table.forces[point][q];
 }
 
-/// Sum over the nodes of force q. Over ratios node -1 of xi' is node 1 under -xi', where F_x turns
-/// round; node -1 of eta' is node 1 in the mirror, where phi', F_y and M_z turn round. Only what
-/// does not turn round is smooth there.
+/// Weighted sum of force q over the nodes. Over ratios, node -1 of xi' is node 1 at -xi', where F_x
+/// changes sign; node -1 of eta' is the mirror image of node 1, where phi', F_y and M_z change
+/// sign. Only forces that keep their sign are smooth there.
 double sum_of(const CreepTable& table, const AxisWeights& first, const CreepageWeights& creepage,
               std::size_t q) {
   const auto weights_of = [&](std::size_t axis) -> const AxisWeights& {
@@ -70,7 +70,7 @@ double sum_of(const CreepTable& table, const AxisWeights& first, const CreepageW
   return sum;
 }
 
-/// The two nodes around the place: slots 1 and 2, where they are there.
+/// The two nodes around the place: slots 1 and 2, if they exist.
 std::array<std::size_t, 2> around(const AxisWeights& axis, std::size_t count) {
   if (count == 1) return {0, 0};
   const auto lower = static_cast<std::size_t>(axis.first + 1);
@@ -89,7 +89,7 @@ std::array<double, 2> bars_of(const CreepTable& table, const std::array<std::siz
   return largest;
 }
 
-/// All by which two sides of a jump differ.
+/// Widens the bars by the full difference across a jump.
 void widen(TableForces& near, const TableForces& beyond) {
   near.force_bar += std::hypot(near.forces[0] - beyond.forces[0], near.forces[1] - beyond.forces[1],
                                near.along_normal - beyond.along_normal);
@@ -153,7 +153,7 @@ const std::vector<WheelColumn>& wheel_columns() {
        "force of the main contact's pressure along its y"},
       {"max_pressure", &W::max_pressure, "MPa", "largest of all contacts"},
       {"contact_area", &W::contact_area, "mm2", "of all contacts"},
-      {"contacts", &W::contacts, "1", "in planes of their own"},
+      {"contacts", &W::contacts, "1", "contacts in different planes"},
       {"jump_after", &W::jump_after, "1", "1: contact jumps between this shift and the next"}};
   return columns;
 }
@@ -205,7 +205,7 @@ void CreepTableReader::check_wheels() const {
 void CreepTableReader::refuse_other_kind(bool wanted_shifts) const {
   if (table_.over_shifts() == wanted_shifts) return;
   throw contact::InputError(
-      wanted_shifts ? "table: a lateral shift was given, but this table is over ratios of axes; "
+      wanted_shifts ? "table: a lateral shift was given, but this table is over axis ratios; "
                       "do: give the semi-axes, or make a table with [table] lateral_shift"
                     : "table: an ellipse was given, but this table is over lateral shifts; do: "
                       "give lateral_shift, or make a table with [table] axis_ratio");
@@ -241,7 +241,7 @@ CreepTableReader::Place CreepTableReader::locate(double place) const {
   std::size_t s = 0;
   while (s + 1 < stretches_.size() && x > stretches_[s].nodes.back()) ++s;
   const Stretch& stretch = stretches_[s];
-  if (x < stretch.nodes.front()) {  // in the gap before it
+  if (x < stretch.nodes.front()) {  // in the gap before this stretch
     Nodes before = at_end(stretch.first - 1), after = at_end(stretch.first);
     const double middle = 0.5 * (stretches_[s - 1].nodes.back() + stretch.nodes.front());
     return x < middle ? Place{before, after} : Place{after, before};
@@ -278,8 +278,8 @@ TableForces CreepTableReader::forces_of(const Nodes& nodes, const Scaled& creepa
     const double end = table_.creepage[q].back();
     if (std::abs(creepage[q]) * shrunk > end) shrunk = end / std::abs(creepage[q]);
   }
-  // Of an ellipse reversing all creepages reverses all forces; mirroring reverses eta, phi, F_y and
-  // M_z. Both together reverse xi and F_x.
+  // For an ellipse, reversing all creepages reverses all forces; mirroring reverses eta, phi, F_y
+  // and M_z. Both together reverse xi and F_x.
   const bool mirrored = !table_.over_shifts();
   const double along = mirrored && creepage[0] < 0.0 ? -1.0 : 1.0,
                across = mirrored && creepage[1] < 0.0 ? -1.0 : 1.0;

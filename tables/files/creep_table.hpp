@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Creep forces as a table over scaled creepages and, of Hertzian contacts, the ratio of the
-// ellipse's axes, as Kalker's (1996) and USETAB's tables have it, or, of a wheel on its rail, the
-// lateral shift of the wheelset; and what it says between its points. Python and C read it through
-// here (docs/tables.md).
+// A table of creep forces over scaled creepages and, for Hertzian contacts, the axis ratio of the
+// ellipse, as in Kalker's (1996) and USETAB's tables, or, for a wheel on its rail, the lateral
+// shift of the wheelset; with interpolation between its points. Python and C read tables through
+// this header (docs/tables.md).
 //
 // With c = sqrt(a b), the combined shear modulus G, the bound mu F_n and Kalker's coefficients:
 //   xi' = xi G c^2 C11 / (3 mu F_n)    eta' = eta G c^2 C22 / (3 mu F_n)
@@ -24,8 +24,8 @@ namespace rollfem::tables {
 /// xi', eta', phi'; or F_x/(mu F_n), F_y/(mu F_n), M_z/(mu F_n c).
 using Scaled = std::array<double, 3>;
 
-/// What is found between grid points less what is solved for there, at points at random: of the
-/// force vector in mu F_n, of the moment in mu F_n c.
+/// Interpolated minus computed values at random points between the grid points: of the force vector
+/// over mu F_n, of the moment over mu F_n c.
 struct InterpolationError {
   int points = 0;
   unsigned seed = 0;
@@ -33,31 +33,31 @@ struct InterpolationError {
   double moment_rms = 0.0, moment_95 = 0.0, moment_max = 0.0;
 };
 
-/// Its errors by the names that files and Python have them under.
+/// The errors by their names in files and Python.
 inline constexpr std::pair<const char*, double InterpolationError::*> interpolation_errors[] = {
     {"force_rms", &InterpolationError::force_rms}, {"force_95", &InterpolationError::force_95},
     {"force_max", &InterpolationError::force_max}, {"moment_rms", &InterpolationError::moment_rms},
     {"moment_95", &InterpolationError::moment_95}, {"moment_max", &InterpolationError::moment_max}};
 
-/// A point at which it was found.
+/// A point at which the interpolation error was computed.
 struct CheckedPoint {
-  double place = 1.0;  ///< on the first axis: a/b, or mm
+  double place = 1.0;  ///< place on the first axis: a/b, or mm
   Scaled creepage{}, interpolated{}, solved{};
 };
 
-/// The wheel at one lateral shift, pressed without friction. Its main contact is the most loaded
-/// one, in whose frame creepages and forces are.
+/// The wheel at one lateral shift, loaded without friction. Creepages and forces refer to the frame
+/// of its main contact, the most loaded one.
 struct TableWheel {
-  double semi_axis_x = 1.0, semi_axis_y = 1.0;  ///< mm, of the ellipse that scales
+  double semi_axis_x = 1.0, semi_axis_y = 1.0;  ///< mm, of the ellipse used for scaling
   double normal_force = 1.0;                    ///< N, of all contacts, each along its normal
-  double contact_angle = 0.0;                   ///< rad, of the main contact as all that follows
-  double rolling_radius = 0.0;                  ///< mm
-  double y_rail = 0.0, y_wheel = 0.0;           ///< mm, of the reference point on the profiles
-  double lateral_pressure = 0.0;                ///< N, force of the pressure along y of the contact
-  double max_pressure = 0.0;                    ///< MPa, of the wheel
-  double contact_area = 0.0;                    ///< mm^2, of the wheel
-  double contacts = 1.0;                        ///< in planes of their own
-  /// 1: contact jumps between this shift and the next, and nothing is interpolated there.
+  double contact_angle = 0.0;          ///< rad, of the main contact, as are the members below
+  double rolling_radius = 0.0;         ///< mm
+  double y_rail = 0.0, y_wheel = 0.0;  ///< mm, reference point on the profiles
+  double lateral_pressure = 0.0;       ///< N, force of the pressure along y of the contact frame
+  double max_pressure = 0.0;           ///< MPa, of the wheel
+  double contact_area = 0.0;           ///< mm^2, of the wheel
+  double contacts = 1.0;               ///< number of contacts in different planes
+  /// 1: contact jumps between this shift and the next, without interpolation there.
   double jump_after = 0.0;
 };
 
@@ -65,23 +65,24 @@ struct CreepTable {
   std::string title, case_file, case_text, program, command, started;
   double poisson_ratio = 0.0;
   std::vector<double> axis_ratio;  ///< a/b, increasing; empty over lateral shifts
-  // Over lateral shifts, else empty and 0.
+  // Members of tables over lateral shifts; otherwise empty and 0.
   std::vector<double> lateral_shift;  ///< mm, increasing
-  std::vector<TableWheel> wheels;     ///< of every shift
+  std::vector<TableWheel> wheels;     ///< one per shift
   double shear_modulus = 0.0;         ///< MPa, combined
   double friction_coefficient = 0.0;
-  /// Increasing. Over ratios xi' and eta' from 0 on, phi' with its mirror image. Negative xi' and
-  /// eta' follow: the force law is odd, and the mirror image of a contact changes eta, phi, F_y and
-  /// M_z. Over lateral shifts of both signs: a wheel's surface slips by itself as it rolls.
+  /// Increasing values. Over ratios: xi' and eta' from 0 on, phi' of both signs. Negative xi' and
+  /// eta' follow from symmetry: the force law is odd, and mirroring a contact changes the signs of
+  /// eta, phi, F_y and M_z. Over lateral shifts all have both signs, because the rolling radii of a
+  /// profile cause slip without creepage.
   std::array<std::vector<double>, 3> creepage;
-  /// Of every ratio or shift: what xi G c^2/(mu F_n), eta G c^2/(mu F_n), phi G c^3/(mu F_n) are
-  /// multiplied by.
+  /// One entry per ratio or shift: the factors of xi G c^2/(mu F_n), eta G c^2/(mu F_n), phi G
+  /// c^3/(mu F_n).
   std::vector<Scaled> scale;
-  // Of every point, the last axis the fastest: ratio or shift, xi', eta', phi'.
+  // One entry per point, the last axis fastest: ratio or shift, xi', eta', phi'.
   std::vector<Scaled> forces;
-  std::vector<double> along_normal;         ///< of friction, over mu F_n; empty: 0
-  std::vector<std::array<double, 2>> bars;  ///< of the force vector and of the moment
-  std::vector<int> elements_across;         ///< of the finest grid
+  std::vector<double> along_normal;  ///< force of friction along the normal over mu F_n; empty: 0
+  std::vector<std::array<double, 2>> bars;  ///< error bars of the force vector and the moment
+  std::vector<int> elements_across;         ///< on the finest grid
   InterpolationError interpolation;
   std::vector<CheckedPoint> checked;
 
@@ -93,70 +94,72 @@ struct CreepTable {
   std::size_t place(std::size_t first, std::size_t i, std::size_t j, std::size_t k) const;
 };
 
-/// In what axes are even and interpolation works: x up to 1, 1 + ln x beyond, odd.
+/// The coordinate of even axes and of interpolation: x up to 1, 1 + ln x beyond, odd.
 double table_coordinate(double scaled_creepage);
 double creepage_at(double coordinate);
 
-/// From 0 to `largest` in even steps of the coordinate; of both signs for a spin.
+/// Creepages from 0 to `largest` in even steps of the coordinate; for a spin with both signs.
 std::vector<double> creepages_to(double largest, int count);
 std::vector<double> spins_to(double largest, int count);
 
-/// What a table says at a point. Bars: of the forces, those of the grid around the point and what
-/// 95 of 100 points at random were off by interpolation; where contact jumps between two shifts,
-/// also all by which these differ.
+/// Values of a table at a point. The bars add the error bars at the surrounding grid points and the
+/// interpolation error not exceeded at 95 of 100 random points; at a jump of contact they also
+/// include the full difference between the two shifts.
 struct TableForces {
   Scaled forces{};
-  double along_normal = 0.0;  ///< of friction, on the wheel; 0 of an ellipse
+  double along_normal = 0.0;  ///< force of friction on the wheel along the normal; 0 for an ellipse
   double force_bar = 0.0, moment_bar = 0.0;
 };
 
-/// Answers; made once of a table, which it holds. Nothing is allocated, and threads may ask at
-/// once.
+/// Evaluates a table, which it owns. Evaluation allocates nothing and is thread-safe.
 class CreepTableReader {
  public:
-  /// Throws contact::InputError where the table does not fit together.
+  /// Throws contact::InputError if the table is inconsistent.
   explicit CreepTableReader(CreepTable table);
 
   const CreepTable& table() const { return table_; }
 
-  /// `place`: a ratio of axes, or a lateral shift in mm. Beyond the largest creepages all are
-  /// reduced alike to the end of the grid: full sliding knows their direction only. Between two
-  /// shifts where contact jumps it is the nearer one. Throws contact::InputError for a place
-  /// outside of the table (of a ratio one in a thousand is let pass) and for what is not finite.
+  /// `place`: an axis ratio, or a lateral shift in mm. Creepages beyond the grid are all reduced by
+  /// one factor to its end, because full sliding depends only on their direction. Between two
+  /// shifts where contact jumps, the nearer one applies. Throws contact::InputError for a place
+  /// outside the table (with a tolerance of one in a thousand for a ratio) and for values that are
+  /// not finite.
   TableForces at(double place, const Scaled& creepage) const;
 
   /// Factors of the creepages (CreepTable::scale) at any place of the table.
   Scaled scale_at(double place) const;
 
-  /// Forces in the units of the arguments, consistent ones. Semi-axes along rolling and across,
-  /// combined shear modulus, mu F_n > 0, creepages xi, eta and phi. Throws contact::InputError for
-  /// a table over lateral shifts.
+  /// Forces of an ellipse, in the consistent units of the arguments: semi-axes along and across
+  /// rolling, combined shear modulus, mu F_n > 0, creepages xi, eta and phi. Throws
+  /// contact::InputError for a table over lateral shifts.
   TableForces physical(double semi_axis_x, double semi_axis_y, double shear_modulus,
                        double friction_bound, const Scaled& creepage) const;
 
-  /// Of the wheel at a lateral shift (mm): forces in N and N mm under creepages xi, eta and phi
-  /// (rad/mm) of the main contact, mu F_n in N. Exact for mu F_n of the table; with another the
-  /// slip of the rolling radii is scaled along. Throws contact::InputError for a table over ratios.
+  /// Forces of the wheel at a lateral shift (mm), in N and N mm, for creepages xi, eta and phi
+  /// (rad/mm) of the main contact and mu F_n in N. Exact for the table's mu F_n; any other value
+  /// also scales the slip from the rolling radii. Throws contact::InputError for a table over
+  /// ratios.
   TableForces of_wheel(double lateral_shift, double friction_bound, const Scaled& creepage) const;
 
-  /// Between shifts interpolated as forces are; jump_after: whether contact jumps there.
+  /// The wheel at a lateral shift, interpolated like the forces; jump_after: whether contact jumps
+  /// there.
   TableWheel wheel_at(double lateral_shift) const;
 
-  /// The table again; nothing may be asked for afterwards.
+  /// Returns the table; the reader is unusable afterwards.
   CreepTable release() && { return std::move(table_); }
 
  private:
-  /// Nodes of the first axis, their weights, and those of which bars are taken.
+  /// Nodes of the first axis, their weights, and the nodes that provide bars.
   struct Nodes {
     AxisWeights weights;
     std::array<std::size_t, 2> around{};
   };
-  /// In a gap between two stretches the end that is farther, too.
+  /// A place on the first axis; in a gap between two stretches also the farther end.
   struct Place {
     Nodes near;
     std::optional<Nodes> beyond;
   };
-  /// Nodes that follow each other without a jump, in what interpolation works in.
+  /// Consecutive nodes without a jump, in the coordinate of interpolation.
   struct Stretch {
     std::size_t first = 0;
     std::vector<double> nodes;
@@ -178,7 +181,7 @@ class CreepTableReader {
   std::array<std::vector<double>, 3> coordinate_;
 };
 
-/// Numbers of a TableWheel as files and Python have them.
+/// Values of a TableWheel under their names in files and Python.
 struct WheelColumn {
   const char* name;
   double TableWheel::*member;

@@ -15,7 +15,7 @@ namespace {
 using namespace postprocess::hdf5;
 
 const char* const table_format = "rollfem table";
-/// 1: over ratios of axes only; what it has is the same since.
+/// Version 1 had axis ratios only; its content is unchanged in version 2.
 constexpr long table_version = 2;
 
 const char* const table_conventions =
@@ -28,13 +28,13 @@ const char* const ratio_conventions =
     "-phi' F_y and M_z change sign.";
 const char* const shift_conventions =
     "Arrays [lateral_shift, longitudinal, lateral, spin]. Creepages and forces are those of the "
-    "main contact, the most loaded one, in its frame; other contacts of the wheel move as one "
-    "rigid "
-    "body with it, and forces are the sums over all; F_n is the sum of their normal forces. Forces "
-    "are those of friction: what pressure does is in the group wheel. G is shear_modulus, a and b "
+    "main contact, the most loaded one, in its frame; the other contacts of the wheel move with it "
+    "as one rigid body, and forces are the sums over all contacts; F_n is the sum of their normal "
+    "forces. Forces are friction only; the group wheel holds the force of the pressure. G is "
+    "shear_modulus, a and b "
     "are wheel/semi_axis_x and wheel/semi_axis_y. The table holds for the load of the case.";
 
-/// One number of every entry of a list.
+/// One value of every entry of a list.
 template <class List, class Get>
 std::vector<double> column(const List& list, const Get& get) {
   std::vector<double> found;
@@ -62,16 +62,16 @@ void write_axes(hid_t file, const CreepTable& table) {
   write("longitudinal", table.creepage[0], "xi', scaled longitudinal creepage");
   write("lateral", table.creepage[1], "eta', scaled lateral creepage");
   write("spin", table.creepage[2], "phi', scaled spin");
-  write_rows(group, "scale", table.scale, "1",
-             "Of every ratio or shift: C11/3, C22/3 and sqrt(C23^2 + C33^2), by which xi G a b/(mu "
-             "F_n), eta "
-             "G a b/(mu F_n) and phi G (a b)^(3/2)/(mu F_n) are multiplied; between them their "
-             "logarithms are interpolated");
+  write_rows(
+      group, "scale", table.scale, "1",
+      "For every ratio or shift: C11/3, C22/3 and sqrt(C23^2 + C33^2), the factors of xi G a b/(mu "
+      "F_n), eta "
+      "G a b/(mu F_n) and phi G (a b)^(3/2)/(mu F_n); interpolation uses their logarithms");
 }
 
 void write_wheels(hid_t file, const CreepTable& table) {
   const Handle group =
-      create_group(file, "wheel", "The wheel at every lateral shift, pressed without friction");
+      create_group(file, "wheel", "The wheel at every lateral shift, loaded without friction");
   write_attribute(group, "shear_modulus", table.shear_modulus);
   write_attribute(group, "friction_coefficient", table.friction_coefficient);
   for (const WheelColumn& entry : wheel_columns()) {
@@ -85,8 +85,8 @@ void write_wheels(hid_t file, const CreepTable& table) {
 void write_interpolation(hid_t file, const CreepTable& table) {
   const InterpolationError& error = table.interpolation;
   const Handle group = create_group(file, "interpolation",
-                                    "Errors of interpolation at random points between those of the "
-                                    "grid:  forces over mu F_n, the moment over mu F_n c");
+                                    "Errors of interpolation at random points between the grid "
+                                    "points:  forces over mu F_n, the moment over mu F_n c");
   write_attribute(group, "points", static_cast<long>(error.points));
   write_attribute(group, "seed", static_cast<long>(error.seed));
   for (const auto& [name, member] : interpolation_errors)
@@ -118,10 +118,9 @@ void write_values(hid_t file, const CreepTable& table) {
   describe(write_dataset(file, "elements_across", shape, table.elements_across.data()), "1",
            "contact elements across the patch on the finest grid", "");
   if (table.over_shifts())
-    write_column(
-        file, "force_along_normal", shape, table.along_normal, "mu F_n",
-        "force of friction along the normal of the main contact: not 0 on a curved surface "
-        "and where contacts in other planes take part");
+    write_column(file, "force_along_normal", shape, table.along_normal, "mu F_n",
+                 "force of friction along the normal of the main contact: nonzero on a curved "
+                 "surface and with contacts in other planes");
 }
 
 [[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
@@ -230,10 +229,10 @@ CreepTable read_table(const std::string& path) {
   try {
     const Handle file = open_file(file_name);
     if (!has_attribute(file, "format") || read_text(file, "format") != table_format)
-      refuse_file(file_name, "is no table");
+      refuse_file(file_name, "is not a table");
     const double version = read_number(file, "format_version");
     if (version != 1.0 && version != static_cast<double>(table_version))
-      refuse_file(file_name, "is of another version");
+      refuse_file(file_name, "belongs to another version");
     CreepTable table = table_of(file);
     read_interpolation(file, table);
     return table;

@@ -9,12 +9,12 @@ namespace rollfem::tables {
 
 namespace {
 
-// What two grids leave is the size of the error, no bound: no bar is smaller than this, with which
-// 269 of 270 points at random hold (docs/tables.md).
+// Smallest bar. The difference of two grids estimates the error but does not bound it; with this
+// minimum the bars hold at 269 of 270 random points (docs/tables.md).
 constexpr double least_force_bar = 0.002;
 constexpr double least_moment_bar = 0.002;
 
-/// Half of what a list of points is solved to: forces within 0.2 % of mu F_n everywhere.
+/// Half the tolerance of a list of points: forces within 0.2 % of mu F_n everywhere.
 constexpr double largest_correction = 0.0015;
 
 TablePoint point_of(const halfspace::EllipseForces& found) {

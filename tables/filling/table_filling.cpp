@@ -17,10 +17,10 @@ namespace rollfem::tables {
 namespace {
 
 constexpr unsigned seed = 20120816;
-constexpr std::size_t points_of_a_place = 10;  ///< at random, of one place that lies between
+constexpr std::size_t points_of_a_place = 10;  ///< random points per intermediate place
 
-/// Places of the creepages of point `n` of a ratio or shift: to and fro, so that points that follow
-/// each other are neighbours.
+/// Creepage indices of point `n` of a ratio or shift, in boustrophedon order, so that consecutive
+/// points are neighbours.
 std::array<std::size_t, 3> to_and_fro(const CreepTable& table, std::size_t n) {
   const std::size_t across = table.creepage[1].size(), spins = table.creepage[2].size();
   const std::size_t row = n / spins, m = n % spins, i = row / across;
@@ -58,8 +58,8 @@ void fill_grid(CreepTable& table, const TableSource& source, const contact::Prog
   solve_parts(parts, progress, checkpoint);
 }
 
-/// Where places at random are drawn on the first axis: mm, or the logarithm of the ratio. Gaps in
-/// which contact jumps are left out, for nothing is interpolated there.
+/// Ranges for random places on the first axis: mm, or the logarithm of the ratio. Gaps in which
+/// contact jumps are left out, because there is no interpolation.
 std::vector<std::array<double, 2>> stretches_of(const CreepTable& table) {
   const auto coordinate = [&](std::size_t k) {
     return table.over_shifts() ? table.lateral_shift[k] : std::log(table.axis_ratio[k]);
@@ -79,7 +79,7 @@ double place_at(const CreepTable& table, const std::vector<std::array<double, 2>
   for (const auto& [low, high] : stretches) whole += high - low;
   double way = share * whole;
   std::size_t s = 0;
-  // Stretches of one place only are met where there are no others.
+  // Stretches of a single place count only if there are no others.
   if (whole == 0.0)
     s = std::min(stretches.size() - 1,
                  static_cast<std::size_t>(share * static_cast<double>(stretches.size())));
@@ -90,7 +90,7 @@ double place_at(const CreepTable& table, const std::vector<std::array<double, 2>
   return std::clamp(table.over_shifts() ? x : std::exp(x), places.front(), places.back());
 }
 
-/// Even over the coordinates of the axes, of both signs.
+/// Random points, uniform over the coordinates of the axes, of both signs.
 std::vector<CheckedPoint> points_between(const CreepTable& table, int count) {
   std::mt19937 random(seed);
   const auto uniform = [&](double low, double high) {
@@ -138,7 +138,7 @@ void look_between(CreepTable& table, const TableSource& source, int count,
                   const contact::Progress& progress, contact::Checkpoint* checkpoint) {
   std::vector<CheckedPoint> points = points_between(table, count);
   if (!points.empty()) {
-    CreepTableReader reader(std::move(table));  // no second copy of a large table
+    CreepTableReader reader(std::move(table));  // avoids a second copy of a large table
     TableParts parts{"check", "points between", {}, parts_of(points.size(), points_of_a_place), {},
                      {}};
     parts.solve = [&](const TablePart& part) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Solving the points of a table on all cores; finished parts outlive a run that is ended.
+// Solves the points of a table on all cores; finished parts survive an interrupted run.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -10,12 +10,12 @@
 
 namespace rollfem::tables {
 
-/// Fills forces, bars and elements_across of a table with its axes (tables/filling/table_grid.hpp),
-/// over lateral shifts its wheels and scales before, then looks at interpolation at as many points
-/// at random as the case asks for. `checkpoint` may be null. Numbers do not depend on what was
-/// taken up from it, nor on the number of threads. A `share` of the points is solved and kept for
-/// the call that finds all of them, nothing else; the table is then no table. Throws
-/// contact::SolveError where a point does not converge or a wheel does not touch.
+/// Fills forces, bars and elements_across of a table with given axes
+/// (tables/filling/table_grid.hpp), over lateral shifts first its wheels and scales, and then
+/// checks interpolation at the number of random points in the case. `checkpoint` may be null.
+/// Values depend neither on resumed points nor on the number of threads. With a `share`, only that
+/// part of the points is solved and stored for the merging call, and the table stays incomplete.
+/// Throws contact::SolveError if a point does not converge or a wheel does not touch.
 void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
                 contact::Checkpoint* checkpoint, contact::Share share = {});
 

@@ -53,7 +53,7 @@ std::vector<double> ratios_of(const contact::Case& input) {
 
 constexpr std::array<int, 3> points_over_ratios{16, 16, 31}, points_over_shifts{8, 8, 15};
 
-/// Negative values before positive ones of a list from 0 on, or above.
+/// Extends a list of values >= 0 by their negatives in front.
 std::vector<double> both_signs(const std::vector<double>& list) {
   std::vector<double> both;
   for (auto value = list.rbegin(); value != list.rend(); ++value)
@@ -62,8 +62,8 @@ std::vector<double> both_signs(const std::vector<double>& list) {
   return both;
 }
 
-/// 0 and what is listed, or the even steps of points and largest; a spin, and over shifts all, with
-/// both signs.
+/// An axis of creepage: 0 and the listed values, or even steps from points and largest. Spin has
+/// both signs; over shifts all axes have.
 std::vector<double> axis_of(const contact::Case& input, std::size_t axis) {
   const contact::TableOptions& asked = input.table;
   const bool shifts = !asked.lateral_shift.empty();
@@ -91,41 +91,44 @@ std::vector<double> shifts_of(const contact::Case& input) {
   const double step = *input.table.lateral_shift_step;
   if (asked.size() != 2)
     refuse(input, "lateral_shift_step", fmt::format("lateral_shift has {} values", asked.size()),
-           "allowed: two beside a step; do: give the first and the last shift, or no step");
+           "allowed: two values with lateral_shift_step; do: give the first and the last shift, or "
+           "no step");
   const double steps = (asked[1] - asked[0]) / step;
   const double whole = std::round(steps);
   if (std::abs(steps - whole) > 1e-6 || whole < 1.0 || whole > most_shifts)
-    refuse(input, "lateral_shift_step",
-           fmt::format("{:g} mm from {:g} to {:g} are {:g} steps", step, asked[0], asked[1], steps),
-           fmt::format("allowed: a whole number up to {}; do: change one of them", most_shifts));
+    refuse(
+        input, "lateral_shift_step",
+        fmt::format("{:g} mm from {:g} to {:g} gives {:g} steps", step, asked[0], asked[1], steps),
+        fmt::format("allowed: a whole number up to {}; do: change one of them", most_shifts));
   std::vector<double> shifts;
   for (double k = 0.0; k <= whole; k += 1.0)
     shifts.push_back(asked[0] + k * (asked[1] - asked[0]) / whole);
   return shifts;
 }
 
-/// What a table over lateral shifts cannot be made of.
+/// Throws for cases without a table over lateral shifts.
 void check_wheel(const contact::Case& input) {
   const auto refuse_key = [&](const std::string& what) {
     throw contact::InputError(fmt::format("{}: {}", input.file, what));
   };
   if (!input.table.axis_ratio.empty())
-    refuse(input, "axis_ratio", "a table is over ratios of axes or over lateral shifts",
+    refuse(input, "axis_ratio", "a table is either over axis ratios or over lateral shifts",
            "allowed: one of axis_ratio and lateral_shift; do: remove the other");
   if (!input.has_profiles())
-    refuse(input, "lateral_shift", "wheel and rail are given by radii, without a track",
-           "allowed: with profiles; do: give wheel.profile, rail.profile and [wheelset], as in "
-           "cases/manchester_A22.toml");
+    refuse(
+        input, "lateral_shift", "wheel and rail are given by radii, without a track",
+        "allowed: cases with profiles; do: give wheel.profile, rail.profile and [wheelset], as in "
+        "cases/manchester_A22.toml");
   if (input.wheelset.side == contact::WheelSide::both)
     refuse_key(
-        "wheelset.side = \"both\": a table is that of one wheel; allowed: \"left\" or "
+        "wheelset.side = \"both\": a table holds one wheel; allowed: \"left\" or "
         "\"right\"; do: make a table for each");
   if (input.wheelset.yaw.size() > 1 || input.wheelset.roll.size() > 1)
     refuse_key(
-        "wheelset.yaw, wheelset.roll: are lists; allowed: one value beside "
-        "table.lateral_shift; do: make a table for each");
+        "wheelset.yaw, wheelset.roll: are lists; allowed: one value with table.lateral_shift; do: "
+        "make a table for each");
   if (input.rolling.problem != contact::Problem::steady)
-    refuse_key("rolling.problem: a table is of steady rolling; allowed: \"steady\"; do: remove it");
+    refuse_key("rolling.problem: a table holds steady rolling; allowed: \"steady\"; do: remove it");
   if (!(input.friction_coefficient > 0.0))
     refuse_key(
         "friction.coefficient = 0: without friction there is no creep force; allowed: above "
@@ -155,8 +158,8 @@ CreepTable empty_table(const contact::Case& input) {
     table.friction_coefficient = input.friction_coefficient;
   } else {
     if (input.table.lateral_shift_step)
-      refuse(input, "lateral_shift_step", "there is no lateral_shift",
-             "allowed: beside it; do: give lateral_shift = [first, last]");
+      refuse(input, "lateral_shift_step", "lateral_shift is missing",
+             "allowed: together with lateral_shift; do: give lateral_shift = [first, last]");
     check_increasing(input, "axis_ratio", input.table.axis_ratio);
     table.axis_ratio = ratios_of(input);
   }

@@ -7,13 +7,13 @@
 
 namespace rollfem::tables {
 
-/// A table without forces, over lateral shifts also without wheels and scales, which
-/// tables/filling/wheel_source.cpp finds. Throws contact::InputError where the lists do not
-/// increase, the bodies are of unlike materials, there is no ellipse whose ratio could be taken, or
-/// no single wheel that could be shifted.
+/// A table with axes but without forces; over lateral shifts also without wheels and scales, which
+/// tables/filling/wheel_source.cpp computes. Throws contact::InputError if a list does not
+/// increase, the materials are unlike, there is no ellipse for the axis ratio, or no single wheel
+/// to shift.
 CreepTable empty_table(const contact::Case& input);
 
-/// C11/3, C22/3 and sqrt(C23^2 + C33^2) of the ratio: CreepTable::scale.
+/// CreepTable::scale of an axis ratio: C11/3, C22/3 and sqrt(C23^2 + C33^2).
 Scaled scale_of_ratio(double axis_ratio, double poisson_ratio);
 
 }  // namespace rollfem::tables

@@ -33,7 +33,7 @@ std::vector<TablePoint> points_of(const std::string& bytes, std::size_t count) {
   return points;
 }
 
-/// What the threads share; each takes one part after another until there is none.
+/// State shared by the threads; each takes one part after another until none is left.
 class SharedParts {
  public:
   SharedParts(const TableParts& table, const contact::Progress& progress,
@@ -62,7 +62,7 @@ class SharedParts {
       const contact::SingleThread single;
       for (std::size_t n = next_++; n < missing_.size(); n = next_++) solve(missing_[n]);
     } catch (...) {
-      next_ = missing_.size();  // nobody begins another
+      next_ = missing_.size();  // no thread starts another part
       throw;
     }
   }
@@ -99,7 +99,7 @@ class SharedParts {
   std::mutex telling_;
 };
 
-/// Points that a thread solves and keeps at once.
+/// Number of points that a thread solves and stores as one record.
 constexpr std::size_t longest_part = 64;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Points of a table solved in parts on all cores; finished parts outlive a call that is ended.
+// Points of a table solved in parts on all cores; finished parts survive an interrupted call.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"
@@ -15,7 +15,7 @@
 
 namespace rollfem::tables {
 
-/// As it was solved for; scaled as those of a CreepTable.
+/// A solved point, scaled as in a CreepTable.
 struct TablePoint {
   Scaled forces{};
   double along_normal = 0.0;
@@ -28,23 +28,24 @@ struct TablePart {
   std::size_t begin = 0, end = 0;
 };
 
-/// Cuts a list into parts of at most halfspace::longest_chain points, none of which holds points of
-/// two groups of `of_a_group` that follow each other. The same whatever is taken up, so that
-/// numbers are the same to the last bit.
+/// Cuts a list into parts of at most halfspace::longest_chain points. No part crosses the border
+/// between consecutive groups of `of_a_group` points. The division does not depend on resumed
+/// parts, so that results are identical to the last bit.
 std::vector<TablePart> parts_of(std::size_t points, std::size_t of_a_group);
 
 struct TableParts {
   std::string name;      ///< of the records
   std::string stage;     ///< in progress events
-  contact::Share share;  ///< of the parts: others are taken up where they are kept, not solved
+  contact::Share share;  ///< parts to solve; others are only read if stored
   std::vector<TablePart> parts;
   /// Called by several threads at once.
   std::function<std::vector<TablePoint>(const TablePart&)> solve;
-  /// Told of every part that is solved or taken up, by one thread at a time.
+  /// Called for every solved or resumed part, by one thread at a time.
   std::function<void(const TablePart&, const std::vector<TablePoint>&)> done;
 };
 
-/// `checkpoint` may be null. What solve, done or progress throw ends the work and comes out.
+/// `checkpoint` may be null. An exception from solve, done or progress ends the work and is passed
+/// on.
 void solve_parts(const TableParts& table, const contact::Progress& progress,
                  contact::Checkpoint* checkpoint);
 

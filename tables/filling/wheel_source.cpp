@@ -33,18 +33,18 @@ TableWheel wheel_of(const track::PressedState& state) {
   return wheel;
 }
 
-/// Patches of neighbouring shifts that overlap by less than a quarter. S1002 on UIC60, 80 kN, steps
-/// of 0.5 mm: where they overlap by a fifth interpolation is off by three times as much as
-/// elsewhere, where by a half by no more.
+/// Smallest overlap of the patches of neighbouring shifts without a jump. For S1002 on UIC60, 80
+/// kN, steps of 0.5 mm: at an overlap of a fifth the interpolation error is three times that
+/// elsewhere; at a half it is not larger.
 constexpr double least_overlap = 0.25;
 
-/// Between such neighbours another contact comes or goes, or the one has moved aside.
+/// Whether a contact appears or disappears between neighbouring shifts, or moves too far aside.
 bool jumps(const TableWheel& a, const TableWheel& b) {
   const double way = std::max(std::abs(a.y_wheel - b.y_wheel), std::abs(a.y_rail - b.y_rail));
   return a.contacts != b.contacts || way > (1.0 - least_overlap) * (a.semi_axis_y + b.semi_axis_y);
 }
 
-/// A failure says at which shift.
+/// Adds the shift to a failure message.
 template <class Work>
 auto at_shift(double shift, const Work& work) {
   const auto where = [&](const std::exception& error) {
@@ -59,7 +59,7 @@ auto at_shift(double shift, const Work& work) {
   }
 }
 
-/// What scaled creepages and forces are times.
+/// Factors of scaled creepages and forces.
 struct Units {
   double bound;   ///< mu F_n, N
   double length;  ///< c, mm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The key accuracy through the program: reached, or the results are there and the status is 1.
+// The key accuracy through the program: it is reached, or the results are written with status 1.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

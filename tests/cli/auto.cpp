@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The model auto through the program: what it takes at 5, 1 and 0.2 %, and where that is said.
+// The model auto through the program: its choice at 5, 1 and 0.2 %, and where the choice is
+// reported.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +12,7 @@ namespace {
 
 using namespace rollfem::testing;
 
-/// A nearly circular patch, one load point: the half-space leaves out 0.6 % of mu.
+/// A nearly circular patch, one load point: the model error of the half-space is 0.6 % of mu.
 const std::string quick = with("2000.0", "500.0") + "[rolling]\nlongitudinal_creepage = 0.001\n";
 
 nlohmann::json model_of(const Folder& folder, const std::string& text, int status = 0) {
@@ -46,7 +47,8 @@ TEST(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
     EXPECT_EQ(model["label"], "half-space");
     EXPECT_EQ(model["chosen_by"], "auto");
     EXPECT_EQ(model["choice"].get<std::string>().rfind("half-space, ", 0), 0U) << model["choice"];
-    // At 5 % the size of the contact tells that the half-space does, and nothing is solved for it.
+    // At 5 % the size of the contact alone shows that the half-space suffices; no estimate is
+    // solved.
     const std::string left_out = accuracy == 0.01 ? "model 0." : "model at most ";
     EXPECT_TRUE(says(model["choice"], left_out));
     EXPECT_EQ(model["points"][0].contains("model_error"), accuracy == 0.01);
@@ -87,7 +89,7 @@ TEST(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
   expect_within(model, 0.003);
   EXPECT_TRUE(says(model["choice"], "; half-space, "));
 #else
-  // The best that there is, and a failure; without an accuracy in the case a warning.
+  // The best available result and a failure; without a requested accuracy a warning.
   const nlohmann::json model = model_of(folder, strict, 1);
   EXPECT_EQ(model["name"], "halfspace");
   EXPECT_TRUE(says(model["choice"], "hybrid: not in this build"));
@@ -120,7 +122,7 @@ TEST(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {
 
 TEST(Auto, TakesUpWhatAnInterruptedRunHasSolved) {
   const Folder folder;
-  // Half-spaces leave out 0.65 %, so that it takes more than one grid.
+  // The model error of half-spaces is 0.65 %, so that several grids are needed.
   const std::string curve = "accuracy = 0.007\n" + with("2000.0", "500.0") +
                             "[rolling]\nlongitudinal_creepage = [0.0005, 0.001, 0.002, 0.004]\n";
   const std::string file = folder.file("case.toml", curve);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Of every scalar that leaves the program it is said what its error is: a bar, or why it has none.
-// All models, and problems of every kind.
+// Every scalar in the results has an error bar or a reason why it has none, for all models and
+// kinds of problems.
 #include "contact/result/bars.hpp"
 
 #include "contact/result/quantities.hpp"
@@ -33,7 +33,7 @@ json summary_of(const std::string& text, const std::vector<std::string>& models)
   return folder.json("out/summary.json");
 }
 
-/// Each number has a bar that is one, or a word of the list; not both.
+/// Each number has either a valid error bar or a word of the list.
 void expect_all_said(const json& summary) {
   EXPECT_FALSE(summary["models"].empty());
   for (const json& model : summary["models"]) {
@@ -91,7 +91,7 @@ TEST(Bars, AreSaidOfEveryNumberOfEveryModel) {
     EXPECT_GT(half["error_estimate"][name].get<double>(), 0.0) << name;
 }
 
-/// What a theory leaves out is no less than its distance from the half-space on a fine grid.
+/// The model error of a theory is at least its distance from the half-space on a fine grid.
 TEST(Bars, ModelErrorsCoverWhatTheoriesAreOff) {
   const json summary = summary_of(
       small_case +
@@ -105,7 +105,7 @@ TEST(Bars, ModelErrorsCoverWhatTheoriesAreOff) {
       EXPECT_GE(theory["model_error"][quantity].get<double>(), off) << name << ": " << quantity;
     }
   }
-  // Half-spaces of so few elements across know Hertz's pressure to 1 %.
+  // Half-spaces with so few elements across have Hertz's pressure within 1 %.
   const json& hertz = model_of(summary, "hertz")["points"][0];
   EXPECT_LT(hertz["model_error"]["max_pressure"].get<double>(),
             0.01 * hertz["max_pressure"].get<double>());
@@ -154,7 +154,7 @@ TEST(Bars, AreSaidOfPatchesOfProfiles) {
   expect_all_said(summary);
   for (const json& model : summary["models"])
     EXPECT_TRUE(model["points"][0].contains("vertical_force"));
-  // An ellipse of true profiles is no longer their contact.
+  // An ellipse no longer represents the contact of true profiles.
   for (const char* name : {"hertz", "fastsim"})
     EXPECT_EQ(model_of(summary, name)["points"][0]["no_bar"]["max_pressure"], "theory") << name;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// rollfem bench: errors and seconds of the models, and the machine's speed that check predicts by.
+// rollfem bench: errors and seconds of the models, and the machine's speed for the predictions of
+// check.
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
@@ -27,7 +28,7 @@ TEST(Bench, QuicklySaysErrorsAndSecondsOfTheModels) {
   const Outcome outcome = done(folder, {"bench", "--quick"}, {"ROLLFEM_CACHE=cache"});
   EXPECT_TRUE(says(outcome.out, "seconds", "\nhertz ", "\nlinear ", "\nstrip ",
                    "times the predicted seconds"));
-  // Errors fall with the grid; theories are off by what they leave out.
+  // Errors fall with the grid; theories keep their model error.
   const double coarse = std::abs(force_error(outcome.out, "halfspace                 24"));
   const double fine = std::abs(force_error(outcome.out, "halfspace                 40"));
   EXPECT_LT(coarse, 0.6);

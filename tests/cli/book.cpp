@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The verification book: what `./rollfem book` calls once the program is built.
+// The verification book as called by `./rollfem book` after the build.
 #include <nlohmann/json.hpp>
 
 #include "support/places.hpp"
@@ -67,12 +67,12 @@ TEST(Book, TakesUpRunsOfTheSameProgramAndCase) {
   checked(book(folder, {"--only", "fastsim"}));
   EXPECT_TRUE(says(book(folder, {"--only", "fastsim"}).out, "fastsim: kept"));
   EXPECT_FALSE(says(book(folder, {"--only", "fastsim", "--fresh"}).out, "kept"));
-  // A result that was cut short is not taken for one.
+  // A truncated result is not accepted.
   std::filesystem::remove(folder.work() / "results/fastsim.stamp");
   EXPECT_FALSE(says(book(folder, {"--only", "fastsim"}).out, "fastsim: kept"));
 }
 
-/// Makes the book's first chapter one run on a grid of so many elements.
+/// Reduces the book's first chapter to one run on a given number of elements.
 std::string chapter_of(int elements) {
   return "from book import chapters\ndef one(bench):\n  bench.run('one', 'cases/thesis_a.toml', "
          "['halfspace'], {'contact_grid.elements_across': " +
@@ -93,7 +93,7 @@ TEST(Book, HasOneOwnerWhoseRunsEndWithIt) {
   EXPECT_EQ(second.status, 2) << second.err;
   EXPECT_TRUE(says(second.err, "error: another run is writing ", "out: process ", ", started 20",
                    "--only one; do: wait for it"));
-  // The book was killed, and with it the run that it had called: its folder can be had.
+  // Killing the book also killed its run, so the folder is free.
   checked(book(folder, {"--only", "one"}, chapter_of(10)));
   for (const char* lock : {"out.lock", "results.lock", "results/one.lock"})
     EXPECT_FALSE(folder.holds(lock)) << lock;
@@ -103,7 +103,7 @@ TEST(Book, SaysWhatIsWrongWithACall) {
   const Folder folder;
   const Outcome unknown = book(folder, {"--only", "hertzz"});
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_TRUE(says(unknown.err, "hertzz: there is no such chapter; allowed: hertz,"));
+  EXPECT_TRUE(says(unknown.err, "hertzz: unknown chapter; allowed: hertz,"));
   const Outcome unbuilt = book(folder, {"--only", "fastsim", "--build", "nowhere"});
   EXPECT_EQ(unbuilt.status, 1);
   EXPECT_TRUE(says(unbuilt.err, "do: ./rollfem build"));

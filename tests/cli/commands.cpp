@@ -35,7 +35,7 @@ TEST(Check, AcceptsEveryCommittedCase) {
 }
 
 TEST(Check, DoesNotLoadTheLibrariesOfFiniteElements) {
-  // They alone take longer to load than everything else that check does.
+  // Loading them takes longer than everything else in check.
   const Folder folder;
   const std::string file = folder.file("case.toml", small_case);
   const Outcome outcome = done(folder, {"check", file}, {"LD_DEBUG=files"});
@@ -81,9 +81,9 @@ TEST(Call, VersionAndHelpAreAnswered) {
 TEST(Call, WrongCallsAreRefused) {
   const Folder folder;
   const std::string file = folder.file("case.toml", small_case);
-  expect_refused(call(folder, {}), "no command is given");
-  expect_refused(call(folder, {"bogus"}), "bogus: there is no such command");
-  expect_refused(call(folder, {"rnu"}), "rnu: there is no such command; did you mean run? ");
+  expect_refused(call(folder, {}), "no command given");
+  expect_refused(call(folder, {"bogus"}), "bogus: unknown command");
+  expect_refused(call(folder, {"rnu"}), "rnu: unknown command; did you mean run? ");
   expect_refused(call(folder, {""}), "");
   expect_refused(call(folder, {"--bogus"}), "do: rollfem --help");
   expect_refused(call(folder, {"check"}), "case is required");
@@ -96,12 +96,11 @@ TEST(Call, WrongCallsAreRefused) {
   expect_refused(call(folder, {"run", file, "--modle=hertz"}), "did you mean --model?");
   expect_refused(call(folder, {"docs", "novel"}), "novel");
   expect_refused(call(folder, {"hlep"}), "did you mean help? ");
-  expect_refused(call(folder, {"docs", "schem"}),
-                 "schem is not an allowed word; did you mean schema? ");
+  expect_refused(call(folder, {"docs", "schem"}), "schem is not allowed; did you mean schema? ");
   expect_refused(call(folder, {"study", file, "--vary", "gird"}), "did you mean grid? ");
   expect_refused(call(folder, {"profile", "S1003"}), "did you mean S1002? ");
   expect_refused(call(folder, {"run", file, "--ouput", "x"}),
-                 "--ouput: there is no such option; did you mean --output? allowed: --help");
+                 "--ouput: unknown option; did you mean --output? allowed: --help");
   EXPECT_TRUE(folder.made().empty());
 }
 

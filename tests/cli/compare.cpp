@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command compare: several models and cases, what is left out and what failed, taking up again.
+// The command compare: several models and cases, skipped and failed models, resuming.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -86,7 +86,7 @@ TEST(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
   EXPECT_EQ(alone.status, 2) << alone.err;
   EXPECT_TRUE(says(alone.err, "none of the models can solve forces: fastsim: ", "; strip: ",
                    "prescribed tangential force", "; do: name one"));
-  // Beside a case that they take: that one is written.
+  // Beside a case that they can take, which is written.
   const std::string good = folder.file("good.toml", quick_pair);
   const Outcome both = call(folder, joined({"compare", none, good}, models));
   EXPECT_EQ(both.status, 2);
@@ -133,7 +133,7 @@ TEST(Compare, ResumeKeepsWhatIsDone) {
                                         "--no-report", "-o",    "out"};
   done(folder, joined({"compare", one}, models));
   const auto before = fs::last_write_time(folder.work() / "out" / "one" / "results.h5");
-  // What a kill leaves that comes when the result is written and its records have not gone yet.
+  // The state after a kill between writing the result and removing its records.
   folder.file("work/out/one.unfinished/halfspace-0001.point", "record");
   const Outcome outcome = done(folder, joined({"compare", one, two, "--resume"}, models));
   EXPECT_TRUE(says(outcome.err, "compare: one was already done"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// convert: from an input file of CONTACT to a result, which a closed form knows.
+// convert: from an input file of CONTACT to a result with a known closed form.
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Convert, WritesTheOthersWhenToldTo) {
   const Outcome made = done(folder, {"convert", file, "-o", "made", "--partial"});
   EXPECT_EQ(folder.made(), (std::vector<std::string>{"made", "made/two_1.toml"}));
   done(folder, {"check", "made/two_1.toml"});
-  // Never over another.
+  // Never overwrites a file.
   const Outcome again = call(folder, {"convert", file, "-o", "made", "--partial"});
   EXPECT_EQ(again.status, 2);
   EXPECT_TRUE(says(again.err, "made/two_1.toml exists already"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The corrections that the model hybrid keeps for other runs: found again for what has the same
-// ones, never for other bodies, whole or not at all, listed and cleared.
+// The cached corrections of the model hybrid: found for scenes with the same correction, never for
+// other bodies, complete or absent, listed and cleared.
 #include "support/program.hpp"
 #include <cmath>
 #include <fstream>
@@ -81,7 +81,7 @@ TEST(Cache, ServesAnotherLoadFrictionAndCreepage) {
   const std::string other = coarse_case("405", "47e3", "0.3", "0.002");
   const Json found = cache.run("found", other);
   EXPECT_TRUE(notes(found, "from the cache"));
-  // The same as without: what is found does not depend on who has found it.
+  // The same as without the cache: results do not depend on the origin of the correction.
   const Json computed = cache.run("computed", other, "");
   EXPECT_FALSE(notes(computed, "from the cache"));
   expect_same_point(found, computed, 1e-13);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The memory that a run says it will need against what it took, and a run that does not fit.
+// The predicted memory of a run against the used memory, and a run that does not fit.
 #include "support/case_examples.hpp"
 #include "support/program.hpp"
 #include <cmath>

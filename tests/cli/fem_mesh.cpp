@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command `mesh`: its files, that a case takes them again, and what it refuses.
+// The command `mesh`: its files, their use in a case, and its refusals.
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
@@ -69,7 +69,7 @@ TEST(MeshCommand, RefusesBadMeshesAndWritesNothing) {
       "allowed: hexahedra");
   expect_refused(
       call(folder, {"mesh", folder.file("d.toml", small_case + coarse), "-o", "/proc/nowhere"}),
-      "cannot make the folder");
+      "cannot create the folder");
   expect_refused(call(folder, {"mesh"}), "case is required");
   EXPECT_TRUE(folder.made().empty());
 }

@@ -38,7 +38,7 @@ std::array<Json, 2> both(const Folder& folder, const std::string& command,
   return results;
 }
 
-/// The rows of both tables have the same values; how many those are.
+/// Checks that the rows of both tables have the same values; returns their number.
 std::size_t same_rows(const Folder& folder, const std::string& name) {
   const auto one = csv_records(folder.text("on_1/" + name + ".csv"));
   const auto two = csv_records(folder.text("on_2/" + name + ".csv"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The finite-element model after a kill, in one process and in two: the coarse level of the error
-// estimate and every finished load point are taken up, the result is the same to the last bit. And
-// the hybrid, whose correction is then in the cache.
+// The finite-element model after a kill, in one process and in two: the run resumes from the coarse
+// level of the error estimate and every finished load point, with a result identical to the last
+// bit. And the hybrid, whose correction is then in the cache.
 #include "support/case_examples.hpp"
 #include "support/resume.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command stress on stored finite-element bodies: any load point of a creep curve, without
-// solving, is what a run with that creepage alone gives.
+// The command stress on stored finite-element bodies: for any load point of a creep curve they
+// equal a run with that creepage alone.
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One owner of a result at a time, from the start of a command to its end, and what is said when a
-// signal ends it or nobody reads what it prints.
+// One owner of a result at a time, from the start of a command to its end, and the messages when a
+// signal ends it or nobody reads its output.
 #include "support/case_examples.hpp"
 #include "support/places.hpp"
 #include "support/resume.hpp"
@@ -59,7 +59,8 @@ TEST(Interruption, SaysWhatIsKeptAndHowToGoOn) {
   const std::string file = folder.file("slow.toml", slow_case());
   const fs::path unfinished = folder.work() / "out.unfinished";
   for (const auto& [signal, status] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
-    // Until load points are kept; an interrupted shell script is what most users have around it.
+    // Waits until load points are stored; most users run it in a shell script, which is interrupted
+    // too.
     const Outcome outcome = execute(
         folder, {"/bin/bash", "-c",
                  "\"$0\" run \"$1\" -o out --no-report --resume & child=$!\n"
@@ -73,7 +74,7 @@ TEST(Interruption, SaysWhatIsKeptAndHowToGoOn) {
                        "--resume continues from them"));
       EXPECT_FALSE(folder.holds("out.lock"));
     } else {
-      // A shell starts what is in the background with Ctrl-C ignored, and so it stays.
+      // A shell starts background commands with Ctrl-C ignored, and it stays ignored.
       EXPECT_EQ(outcome.status, 0) << outcome.err;
       fs::remove_all(folder.work() / "out");
     }
@@ -90,7 +91,7 @@ TEST(Interruption, OfNothingKeptSaysSo) {
   const Outcome outcome = call(folder, {"run", folder.file("slow.toml", text), "-o", "deep/out"},
                                {}, interrupt_after(300));
   EXPECT_EQ(outcome.status, 130) << outcome.err;
-  EXPECT_TRUE(says(outcome.err, "interrupted: no finished work was kept"));
+  EXPECT_TRUE(says(outcome.err, "interrupted: no finished work was stored"));
   EXPECT_TRUE(folder.made().empty());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Work divided among calls (--part, --merge): the merged result is that of one call to the last
-// bit, what is missing is named, and what cannot be divided is refused.
+// Work divided among calls (--part, --merge): the merged result equals that of one call to the last
+// bit, missing parts are named, and cases that cannot be divided are refused.
 #include "support/case_examples.hpp"
 #include "support/resume.hpp"
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command profile: what it prints, writes and draws, and how it refuses.
+// The command profile: its output, files, figures and refusals.
 #include <gtest/gtest.h>
 
 #include "support/program.hpp"

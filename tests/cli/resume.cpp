@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command run after a kill: finished load points are taken up and the result is the same to the
-// last bit; what belongs to another case, is damaged, or cannot be written is told and does no
-// harm.
+// The command run after a kill: it resumes from finished load points with a result identical to the
+// last bit; records that are damaged, belong to another case or cannot be written are reported and
+// do no harm.
 #include "support/resume.hpp"
 
 #include "support/case_examples.hpp"
@@ -120,7 +120,7 @@ TEST(Resume, ADamagedLoadPointIsComputedAgain) {
 }
 
 TEST(Resume, RecordsThatNobodyCanTellAreNoneAndInNobodysWay) {
-  // What a kill could leave while a finished run cleaned up.
+  // Possible remains of a kill during the final clean-up.
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command run: what it leaves and says on success, on failure and on Ctrl-C.
+// The command run: its files and messages on success, on failure and on Ctrl-C.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -9,7 +9,7 @@ namespace {
 
 using namespace rollfem::testing;
 
-/// What bash would offer after these words; the last is begun.
+/// Bash's completions after these words, of which the last is incomplete.
 std::string completed(const Folder& folder, const std::string& words) {
   const std::string script = folder.file("completion", call(folder, {"docs", "bash"}).out);
   return execute(folder, {"bash", "-c",

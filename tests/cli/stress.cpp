@@ -111,7 +111,7 @@ TEST_F(StressTest, AxisOfTheCircleIsThatOfHertz) {
   }
 }
 
-/// A run that looks for the largest stresses knows their bars; of one stored grid there are none.
+/// A run with stress maxima has their error bars; a single stored grid has none.
 TEST_F(StressTest, LargestHaveTheBarsOfTheRun) {
   const auto maxima = [&](const std::string& output) {
     const std::string text = "models = [\"halfspace\"]\n" + small_case +
@@ -158,7 +158,7 @@ TEST_F(StressTest, CaseAIsThatOfContact) {
       EXPECT_NEAR(at.at("zz")[0], rows[k][5], tolerance) << rows[k][0];
       EXPECT_NEAR(at.at("displacement_z")[0], (wheel ? 1.0 : -1.0) * rows[k][1], 5e-5);
     }
-  // The place that was not asked for in a body is not there.
+  // A place not requested in a body is absent.
   EXPECT_TRUE(columns("point_1", "rail").empty());
 }
 
@@ -261,7 +261,7 @@ TEST_F(StressTest, OfBodiesIsInterpolatedBetweenTheNodes) {
   EXPECT_NEAR(rail.at("xy")[0], -1.4, 1e-12);
   EXPECT_NEAR(rail.at("xz")[0], 0.6, 1e-12);
   EXPECT_NEAR(rail.at("displacement_x")[0], 0.9, 1e-12);
-  // Beyond the surface: moved onto it, and the place says so.
+  // A place beyond the surface is moved onto it and reported there.
   const Columns line = columns("line_1", "rail");
   EXPECT_NEAR(line.at("z")[0], 0.0, 1e-12);
   EXPECT_NEAR(line.at("zz")[0], -50.0, 1e-12);
@@ -323,13 +323,13 @@ TEST_F(StressTest, WrongCallsAreRefused) {
       {{"--point", "3"}, "load points 1 to 2"},
       {{"--point", "0"}, "load points 1 to 2"},
       {{"--creepage", "0.002"}, "allowed: 0, 0.001"},
-      {{"--point", "1", "--creepage", "0"}, "both given"},
+      {{"--point", "1", "--creepage", "0"}, "exclude each other"},
       {{"--places", "none.toml"}, "none.toml: cannot be read"},
       {{"--patch", "left,1,1"}, "without profiles"},
       {{"--yield-strength", "0"}, "a stress > 0"},
-      {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "both given"},
+      {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "exclude each other"},
       {{"--depth", "-1"}, "a depth > 0"},
-      {{"-o", "r/results.h5/x"}, "cannot make the folder"},
+      {{"-o", "r/results.h5/x"}, "cannot create the folder"},
   };
   const std::pair<std::string, const char*> places[] = {
       {"", "has no section [[subsurface.point]]"},

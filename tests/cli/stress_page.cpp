@@ -44,7 +44,7 @@ TEST_F(StressPage, HasFiguresAndOneVerdict) {
   const std::string page = folder.text("r_stress/stress.html");
   EXPECT_TRUE(says(page, "Largest stresses", "half-space, ", "Shakedown, k = 250.0 MPa", "<figure>",
                    "aria-label=\"Shakedown map"));
-  // What a later call does not draw goes.
+  // Figures that a later call does not draw are removed.
   done(folder, {"stress", "r", "--no-figures", "--places", point_file()});
   EXPECT_FALSE(folder.holds("r_stress/figures/shakedown_map.svg"));
   EXPECT_FALSE(folder.holds("r_stress/stress.html"));

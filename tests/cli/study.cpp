@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command study: levels, orders, references, what it refuses.
+// The command study: levels, orders, references and refusals.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -74,7 +74,7 @@ TEST(Study, RefusesWhatMakesNoSense) {
   expect_refused(call(folder, {"study", file, "--reference", "best"}), "not a reference");
   expect_refused(call(folder, {"study", file, "--reference", "max_pressure=abc"}), "not a number");
   expect_refused(call(folder, {"study", file, "--reference", "traction_coefficient:3=0.1"}),
-                 "no such quantity in this case");
+                 "unknown quantity in this case");
   expect_refused(call(folder, {"study", file, "--model", "nope"}), "no such model");
   EXPECT_TRUE(folder.made().empty());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command study on true profiles: every patch is a series of its own, with the forces of one
-// balance on all levels; what makes no sense for patches is refused.
+// The command study on true profiles: every patch has its own series, with the forces of one
+// balance on all levels; options without meaning for patches are refused.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -94,7 +94,7 @@ TEST(StudyProfiles, RefusesWhatMakesNoSenseForPatches) {
   expect_refused(call(folder, {"study", file, "-q", "--reference", "max_pressure=1000"}),
                  "the case has several patches");
   expect_refused(call(folder, {"study", file, "-q", "--reference", "left_1_1.semi_axis_x=6"}),
-                 "no such quantity in this case");
+                 "unknown quantity in this case");
   EXPECT_TRUE(folder.made().empty());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command study after a kill: finished levels are taken up and the numbers are the same to the
-// last bit; what belongs to another case is refused.
+// The command study after a kill: it resumes from finished levels with numbers identical to the
+// last bit; levels of another case are refused.
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/places.hpp"
@@ -36,7 +36,7 @@ int levels_kept(const fs::path& unfinished, bool whole) {
   return count;
 }
 
-/// study.json without times and without what names the call.
+/// study.json without times and without data that identify the call.
 nlohmann::json timeless(const fs::path& folder) {
   auto all = nlohmann::json::parse(contents(folder / "study.json"));
   for (const char* name : {"command", "started", "checksum"}) all.erase(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command table: what it writes, that an ended call is taken up, and what it refuses.
+// The command table: its files, resuming an interrupted call, and its refusals.
 #include "tables/files/table_files.hpp"
 
 #include <fmt/format.h>
@@ -117,7 +117,7 @@ TEST(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
   const CreepTableReader reader(rollfem::tables::read_table(out.string()));
   EXPECT_EQ(reader.table().size(), 81U);
   EXPECT_EQ(reader.table().wheels.size(), 3U);
-  // As far as the table knows no run: the radius that the case's own position has (docs/track.md).
+  // The radius at the case's own position (docs/track.md).
   EXPECT_NEAR(reader.wheel_at(2.0).rolling_radius, 449.82, 0.02);
 }
 

@@ -34,12 +34,12 @@ TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
   EXPECT_TRUE(says(check.out, "stiff                  the half-space, its compliance times 0.9"));
   EXPECT_TRUE(says(toy(folder, {"run", file, "--model", "stif"}).err,
                    "halfspace, hybrid, fem, stiff; do: "));
-  // Without it the same file is refused, with line, key, value and what is allowed.
+  // Without it the same file is refused, with line, key, value and allowed values.
   const Outcome without = call(folder, {"check", file});
   expect_refused(without, "q.toml:1:");
   expect_refused(without, "models = [\"stiff\"]: is not known");
   expect_refused(without, "strip, halfspace, hybrid, fem");
-  // Others name it where it can and they cannot; it is refused where it cannot.
+  // Other models name it for cases that only it can take; it refuses cases that it cannot take.
   const std::string shift = folder.file(
       "s.toml", small_case + "[rolling]\nproblem = \"shift\"\n[history]\nlateral_shift = 0.01\n");
   expect_refused(toy(folder, {"run", shift, "--model", "fastsim"}),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What may not leave the program as a result, and what leaves it with a warning.
+// Results that the program refuses, and results with a warning.
 #include <gtest/gtest.h>
 
 #include "support/program.hpp"

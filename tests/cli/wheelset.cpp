@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Cases with profiles from the command line: check tells where the wheels touch, run solves every
-// patch of a row of positions, and an ended run is taken up patch by patch.
+// Cases with profiles from the command line: check prints the contacts of the wheels, run solves
+// every patch of a lateral sweep, and an interrupted run resumes patch by patch.
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   EXPECT_NEAR(left["points"][0]["contact_width"].get<double>(), 16.2, 0.4);
   EXPECT_TRUE(folder.holds("out/contacts.csv"));
   EXPECT_TRUE(says(outcome.out, "y rail mm"));
-  // On the screen a line a position and a line a patch, and what is alike of all patches once.
+  // The terminal shows one line per position, one per patch, and notes common to all patches once.
   const auto times = [&](const std::string& words) {
     int count = 0;
     for (std::size_t at = 0; (at = outcome.out.find(words, at)) != std::string::npos; ++at) ++count;
@@ -67,7 +67,7 @@ TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   EXPECT_EQ(times("\n   2         2   "), 1) << outcome.out;
   EXPECT_EQ(times("\nleft ") + times("\nright"), 4);
   EXPECT_EQ(times("halfspace: error bars: "), 1);
-  EXPECT_EQ(times("(and 2 other patches with other numbers)"), 1) << outcome.out;
+  EXPECT_EQ(times("(values differ for 2 other patches)"), 1) << outcome.out;
   const auto rows = csv_rows(folder.text("out/wheelset.csv"));
   ASSERT_EQ(rows.size(), 3u);
   const auto number = [&](std::size_t row, const std::string& name) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// libFuzzer's entry: every refusal is one line, printable, that says what to do.
+// libFuzzer's entry: every refusal is one printable line with advice.
 #include "fuzz/target.hpp"
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What must hold of every result at status 0, of the numbers in its files alone: an answer of its own to the
-question that the program's gate (contact/result/validity.cpp) asks before it writes them."""
+"""Conditions on every result at status 0, from the numbers in its files alone: an independent version of the checks
+that the program makes before writing (contact/result/validity.cpp)."""
 import json
 import math
 
@@ -19,7 +19,7 @@ def not_finite(value):
 
 
 def _point(point, cell, asked, flat):
-    """Sentence of what is wrong with the fields and forces of a load point; empty when nothing is."""
+    """Sentence on errors in the fields and forces of a load point; empty if there are none."""
     fields = {name: item[()] for name, item in point.items() if isinstance(item, h5py.Dataset)}
     if not all(np.isfinite(field).all() for field in fields.values() if field.dtype.kind == "f"):
         return "a field is not finite"
@@ -48,7 +48,7 @@ def _point(point, cell, asked, flat):
 
 
 def unsound(folder):
-    """What is wrong with a result folder of the model halfspace; empty when nothing is."""
+    """Errors in a result folder of the model halfspace; empty if there are none."""
     if not_finite(json.loads((folder / "summary.json").read_text())):
         return "a number in summary.json that is not finite"
     with h5py.File(folder / "results.h5") as file:

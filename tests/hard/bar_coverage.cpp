@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The error bars of the model halfspace hold in 100 random scenes, each against a grid four times
-// finer. benchmarks/bar_coverage.cpp has the same for 1000.
+// finer. benchmarks/bar_coverage.cpp does the same for 1000.
 #include "support/bar_coverage.hpp"
 
 #include "halfspace/model/model.hpp"
@@ -23,8 +23,8 @@ TEST(BarCoverage, HoldsForEveryQuantity) {
     const int across = random.choose({12, 16, 16});
     testing::add_scene(scene, across, number % 20 == 0, samples);
   }
-  // A rate of 0.95 is counted below this once in a thousand times with 3.1 deviations; the load
-  // points of a scene are not independent, which takes more.
+  // With a rate of 0.95, the count falls below this limit once in a thousand times at 3.1
+  // deviations; the margin is larger because load points of a scene are not independent.
   const auto least = [](std::size_t count) {
     return 0.95 - 4.0 * std::sqrt(0.95 * 0.05 / static_cast<double>(count));
   };
@@ -36,7 +36,7 @@ TEST(BarCoverage, HoldsForEveryQuantity) {
     ASSERT_GE(samples[name].size(), 40u) << name;
     const testing::BarRow row(samples[name]);
     EXPECT_GE(row.covered, least(row.count)) << name << ", " << row.count << " numbers";
-    // Bars that hold by being useless are none; the aim is 5.
+    // Bars must not hold by being uselessly large; the aim is 5.
     EXPECT_LE(row.bar_over_error, 13.0) << name;
     EXPECT_LE(row.fine_bar_over_bar, 0.6) << name;
   }

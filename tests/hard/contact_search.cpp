@@ -67,7 +67,7 @@ TEST(FlangeContact, OutlineOfAYawedWheelIsTheWheelItself) {
 
 TEST(FlangeContact, AngleRisesTowardsThatOfTheFlange) {
   // Without yaw the flange of a wheelset pushed to the left climbs; its steepest angle is 70
-  // degrees. Nothing is lost on the way: every position has its contacts.
+  // degrees. Every position has its contacts.
   double last = 0.0, largest = 0.0;
   for (double shift = -5.0; shift >= -10.0; shift -= 0.25) {
     const contact::Case input = rollfem::testing::manchester_case(shift, 0.0);

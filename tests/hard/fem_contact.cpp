@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contacts where finite elements use to fail, each with a right answer: mostly the half-space on
+// Contacts where finite elements tend to fail, each with a known answer: mostly the half-space on
 // the same contact elements, for patches so small beside the radii that the bodies are half-spaces.
 #include "contact/base/errors.hpp"
 #include "contact/result/validity.hpp"

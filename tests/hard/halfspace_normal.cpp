@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The normal solver where half-space codes use to fail: each case has a right answer.
+// The normal solver on problems where half-space codes tend to fail, each with a known answer.
 #include "contact/base/errors.hpp"
 #include "contact/iteration/normal.hpp"
 #include "halfspace/closed_forms/hertz.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Prescribed forces, unlike materials, histories and shapes where half-space codes use to fail:
-// each case has a right answer.
+// Prescribed forces, unlike materials, histories and shapes where half-space codes tend to fail,
+// each with a known answer.
 #include "contact/base/errors.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/scene/geometry.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Steady rolling where half-space codes use to fail: each case has a right answer.
+// Steady rolling where half-space codes tend to fail, each case with a known answer.
 #include "contact/base/errors.hpp"
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/closed_forms/hertz.hpp"

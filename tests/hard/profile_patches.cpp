@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Patches that are hard: conforming gauge corners, two regions that become one, profiles that end.
+// Difficult patches: conforming gauge corners, two merging regions, profiles that end.
 #include "support/profile_patches.hpp"
 
 #include "contact/base/errors.hpp"
@@ -92,7 +92,7 @@ TEST(ProfilePatches, TwoRegionsBecomeOne) {
   const auto light = theories::models().run("halfspace", two_crests(12e3, d, radius), {});
   // The undeformed bodies overlap from crest to crest, the deformed ones touch at the crests.
   EXPECT_EQ(regions(light), 2);
-  // Two contacts of half the load each: what one does to the other is a rise and a tilt.
+  // Two contacts of half the load each; one raises and tilts the surface under the other.
   rollfem::testing::PatchCase half = plain(6e3);
   half.rail.transverse_radius = radius;
   const auto hertz = halfspace::hertz_of_scene(half);

@@ -48,7 +48,7 @@ double gain(const RandomContact& contact) {
 }
 
 TEST(RandomContacts, UnlikeMaterialsUnderMuchFriction) {
-  // Plain steps of more than 2/(1 + gain^2) go round for ever here, and so did Anderson's.
+  // Plain steps of more than 2/(1 + gain^2) cycle for ever here, and so did Anderson's.
   const RandomContact strong = RandomContacts(2).contact(5689, 40);
   EXPECT_GT(gain(strong), 3.0);
   const RandomOutcome outcome = run_random(strong, testing::RandomStart::nested);

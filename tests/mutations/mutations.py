@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The list of mutations: one wrong line each, that some test must find. run.py applies them.
+"""The list of mutations: one wrong line each, which a test must detect. run.py applies them.
 
 `find` occurs exactly once in `file` (structure.mutations holds it), and `put` stands in its place.
 `suspects` are the tests that are run first, as GROUP_NAME of tests/GROUP/**/NAME.cpp or GROUP_NAME:FILTER of
@@ -21,7 +21,7 @@ class Mutation:
 
     @property
     def fem(self):
-        """Whether only finite elements come by it."""
+        """Whether only finite elements run this line."""
         return self.name.startswith("fem_")
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Breaks the program on purpose, one line at a time, and looks whether the tests notice.
+"""Breaks the program on purpose, one line at a time, and checks that the tests detect it.
 
     tests/mutations/run.py --build /tmp/mutations                      the half-space's mutations
     tests/mutations/run.py --build /tmp/mutations-fem --fem --only 'fem_*'
@@ -34,7 +34,7 @@ def run(command, **options):
 
 
 def write_changed(path, data):
-    """Leaves what is the same untouched, so that it is not compiled again."""
+    """Leaves identical files untouched to avoid recompiling them."""
     if path.is_file() and path.read_bytes() == data:
         return
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -42,7 +42,7 @@ def write_changed(path, data):
 
 
 def copy_sources(copy):
-    """The files that git knows, as they are in the work tree; what is no longer one goes."""
+    """Copies the files known to git from the work tree and removes others."""
     listed = run(["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard"])
     names = {name for name in listed.stdout.split("\0") if name and (ROOT / name).is_file()}
     for name in sorted(names):
@@ -70,7 +70,7 @@ class Workshop:
             sys.exit(f"run.py: cmake fails; do: read what it says\n{configured.stdout}")
 
     def compile(self, targets):
-        """Empty, or what the compiler says."""
+        """The compiler's errors; empty if there are none."""
         made = run(["ninja", "-C", self.build, f"-j{self.jobs}", *targets])
         return "" if made.returncode == 0 else made.stdout[-3000:]
 
@@ -149,7 +149,7 @@ def chosen(args):
 
 
 def sound_suspects(workshop, mutations):
-    """Suspects that fail unmutated say nothing."""
+    """Suspects that fail without a mutation prove nothing."""
     suspects = sorted({s for m in mutations for s in m.suspects})
     said = workshop.compile(sorted({workshop.program(s) for s in suspects}))
     if said:

@@ -41,7 +41,7 @@ def sections(text):
 
 
 def places(text):
-    """What the headings of a page are linked by."""
+    """Anchors of the headings of a page."""
     prose = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-")
             for heading in re.findall(r"^#+ (.*)$", prose, flags=re.M)}

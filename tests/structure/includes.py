@@ -20,7 +20,7 @@ import sys
 
 ANY = None  # every room of that module
 
-# What each module, or room of one, may include of the others.
+# Modules that each module, or a room of one, may include.
 ALLOWED = {
     "contact/base": {},
     "contact/case": {"contact": {"base"}},
@@ -140,7 +140,7 @@ def problems(root):
 
 
 def self_test():
-    """A checker that cannot fail would be worse than none."""
+    """Tests the checker itself, because one that cannot fail is useless."""
     def verdict(path, line):
         return judge(path, line[0], line[1:])
 

@@ -15,7 +15,7 @@ TYPES = {"object": dict, "array": list, "string": str, "boolean": bool}
 
 
 def problems(value, schema, where="case"):
-    """What is wrong with the value, a sentence each."""
+    """Errors of the value, one sentence each."""
     found = []
     kind = schema.get("type")
     if kind in ("number", "integer"):

@@ -23,7 +23,7 @@ FUNCTION = re.compile(r"\)(?:\s*(?:const|noexcept|override|final|mutable|&&?|try
 
 
 def blank(match):
-    """As many lines, and a word in place of the text."""
+    """Replaces text by a word, keeping the number of lines."""
     return ("_" if match[0][0] in "R\"'" else "") + "\n" * match[0].count("\n")
 
 
@@ -68,7 +68,7 @@ def python_functions(text):
 
 
 def too_large(root):
-    """What is beyond the limits, in words."""
+    """Messages about exceeded limits."""
     for module in MODULES:
         sources = [path for path in sorted((root / module).rglob("*")) if path.suffix in (".cpp", ".hpp", ".py")]
         for folder, files in sorted(collections.Counter(path.parent for path in sources).items()):
@@ -86,7 +86,7 @@ def too_large(root):
 
 
 def self_test():
-    """A checker that cannot fail would be worse than none."""
+    """Tests the checker itself, because one that cannot fail is useless."""
     text = """namespace a {
 template <class T>
 struct B : C<T> {  // not a function {

@@ -32,7 +32,7 @@ inline double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// What is printed of a quantity.
+/// Printed statistics of a quantity.
 struct BarRow {
   std::size_t count = 0;
   double covered = 0.0;            ///< part of the numbers
@@ -68,7 +68,7 @@ inline contact::Scene with_stresses(contact::Scene scene, const RandomScene& ran
   return scene;
 }
 
-/// The largest error of the components at all points, which is what the bar is for.
+/// The largest error of the components at all points, which the bar must cover.
 inline double stress_error(const contact::PointResult& point, const contact::PointResult& fine) {
   double largest = 0.0;
   for (std::size_t r = 0; r < point.subsurface.size(); ++r)
@@ -84,7 +84,7 @@ inline void add_samples(const contact::PointResult& point, const contact::PointR
     const auto found = of.error_estimate.find(name);
     return found == of.error_estimate.end() ? 0.0 : found->second;
   };
-  // An error of rounding, as of a given force or one that vanishes by symmetry, says nothing.
+  // Skips rounding errors, as of a given force or one that vanishes by symmetry.
   constexpr double rounding = 1e-6;
   for (const contact::Quantity& quantity : contact::quantities()) {
     if (point.error_estimate.count(quantity.name) == 0) continue;

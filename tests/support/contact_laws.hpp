@@ -27,7 +27,7 @@ inline void expect_contact_laws(const contact::PointResult& point, double fricti
   }
 }
 
-/// Forces are the sums of the tractions to within so many N.
+/// Forces equal the sums of the tractions within a tolerance in N.
 inline void expect_forces_of_fields(const contact::ModelResult& result, double tolerance) {
   const double area = result.grid.element_area();
   for (const contact::PointResult& point : result.points) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A folder that Debian's Python draws, and questions to the package rollfem_figures. Skipped with a
-// message where numpy or h5py is not installed.
+// A folder drawn by Debian's Python, and queries of the package rollfem_figures. Skipped with a
+// message if numpy or h5py is not installed.
 #pragma once
 
 #include "postprocess/write/output.hpp"
@@ -41,7 +41,7 @@ class DrawnPages : public InFolder {
     EXPECT_TRUE(says(page, "name=viewport", "@media print"));
   }
 
-  /// What a script prints that finds the package; empty where all its assertions hold.
+  /// Output of a script with access to the package; empty if all its assertions hold.
   static std::string said(const std::string& script, const std::string& argument = "") {
     return python("import sys\nsys.dont_write_bytecode = True\nsys.path.insert(0, '" + scripts +
                       "')\nimport numpy as np\n" + script,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// An elastic sphere of 405 mm pressed on a flat rail of the same steel with 50 kN: it slips
-// although it is not driven. Lur'e's series for the sphere and the half-space for the rail say by
-// how much (benchmarks/book/elastic_sphere.py).
+// An elastic sphere of 405 mm pressed on a flat rail of the same steel with 50 kN: it slips without
+// being driven. Lur'e's series for the sphere and the half-space for the rail give the amount
+// (benchmarks/book/elastic_sphere.py).
 #pragma once
 
 #include "contact/iteration/compliance.hpp"

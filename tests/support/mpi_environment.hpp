@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Initialises MPI for a test program that is linked with gtest_main, and limits deal.II to one
-// thread. Include it in exactly one source of the program; that is all there is to do.
-// Under mpirun every process runs the same tests; the others than the first print failures only.
+// thread. Include it in exactly one source of the program. Under mpirun every process runs the same
+// tests; only the first one prints more than failures.
 #pragma once
 
 #include <deal.II/base/mpi.h>
@@ -12,7 +12,7 @@
 
 namespace rollfem::testing {
 
-/// What the processes after the first say: only what fails.
+/// Output of processes after the first: failures only.
 class FailurePrinter : public ::testing::EmptyTestEventListener {
   void OnTestPartResult(const ::testing::TestPartResult& result) override {
     if (result.failed())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A case with the geometry of one patch put in by hand, as tests of single patches want it: what
-// the program makes of true profiles on a track comes as a contact::Scene from track/motion.
+// A case with the geometry of one patch set by hand, for tests of single patches; for true profiles
+// on a track the program gets a contact::Scene from track/motion.
 #pragma once
 
 #include "contact/scene/scene.hpp"
@@ -19,7 +19,7 @@ struct PatchCase : contact::Case {
   std::optional<contact::ContactPlace> place;
   std::vector<double> normal_forces;  ///< N, of each load point; empty: that of the case
 
-  /// What models take.
+  /// Input of the models.
   operator contact::Scene() const {  // NOLINT(google-explicit-constructor)
     contact::Scene scene(static_cast<const contact::Case&>(*this));
     if (patch) scene.geometry.surface = contact::ContactSurface::of(patch);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Persson's conformal contact in closed form: a disc in the hole of an infinite plate, plane
-// strain, no friction, like materials, where Hertz's theory is off by up to 17 %.
+// strain, no friction, like materials, where Hertz's theory has errors of up to 17 %.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace rollfem::testing {
 struct PerssonContact {
   double half_angle = 0.0;  ///< rad, half of the angle over which the disc touches, < pi
 
-  /// E1* dR / Q with E1* = E / (1 - nu^2) of one body: what load and clearance must be for that
-  /// angle. Negative beyond 84.8 degrees: interference.
+  /// E1* dR / Q with E1* = E / (1 - nu^2) of one body: load and clearance for that angle. Negative
+  /// beyond 84.8 degrees: interference.
   double clearance_number() const {
     const double b2 = std::pow(std::tan(half_angle / 2), 2);
     return (2 * (1 - b2 * b2) - std::log1p(b2)) / (M_PI * b2 * (1 + b2));

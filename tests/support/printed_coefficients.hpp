@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Kalker's table of creepage coefficients as it is printed, to three digits (Kalker 1967; 1990,
-// table E.3), and CONTACT's way between its entries: 1/C quadratic in nu, C linear in the ratio of
-// the semi-axes.
+// Kalker's printed table of creepage coefficients with three digits (Kalker 1967; 1990, table E.3),
+// and CONTACT's interpolation: 1/C quadratic in nu, C linear in the ratio of the semi-axes.
 #pragma once
 
 #include "halfspace/closed_forms/kalker.hpp"

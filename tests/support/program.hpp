@@ -36,7 +36,7 @@ class Folder : public TemporaryFolder {
 
   /// Where the program is started; what it writes lands here.
   std::filesystem::path work() const { return path() / "work"; }
-  /// Of what lies there: a file's text, a JSON file, whether there is a file or folder.
+  /// Content of the folder: a file's text, a JSON file, whether a file or folder exists.
   std::string text(const std::string& name) const { return contents(work() / name); }
   nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(text(name)); }
   bool holds(const std::string& name) const { return std::filesystem::exists(work() / name); }
@@ -79,8 +79,8 @@ inline std::vector<std::string> joined(std::vector<std::string> shared,
 }
 
 /// Runs a command in the folder, stdin empty, with NAME=value added to the environment, and without
-/// a cache unless that names one. `watch` is asked every few milliseconds until it wants a signal
-/// to be sent, which happens once; 0: not yet.
+/// a cache unless that names one. `watch` is called every few milliseconds until it returns a
+/// signal, which is sent once; 0: not yet.
 inline Outcome execute(const Folder& folder, std::vector<std::string> command,
                        std::vector<std::string> environment = {},
                        const std::function<int()>& watch = {}) {
@@ -114,7 +114,7 @@ inline Outcome execute(const Folder& folder, std::vector<std::string> command,
           contents(err)};
 }
 
-/// What sends Ctrl-C's signal after that many milliseconds.
+/// A `watch` that sends Ctrl-C's signal after that many milliseconds.
 inline std::function<int()> interrupt_after(int milliseconds) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
   return [end] { return std::chrono::steady_clock::now() < end ? 0 : SIGINT; };
@@ -127,7 +127,7 @@ inline Outcome call(const Folder& folder, const std::vector<std::string>& argume
   return execute(folder, command_of(arguments), environment, watch);
 }
 
-/// Ends the test where a call has failed.
+/// Ends the test if a call has failed.
 inline Outcome checked(Outcome outcome) {
   if (outcome.status != 0)
     throw std::runtime_error("status " + std::to_string(outcome.status) + ": " + outcome.err);

@@ -52,7 +52,7 @@ struct RandomContact {
   }
 };
 
-/// What the solver took for a contact on one grid: the largest numbers of any of its problems.
+/// Effort of the solver for a contact on one grid: the largest numbers of any of its problems.
 struct RandomOutcome {
   bool solved = true;
   std::string message;  ///< why it is not
@@ -146,8 +146,8 @@ inline contact::Field hertz_distance(const RandomContact& c, const contact::Cont
   return grid.sample([&](double x, double y) { return along_x * x * x + along_y * y * y; });
 }
 
-/// How a grid of steady rolling begins: as in the models, on grids of twice the cells, down to 10
-/// elements across; or with nothing known. Steps of a history begin on the step before.
+/// Start of a grid in steady rolling: as in the models from grids of twice the cell size, down to
+/// 10 elements across; or a cold start. Steps of a history start from the previous step.
 enum class RandomStart { nested, scratch };
 
 /// One random contact on one grid.
@@ -308,7 +308,7 @@ inline std::unique_ptr<RandomLevel> run_level(RandomContact contact, const Rando
 }
 
 /// Solves a random contact; the outcome is that of its own grid. As in the models, a coarser grid
-/// on which no state of unlike materials is found helps nobody, and that is all.
+/// without a solution for unlike materials is skipped.
 inline RandomOutcome run_random(const RandomContact& contact, RandomStart start) {
   std::vector<int> sizes{contact.across};
   while (start == RandomStart::nested && sizes.back() / 2 >= 10) sizes.push_back(sizes.back() / 2);

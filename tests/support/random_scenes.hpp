@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Random scenes for the model halfspace, each from a seed and its number: what error bars have to
-// cover. Milder than random_contact.hpp, which is to break solvers: every solution here has a patch
-// that a user would look at. Bodies that are no ellipsoids are in half of them.
+// Random scenes for the model halfspace, each from a seed and its number, for the coverage of error
+// bars. Milder than random_contact.hpp, which tries to break solvers: every solution here has a
+// realistic patch. Half of the scenes have bodies that are not ellipsoids.
 #pragma once
 
 #include "contact/scene/scene.hpp"

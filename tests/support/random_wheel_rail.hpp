@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Random wheels on random rails, each from a seed and its number: what the error bars of models
-// with finite bodies have to cover. One load point each, outside the family of cases a to f.
+// Random wheels on random rails, each from a seed and its number, for the coverage of error bars of
+// models with finite bodies. One load point each, outside the family of cases a to f.
 #pragma once
 
 #include "contact/case/case.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
-// Numbers that a test hands to the verification book (benchmarks/book), which quotes them beside
+// Numbers that a test passes to the verification book (benchmarks/book), which quotes them beside
 // their closed form.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,7 @@
 
 namespace rollfem::testing {
 
-/// Keeps `value` with all its digits in what the running test reports (GoogleTest's
-/// RecordProperty).
+/// Records `value` with all digits in the report of the running test (GoogleTest's RecordProperty).
 inline void record(const std::string& name, double value) {
   ::testing::Test::RecordProperty(name, fmt::format("{:.10g}", value));
 }

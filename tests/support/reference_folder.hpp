@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The folder of reference files that are not part of the repository, for tests that read them where
-// they are at hand.
+// The folder of reference files outside the repository, for tests that read them if available.
 #pragma once
 
 #include "support/places.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the tests of --resume share: a run that is killed at a chosen moment, and the comparison of
-// two results.
+// Common parts of the tests of --resume: a run killed at a chosen moment, and the comparison of two
+// results.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ inline void kill_when(const Folder& folder, const std::vector<std::string>& comm
   EXPECT_EQ(outcome.status, 128 + SIGKILL) << outcome.err;
 }
 
-/// Number of records whose name begins so.
+/// Number of records whose name begins with a prefix.
 inline int records(const std::filesystem::path& unfinished, const std::string& begin = "") {
   std::error_code error;
   int count = 0;
@@ -32,7 +32,7 @@ inline int records(const std::filesystem::path& unfinished, const std::string& b
   return count;
 }
 
-/// summary.json without times and without what names the call.
+/// summary.json without times and without data that identify the call.
 inline nlohmann::json timeless_summary(const std::filesystem::path& result) {
   const std::function<void(nlohmann::json&)> strip = [&](nlohmann::json& value) {
     if (value.is_object())

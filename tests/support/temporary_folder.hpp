@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A folder that is removed at the end, what is in a file, and what a text says.
+// A folder that is removed at the end, the content of files, and searches in texts.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ inline std::string contents(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// Whether a text has all of these parts; EXPECT_TRUE prints the text and what it has not.
+/// Whether a text contains all of these parts; EXPECT_TRUE prints the text and the missing parts.
 inline ::testing::AssertionResult says(const std::string& text,
                                        const std::vector<std::string>& parts) {
   std::string missing;
@@ -66,7 +66,7 @@ template <class... Parts>
   return says(text, std::vector<std::string>{std::string(parts)...});
 }
 
-/// What a call is refused with, "" when it is not.
+/// Message of a refused call, "" if it succeeds.
 template <class Error, class Call>
 std::string refusal(const Call& call) {
   try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command-line program with a model of its own: what docs/developing.md shows under "Add a
-// model". tests/cli/toy_model.cpp calls it.
+// The command-line program with an additional model, as in docs/developing.md under "Add a model".
+// tests/cli/toy_model.cpp calls it.
 #include "app/program.hpp"
 #include "models/registry.hpp"
 #include "theories/registry.hpp"

@@ -64,7 +64,7 @@ inline contact::Case manchester_case(double shift, double yaw) {
   return input;
 }
 
-/// What touches where, of one wheel at the first position.
+/// Contacts of one wheel at the first position.
 inline std::vector<track::WheelRailContact> contacts_of(const contact::Case& input,
                                                         const track::SearchScene& scene, bool left,
                                                         const track::SearchOptions& options = {}) {

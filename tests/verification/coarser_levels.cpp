@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Coarser grids that only help the one asked for must not refuse what that one can have.
+// Auxiliary coarser grids must not refuse a case that the requested grid can solve.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The outer contact iteration: whatever preconditions it, its fixed point is the solution with the
-// compliance it was given, and it says so when it does not get there.
+// The outer contact iteration: with any preconditioner its fixed point is the solution for the
+// given compliance, and it reports failure to converge.
 #include "contact/solve/defect_correction.hpp"
 
 #include "contact/base/errors.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The accuracy that a case asks for, by finite elements on case a without friction: reached with an
-// estimate of the right size, or said not to be reached.
+// The requested accuracy, by finite elements on case a without friction: reached with an estimate
+// of the right size, or reported as missed.
 #include "contact/result/refinement.hpp"
 #include "fem/elasticity/model.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What half-space theory leaves out at no creepage: an elastic sphere on a flat rail of the same
-// material slips although it is not driven. Lur'e's series for the sphere and the half-space for
-// the rail (benchmarks/book/elastic_sphere.py) say by how much.
+// The model error of half-space theory without creepage: an elastic sphere on a flat rail of the
+// same material slips without being driven. Lur'e's series for the sphere and the half-space for
+// the rail (benchmarks/book/elastic_sphere.py) give the amount.
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/compliance.hpp"
 

@@ -243,8 +243,8 @@ TEST(CreepCurve, ErrorEstimatesCoverTheErrors) {
 }
 
 TEST(CreepCurve, ErrorEstimatesCoverTheErrorsWithSpin) {
-  // Cases b and c with all three creepages, against the difference of first order, which CONTACT
-  // has and which knows no leading edge: from 40 and 80 across to elements of 0 by its order.
+  // Cases b and c with all three creepages, against the first-order difference of CONTACT, which
+  // does not fit the leading edge: extrapolated from 40 and 80 across with its order.
   struct Row {
     char name;
     contact::Creepage creepage;

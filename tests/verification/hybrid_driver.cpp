@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Everything the driver can do holds for the hybrid: without anything to add it is the curved
-// half-space in every kind of problem, and what is added that has a closed form comes out.
+// All abilities of the driver hold for the hybrid: without a correction it equals the curved
+// half-space in every kind of problem, and corrections with a closed form are reproduced.
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
 #include "hybrid/model.hpp"
@@ -30,7 +30,7 @@ contact::ModelResult hybrid_of(const contact::Scene& scene, const halfspace::Smo
                             [&](const contact::Scene&, const contact::Progress&) { return parts; });
 }
 
-/// With nothing to add, forces and pressures are those of the half-space on the curved surface.
+/// Without a correction, forces and pressures equal those of the half-space on the curved surface.
 void expect_half_space(contact::Scene scene) {
   const auto hybrid = hybrid_of(scene, {});
   scene.follows_surface = 1.0;
@@ -45,12 +45,12 @@ void expect_half_space(contact::Scene scene) {
     EXPECT_NEAR(one.longitudinal_force, other.longitudinal_force, 1e-5 * force) << k;
     EXPECT_NEAR(one.lateral_force, other.lateral_force, 1e-5 * force) << k;
     EXPECT_NEAR(one.creepage.longitudinal, other.creepage.longitudinal, 1e-8) << k;
-    // What is exact or given in one is so in the other.
+    // Values that are exact or given in one model are so in the other.
     EXPECT_EQ(one.error_estimate.size(), other.error_estimate.size()) << k;
   }
 }
 
-/// Case e pushed to and fro without rolling.
+/// Case e pushed back and forth without rolling.
 contact::Case shifted() {
   contact::Case input = on_16_across("thesis_e");
   input.rolling.problem = contact::Problem::shift;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Several patches of one wheel share its load by equilibrium and press on each other through the
-// bodies: on one grid, where forces stay continuous while patches come, join, part and go, and in
-// different planes. References: Hertz with a point load at the distance of the other patch, the
-// joint solution on one grid, and the curved surface, whose normals are those of every place.
+// bodies: on one grid, where forces stay continuous while patches appear, join, separate and
+// vanish, and in different planes. References: Hertz with a point load at the distance of the other
+// patch, the joint solution on one grid, and the curved surface, whose normals are those of every
+// place.
 #include "contact/base/pi.hpp"
 #include "contact/result/patch_size.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
@@ -94,7 +95,7 @@ Approach approach_of(double wheel, double rail, double modulus) {
   };
 }
 
-/// Forces of a wheel on the track, N, and what makes them.
+/// Forces of a wheel on the track, N, and their parts.
 struct OnTrack {
   std::array<double, 3> force{};  ///< x, towards the middle, upwards
   std::size_t contacts = 0;
@@ -222,8 +223,8 @@ TEST(JoinedPatches, ForcesAreContinuousAsPatchesComeAndGo) {
 }
 
 TEST(JoinedPatches, ForcesAreContinuousAsPatchesJoinAndPart) {
-  // From the flange root to the tread: a second patch comes, joins the first, parts from it, and
-  // the first goes.
+  // From the flange root to the tread: a second patch appears, joins the first, separates from it,
+  // and the first vanishes.
   const Sweep sweep{at_the_root, 100e3};
   const std::array<double, 5> places{-6.0, -5.5, -5.2, -4.9, -4.4};
   const std::array<int, 5> patches{1, 2, 1, 2, 1};

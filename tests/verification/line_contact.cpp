@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Line contact as a shape of the models halfspace, hertz and carter, from case file to result:
 // Hertz and Carter in closed form, antiplane shear, Bentall and Johnson's and Spence's unlike
-// bodies (reference/benchmarks.md, 2, 4 and 5), Nowell and Hills's rollers by quadrature, and what
-// of it is relative to the reference distance.
+// bodies (reference/benchmarks.md, 2, 4 and 5), Nowell and Hills's rollers by quadrature, and the
+// quantities relative to the reference distance.
 #include "contact/case/case_reader.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/scene/scene.hpp"
@@ -73,7 +73,7 @@ TEST(LineContact, IsHertzsWithinItsBars) {
   EXPECT_NEAR(point.contact_area, 2.0, 1e-3);
 }
 
-/// How many bars held of how many.
+/// Number of bars that held, and number of bars.
 struct Held {
   int held = 0, all = 0;
   void add(double error, double bar) {

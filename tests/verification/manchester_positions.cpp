@@ -46,7 +46,7 @@ TEST_P(Manchester, ContactIsWhereContactFindsIt) {
 }
 
 TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
-  // The estimate of the approach taken away, only the definition of the reference point is left.
+  // Without the estimate of the approach, only the definition of the reference point remains.
   const Position& row = GetParam();
   contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
   input.load = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a half-space leaves out of thesis cases a to f, by the first-order correction of curved
-// bodies: against finite elements less half-space and against a derivation by hand.
+// The model error of a half-space in thesis cases a to f, by the first-order correction of curved
+// bodies: against finite elements minus half-space and against a derivation by hand.
 #include "contact/base/errors.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
@@ -80,7 +80,7 @@ TEST(ModelError, GoesWithPatchSizeOverRadius) {
   EXPECT_NEAR(mean_slip(large, 16) / mean_slip(small, 16), std::pow(0.25, 2), 5e-3 * 0.0625);
 }
 
-// Finite elements (cells of 0.47 mm) less half-space of -F_x/F_z at xi = 0.1 %; the former are
+// Finite elements (cells of 0.47 mm) minus half-space in -F_x/F_z at xi = 0.1 %; the former are
 // within 0.2 % of mu there.
 TEST(ModelError, IsWithinAFactorOfTwoOfFiniteElements) {
   for (const auto& [name, coefficient] : {std::pair{'a', 0.0035},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One driver for every elasticity: with the half-space's compliance behind the iteration that
-// finite elements take, every problem gives the half-space's numbers, so that what two models
-// disagree about is elasticity and nothing else.
+// One driver for every elasticity: with the half-space's compliance in the iteration used by finite
+// elements, every problem gives the half-space's numbers, so that differences between two models
+// come from elasticity only.
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/level.hpp"

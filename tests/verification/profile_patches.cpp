@@ -155,7 +155,7 @@ TEST(ProfilePatches, S1002OnUic60HasContactsCreepCurve) {
   for (std::size_t k = 0; k < same.size(); ++k) {
     SCOPED_TRACE(contact_curve[k].longitudinal);
     EXPECT_NEAR(same[k].longitudinal_force, contact_curve[k].longitudinal_force, 0.01 * bound);
-    // What CONTACT's differences of first order add at 32 elements along: 1 to 2 % of the force
+    // Effect of CONTACT's first-order differences at 32 elements along: 1 to 2 % of the force
     // (measured on benchmark 9, docs/theory.md).
     EXPECT_NEAR(better[k].longitudinal_force, contact_curve[k].longitudinal_force,
                 0.005 * bound + 0.02 * std::abs(contact_curve[k].longitudinal_force));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The boundaries of the shakedown map: values of the literature, the fields behind them made anew
+// The boundaries of the shakedown map: values of the literature, the underlying fields recomputed
 // with half-space elements, and Melan's theorem for the line contact.
 #include "postprocess/stress/shakedown.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Gap, slip and tractions as they are reported against the conditions of contact, with distance and
-// displacement computed again: influence coefficients summed element by element, without the
+// Reported gap, slip and tractions against the conditions of contact, with distance and
+// displacement recomputed: influence coefficients summed element by element, without the
 // transforms, differences and solvers that found the solution.
 #include "contact/result/validity.hpp"
 #include "halfspace/elasticity/influence.hpp"
@@ -67,7 +67,7 @@ SurfaceField summed(const ContactGrid& grid, const SurfaceField& traction,
   return u;
 }
 
-/// What is left of p >= 0, gap >= 0 and p gap = 0 by that sum, relative to the approach.
+/// Violation of p >= 0, gap >= 0 and p gap = 0 by that sum, relative to the approach.
 double gap_left(const PatchCase& input, const ModelResult& result, const PointResult& point,
                 const SurfaceField& u) {
   double left = 0.0;
@@ -83,7 +83,7 @@ double gap_left(const PatchCase& input, const ModelResult& result, const PointRe
   return left / point.approach;
 }
 
-/// What is left of Coulomb's law with the slip of first-order differences of that sum: slip in
+/// Violation of Coulomb's law with the slip of first-order differences of that sum: slip in
 /// adhesion and slip that the traction does not oppose, relative to the largest slip; tractions
 /// beyond or below the bound, relative to the largest bound.
 struct CoulombLeft {
@@ -174,7 +174,7 @@ TEST(TrueGap, SlipOfTheSumKeepsCoulombsLaw) {
     EXPECT_LT(left.direction, 1e-5) << k;
     EXPECT_LT(left.bound, 1e-5) << k;
   }
-  // Both states are there to be looked at.
+  // Both states occur.
   EXPECT_GT(result.points[1].adhesion_area, 0.2 * result.points[1].contact_area);
   EXPECT_LT(result.points[1].adhesion_area, 0.9 * result.points[1].contact_area);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A wheelset in balance, checked by what it must satisfy: vertical forces with friction add up to
-// the load on every wheel, free rolling has no torque or no force, patches of one wheel share its
-// load; and where there is no balance, that is said.
+// A wheelset in balance, checked by its conditions: vertical forces with friction add up to the
+// load on every wheel, free rolling has no torque or no force, patches of one wheel share its load;
+// and a missing balance is reported.
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
 #include "track/balance/balance.hpp"
@@ -128,8 +128,8 @@ TEST(WheelsetBalance, CreepagesThatAreGivenStand) {
 }
 
 TEST(WheelsetBalance, FrictionOnTheFlangeSettlesWhereAnElementComesIntoContact) {
-  // Which elements touch depends on what friction carries, and friction on which elements touch: at
-  // these places each of the two sides asks for the other.
+  // The elements in contact depend on the load carried by friction, and friction on the elements in
+  // contact: at these places either state leads to the other.
   constexpr double heavy = 80e3;
   for (const double shift : {-7.32, -7.321, -8.51}) {
     SCOPED_TRACE(shift);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finite elements: elements, incompressibility, inertia, and contact of bodies that are no half-spaces."""
+"""Finite elements: elements, incompressibility, inertia, and contact of bodies far from half-spaces."""
 import numpy as np
 
 from .. import closed_forms
@@ -54,7 +54,7 @@ def persson(bench):
         cost=[Cost("three angles, two meshes each", found["seconds"])],
         tests=["verification.PerssonPin.TouchesOverTheAngleAndWithThePressureOfTheClosedForm",
                "unit.Persson.GivesTheTableOfTheFourierSolution"],
-        after="At the same load and clearance Hertz's theory, i.e. half-spaces, has p(0) wrong by "
+        after="At the same load and clearance the error of p(0) by Hertz's theory, i.e. by half-spaces, is "
               + ", ".join(missed) + ".")
 
 
@@ -76,7 +76,7 @@ def incompressible(bench):
         tests=["verification.NearlyIncompressible.ThickCylinderHasLamesDisplacementAndStress",
                "verification.NearlyIncompressible.QuadraticElementsKeepTheirOrderWherePlainOnesLock",
                "verification.NearlyIncompressible.RubberBallPressesAndRollsAsTheHalfSpaceSays"],
-        after=f"Elements without the projection are off by {plain}: they lock.")
+        after=f"Elements without the projection have errors of {plain}: they lock.")
 
 
 incompressible.needs_fem = True
@@ -100,7 +100,7 @@ def inertia(bench):
              Row("change of the compliance at 2 V over that at V", "", 4.0, speed["ratio"], 0.005)]
     return Chapter(
         "inertia", "Inertia of rolling: moving pressure, spinning ring",
-        "A pressure wave that moves over a half-space (8 cells in half a wave); a thick ring that spins so fast that its "
+        "A pressure wave moving over a half-space (8 cells per half wave); a thick ring spinning so fast that its "
         "displaced material adds 3 % to its load (12 cells); the compliance of wheel and rail at two speeds.",
         "Cole and Huth (1958); Bessel functions for the ring, load on the displaced material; V^2 for small speeds.",
         rows, cost=[Cost("three tests", wave["seconds"] + ring["seconds"] + speed["seconds"])],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Conformal contact: what CONTACT prints and why, curved half-spaces, the hybrid, and how far each theory goes."""
+"""Conformal contact: CONTACT's results explained, curved half-spaces, the hybrid, and the range of each theory."""
 import json
 import os
 
@@ -45,7 +45,7 @@ def _contact_rows(bench, cost):
 
 
 def _step_rows():
-    """CONTACT's steps one after the other, by the book's own half-space."""
+    """CONTACT's steps one by one, with the book's own half-space."""
     patch, printed = _turned_patch(10.25), published.CONTACT_GROOVES[10.25]
     flat = turned_half_space.under_force(patch, FORCE, 0.0224, False, printed["creepage"])
     once = turned_half_space.under_force(patch, FORCE, 0.0222, True, printed["creepage_turned"])
@@ -63,7 +63,7 @@ def _step_rows():
 
 
 def _truth_rows():
-    """The hybrid against directions turned: two ways to what the curved half-space lacks."""
+    """The hybrid against turned directions: two independent corrections of the curved half-space."""
     rows = []
     for radius in records.GROOVES:
         turned = turned_half_space.under_force(_turned_patch(radius), FORCE, records.GROOVES[radius]["approach"], True)
@@ -145,7 +145,7 @@ def _figure(bench, sweep):
 
 
 def conformal_contact(bench):
-    """Conformal contact: CONTACT's numbers explained, and how far each theory goes"""
+    """Conformal contact: CONTACT's numbers explained, and the range of each theory"""
     cost = []
     rows = _contact_rows(bench, cost)
     steps, part = _step_rows()
@@ -157,13 +157,13 @@ def conformal_contact(bench):
         "([case](../../cases/conformal_groove.toml)), and a rail's corner of 10 mm in a wheel's root of 10.2 mm at "
         "a prescribed approach ([case](../../cases/conformal_corner.toml)).",
         "CONTACT's printed results (testbank/examples_conformal/groove_li and examples/conformal of its repository); "
-        "a half-space of the book's own that does what CONTACT does and nothing else "
+        "a half-space of the book's own that follows CONTACT's steps exactly "
         "(`benchmarks/book/turned_half_space.py`); "
-        "records of the hybrid and of finite elements with the commands that made them "
+        "records of the hybrid and of finite elements, with their commands "
         "(`benchmarks/book/conformal_records.py`); CalculiX, whose elements, contact and solver share nothing with this "
         "program (`benchmarks/calculix/curved_patch.py --pair groove`).",
         rows, tables=[table, *_corner_tables()],
-        figures=[(_figure(bench, sweep), "Hertz and the curved half-space less the hybrid in the grooves at 10 kN; "
+        figures=[(_figure(bench, sweep), "Hertz and the curved half-space minus the hybrid in the grooves at 10 kN; "
                                          "grey: 1 %")],
         cost=cost,
         tests=["verification.DeepGroove.RollsFreelyAsInContact", "verification.CornerInARoot.SumOfPressureIsNotTheForce",

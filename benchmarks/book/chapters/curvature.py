@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Slip that curvature makes without creepage: the sphere's series, a first-order theory, finite elements."""
+"""Slip caused by curvature without creepage: the sphere's series, a first-order theory, finite elements."""
 import os
 
 import numpy as np
@@ -11,7 +11,7 @@ from .thesis import RADII, _compared
 
 RADIUS, FORCE, POISSON = 405.0, 50e3, 0.3
 SHEAR_MODULUS = 210e3 / (2 * (1 + POISSON))
-# Mean slip of cases a, b, c by first-order theory as worked out for this project before, by another hand.
+# Mean slip of cases a, b, c by first-order theory, from an earlier independent derivation for this project.
 BY_HAND = {"a": 1.45e-5, "b": 2.45e-5, "c": 3.58e-5}
 
 
@@ -35,7 +35,7 @@ def _first_order(letter):
 
 
 def _half_space_with(bench, letter, slip, axes):
-    """-F_x/F_z at xi = 0 of the half-space with that slip added."""
+    """-F_x/F_z at xi = 0 of the half-space with this slip added."""
     path = os.path.join(os.path.abspath(bench.folder), f"curvature_slip_{letter}.csv")
     places = np.linspace(-1.3, 1.3, 27)
     with open(path, "w", encoding="utf-8") as file:
@@ -49,7 +49,7 @@ def _half_space_with(bench, letter, slip, axes):
 
 
 def _sphere_rows(found, exact, semi_axis):
-    """The series in itself, against first order, and finite elements against it."""
+    """The series by itself, against first order, and finite elements against the series."""
     force, traction = map(max, zip(*(elastic_sphere.residuals(n, POISSON) for n in (2, 4, 6))))
     flat = curved_half_space.slip((1, 1), (1, 1), (0, 0), POISSON)
     limit = flat[0] + 0.2 * (flat[1] + flat[2])
@@ -70,7 +70,7 @@ def _sphere_rows(found, exact, semi_axis):
 
 
 def _convergence(semi_axis):
-    """How many terms the series takes, with the closed sums and without."""
+    """Number of terms needed by the series, with and without the closed sums."""
     angle = 2 * np.arcsin(semi_axis / (2 * RADIUS))
     place = [0.5 * angle]
     best = elastic_sphere.surface_strain(place, angle, POISSON, 20000)[0][0]
@@ -87,7 +87,7 @@ def _figure(bench, found, semi_axis):
     figure, axes = plt.subplots(1, 2, figsize=(8.4, 3.3), sharey=True)
     fine = np.linspace(0.02, 0.98, 60)
     flat = curved_half_space.slip((1, 1), (1, 1), (0, 0), POISSON)
-    beside = 0.1  # the elements' middles beside the middle line, over a
+    beside = 0.1  # centres of the elements beside the centre line, over a
     for axis, words, key, places in ((axes[0], "x/a", "along", np.arange(8) * 0.2 - 0.7),
                                      (axes[1], "y/a", "across", np.arange(10) * 0.2 - 0.9)):
         x, y = (fine, 0 * fine + 1e-6) if key == "along" else (0 * fine + 1e-6, fine)
@@ -128,7 +128,7 @@ def curvature_slip(bench):
         "p0 a/(G R): there is slip, and with friction a force, without any creepage. A sphere of 405 mm on a flat "
         "rail under 50 kN "
         "(a = 5.09 mm), segments of 8 and 16 a; and the 2012 study's cases a, b, c.",
-        "Lur'e's series for a sphere between two opposite Hertz pressures, its strains less those of the half-space "
+        "Lur'e's series for a sphere between two opposite Hertz pressures, its strains minus those of the half-space "
         "(`benchmarks/book/elastic_sphere.py`); and the half-space perturbed to first order in its curvature, a closed "
         "form up to one integral (`benchmarks/book/curved_half_space.py`, [theory](../theory.md)). Neither shares code "
         "with the program; they agree with each other as a/R goes to 0.",
@@ -140,7 +140,7 @@ def curvature_slip(bench):
         after="Segments omit the curvature beyond them, whose effect falls as one over their extent: from 8 semi-axes, the "
               "default, to 16 the slip grows by 1.9 %, so that some 4 % are missing at 8. Cells of a/5 add 3 %. The "
               "forces of "
-              "a, b, c are those of segments of 8 semi-axes on finer cells.")
+              "a, b, c have segments of 8 semi-axes on finer cells.")
 
 
 

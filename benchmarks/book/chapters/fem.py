@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The finite-element model against Hertz: what refining its cells brings; the hybrid against CalculiX."""
+"""The finite-element model against Hertz on finer cells; the hybrid against CalculiX."""
 import json
 import os
 
@@ -46,7 +46,7 @@ def fem_hertz(bench):
         "Case a, degree 2, segments with the far boundary of a half-space under a point load; cells and contact "
         "elements of 1.88, 0.94 and "
         "0.47 mm (a/2, a/4, a/8), `rollfem study cases/thesis_a.toml --model fem --vary cell`.",
-        "Hertz's closed form. The bodies are nearly half-spaces, so the remaining error is that of discretisation.", rows,
+        "Hertz's closed form. The bodies are nearly half-spaces, so the remaining error is discretisation.", rows,
         figures=[(name, "Errors against Hertz on three meshes")],
         cost=[Cost(f"{level['label']}, two load points", level["seconds"], level["unknowns"])
               for level in series["levels"]],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Friction without steady rolling: pushed, pressed, and rolled from rest."""
+"""Friction without steady rolling: pushing, pressing, and rolling from rest."""
 import numpy as np
 from matplotlib import pyplot as plt
 
@@ -15,7 +15,7 @@ def cattaneo(bench):
     result = bench.run("cattaneo", "cases/cattaneo.toml")
     model = result.model("halfspace")
     radius, _, pressure, approach = closed_forms.hertz(0.01, 0.01, FORCE, SHEAR_MODULUS / (1 - POISSON))
-    pushed = model.points[2]  # after the third step the shift is 0.008172 mm
+    pushed = model.points[2]  # the shift after the third step is 0.008172 mm
     shift = pushed["longitudinal_shift"]
     part = closed_forms.mindlin_part(radius, FORCE, FRICTION, SHEAR_MODULUS, POISSON, shift)
     loop = bench.test("verification:Cattaneo.UnloadingLoopLosesTheWorkOfTheClosedForm")
@@ -46,7 +46,7 @@ def cattaneo(bench):
 
 
 def _masing(shift, from_shift, from_part, radius, sign):
-    """The part of mu F_z on the way back from a turning point: twice the first curve (Masing)."""
+    """Fraction of mu F_z on the way back from a turning point: twice the first curve (Masing)."""
     half = closed_forms.mindlin_part(radius, FORCE, FRICTION, SHEAR_MODULUS, POISSON, abs(shift - from_shift) / 2)
     return from_part + 2 * sign * half
 

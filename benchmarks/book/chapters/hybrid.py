@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The hybrid against the limit of finite elements, and what half-space, hybrid and finite elements cost for their error."""
+"""The hybrid against the limit of finite elements, and error against cost of half-space, hybrid and finite elements."""
 import json
 import os
 import sys
@@ -12,14 +12,14 @@ from ..page import number
 from .thesis import RADII
 
 sys.path.append(os.path.join(os.path.dirname(__file__), "..", ".."))
-import hybrid_limits  # noqa: E402: of the folder above the book
+import hybrid_limits  # noqa: E402: from the folder above the book
 
 FRICTION = 0.55
 ACROSS = 80
-# Beyond the study: true profiles with friction, a groove and a corner without.
+# Beyond the study: true profiles with friction, a groove and a corner without friction.
 PROFILES, CONFORMAL = ("s1002_left", "s1002_right"), ("groove", "corner")
-UNSETTLED = ("s1002_right",)  # whose limit still moves by what is asked from a/4 to a/8: shown, not held
-PRESSURE_ASKED, FORCE_ASKED = 0.0005, 0.001  # the latter of mu
+UNSETTLED = ("s1002_right",)  # whose limit still changes by the required accuracy from a/4 to a/8: shown, not judged
+PRESSURE_ASKED, FORCE_ASKED = 0.0005, 0.001  # the latter relative to mu
 QUIET = {"output.paths": '["x"]\nfields = false\nbody_fields = "none"\nstress_maxima = false'}
 
 
@@ -57,7 +57,7 @@ def _rows(record, found):
 
 
 def _conformal_rows(record, found):
-    """Shown, not held: what three cells in the semi-axis leave there is more than is asked of the cases above."""
+    """Shown, not judged: the error of three cells in the semi-axis exceeds the requirement on the cases above."""
     rows = []
     for letter, (result, _) in found.items():
         for quantity, words, unit in (("max_pressure", "p0", "MPa"), ("normal_force", "F_z", "N")):
@@ -69,7 +69,7 @@ def _conformal_rows(record, found):
 
 
 def _limits_table(record):
-    """How the limits come about: the differences on ever smaller cells, and the plain extrapolation."""
+    """Origin of the limits: the differences on successively smaller cells, and the plain extrapolation."""
     rows = []
     for mesh in ("structured", "gmsh"):
         for letter in (*RADII, *PROFILES, *CONFORMAL):
@@ -84,14 +84,14 @@ def _limits_table(record):
                              number(pressure["limit"], 5), number(pressure["plain"], 5),
                              ", ".join(f"{d:.5f}".replace("-", "−") for d in force["differences"]),
                              f"{force['limit']:.5f}".replace("-", "−"), f"{force['plain']:.5f}".replace("-", "−")])
-    return Table("What the limits are made of: finite elements less the half-space on the same contact elements, cells of "
+    return Table("Origin of the limits: finite elements minus the half-space on the same contact elements, cells of "
                  "a/4, a/8 and, where there are three, a/12; the limit; and the plain extrapolation of the finite "
                  "elements, which includes the error of their grid. With one cell size there is no extrapolation.",
-                 ["case, xi", "p0 less the half-space's, MPa", "limit", "plain", "−F_x/F_z less the half-space's", "limit", "plain"], rows)
+                 ["case, xi", "p0 minus the half-space's, MPa", "limit", "plain", "−F_x/F_z minus the half-space's", "limit", "plain"], rows)
 
 
 def _error(record, result, quantity, scale=None):
-    """Root mean square over the creepages of what a run of case f is off, in % of `scale` or the limit."""
+    """Root mean square error of a run of case f over the creepages, in % of `scale` or of the limit."""
     squares = []
     for index, xi in enumerate(hybrid_limits.CREEPAGES):
         exact = _limit(record, "f", index, quantity)["limit"]
@@ -100,13 +100,13 @@ def _error(record, result, quantity, scale=None):
 
 
 def _unsure(record, quantity, scale=None):
-    """As _error, what is not known of the limit."""
+    """As _error, for the uncertainty of the limit."""
     limits = [_limit(record, "f", index, quantity) for index in range(len(hybrid_limits.CREEPAGES))]
     return 100 * (sum((one["uncertain"] / (scale or one["limit"])) ** 2 for one in limits) / len(limits)) ** 0.5
 
 
 def _figure(bench, record, series):
-    """`series`: [[((result, CPU seconds), words)]], a line each."""
+    """`series`: [[((result, CPU seconds), words)]], one line per series."""
     figure, axes = plt.subplots(1, 2, figsize=(8.4, 3.6), sharex=True)
     for axis, quantity, scale, words, asked in (
             (axes[0], "max_pressure", None, "error of $p_0$ [%]", 100 * PRESSURE_ASKED),
@@ -155,17 +155,17 @@ def hybrid(bench):
         f"middle one of {ACROSS} elements: the references are reduced by the 0.014 % that a half-space on this grid "
         "is too low.",
         _rows(record, found) + _conformal_rows(record, conformal), tables=[_limits_table(record)],
-        figures=[(_figure(bench, record, series), "Case f from nothing: root mean square error at the three "
+        figures=[(_figure(bench, record, series), "Case f from a cold start: root mean square error at the three "
                                                   "creepages over the CPU "
-                  "seconds of the whole run, error bars and all; beside the points elements across, or cells of "
+                  "seconds of the whole run, error bars included; labels: elements across, or cells of "
                   "finite elements; "
-                  "dotted: what is asked; grey: what is not known of the limit")],
+                  "dotted: requirement; grey: uncertainty of the limit")],
         cost=[Cost(f"case {letter}, hybrid", result.seconds["total"], result.unknowns)
               for letter, (result, _) in {**found, **conformal}.items()]
         + [Cost(f"case f, {style.label(r)}, {note}", r.seconds["total"], r.unknowns) for line in series for (r, _), note in line
            if r is not found["f"][0]],
         tests=["verification.Hybrid.MeetsTheLimitOfFiniteElements", "verification.Hybrid.HasTheSlipOfAnElasticSphere"],
-        after="Nearly all of the hybrid's seconds are its correction, which is the same for every contact grid, "
+        after="Nearly all of the hybrid's time goes into its correction, which is the same for every contact grid, "
               "creepage and friction. "
               "The contact elements of finite elements are as large as their cells, so their force in partial slip "
               "has the error of a coarse grid. In e "

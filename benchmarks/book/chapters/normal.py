@@ -109,7 +109,7 @@ cell_size = [{cell!r}, {cell!r}]
 
 
 def _flat_run(bench, exponent, across, semi_axis, edge, force):
-    """The half-space on h = edge (r/a)^(2n), given point by point."""
+    """The half-space with h = edge (r/a)^(2n), given point by point."""
     name = os.path.join(os.path.abspath(bench.folder), f"flat_{exponent}")
     places = np.linspace(-1.25, 1.25, 101) * semi_axis
     with open(name + ".csv", "w", encoding="utf-8") as file:

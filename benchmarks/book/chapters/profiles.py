@@ -34,9 +34,9 @@ def _draw_patches_meet(shifts, points, change):
 
 
 def _patches_meet(bench):
-    """The left wheel moved until it stands on its flange root: (rows, (figure, caption), cost).
+    """The left wheel shifted until it rests on its flange root: (rows, (figure, caption), cost).
 
-    A second patch comes, joins the first, parts and stays alone; every position once more 1 micrometre on.
+    A second patch appears, joins the first, separates and stays alone; every position is repeated 1 micrometre further.
     """
     load, micrometre = 100e3, 1e-3
     shifts = [round(-6 + 0.05 * k, 2) for k in range(35)]
@@ -50,8 +50,8 @@ def _patches_meet(bench):
     figure = _draw_patches_meet(shifts, points, [100 * c / load for c in change])
     rows = [Row("left wheel moved by 1 µm: largest change of a force", "N", 0.0, max(change), 0.001, of=load,
                 of_words="F_z", by="half-space, 40 across")]
-    caption = ("The left wheel moved towards its flange (mu = 0.3, xi = 0): from the right, a second patch comes at the "
-               "root, joins that of the tread, parts from it and stays alone. Each change of a force is that to a position "
+    caption = ("The left wheel shifted towards its flange (mu = 0.3, xi = 0): from the right, a second patch appears at the "
+               "root, joins the patch on the tread, separates from it and stays alone. Each change of a force is to a position "
                "1 µm on")
     cost = Cost(f"left wheel at {2 * len(shifts)} positions: Half-space", sum(m.seconds["total"] for m in result.models))
     return rows, (bench.save(figure, "patches_meet"), caption), cost
@@ -92,7 +92,7 @@ def wheel_on_rail(bench):
         "across, "
         "finite elements on cells of 0.5 mm.",
         "CONTACT rev 2707 on the same profiles (0.05 mm elements on the left; on the right only p0 is available). "
-        "The figures of the 2012 study are shown for comparison; its patch lengths cannot carry 100 kN at its "
+        "The values of the 2012 study are shown for comparison; its patch lengths cannot carry 100 kN at its "
         "pressures "
         "([verification](../verification.md)).",
         rows, tables=tables, figures=[figure], cost=cost,
@@ -102,9 +102,9 @@ def wheel_on_rail(bench):
                "verification.FemOnTheStudysLeftWheel.WithBoxesHasPressureAndForcesOfTheHalfSpace"])
 
 
-# What is held of every column, in its unit or as a fraction of the reference: (left, right on its tread or flange root,
-# right on its flange). The flange's patch is three or four elements of 0.2 mm wide. Adhesion is in the tests alone: from 1 mm on
-# everything slips.
+# Tolerance of every column, in its unit or as a fraction of the reference: (left, right on its tread or flange root,
+# right on its flange). The patch on the flange is three or four elements of 0.2 mm wide. Only the tests check adhesion:
+# from 1 mm on everything slips.
 _HELD = {"y": ("mm", 0.03, 0.03, 0.03), "z": ("mm", 0.001, 0.006, 0.03), "angle": ("rad", 1.5e-4, 2.5e-3, 2.5e-3),
          "y_wheel": ("mm", 0.05, 0.05, 0.05), "force": ("N", 1e-3, 1e-3, 1.2e-3), "along": ("", 4e-3, 4e-3, 4e-3),
          "across": ("", 4e-3, 4e-3, 4e-3), "approach": ("mm", 1e-3, 5e-3, 5e-3), "pressure": ("MPa", 3e-3, 0.012, 0.05),
@@ -117,7 +117,7 @@ _WORDS = {"y": "y on the track", "z": "z on the track", "angle": "contact angle"
 
 
 def _position(model):
-    """The columns of CONTACT's tables as this program has them."""
+    """The columns of CONTACT's tables with this program's values."""
     point, place = model.points[0], model.place
     bound = 0.3 * point["normal_force"]
     return {"y": place["y_track"], "z": place["z_track"], "angle": place["contact_angle"], "y_wheel": place["y_wheel"],
@@ -128,12 +128,13 @@ def _position(model):
 
 
 def _column_rows(name, side, positions):
-    """One row: of all positions of a wheel, the one that is nearest to what is allowed, or farthest beyond."""
+    """One row: the position of a wheel that is nearest to its tolerance, or farthest beyond."""
     unit, *limits = _HELD[name]
     worst = None
     for shift, mine in positions.items():
         reference = dict(zip(published.MANCHESTER_COLUMNS, published.MANCHESTER[side][shift]))[name]
-        # Two patches share the right wheel's load at 5 mm: 0.02 mm of shift would change these columns by what they differ.
+        # Two patches share the right wheel's load at 5 mm: 0.02 mm of shift would change these columns by their
+        # differences.
         if shift == 5 and (name in ("along", "across", "xi") or side == "right" and name != "force"):
             continue
         allowed = limits[0 if side == "left" else 2 if shift > 6 else 1]
@@ -149,8 +150,8 @@ def _column_rows(name, side, positions):
 
 
 def _shift_of_contacts_xi(bench, at_five):
-    """At 5 mm the right wheel touches at two places and xi changes by 3.5 % with 0.01 mm of shift: held is
-    the shift at which our xi is CONTACT's, interpolated between 4.98 and 5 mm."""
+    """At 5 mm the right wheel touches at two places and xi changes by 3.5 % with 0.01 mm of shift: the judged value is
+    the shift at which our xi equals CONTACT's, interpolated between 4.98 and 5 mm."""
     before = bench.run("manchester_4.98", "cases/manchester_A22.toml",
                        settings={"wheelset.lateral_shift": 4.98, "wheelset.yaw": 0.0024 * 4.98})
     before = _position(next(m for m in before.models if m.place["wheel"] == "left"))["xi"]
@@ -181,7 +182,7 @@ def _draw_manchester(places):
 
 
 def _flange_on_finer_elements(bench):
-    """p0 of the right wheel at 10 mm over the size of the elements, which CONTACT's 0.2 mm do not resolve."""
+    """p0 of the right wheel at 10 mm against element size; CONTACT's 0.2 mm do not resolve it."""
     rows, cost = [], 0.0
     for size in (0.2, 0.1, 0.05):
         result = bench.run(f"manchester_flange_{size:g}", "cases/manchester_A22.toml",
@@ -227,8 +228,8 @@ def manchester(bench):
                "verification.ManchesterHeight.IsTheirsLessTheApproach"],
         after="At 5 mm the right wheel touches at two places, tread and flange root, which CONTACT joins into one "
               "patch: there the normal force is compared, and on the left wheel everything except creepage and "
-              "longitudinal and lateral friction. p0 on the flange is the row that says least: elements of 0.2 mm, the "
-              "benchmark's, lie 3.7 times in the width of the patch, on which this program is 2.6 % below its own limit and "
-              "CONTACT 1.9 % above that limit; on 0.05 mm the half-space has 2591 MPa and a bar of 11. What is judged at "
-              "0.2 mm is two errors of discretisation of opposite sign, not the method. The intermediate positions (0.5, 1.5 mm, ...) are not part of the "
+              "longitudinal and lateral friction. p0 on the flange is the least informative row: elements of 0.2 mm, the "
+              "benchmark's, fit 3.7 times into the width of the patch; on them this program is 2.6 % below its own limit and "
+              "CONTACT 1.9 % above that limit; on 0.05 mm the half-space has 2591 MPa and a bar of 11. The comparison at "
+              "0.2 mm judges two discretisation errors of opposite sign, not the method. The intermediate positions (0.5, 1.5 mm, ...) are not part of the "
               "book.")

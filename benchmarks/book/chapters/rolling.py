@@ -16,7 +16,7 @@ def _carter_patch():
 
 
 def _carter_curve(creepage):
-    """-F_x of a very wide ellipse, every strip a roller of Carter, N."""
+    """-F_x of a very wide ellipse with Carter's solution in every strip, N."""
     a, b, pressure, modulus = _carter_patch()
     y = (np.arange(2000) + 0.5) / 2000
     narrower = np.sqrt(1 - y**2)
@@ -113,7 +113,7 @@ def _aluminium_on_steel():
     return g * ((1 - 0.62) / 23000 - (1 - 0.56) / 82000) / 4 / (1 - nu)
 
 
-# Friction coefficient, F_x over mu P, allowed in mu a/R: the rows of the test.
+# Friction coefficient, F_x over mu P, tolerance in mu a/R: the rows of the test.
 UNLIKE_ROLLING = ((0.05, 0.5, 5e-4), (0.05, 0.0, 5e-4), (0.05, -0.5, 5e-4), (0.1, 0.75, 1e-3), (0.1, 0.0, 1e-3),
                   (0.1, -0.5, 1e-3), (0.3, 0.5, 4e-3), (0.3, -0.75, 4e-3), (0.3, -0.9, 4e-3))
 
@@ -187,11 +187,11 @@ def nowell_hills(bench):
               "elements of first order, is 2.2 % below the closed form.")
 
 
-# Of the half-space at 40 across, the edge of whose ellipse is a staircase: 0.5 % of the size of the patch, of which forces have
-# the square, those of spin the cube, and the moment of spin the fourth power.
+# Tolerances of the half-space at 40 across. The edge of its ellipse is a staircase, with an error of 0.5 % in the size
+# of the patch; forces depend on its square, forces of spin on its cube, the moment of spin on its fourth power.
 _STAIRCASE = {"C11": 0.01, "C22": 0.01, "C23": 0.015, "C33": 0.02}
 _NAMES = ("C11", "C22", "C23", "C33")
-# a/b at which the series is summed again; 0.45 and 4 lie between the entries of the program's table.
+# a/b at which the series is recomputed; 0.45 and 4 lie between the entries of the program's table.
 _SUMMED = (0.1, 0.45, 1.0, 4.0, 10.0)
 
 
@@ -218,9 +218,9 @@ def _ellipses(bench):
 
 
 def _farthest(found, chosen, allowed, by):
-    """For every coefficient and nu the row of the largest difference; `chosen` gives (reference, value) or nothing.
+    """For every coefficient and nu the row of the largest difference; `chosen` returns (reference, value) or None.
 
-    C33 is what Poisson's effect leaves of its value at nu = 0, of which its differences are fractions.
+    Differences of C33 are fractions of its value at nu = 0, because Poisson's effect cancels a part of it.
     """
     worst = {}
     for (ratio, nu), models in found.items():
@@ -236,7 +236,7 @@ def _farthest(found, chosen, allowed, by):
 
 
 def _printed_table(found):
-    """Kalker's printed values that are farther off than a unit of their third digit."""
+    """Kalker's printed values with errors of more than a unit of their third digit."""
     rows = []
     for (ratio, nu), models in sorted(found.items()):
         for k, value in enumerate(published.KALKER[nu].get(ratio, ())):
@@ -245,8 +245,8 @@ def _printed_table(found):
                 rows.append([f"{ratio:.3g}", f"{nu:g}", _NAMES[k], f"{value:g}", f"{computed:.4g}",
                              f"{100 * (value / computed - 1):+.2f} %"])
     count = sum(len(values) for table in published.KALKER.values() for values in table.values())
-    return Table(f"The {len(rows)} of {count} printed values that are off by more than a unit of their third digit (computed "
-                 "for nu = 0.4999 where 0.5 is printed):", ["a/b", "nu", "", "printed", "computed", "printed less computed"], rows)
+    return Table(f"The {len(rows)} of {count} printed values with errors of more than a unit of their third digit (computed "
+                 "for nu = 0.4999 where 0.5 is printed):", ["a/b", "nu", "", "printed", "computed", "printed minus computed"], rows)
 
 
 def kalker(bench):
@@ -261,7 +261,7 @@ def kalker(bench):
         return summed[ratio][0.4999 if nu == 0.5 else nu][name][0]
     rows += _farthest(found, lambda ratio, nu, k, models: ratio in summed and
                       (of_series(ratio, nu, _NAMES[k]), models["linear"][k]), lambda name: 2e-4, "model linear against series")
-    # the moment of a patch that is far longer than wide needs finer elements, and is left out
+    # the moment of a patch far longer than wide needs finer elements and is left out
     rows += _farthest(found, lambda ratio, nu, k, models: (k < 3 or ratio < 2.6) and
                       (models["linear"][k], models["halfspace"][k]),
                       _STAIRCASE.get, "half-space, 40 across")
@@ -285,9 +285,9 @@ def kalker(bench):
         "kalker", "Kalker's linear theory: small creepage and spin",
         "Ellipses with a b = 36 mm² under a given pressure, friction effectively unbounded "
         "([case](../../cases/verification/kalker.toml)), nu = 0, 0.25 and 0.4999: the coefficients of the model `linear`, "
-        "which are those of the program's table (25 ratios, five Poisson's ratios), and of the half-space on 40 "
+        "which come from the program's table (25 ratios, five Poisson's ratios), and of the half-space on 40 "
         "elements across.",
-        "Kalker's problem solved by a series of its own (`benchmarks/book/linear_theory.py`: no grid, no edge, no printed "
+        "Kalker's problem solved by an independent series (`benchmarks/book/linear_theory.py`: no grid, no edge, no printed "
         "value; two degrees agree to five digits, and C32 = -C23 to six, which the series does not assume); for nu = 0 a "
         "circle has closed forms. `benchmarks/kalker_table.py` makes the program's table with it. Kalker's printed table "
         "(1967; 1990, table E.3; C11, C22 and C23 as two public codes have them, C33 checked by CONTACT only) is shown "
@@ -304,7 +304,7 @@ def kalker(bench):
         after="The asymptotes of slender patches are consistent with the table: of short ones all four, with a remainder of "
               "some g^2 ln(16/g), g = a/b; of long ones C11 and C22 to (1.614/L)^2, L = ln(16 a^2/b^2), C23 to 1e-4. C33 of "
               "long patches is (pi/4) [1 - nu (L - 4)/((1 - nu) L - 2 + 4 nu)]^2, which the series follows to 1e-3 at b/a = "
-              "0.01 and 1e-4 at 0.001; the form without the square and with L - 2, used before, is 19 % off at 0.02 and "
+              "0.01 and 1e-4 at 0.001; the form without the square and with L - 2, used before, has an error of 19 % at 0.02 and "
               "nu = 0.25. Finer elements bring the half-space closer: C11 of the circle at nu = 0.25 is 0.67, 0.20, 0.32 and "
               "0.14 % low at 20, 40, 80 and 160 across, within its bar.")
 
@@ -365,10 +365,10 @@ def fastsim(bench):
     return Chapter(
         "fastsim", "FASTSIM against CONTACT's",
         "Case a, parabolic traction bound, 160 by 160 elements of one grid, as CONTACT divides the patch, with the "
-        "flexibilities of Kalker's printed table, as CONTACT has them (test); the "
+        "flexibilities of Kalker's printed table, as in CONTACT (test); the "
         "[case](../../cases/verification/fastsim_a.toml) has those of the computed table.",
         "CONTACT rev 2707's own FASTSIM on the same elements: the same algorithm (Kalker 1982).", rows,
-        tables=[Table("-F_x/F_z with the flexibilities of the computed table, which every run has:",
+        tables=[Table("-F_x/F_z with the flexibilities of the computed table, used by all runs:",
                       ["xi", "CONTACT", "computed table", "difference"], beside)],
         cost=[Cost("six load points", model.seconds["total"], model.unknowns or None), Cost("the test", found["seconds"])],
         tests=["verification.FastsimAgainstContact.ParabolicBoundOfCaseA",

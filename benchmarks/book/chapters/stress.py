@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stress below the surface, of half-spaces and finite elements."""
+"""Subsurface stress of half-spaces and finite elements."""
 import numpy as np
 from matplotlib import pyplot as plt
 from rollfem_figures.stresses import measures

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The 2012 study's cases a to f by every model, and what half-spaces miss in e and f."""
+"""The 2012 study's cases a to f by every model, and the model error of half-spaces in e and f."""
 import os
 
 import numpy as np
@@ -18,7 +18,7 @@ WORDS = {"a": "a flat wheel on a gently crowned rail", "b": "a nearly circular p
 
 
 def _compared(bench):
-    """(compare.json, {letter: Result}) of the six cases: shared by two chapters."""
+    """(compare.json, {letter: Result}) of the six cases, shared by two chapters."""
     models = [m for m in MODELS if m != "fem" or bench.has_fem]
     comparison, results = bench.compare("thesis", [f"cases/thesis_{c}.toml" for c in RADII], models)
     return comparison, {name[-1]: result for name, result in results.items()}
@@ -31,7 +31,7 @@ def _exact(letter):
 
 
 def _normal_rows(results):
-    """p0 and semi-axes of half-space and FEM against Hertz, where bodies are nearly flat."""
+    """p0 and semi-axes of half-space and FEM against Hertz for nearly flat bodies."""
     rows = []
     for letter in "abcd":
         exact = dict(zip(("semi_axis_x", "semi_axis_y", "max_pressure", "approach"), _exact(letter)))
@@ -67,7 +67,7 @@ def _curve_rows(results):
 
 
 def _rail_drop(bench):
-    """A file of the extra slip that CONTACT was given in case e, -y^2/(2 R_rail R): the drop of the rail."""
+    """A file with the extra slip given to CONTACT in case e, -y^2/(2 R_rail R): the drop of the rail."""
     path = os.path.join(bench.folder, "rail_drop.csv")
     places = np.arange(-30.0, 31.0, 20.0)
     with open(path, "w", encoding="utf-8") as file:
@@ -76,8 +76,8 @@ def _rail_drop(bench):
 
 
 def _rows_with_contacts_slip(bench):
-    """Case e with the slip that CONTACT was given: beside its limit, and digit by digit with its own difference
-    on its own grid."""
+    """Case e with the slip given to CONTACT: against its limit, and digit by digit with its difference scheme on its
+    grid."""
     slip = f"0.0\nextra_slip = \"file\"\nextra_slip_file = \"{_rail_drop(bench)}\""
     second, first = (bench.run(name, "cases/thesis_e.toml", ["halfspace"], {"rolling.spin": slip + order}).model("halfspace")
                      for name, order in (("drop_e", ""), ("first_order_e", "\nupwind_order = \"first\"")))
@@ -91,7 +91,7 @@ def _rows_with_contacts_slip(bench):
 
 
 def _beside(results):
-    """Tables of our values beside the thesis's."""
+    """Tables of rollfem's values beside the thesis's."""
     rows = []
     for letter, result in results.items():
         exact = _exact(letter)
@@ -188,7 +188,7 @@ def thesis_cases(bench):
         "Hertz's closed form in a to d; CONTACT rev 2707: case a on 80 and 160 elements across, extrapolated "
         "(+-0.0005), case c on 80 and 160, case e on 40 and 80 with the extra slip of the rail's drop, "
         "extrapolated; case e "
-        "also at 40 with CONTACT's first-order difference in both programs. FEM less half-space, 0.6 % of mu at small "
+        "also at 40 with CONTACT's first-order difference in both programs. FEM minus half-space, 0.6 % of mu at small "
         "creepage (next chapter), is within the tolerance. The 2012 study (TU Graz) is shown for comparison only.",
         _normal_rows(results) + _curve_rows(results) + _rows_with_contacts_slip(bench), tables=[*_beside(results), _costs(results)],
         figures=[(_curves(bench, results), "Creep curves of the six cases by all models"),
@@ -209,7 +209,7 @@ def _with_bar(value, bar):
 
 
 def _limit_table(letter, result, bent):
-    """Half-space, the half-space on the curved surface, and FEM; FEM less half-space."""
+    """Half-space, the half-space on the curved surface, and FEM; FEM minus half-space."""
     half, fem = result.model("halfspace"), result.model("fem")
     rows = []
 
@@ -227,18 +227,18 @@ def _limit_table(letter, result, bent):
         line(f"-F_x/F_z at xi = {100 * point['longitudinal_creepage']:g} % (of mu)", "traction_coefficient", index, 0.55)
     line("largest |p_x| at xi = 0.2 %, MPa", "max_traction_x", 3)
     return Table(f"Case {letter}:", ["", "half-space", "half-space on the curved surface", "FEM",
-                                     "FEM less half-space", "beyond both bars"], rows)
+                                     "FEM minus half-space", "beyond both bars"], rows)
 
 
 def _largest_principal(stress):
-    """Of stresses [n, 6] (xx, yy, zz, xy, yz, xz)."""
+    """Largest principal stress of stresses [n, 6] (xx, yy, zz, xy, yz, xz)."""
     largest = np.linalg.eigvalsh(stress[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]].reshape(-1, 3, 3))[:, -1]
     return np.where(np.abs(largest) < 1e-9 * np.abs(stress).max(), 0.0, largest)  # rounding, not stress
 
 
 def _below(bench):
-    """Runs of a, e and f with hardly any friction: [(letter, model, body, tension at three places, largest
-    von Mises stress and its depth)], and their cost."""
+    """Runs of a, e and f with very low friction: [(letter, model, body, tension at three places, largest von Mises
+    stress and its depth)], and their cost."""
     lines = "".join(f"\n[[subsurface.surface]]\nbody = \"{body}\"\nfrom = [0.0, 12.0]\nto = [0.0, 16.0]\npoints = 3\n"
                     for body in ("wheel", "rail"))
     rows, cost = [], []
@@ -288,7 +288,7 @@ def _limits_figure(bench, results):
         left.plot(xi, change, color=inks[letter], marker="o", markersize=3.5, linewidth=1.3, label=letter)
     left.axhline(0, color=style.GREY, linewidth=0.6)
     left.set_xlabel(r"longitudinal creepage $\xi$ [%]")
-    left.set_ylabel(r"$-F_x/F_z$: FEM less half-space [% of $\mu$]")
+    left.set_ylabel(r"$-F_x/F_z$: FEM minus half-space [% of $\mu$]")
     left.legend(ncol=3, title="case", loc="upper right")
     left.set_ylim(top=left.get_ylim()[1] * 1.25)
     for name in ("halfspace", "fem"):
@@ -304,7 +304,7 @@ def _limits_figure(bench, results):
 
 
 def half_space_limits(bench):
-    """What half-space theory misses in cases e and f"""
+    """The model error of half-space theory in cases e and f"""
     _, results = _compared(bench)
     tables, cost, words = [], [], []
     for letter in "ef":
@@ -319,15 +319,15 @@ def half_space_limits(bench):
     flat = [results[c].model("fem").points[0]["traction_coefficient"]
             - results[c].model("halfspace").points[0]["traction_coefficient"] for c in "abcd"]
     return Chapter(
-        "half-space-limits", "What half-space theory misses in e and f",
+        "half-space-limits", "The model error of half-space theory in e and f",
         "The same normal force, grid and friction in both models; the half-space has the extra slip of the rolling "
         "radius, so the remaining difference is due to the elasticity and geometry of the true, curved bodies.",
         "each other: two independent methods, with their error bars; a to d, whose bodies are flat or convex, show "
-        "the part that is not curvature (FEM less half-space at xi = 0: {number(min(flat), 2)} to "
+        "the part unrelated to curvature (FEM minus half-space at xi = 0: {number(min(flat), 2)} to "
         "{number(max(flat), 2)} in "
-        "-F_x/F_z, the strain of a loaded wheel's circles, [verification](../verification.md)).",
+        "-F_x/F_z, the circumferential strain of a loaded wheel, [verification](../verification.md)).",
         tables=tables + _stress_tables(below),
-        figures=[(_limits_figure(bench, results), "FEM less half-space along the creep curve in all cases, and the "
+        figures=[(_limits_figure(bench, results), "FEM minus half-space along the creep curve in all cases, and the "
                   "pressure of case f across rolling")],
         cost=cost + below_cost,
         tests=["verification.fem_curved", "verification.CurvedHalfspace.PressesHarderTheMoreThePatchIsBent"],

@@ -29,8 +29,8 @@ SectionWithKeys contact_grid_section() {
       .positive()
       .otherwise("from the size of the patch")
       .says(
-          "Extent of the whole potential contact area, [along x, along y], where Hertz's ellipse "
-          "does not suffice (several patches).")
+          "Extent of the whole potential contact area, [along x, along y], if Hertz's ellipse does "
+          "not cover it (several patches).")
       .into(&GridOptions::extent);
   keys.pair("middle")
       .unit("mm")

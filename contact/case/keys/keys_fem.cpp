@@ -26,20 +26,21 @@ void add_elements(FemKeys& keys) {
       .unit("mm")
       .positive()
       .otherwise("chosen from the size of the patch")
-      .says("Extent of the segments of wheel and rail from the middle of the patch.")
+      .says("Distance to which the segments of wheel and rail extend from the middle of the patch.")
       .into(&FemOptions::extent);
   keys.real("fine_extent")
       .symbol("c")
       .between(1.0, 10.0)
       .otherwise("chosen by the model")
       .says(
-          "Extent of the finest cells from the middle, in semi-axes of the patch; more than 1.1 is "
-          "no improvement.")
+          "Extent of the finest cells from the middle, in semi-axes of the patch; more than 1.1 "
+          "gains nothing.")
       .into(&FemOptions::fine_extent);
   keys.choice("linear_solver")
       .says(
-          "`automatic` chooses the faster one for this size and number of load points; `algebraic` "
-          "(Trilinos ML) is for imported meshes too fine to serve as a coarse level.")
+          "`automatic` chooses the solver expected to be faster for this size and number of load "
+          "points; `algebraic` (Trilinos ML) is for imported meshes too fine to serve as a coarse "
+          "level.")
       .into(&FemOptions::linear_solver, {{"automatic", LinearSolver::automatic},
                                          {"factorisation", LinearSolver::factorisation},
                                          {"multigrid", LinearSolver::multigrid},
@@ -69,7 +70,7 @@ void add_meshes(FemKeys& keys) {
   keys.real("depth")
       .unit("mm")
       .positive()
-      .otherwise("the extent; for true sections 172, the foot")
+      .otherwise("the extent; for true sections 172 (rail foot)")
       .says(
           "Depth of the segments below the surface; for the true section of a rail the depth below "
           "its top at which it is cut and fixed.")

@@ -21,19 +21,20 @@ SectionWithKeys general_section() {
           [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); });
   keys.real("accuracy")
       .between(1e-5, 0.5)
-      .otherwise("no refinement")
+      .otherwise("unset: no refinement")
       .says(
-          "Largest relative estimated error of the quantities of `accuracy_of`. The models "
-          "halfspace and fem halve their cells, starting from those of the case, until it is "
-          "reached; if memory or the finest grid ends that first, the results are written and the "
-          "run ends with status 1. The model auto chooses model and grid for it and adds the model "
-          "error; its default is 0.01, and missing that is only a warning.")
+          "Requested accuracy: largest relative estimated error of the quantities in "
+          "`accuracy_of`. The models halfspace and fem start from the cells of the case and halve "
+          "them until it is reached; if memory or the finest grid sets a limit first, the results "
+          "are written and the run ends with status 1. The model auto chooses model and grid to "
+          "reach it, model error included; its default is 0.01, and missing the default is only a "
+          "warning.")
       .into(&Case::accuracy);
   keys.choices("accuracy_of")
       .among(accuracy_words())
       .says(
-          "Quantities that `accuracy` applies to: the largest error over all load points, as a "
-          "fraction of the value, for traction_coefficient of mu, for max_traction_x of mu p_0.")
+          "Quantities that `accuracy` applies to. Their error is the largest over all load points, "
+          "relative to the value, for traction_coefficient to mu, for max_traction_x to mu p_0.")
       .into(&Case::accuracy_of);
   return keys;
 }

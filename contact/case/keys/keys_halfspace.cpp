@@ -12,14 +12,14 @@ SectionWithKeys halfspace_section() {
           "local normals and slip from the local rolling radius (steady or frictionless rolling of "
           "like materials). `auto` uses the plane unless the normals of a contact of true profiles "
           "spread by more than 0.03 rad; then the surface follows them, fully from 0.06 rad on "
-          "(docs/track.md). Stresses below the surface need the plane.")
+          "(docs/track.md). Subsurface stresses need the plane.")
       .into(&HalfspaceOptions::surface, {{"auto", SurfaceForm::automatic},
                                          {"planar", SurfaceForm::planar},
                                          {"curved", SurfaceForm::curved}});
   keys.toggle("model_error")
       .says(
-          "Estimate what the half-space neglects, per quantity and load point, from the true "
-          "curvature of wheel and rail (about 0.1 s per load point). Needs radii or profiles.")
+          "Estimate the model error of the half-space, per quantity and load point, from the true "
+          "curvature of wheel and rail (some 0.1 s per load point). Needs radii or profiles.")
       .into(&HalfspaceOptions::model_error);
   return keys;
 }

@@ -5,8 +5,7 @@ namespace rollfem::contact {
 
 SectionWithKeys load_section() {
   const char* one_of = "give exactly one of normal_force and approach";
-  Keys<Load> keys("load", "Load that presses the bodies together: a force or an approach",
-                  &Case::load);
+  Keys<Load> keys("load", "Force or approach that presses the bodies together", &Case::load);
   keys.section().alternatives = true;
   keys.real("normal_force")
       .symbol("F_z")
@@ -22,8 +21,8 @@ SectionWithKeys load_section() {
       .between(1e-9, 1e6)
       .otherwise(one_of)
       .says(
-          "Approach of distant points of the two bodies, instead of the force; less than a tenth "
-          "of the smallest radius.")
+          "Approach (penetration) of distant points of the two bodies, instead of the force; less "
+          "than a tenth of the smallest radius.")
       .into(&Load::approach);
   keys.real("vertical_force")
       .symbol("Q")

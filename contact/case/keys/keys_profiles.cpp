@@ -14,7 +14,7 @@ void add_formulas(ProfileKeys& keys) {
       .unit("mm")
       .sized(smallest_radius, largest)
       .or_inf()
-      .otherwise("none, needed for `arcs`")
+      .otherwise("required by `arcs`")
       .says(
           "Profile `arcs`: radii of arcs tangent to each other, positive convex, negative concave, "
           "inf straight.")
@@ -22,7 +22,7 @@ void add_formulas(ProfileKeys& keys) {
   keys.reals("ends")
       .unit("mm")
       .within(1e3)
-      .otherwise("none, needed for `arcs`")
+      .otherwise("required by `arcs`")
       .says(
           "y at which the arcs end: with symmetric = true one for each radius, from the middle "
           "outwards; otherwise one more than radii, from small to large y. The arcs pass through "
@@ -37,18 +37,18 @@ void add_formulas(ProfileKeys& keys) {
       .into(&Profile::slope);
   keys.reals("coefficients")
       .within(largest_force)
-      .otherwise("none, needed for `polynomial`")
+      .otherwise("required by `polynomial`")
       .says(
           "Profile `polynomial`: z in mm over y in mm, lowest order first; several pieces one "
-          "after the other, each with the same number.")
+          "after the other, each with the same number of coefficients.")
       .into(&Profile::coefficients);
   keys.reals("limits")
       .unit("mm")
       .within(1e3)
-      .otherwise("none, needed for `polynomial`")
+      .otherwise("required by `polynomial`")
       .says(
-          "y at which the pieces begin and end, one more than pieces, increasing; pieces must meet "
-          "in value and slope.")
+          "y at which the pieces begin and end, in increasing order, one more than pieces; pieces "
+          "must meet in value and slope.")
       .into(&Profile::limits);
 }
 
@@ -70,14 +70,14 @@ void add_places(ProfileKeys& keys) {
 
 void add_mending(ProfileKeys& keys) {
   keys.choice("unit")
-      .says("Unit of the lengths in the file; SIMPACK files specify theirs.")
+      .says("Unit of the lengths in the file; SIMPACK files state their own.")
       .into(&Profile::unit,
             {{"mm", LengthUnit::mm}, {"m", LengthUnit::m}, {"inch", LengthUnit::inch}});
   keys.toggle("flip").says("The file's z points upward: z becomes -z.").into(&Profile::flip);
   keys.toggle("reverse").says("Reverse the order of the points.").into(&Profile::reverse);
   keys.toggle("sort").says("Sort the points by y.").into(&Profile::sort);
   keys.toggle("drop_duplicates")
-      .says("Drop points within 1e-6 mm of the one before.")
+      .says("Drop points within 1e-6 mm of the previous point.")
       .into(&Profile::drop_duplicates);
   keys.toggle("drop_zigzag")
       .says("Drop points at which the curve turns back.")
@@ -90,36 +90,36 @@ void add_mending(ProfileKeys& keys) {
   keys.real("longest_gap")
       .unit("mm")
       .positive()
-      .says("Larger gaps between points are an error; the curve bridges smaller ones.")
+      .says("Largest gap between points that the curve bridges; a larger gap is an error.")
       .into(&Profile::longest_gap);
   keys.real("largest_kink")
       .unit("degrees")
       .between(0.1, 180.0)
       .says(
-          "A larger angle between two chords is an error, and so is a step that stands out from "
-          "the other points.")
+          "Largest angle between two chords; a larger one is an error, and so is a step that "
+          "stands out from the other points.")
       .into(&Profile::largest_kink);
   keys.real("rounding")
       .unit("mm")
       .between(0.0, 100.0)
       .says(
-          "Drop the points within this distance on both sides of a kink or step and bridge it "
+          "Drop points within this distance on both sides of a kink or step and bridge the gap "
           "smoothly; 0: kinks are errors.")
       .into(&Profile::rounding);
   keys.real("smoothing")
       .unit("mm")
       .between(0.0, 1.0)
       .says(
-          "Scatter of the measured points across the profile (standard deviation) to be smoothed "
-          "away; 0: the curve passes through the points.")
+          "Scatter of the measured points across the profile (standard deviation), which is "
+          "smoothed away; 0: the curve passes through the points.")
       .into(&Profile::smoothing);
 }
 
 template <class Body>
 SectionWithKeys profile_section(const std::string& name, Body Case::*body) {
   ProfileKeys keys(name + "_profile",
-                   "Details of the profile that the section of the body names; files are repaired "
-                   "only as requested here",
+                   "Details of the profile named in [wheel] or [rail]; rollfem repairs files only "
+                   "as these keys say",
                    {[body](const Case& c) { return &(c.*body).profile; },
                     [body](Case& c) -> Profile& { return (c.*body).profile; }});
   keys.section().of_profiles = true;

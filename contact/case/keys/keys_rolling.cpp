@@ -39,9 +39,9 @@ void add_motion(RollingKeys& keys) {
 void add_difference(RollingKeys& keys) {
   keys.choice("upwind_order")
       .says(
-          "Order of the difference along the streamline; `first` gives CONTACT's numbers on the "
-          "same elements (it takes the spin a sixth of a step upstream) and needs elements about "
-          "ten times finer.")
+          "Order of the difference along the streamline; `first` reproduces CONTACT's numbers on "
+          "the same elements (it evaluates the spin a sixth of a step upstream) and needs elements "
+          "some ten times finer.")
       .into(&Rolling::upwind_order,
             {{"first", UpwindOrder::first}, {"second", UpwindOrder::second}});
   keys.choice("leading_edge")
@@ -57,12 +57,12 @@ void add_extra_slip(RollingKeys& keys) {
   keys.choice("extra_slip")
       .says(
           "Rigid slip from the shape of the surface: `auto` follows from the wheel's true rolling "
-          "radii and, on a curved surface, from its local tangents; `none` uses only creepages and "
-          "spin; `file` adds extra_slip_file to these.")
+          "radii and, on a curved surface, from its local tangents; `none` uses creepages and spin "
+          "alone; `file` adds the slip in extra_slip_file.")
       .into(&Rolling::extra_slip,
             {{"auto", ExtraSlip::automatic}, {"none", ExtraSlip::none}, {"file", ExtraSlip::file}});
   keys.text("extra_slip_file")
-      .otherwise("none, unless extra_slip is `file`")
+      .otherwise("required if extra_slip is `file`")
       .says(
           "Lines `x, y, s_x, s_y` (mm and slip over the rolling speed) on a regular lattice; the "
           "path is relative to the case file.")
@@ -74,7 +74,7 @@ void add_problem(RollingKeys& keys) {
       .says(
           "`steady`: steady rolling, each load point separately; `shift`: pressing and shifting "
           "without rolling (Cattaneo), load points are steps; `transient`: rolling in steps, each "
-          "from the previous state; `frictionless`: only the normal problem.")
+          "from the previous state; `frictionless`: the normal problem alone.")
       .into(&Rolling::problem, {{"steady", Problem::steady},
                                 {"shift", Problem::shift},
                                 {"transient", Problem::transient},
@@ -83,7 +83,7 @@ void add_problem(RollingKeys& keys) {
       .symbol("F_x")
       .unit("N")
       .within(largest_force)
-      .otherwise("creepage or shift is given instead")
+      .otherwise("creepage or shift applies")
       .says(
           "Force on the wheel along x, instead of longitudinal_creepage (or longitudinal_shift); "
           "negative when braking. Its magnitude must be below mu F_z.")
@@ -92,7 +92,7 @@ void add_problem(RollingKeys& keys) {
       .symbol("F_y")
       .unit("N")
       .within(largest_force)
-      .otherwise("creepage or shift is given instead")
+      .otherwise("creepage or shift applies")
       .says("The same along y, instead of lateral_creepage (or lateral_shift).")
       .into_each(&Rolling::forces, &PrescribedForce::lateral);
 }

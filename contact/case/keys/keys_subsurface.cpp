@@ -42,8 +42,8 @@ void add_body(RequestKeys& keys, const std::string& sentence) {
 
 void add_body_around_points(RequestKeys& keys) {
   add_body(keys,
-           "The body in which the points lie: z >= 0 in the wheel, z <= 0 in the rail; beyond that "
-           "in a concave body down to its surface (models hybrid and fem).");
+           "The body in which the points lie: z >= 0 in the wheel, z <= 0 in the rail; with the "
+           "models hybrid and fem a concave body extends beyond z = 0 to its surface.");
 }
 
 void add_corner(RequestKeys& keys, const std::string& name, const std::string& sentence,
@@ -98,8 +98,7 @@ SectionWithKeys subsurface_plane_section() {
   add_body_around_points(keys);
   add_corner(keys, "from", "One corner of the plane, a parallelogram, [x, y, z].", &Request::from);
   add_corner(keys, "to", "Corner at the end of the first side.", &Request::to);
-  add_corner(keys, "across", "Corner at the end of the second side, beside `from`.",
-             &Request::across);
+  add_corner(keys, "across", "Corner at the end of the second side from `from`.", &Request::across);
   keys.pair("points")
       .between(2, 10000)
       .required("[41, 21]")

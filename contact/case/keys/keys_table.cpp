@@ -11,7 +11,7 @@ void add_list(Keys<TableOptions>& keys, const std::string& name, const std::stri
   keys.reals(name)
       .symbol(symbol)
       .between(0.0, 1000.0)
-      .otherwise("by points and largest")
+      .otherwise("from points and largest")
       .says(sentence)
       .into(list);
 }
@@ -19,49 +19,51 @@ void add_list(Keys<TableOptions>& keys, const std::string& name, const std::stri
 }  // namespace
 
 SectionWithKeys table_section() {
-  Keys<TableOptions> keys("table", "Grid of `rollfem table`; nothing else reads it", &Case::table);
+  Keys<TableOptions> keys("table", "Grid of `rollfem table`; other commands ignore it",
+                          &Case::table);
   keys.reals("axis_ratio")
       .symbol("a/b")
       .between(0.02, 50.0)
-      .otherwise("Hertz's ellipse of the case")
+      .otherwise("from the case's Hertzian ellipse")
       .says("Axis ratios a/b of the ellipse, a along rolling, in increasing order.")
       .into(&TableOptions::axis_ratio);
   keys.reals("lateral_shift")
       .unit("mm")
       .within(1e3)
-      .otherwise("none, the table is over axis_ratio")
+      .otherwise("none: the table is over axis_ratio")
       .says(
-          "Lateral shifts of the wheelset, positive to the right, in increasing order: the table "
-          "is for the wheel on its rail, with profiles, under the load and friction of the case.")
+          "Lateral shifts of the wheelset, positive to the right, in increasing order, for a table "
+          "of a wheel with profiles on its rail, under the load and friction of the case.")
       .into(&TableOptions::lateral_shift);
   keys.real("lateral_shift_step")
       .unit("mm")
       .between(1e-3, 1e3)
-      .otherwise("lateral_shift holds every shift")
-      .says("lateral_shift holds only the first and the last shift, with even steps between them.")
+      .otherwise("lateral_shift lists every shift")
+      .says("Step between the first and the last shift; lateral_shift then holds only these two.")
       .into(&TableOptions::lateral_shift_step);
   keys.triple("points")
       .between(2, 200)
       .otherwise("16, 16, 31; over lateral shifts 8, 8, 15")
       .says(
-          "Grid points along xi', eta' (from 0; over lateral shifts the negative ones follow) and "
-          "phi' (of both signs; with an odd number 0 is among them): whole numbers.")
+          "Number of grid points along xi', eta' (from 0; over lateral shifts mirrored to negative "
+          "values) and phi' (both signs; an odd number includes 0).")
       .into(&TableOptions::points);
   keys.triple("largest")
       .between(0.01, 1000.0)
       .says("Largest xi', eta' and phi' of the grid; beyond it full sliding is assumed.")
       .into(&TableOptions::largest);
-  add_list(keys, "longitudinal_values", "xi'",
-           "Scaled longitudinal creepages xi' = xi G a b C11 / (3 mu F_n) from 0 on, instead of "
-           "the first of points and largest; over lateral shifts the negative ones follow.",
-           &TableOptions::longitudinal);
+  add_list(
+      keys, "longitudinal_values", "xi'",
+      "Scaled longitudinal creepages xi' = xi G a b C11 / (3 mu F_n) from 0 on, instead of the "
+      "first entries of points and largest; over lateral shifts mirrored to negative values.",
+      &TableOptions::longitudinal);
   add_list(keys, "lateral_values", "eta'",
            "Scaled lateral creepages eta' = eta G a b C22 / (3 mu F_n) from 0 on, instead of the "
-           "second.",
+           "second entries.",
            &TableOptions::lateral);
   add_list(keys, "spin_values", "phi'",
-           "Scaled spins phi' = phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n) that are not "
-           "negative, instead of the third; the negative ones follow.",
+           "Scaled spins phi' = phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n) from 0 on, "
+           "instead of the third entries; mirrored to negative values.",
            &TableOptions::spin);
   keys.integer("check_points")
       .between(0, 1e6)

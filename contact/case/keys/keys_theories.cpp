@@ -30,7 +30,7 @@ SectionWithKeys fastsim_section() {
   keys.choice("bound")
       .says(
           "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; "
-          "`elliptic` mu p0 sqrt(1 - r^2), as Hertz's pressure.")
+          "`elliptic` mu p0 sqrt(1 - r^2), from Hertz's pressure.")
       .into(&FastsimOptions::bound,
             {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}});
   keys.choice("flexibilities")
@@ -41,8 +41,8 @@ SectionWithKeys fastsim_section() {
             {{"three", Flexibilities::three}, {"one", Flexibilities::one}});
   keys.choice("elements")
       .says(
-          "`chord` divides every strip equally; `grid` uses elements of a common grid and takes "
-          "the spin a sixth of a step upstream, as CONTACT does (first order).")
+          "`chord` divides every strip equally; `grid` uses elements of a common grid and "
+          "evaluates the spin a sixth of a step upstream, as CONTACT does (first order).")
       .into(&FastsimOptions::elements,
             {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}});
   add_strips(keys, 8);
@@ -58,7 +58,7 @@ SectionWithKeys strip_section() {
   add_strip_elements(keys);
   keys.real("virtual_penetration")
       .between(0.3, 1.0)
-      .otherwise("from Hertz's ellipse of the same depth and volume")
+      .otherwise("from the Hertzian ellipse of equal depth and volume")
       .says(
           "Fraction of the approach by which the undeformed profiles penetrate to define the "
           "patch; 0.55 after Kik and Piotrowski.")

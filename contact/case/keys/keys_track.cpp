@@ -46,8 +46,8 @@ SectionWithKeys track_section() {
       .example(R"("1:40")")
       .otherwise("required with profiles")
       .says(
-          "Inclination of the rails towards the middle of the track; `none` also where the rail's "
-          "profile was measured in place.")
+          "Inclination of the rails towards the middle of the track; `none` also if the rail's "
+          "profile was measured in the track.")
       .by([](const Track& track) { return lean_of(track.inclination); },
           [](Track& track, const KeyValue& value) { track.inclination = tangent_of(value); });
   return keys;

@@ -5,7 +5,7 @@ namespace rollfem::contact {
 
 SectionWithKeys undeformed_distance_section() {
   Keys<DistanceOptions> keys("undeformed_distance",
-                             "Undeformed distance, instead of the distance from the radii",
+                             "Undeformed distance, instead of the one from the radii",
                              &Case::undeformed_distance);
   keys.section().alternatives = true;
   keys.pair("quadratic")

@@ -53,7 +53,7 @@ void add_material(Keys<Body>& keys) {
 template <class Body>
 void add_shape_from_files(Keys<Body>& keys, const std::string& names, const std::string& files) {
   keys.text("profile")
-      .otherwise("the body has a transverse_radius")
+      .otherwise("transverse_radius applies")
       .says("The profile, instead of transverse_radius: " + names +
             ", `arcs`, `polynomial`, or a file relative to the case file: two columns y, z (text "
             "or CSV), " +

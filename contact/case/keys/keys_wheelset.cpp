@@ -31,7 +31,7 @@ void add_positions(WheelsetKeys& keys) {
       .otherwise("both wheels touch their rails")
       .says(
           "Roll of the wheelset about x, positive when the right wheel is lower. If given, each "
-          "wheel touches its rail separately.")
+          "wheel is lowered onto its rail separately.")
       .into(&Wheelset::roll);
 }
 
@@ -43,7 +43,7 @@ void add_motion(WheelsetKeys& keys) {
   keys.real("yaw_velocity")
       .unit("rad/mm")
       .within(1.0)
-      .says("Change of yaw per distance rolled.")
+      .says("Change of yaw per rolled distance.")
       .into(&Wheelset::yaw_velocity);
   keys.reals("rotation_change")
       .within(1.0)
@@ -54,8 +54,8 @@ void add_motion(WheelsetKeys& keys) {
       .into_each(&Wheelset::rotation_change);
   keys.choice("free_rolling")
       .says(
-          "What determines the rotation instead of rotation_change: `force`: no F_x on each wheel "
-          "separately; `torque`: no torque of both wheels about the axle; `none`: nothing.")
+          "Condition for the rotation, instead of rotation_change: `force`: F_x = 0 on each wheel "
+          "separately; `torque`: zero torque of both wheels about the axle; `none`: no condition.")
       .into(&Wheelset::free_rolling, {{"none", FreeRolling::none},
                                       {"force", FreeRolling::force},
                                       {"torque", FreeRolling::torque}});
@@ -64,11 +64,11 @@ void add_motion(WheelsetKeys& keys) {
 }  // namespace
 
 SectionWithKeys wheelset_section() {
-  WheelsetKeys keys("wheelset", "Position and motion of the wheelset with profiles on the track",
+  WheelsetKeys keys("wheelset", "Position and motion of the wheelset on the track, with profiles",
                     &Case::wheelset);
   keys.section().of_profiles = true;
   keys.choice("side")
-      .says("The wheels to solve; both are always placed.")
+      .says("The wheels to solve; both are always placed on the track.")
       .into(&Wheelset::side,
             {{"left", WheelSide::left}, {"right", WheelSide::right}, {"both", WheelSide::both}});
   keys.real("flange_back_distance")
@@ -79,7 +79,7 @@ SectionWithKeys wheelset_section() {
   keys.real("flange_back_position")
       .unit("mm")
       .within(1e3)
-      .says("y of the back of the flange in the wheel's profile.")
+      .says("y of the back of the flange in the coordinates of the wheel's profile.")
       .into(&Wheelset::flange_back_position);
   add_positions(keys);
   add_motion(keys);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The limits that `rollfem bench` measures errors by, solved for anew.
+// The reference limits of `rollfem bench`, recomputed.
 #include "app/run/bench_cases.hpp"
 
 #include "contact/case/case_reader.hpp"

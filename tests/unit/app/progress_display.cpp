@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The line of progress: how long it has taken, and what is left where load points tell it.
+// The progress line: elapsed time, and remaining time if load points allow an estimate.
 #include "app/frame/progress_display.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How often rollfem_solve takes memory after its first call. The heap of this program counts.
+// Number of allocations by rollfem_solve after its first call, counted by this program's heap.
 #include <gtest/gtest.h>
 
 #include "rollfem/rollfem.h"

@@ -81,7 +81,7 @@ TEST(CInterface, CrownedRailUnderACylindricalWheelIsHertz) {
   EXPECT_NEAR(result.moment[1] / (300.0 * result.force[0]), 1.0, 2e-3);
 }
 
-/// What state_at solves, for the model halfspace on 32 elements across.
+/// The problem of state_at for the model halfspace with 32 elements across.
 rollfem::contact::Case fine_case(double shift, double yaw) {
   rollfem::contact::Case input = rollfem::contact::parse_case(R"(
     [load]

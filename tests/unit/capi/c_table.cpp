@@ -132,7 +132,7 @@ TEST(CTable, RefusesTheOtherKindAndAShiftOutside) {
   rollfem_wheel_forces forces;
   EXPECT_EQ(rollfem_table_wheel_forces(ratios.get(), &wheel, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
-  EXPECT_TRUE(says(message, "over ratios of axes"));
+  EXPECT_TRUE(says(message, "over axis ratios"));
   wheel.lateral_shift = 4.0;
   EXPECT_EQ(rollfem_table_wheel_forces(shifts.get(), &wheel, &forces, message, sizeof message),
             ROLLFEM_REFUSED);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reading CONTACT's input files: the layout of lines, what a case keeps of those before it, and
-// messages.
+// Reading CONTACT's input files: the layout of lines, data kept from previous cases, and messages.
 #include "contact/base/errors.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What becomes of CONTACT's cases: load points, signs, grids, bodies, and what is refused.
+// Converted cases of CONTACT: load points, signs, grids, bodies and refusals.
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
@@ -24,7 +24,7 @@ Conversion converted(const std::string& text) {
                                 "../profiles");
 }
 
-/// The only file of it, as it is read.
+/// The only case file of the conversion, as read.
 Case only(const std::string& text) {
   const Conversion made = converted(text);
   EXPECT_EQ(made.files.size(), 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The models of the program: what each refuses, in one message that names those that can.
+// The models of the program: refusals of each in one message that names the able models.
 #include "models/registry.hpp"
 
 #include "contact/base/errors.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Profiles of arcs and polynomials, and what a case makes of a profile.
+// Profiles of arcs and polynomials, and profiles from a case.
 #include "contact/base/errors.hpp"
 #include "profiles/profiles.hpp"
 

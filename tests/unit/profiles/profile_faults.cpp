@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every fault of a profile's file is refused with one message that names the line and the key that
-// mends it, and mended when told.
+// Every fault of a profile file is refused with one message that names the line and the repairing
+// key, and the key repairs it.
 #include "contact/base/errors.hpp"
 #include "profiles/profiles.hpp"
 

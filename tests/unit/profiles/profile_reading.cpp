@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Profiles as instruments and programs write them: comments, headings, what is refused, and wheels
-// that are measured from the back of the flange.
+// Profiles as instruments and programs write them: comments, headings, refusals, and wheels
+// measured from the back of the flange.
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
@@ -75,7 +75,7 @@ TEST(ProfileReading, TextThatMakesNoSenseIsRefusedWithItsLine) {
   expect_said("rail\n-36,0 37,5\n-35,9x 37\n", "a.txt", "a.txt:2: has 4 numbers");
   expect_said("1o.5 3\n" + rows, "a.txt", "a.txt:1: expected a number, got `1o.5`");
   expect_said("To whom it may concern:\nno list follows\n", "a.txt", "a.txt:2: is not a profile");
-  // Nothing of what is not meant for us is repeated.
+  // Messages never quote the contents of files that hold no profile.
   expect_said("root:x:0:0:root:/root:/bin/sh\nuser:secret:1000\n", "passwd",
               "passwd:2: is not a profile");
   EXPECT_FALSE(says(refusal("root:x:0:0\nuser:secret:1000\n", false, {}, "a.prr"), "secret"));

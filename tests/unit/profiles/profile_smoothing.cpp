@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The smoothing spline: through points, near points with noise, and what is left of the curvature.
+// The smoothing spline: through points, near points with noise, and the remaining noise of the
+// curvature.
 #include "profiles/formula_profiles.hpp"
 #include "profiles/smoothing_spline.hpp"
 

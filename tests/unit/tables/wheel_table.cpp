@@ -239,7 +239,7 @@ TEST(WheelTable, WrongInputIsSaid) {
                    c.table.lateral_shift = {1.0, 0.5};
                  }),
                  "table.lateral_shift: 0.5 follows 1");
-  expect_refused(changed([](auto& c) { c.table.axis_ratio = {1.0}; }), "over ratios of axes or");
+  expect_refused(changed([](auto& c) { c.table.axis_ratio = {1.0}; }), "over axis ratios or");
   expect_refused(changed([](auto& c) { c.table.lateral_shift_step = 0.1; }), "has 3 values");
   expect_refused(changed([](auto& c) {
                    c.table.lateral_shift = {0.0, 1.0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Models by name, and what the case's sections do to them: options of the theories, a given
+// Models by name, and the effect of the case's sections on them: options of the theories, a given
 // pressure, a quadratic distance, points below the surface.
 #include "theories/registry.hpp"
 

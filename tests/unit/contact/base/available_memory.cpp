@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the machine still has for this process, memory and cores: /proc/meminfo, cgroups of both
-// versions, the environment.
+// Memory and cores available to this process: /proc/meminfo, cgroups of both versions, the
+// environment.
 #include "contact/base/available_memory.hpp"
 
 #include "contact/base/errors.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Roots between two arguments: known ones, in either order, at a jump, and what has none.
+// Roots between two arguments: known ones, in either order, at a jump, and functions without a
+// root.
 #include "contact/base/root.hpp"
 
 #include "contact/base/errors.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every way in which a case file can be wrong gives one message with file, line, key, value, what
-// is allowed and what to do; none crashes.
+// Every error in a case file gives one message with file, line, key, value, allowed values and
+// advice; none crashes.
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Case files of shifts, transients, prescribed forces, given pressures and points below the
-// surface: what they become, and what each contradiction says.
+// surface: the resulting cases, and the message of each contradiction.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/lattice.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Case files with profiles: track, wheelset and vertical force, and what each contradiction says.
+// Case files with profiles: track, wheelset and vertical force, and the message of each
+// contradiction.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a valid case file becomes: values, defaults, broadcasting, and the texts derived from the
+// The case from a valid file: values, defaults, broadcasting, and the texts derived from the
 // declarations.
 #include "contact/case/case_reader.hpp"
 #include "contact/case/keys/case_keys.hpp"
@@ -159,7 +159,7 @@ TEST(CaseValues, TemplateIsAValidCaseWithTheDefaultsInIt) {
   EXPECT_EQ(input.models, models.by_default);
   EXPECT_EQ(input.contact_grid.elements_across, defaults.contact_grid.elements_across);
   EXPECT_EQ(input.rolling.creepages.size(), 7u);
-  // A caller without models of its own takes any name, and none where none is given.
+  // A caller without models accepts any name, and an empty list.
   EXPECT_TRUE(parse_case(contact::case_template(), "template.toml").models.empty());
   EXPECT_EQ(parse_case("models = [\"novel\"]\n" + small_case, "n.toml").models.front(), "novel");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Files of values on a lattice: what is read, how it is interpolated, and every way to be wrong.
+// Files of values on a lattice: reading, interpolation, and every possible error.
 #include "contact/case/lattice.hpp"
 
 #include "contact/base/errors.hpp"
@@ -105,7 +105,7 @@ TEST_F(LatticeFile, EveryDefectIsNamedWithItsLine) {
   EXPECT_TRUE(says(error_of(points(3, 4, cubic)), "3 different values of x"));
   EXPECT_TRUE(says(error_of(""), "has no points"));
   EXPECT_TRUE(says(error_of("x,y,h\nonly,words,here\n"), "has no points"));
-  // Nothing of what is not meant for us is repeated.
+  // Messages never quote the contents of files that hold no lattice.
   EXPECT_FALSE(says(error_of("root:x:0:0\nuser:secret:1000\n"), "secret"));
   EXPECT_THROW(read_lattice("/nowhere/points.csv", "points.csv", 1), InputError);
   for (const std::string& text : {good + "1, 2\n", good + "0.1, 0, 1\n", std::string()})

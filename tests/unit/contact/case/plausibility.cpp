@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Slips of units are told, and nothing that is meant.
+// Unit mistakes are reported; intended values are not.
 #include "contact/case/checks/plausibility.hpp"
 
 #include "contact/case/case_reader.hpp"

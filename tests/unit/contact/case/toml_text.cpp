@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is TOML 1.0 is read, with letters beyond ASCII where it allows them; what is not is refused
-// where it departs, in one message, and never ends the program.
+// Valid TOML 1.0 is read, with non-ASCII letters where allowed; invalid text is refused at the
+// place of the error in one message and never ends the program.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
@@ -19,7 +19,7 @@ using rollfem::testing::small_case;
 
 class Valid : public ::testing::TestWithParam<std::string> {};
 
-/// None is a case file: what is refused is a key, or that one is missing.
+/// None of them is a case file: refused for an unknown or a missing key.
 TEST_P(Valid, IsRead) {
   EXPECT_FALSE(says(error_of(GetParam()), "not valid TOML"));
 }
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"# cut off: \xE2\x82", "1:12: the file is not UTF-8"},
         Fault{"a = " + std::string(70, '[') + std::string(70, ']'), "1:70: nested more than 64"},
         Fault{"a" + std::string(200, '.'), "1:3: expected a key"},
-        // What people mistype.
+        // Common typing errors.
         Fault{"model = hertz",
               "1:9: expected a number, true or false, a list in brackets, or a "
               "string in straight quotes"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The table of scalars: every row reaches a member of its own, and what it says of errors.
+// The table of scalars: every row refers to a different member, and its information on errors.
 #include "contact/result/quantities.hpp"
 
 #include "contact/base/accuracy.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The error estimated from a sequence of levels, against sequences whose limit is known, and what
-// of a case's load points decides about its accuracy.
+// The error estimated from a sequence of levels, against sequences whose limit is known, and the
+// load point that decides the accuracy of a case.
 #include "contact/result/refinement.hpp"
 
 #include <gtest/gtest.h>

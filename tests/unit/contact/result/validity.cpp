@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The gate that every result passes: what it refuses, what it says, and what it warns of.
+// The checks of every result: refusals, messages and warnings.
 #include "contact/result/validity.hpp"
 
 #include "contact/base/errors.hpp"
@@ -50,7 +50,7 @@ ModelResult result() {
   return made;
 }
 
-/// What the gate says of the second load point after `spoil`; empty when it lets it pass.
+/// Message of the checks on the second load point after `spoil`; empty if it passes.
 std::string refusal(const std::function<void(PointResult&, ModelResult&)>& spoil,
                     const ResultKind& kind = {}) {
   ModelResult spoiled = result();

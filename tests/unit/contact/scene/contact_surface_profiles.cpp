@@ -95,7 +95,7 @@ TEST(SurfaceOfProfiles, FollowsTheBodiesAsFarAsItIsTold) {
   surface.follows = 0.25;
   EXPECT_DOUBLE_EQ(surface.climb(7.0), 0.25 * climb);
   EXPECT_DOUBLE_EQ(surface.height(7.0), 0.25 * height);
-  // Nothing of them: the plane, with the distance along z and the slip that it has there.
+  // The plane, with the distance along z and its slip.
   surface.follows = 0.0;
   Geometry geometry;
   geometry.surface = surface;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Coulomb's law, and that another one is a class and nothing else: friction that falls with slip,
-// defined here, in the tangential problem.
+// Coulomb's law, and another law that needs only a class: friction falling with slip, defined here,
+// in the tangential problem.
 #include "contact/scene/friction_law.hpp"
 
 #include "contact/iteration/tangential.hpp"

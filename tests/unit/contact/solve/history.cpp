@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a step inherits: upstream interpolation, and slip of steps against a displacement known as a
-// function.
+// State inherited by a step: upstream interpolation, and slip of steps against a displacement given
+// as a function.
 #include "contact/base/errors.hpp"
 #include "contact/solve/point_motion.hpp"
 

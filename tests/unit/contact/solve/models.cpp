@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The registry of models: order, names that are refused, and what it says of models that cannot.
+// The registry of models: order, refused names, and messages about models that cannot take a case.
 #include "contact/base/errors.hpp"
 #include "contact/solve/model.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The bar of a number of finite elements from what half-spaces on the same contact grids say,
-// against numbers worked out by hand.
+// The error bar of finite elements from half-spaces on the same contact grids, against values
+// computed by hand.
 #include "fem/elasticity/error_bars.hpp"
 
 #include <gtest/gtest.h>

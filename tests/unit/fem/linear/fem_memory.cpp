@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a run that does not fit is told, and the count of unknowns before there is a mesh.
+// The message for a run that does not fit in memory, and the count of unknowns before meshing.
 #include "contact/base/errors.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/memory.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far segments reach where a case does not say.
+// Default extent of segments.
 #include "contact/case/case_reader.hpp"
 #include "fem/mesh/run_layout.hpp"
 

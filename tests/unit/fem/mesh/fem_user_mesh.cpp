@@ -219,7 +219,7 @@ TEST(GivenMesh, TooCoarseForTheCellSizeIsRefused) {
 
 namespace {
 
-/// What user_mesh() says of a mesh for a rail of radius 20.
+/// Message of user_mesh() for a mesh of a rail of radius 20.
 std::string refused(const meshes::HexMesh& mesh) {
   const TemporaryFolder folder;
   const std::string path = folder.file("rail.msh", meshes::msh_text(mesh));
@@ -249,7 +249,7 @@ TEST(UserMesh, IsPutOnTheSurfaceOrRefused) {
   expect_user_message(refused(moved(1.0, {0, 0, -1})), "away from the surface");
   expect_user_message(refused(turned_mesh(rail_shape(25))), "away from the surface");
   expect_user_message(refused(moved(1.0, {25, 0, 0})), "the contact needs");
-  // Nodes that are a little off are moved.
+  // Nodes with small errors are moved.
   const TemporaryFolder folder;
   const std::string path = folder.file("rail.msh", meshes::msh_text(moved(1.0, {0, 0, -0.01})));
   const auto mesh =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a lattice of finite elements lacks of the half-space, and the displacement at the middles of
-// contact elements that comes of it.
+// Missing compliance of a lattice of finite elements relative to the half-space, and the resulting
+// displacement at the middles of contact elements.
 #include "contact/base/pi.hpp"
 #include "fem/trace/lattice.hpp"
 #include "fem/trace/middle_displacement.hpp"
@@ -14,7 +14,7 @@ using namespace rollfem::testing;
 
 namespace {
 
-/// Sum over all elements: what the lattice lacks under uniform tractions.
+/// Sum over all elements: missing compliance under uniform tractions.
 fem::ElementResponse total(const std::vector<fem::ElementResponse>& deficit) {
   fem::ElementResponse sum;
   const int side = fem::lattice_reach + 1;
@@ -92,7 +92,7 @@ TEST(Lattice, IsWhatAMeshDoesUnderOneLoadedElement) {
                                      : std::max((fe.x - exact.x).cwiseAbs().maxCoeff(),
                                                 (fe.y - exact.y).cwiseAbs().maxCoeff());
       std::printf("axis %d worst %.5f\n", axis, worst / scale);
-      // Means as they come from the elements would be 0.21 off.
+      // The element means alone would have an error of 0.21.
       EXPECT_LT(worst, 0.01 * scale) << axis;
     }
   }

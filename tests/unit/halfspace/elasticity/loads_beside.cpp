@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What loads beside a contact displace under it. References: the point loads of Boussinesq and
+// Displacement under a contact by loads beside it. References: the point loads of Boussinesq and
 // Cerruti on two like bodies, and differences of them.
 #include "halfspace/closed_forms/point_loads.hpp"
 #include "halfspace/elasticity/influence.hpp"

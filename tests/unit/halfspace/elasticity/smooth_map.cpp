@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Polynomials of a smooth map: what goes in comes out, on any grid.
+// Polynomials of a smooth map are reproduced on any grid.
 #include "halfspace/elasticity/smooth_map.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Grids that cannot hold or resolve the patch are refused by arithmetic, with the key, before a
-// solver is lost in them.
+// Grids that cannot hold or resolve the patch are refused by arithmetic, with the key, before any
+// iteration fails to converge on them.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"

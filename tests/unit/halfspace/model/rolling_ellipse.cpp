@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// An ellipse that rolls at many creepages: every one is what it is alone, and full sliding and
-// small creepage are what theory says.
+// An ellipse rolling at many creepages: each result equals a single solution, and full sliding and
+// small creepage match theory.
 #include "halfspace/model/rolling_ellipse.hpp"
 
 #include "contact/base/errors.hpp"

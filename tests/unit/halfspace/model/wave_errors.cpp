@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What waves cost that are too short for the elements: found where profiles have them, and as large
-// as the model itself finds on elements a quarter as wide.
+// The error from waves too short for the elements: detected in profiles that have them, and as
+// large as the model finds with elements a quarter as wide.
 #include "halfspace/model/wave_errors.hpp"
 
 #include "halfspace/model/model.hpp"

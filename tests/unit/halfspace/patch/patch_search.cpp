@@ -23,7 +23,7 @@ using rollfem::testing::says;
 
 namespace {
 
-/// What the header promises of the coarse search.
+/// Accuracy of the coarse search stated in the header.
 constexpr double of_extents = 0.01;
 constexpr double of_area = 0.02;
 constexpr double of_pressure = 0.005;

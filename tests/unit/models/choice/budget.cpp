@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How the seconds of a run without an accuracy are shared among its scenes.
+// Sharing the time of a run without a requested accuracy among its scenes.
 #include "models/choice/budget.hpp"
 
 #include <gtest/gtest.h>

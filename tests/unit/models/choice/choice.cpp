@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The choice among toy models whose errors are given: which are solved, on which grids, and what is
-// said of it.
+// The choice among toy models with given errors: solved models, their grids, and the sentence about
+// the choice.
 #include "models/choice/choice.hpp"
 
 #include "contact/base/errors.hpp"

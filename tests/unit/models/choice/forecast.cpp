@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The cheapest of what is expected to do, and what a solved grid says of the others.
+// The cheapest sufficient grid, and the update of forecasts by a solved grid.
 #include "models/choice/forecast.hpp"
 
 #include <gtest/gtest.h>

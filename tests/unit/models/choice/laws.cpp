@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is expected by the size of a contact, held to what the thesis's cases have been found to
-// need: seven load points, mu 0.55, wheel 405 mm (rollfem run cases/thesis_*.toml with
-// model_error = true and 24 across; seconds of the finite elements as the cases have them).
+// Expectations from the size of a contact, compared with measured needs of the thesis's cases:
+// seven load points, mu 0.55, wheel 405 mm (rollfem run cases/thesis_*.toml with model_error = true
+// and 24 across; seconds of the finite elements as the cases have them).
 #include "models/choice/laws.hpp"
 
 #include <gtest/gtest.h>

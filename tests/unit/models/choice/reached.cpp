@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Errors of a result as parts of what each quantity is measured by.
+// Errors of a result relative to the scale of each quantity.
 #include "models/choice/reached.hpp"
 
 #include <gtest/gtest.h>

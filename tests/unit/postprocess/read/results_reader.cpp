@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // results.h5 read back in C++: every scalar and field to the last bit, and one clear message for
-// each way in which a file is not a whole result.
+// each kind of incomplete file.
 #include "postprocess/read/results_reader.hpp"
 
 #include "contact/base/errors.hpp"

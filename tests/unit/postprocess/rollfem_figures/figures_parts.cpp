@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What figures and pages are made of, asked one by one in Debian's Python: scales, contours, words,
-// the structure of a page.
+// Parts of figures and pages, tested one by one in Debian's Python: scales, contours, words, the
+// structure of a page.
 #include <gtest/gtest.h>
 
 #include "support/drawn_pages.hpp"

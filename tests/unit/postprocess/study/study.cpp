@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Orders, limits and uncertainties against sequences whose limit and order are known, and what a
-// study makes of them.
+// Orders, limits and uncertainties against sequences with known limit and order, and their use in a
+// study.
 #include "postprocess/study/study.hpp"
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST(Limit, WhatIsSettledToRoundingHasNoOrderAndABarThatIsNotZero) {
     EXPECT_GE(limit.uncertainty, 1e-12 * a);
     EXPECT_LT(limit.uncertainty, 1e-11 * a);
   }
-  // A solver that ends at 1e-6 says nothing of changes of 3e-7.
+  // A solver with a tolerance of 1e-6 does not resolve changes of 3e-7.
   const Limit rough = limit_of({1.0, 1.0 + 3e-7, 1.0 + 4e-7}, 2.0, 1e-6);
   EXPECT_TRUE(rough.settled);
   EXPECT_GE(rough.uncertainty, 1e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A result appears whole or not at all, and nobody's files are lost.
+// A result appears completely or not at all, and foreign files are never lost.
 #include "contact/base/errors.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/output.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Of a long list of load points the fields on the contact grid are those of some.
+// Long lists of load points store fields on the contact grid for a selection only.
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/output.hpp"
 

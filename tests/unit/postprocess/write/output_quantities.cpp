@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every row of the table of scalars is in every file, comes back from it, and stands in the book of
-// results. Nothing is named here: a new row is looked for as soon as it is there.
+// Every row of the table of scalars is in every file, is read back from it, and is documented in
+// docs/results.md. No quantity is named here, so new rows are tested automatically.
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "postprocess/read/results_reader.hpp"

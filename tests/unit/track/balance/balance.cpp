@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a balance begins with: wheels placed once, for a check of the case and for the balance.
+// The start of a balance: wheels placed once, for a check of the case and for the balance.
 #include "track/balance/balance.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Results that are none do not leave the program: overlapping patches, a grid without its
-// reference, shares that do not add up, an approach that parts the bodies.
+// Invalid results are refused: overlapping patches, a grid without its reference, shares that do
+// not add up, an approach that parts the bodies.
 #include "contact/base/errors.hpp"
 #include "track/balance/balance.hpp"
 

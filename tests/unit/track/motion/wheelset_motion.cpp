@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Slip of wheel over rail from the motion of the wheelset, and the way of the forces back.
+// Slip of wheel over rail from the motion of the wheelset, and the forces back on the wheelset.
 #include "track/motion/wheelset_motion.hpp"
 
 #include <gtest/gtest.h>
