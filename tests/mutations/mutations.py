@@ -205,8 +205,8 @@ MUTATIONS = [
              ("unit_loads_beside", "verification_joined_patches")),
     # meshes/
     Mutation("conicity_wave", "track/motion/wheelset_motion.cpp",
-             "quarter += amplitude * std::cos(t) / std::sqrt(2.0 * left / stiffness);",
-             "quarter += amplitude * std::cos(t) / std::sqrt(2.1 * left / stiffness);",
+             "half += amplitude * std::cos(t) / std::sqrt(2.0 * left / stiffness);",
+             "half += amplitude * std::cos(t) / std::sqrt(2.1 * left / stiffness);",
              "the wave of a free wheelset is 2 % too short",
              ("unit_conicity",)),
     Mutation("radius_of_second_contact", "track/motion/wheelset_motion.cpp",

@@ -81,9 +81,9 @@ class RadiusDifference {
   /// amplitude (mm) is the same, 1/(2 pi A) int difference(A sin t) sin t dt. Of an odd difference.
   double harmonic_conicity(double amplitude) const;
 
-  /// Wave length (mm) of the free rolling wheelset without creepage, e r y'' + difference(y) = 0
+  /// Wavelength (mm) of the freely rolling wheelset without creepage, e r y'' + difference(y) = 0
   /// with the distance e of the contacts and the rolling radius r, at this amplitude: half the way
-  /// between its turning points. Nothing where it does not swing back. (Klingel's equation with the
+  /// between its turning points. Empty where it does not recentre. (Klingel's equation with the
   /// real radii: UIC 519, EN 15302.)
   std::optional<double> wave_length(double amplitude, double contact_distance,
                                     double rolling_radius) const;
