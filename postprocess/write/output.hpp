@@ -70,8 +70,8 @@ void write_results(const std::string& directory, const RunRecord& run);
 /// NAME.svg. Returns one line on failure, empty on success; a longer text of the program goes to
 /// report.log in the folder; results stay whatever happens here. `script_directory` is the Python
 /// package rollfem_figures or the folder that holds it. Python is that of the environment variable
-/// ROLLFEM_PYTHON, else /usr/bin/python3, else python3 on PATH; it takes no module from the current
-/// folder.
+/// ROLLFEM_PYTHON, of the virtual environment that holds the package, /usr/bin/python3, or python3
+/// on PATH, whichever comes first; it takes no module from the current folder.
 std::string make_report(const std::string& path, const std::string& script_directory);
 
 }  // namespace rollfem::postprocess
