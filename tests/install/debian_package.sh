@@ -10,10 +10,11 @@ package=$(realpath "$1")
 mirror=${MIRROR:-http://deb.debian.org/debian}
 root=$(mktemp -d /tmp/rollfem-debian.XXXX)
 chmod 755 "$root"  # apt downloads as a user of its own
-trap 'umount "$root/proc" 2>/dev/null; rm -rf --one-file-system "$root"' EXIT
+trap 'umount "$root/proc" "$root/sys" 2>/dev/null; rm -rf --one-file-system "$root"' EXIT
 debootstrap --variant=minbase bookworm "$root" "$mirror" >"$root.log" || { tail "$root.log"; exit 1; }
 rm "$root.log"
 mount -t proc proc "$root/proc"
+mount -t sysfs sysfs "$root/sys"  # MPI looks for cores there
 cp "$package" "$root/tmp/rollfem.deb"
 before=$(du -sm --one-file-system "$root" | cut -f1)
 
