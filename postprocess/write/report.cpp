@@ -22,10 +22,14 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-/// A path becomes absolute, because Python starts in another folder.
-std::string find_python() {
+/// A path becomes absolute, because Python starts in another folder. Scripts in
+/// PREFIX/share/rollfem of a virtual environment get its Python, which has the packages that pip
+/// installed with rollfem.
+std::string find_python(const fs::path& scripts) {
   if (const char* chosen = std::getenv("ROLLFEM_PYTHON"); chosen && *chosen)
     return std::strchr(chosen, '/') != nullptr ? fs::absolute(chosen).string() : chosen;
+  const fs::path prefix = scripts.parent_path().parent_path();
+  if (fs::exists(prefix / "pyvenv.cfg")) return (prefix / "bin" / "python3").string();
   return ::access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
 }
 
@@ -133,7 +137,7 @@ std::string make_report(const std::string& path, const std::string& script_direc
   // Python searches its starting folder for modules first. It starts in the package's folder,
   // because in the user's folder a numpy.py would run.
   const std::string printed =
-      run({find_python(), "-B", "-X", "utf8", "-m", "rollfem_figures", what.string()},
+      run({find_python(parent), "-B", "-X", "utf8", "-m", "rollfem_figures", what.string()},
           environment(), parent.string());
   return one_line(fs::is_regular_file(what) ? what.parent_path() : what, printed);
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Installs the build into an empty folder, moves it (an installed tree must not care), builds the
-# examples against it and runs them, the installed program and the installed Python module.
+# examples against it and runs them, the installed program and the installed Python module, and removes it.
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -24,6 +24,14 @@ step(${WORK}/case_in_cpp/case_in_cpp ${case})
 message(STATUS "case_in_cpp: ${output}")
 step(${WORK}/wheelset_in_c/wheelset_in_c 20)
 message(STATUS "wheelset_in_c: ${output}")
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  step(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${WORK}/prefix/${LIBDIR}/pkgconfig
+    ${PKG_CONFIG} --cflags --libs rollfem_c)
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  step(${C_COMPILER} ${EXAMPLES}/wheelset_in_c/main.c ${flags} -lm -o ${WORK}/by_pkg_config)
+  step(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${WORK}/prefix/${LIBDIR} ${WORK}/by_pkg_config 2)
+endif()
 if(PYTHON_DIR)
   step(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/${PYTHON_DIR} /usr/bin/python3 -c
     "import rollfem; assert abs(rollfem.solve('${case}', model='hertz').points[0].max_pressure - 578.967) < 1e-3")
@@ -39,4 +47,9 @@ step(${WORK}/prefix/${BINDIR}/rollfem check ${case})
 step(${WORK}/prefix/${BINDIR}/rollfem run ${case} --quiet --model hertz -o ${WORK}/results)
 if(NOT EXISTS ${WORK}/results/report.html)
   message(FATAL_ERROR "the installed program drew no report:\n${output}")
+endif()
+execute_process(COMMAND xargs rm -r INPUT_FILE share/rollfem/installed.txt WORKING_DIRECTORY ${WORK}/prefix)
+file(GLOB_RECURSE left ${WORK}/prefix/*)
+if(left)
+  message(FATAL_ERROR "left behind by what share/rollfem/installed.txt lists: ${left}")
 endif()

@@ -200,6 +200,18 @@ TEST_F(FiguresTest, TakeNothingFromTheCurrentFolder) {
   EXPECT_FALSE(fs::exists(hostile / "ran"));
 }
 
+TEST_F(FiguresTest, AVirtualEnvironmentDrawsWithItsOwnPython) {
+  const fs::path environment = base_ / "venv", package = "share/rollfem/rollfem_figures";
+  fs::create_directories(environment / package);
+  fs::create_directory(environment / "bin");
+  std::ofstream(environment / package / "__main__.py") << "raise SystemExit('another Python')\n";
+  std::ofstream(environment / "bin" / "python3") << "#!/bin/sh\necho its own >&2\nexit 1\n";
+  fs::permissions(environment / "bin" / "python3", fs::perms::owner_all);
+  EXPECT_TRUE(says(make_report("/nowhere", environment / package), "another Python"));
+  std::ofstream(environment / "pyvenv.cfg") << "";
+  EXPECT_TRUE(says(make_report("/nowhere", environment / package), "its own"));
+}
+
 TEST(MakeReport, SaysWhatIsMissing) {
   EXPECT_TRUE(says(make_report("/nowhere", "/nowhere"), "no Python package"));
   ::setenv("ROLLFEM_PYTHON", "/nowhere/python3", 1);
