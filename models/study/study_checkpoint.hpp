@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 /// Load points of one level. Their records carry the seconds of the level so far, so that a level
 /// that was taken up costs what its calls took together.
@@ -44,8 +44,8 @@ std::string level_record_name(const std::string& place_key, const postprocess::S
 /// folder of process 0 counts; null: each process by itself.
 std::optional<postprocess::StudyLevel> find_level(postprocess::CheckpointFolder* folder,
                                                   const std::string& name,
-                                                  const modelling::ParallelSession* everywhere);
+                                                  const ParallelSession* everywhere);
 void keep_level(postprocess::CheckpointFolder* folder, const std::string& name,
                 const postprocess::StudyLevel& level);
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling
