@@ -48,7 +48,7 @@ std::optional<int> whole_number_of(std::string_view field);
 /// mistake is none.
 bool looks_like_table(std::string_view text, std::string_view marks);
 
-/// The whole of a regular file. Throws InputError, which calls it `name`, where it cannot be read
+/// The whole of a regular file. Throws FileError, which calls it `name`, where it cannot be read
 /// or is larger than `largest` bytes.
 std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest);
 
