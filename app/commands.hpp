@@ -28,7 +28,7 @@ struct Call {
   BenchRequest bench = {};
   TableRequest table = {};
   MeshRequest mesh = {};
-  StressRequest stress = {};
+  StressCommand stress = {};
   ProfileRequest profile = {};
   ConvertRequest convert = {};
   WheelsetRequest wheelset = {};

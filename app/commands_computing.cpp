@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/commands.hpp"
 #include "app/frame/parts.hpp"
-#include "app/study/study_levels.hpp"
 #include "contact/base/errors.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
+#include "models/study/study_levels.hpp"
 
 #include <fmt/format.h>
 
@@ -75,9 +75,9 @@ std::string model_list(const contact::ModelRegistry& models) {
 /// "grid (of carter, fastsim), cell (of fem)"
 std::string refinement_help(const contact::ModelRegistry& models) {
   std::vector<std::string> ways;
-  for (const std::string& word : varied_words(models))
-    ways.push_back(
-        fmt::format("{} (of {})", word, contact::listed(models_that_vary(models, word))));
+  for (const std::string& word : modelling::varied_words(models))
+    ways.push_back(fmt::format("{} (of {})", word,
+                               contact::listed(modelling::models_that_vary(models, word))));
   return contact::listed(ways);
 }
 

@@ -4,7 +4,7 @@
 namespace rollfem::app {
 
 void add_stress_command(CLI::App& program, Call& call) {
-  StressRequest& request = call.stress;
+  StressCommand& request = call.stress;
   CLI::App* stress = program.add_subcommand(
       "stress",
       "stress and displacement at points, on lines and on planes from stored results, without "

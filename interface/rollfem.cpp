@@ -2,6 +2,7 @@
 #include "rollfem/rollfem.hpp"
 
 #include "contact/case/case_reader.hpp"
+#include "interface/session.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/program/provenance.hpp"
 #include "models/program/version.hpp"
@@ -18,13 +19,7 @@ namespace rollfem {
 
 namespace {
 
-const contact::ModelRegistry& registry() {
-  static const contact::ModelRegistry models = modelling::built_in_models();
-  return models;
-}
-
-/// MPI can start only once per process: this session lasts from the first parallel model to the end
-/// of the process.
+/// MPI can be started once in a process: from the first parallel model to the end of the process.
 class Session {
  public:
   static Session& only() {
@@ -49,6 +44,24 @@ class Session {
 
 }  // namespace
 
+const contact::ModelRegistry& registry() {
+  static const contact::ModelRegistry models = modelling::built_in_models();
+  return models;
+}
+
+Ready ready_for(const std::vector<std::string>& models, const contact::Progress& progress) {
+  Ready ready;
+  ready.how.models = &registry();
+  ready.how.progress = progress;
+  if (!modelling::any_parallel(registry(), models)) return ready;
+  Session& session = Session::only();
+  ready.one_at_a_time = std::unique_lock<std::mutex>(session.mutex());
+  ready.how.need_session = [&session] { session.need(); };
+  if (!modelling::any_choice(registry(), models)) session.need();
+  ready.how.session = session.get();
+  return ready;
+}
+
 Case read_case(const std::string& file) {
   return contact::read_case(file, modelling::model_words(registry()));
 }
@@ -65,7 +78,8 @@ std::vector<std::string> models() {
   return modelling::built_of(registry(), registry().names());
 }
 
-Result solve(const Case& input, const std::vector<std::string>& models, const Progress& progress) {
+Result solve(const Case& input, const std::vector<std::string>& models, const Progress& progress,
+             std::vector<Missing>* missing) {
   const contact::ModelRegistry& known = registry();
   Result result;
   result.input = input;
@@ -74,18 +88,11 @@ Result solve(const Case& input, const std::vector<std::string>& models, const Pr
   modelling::check_alone(known, names, "models");
   modelling::check_built(known, names, "models");
   result.provenance = modelling::provenance_of(known, "rollfem::solve");
-  modelling::Solving how;
-  how.models = &known;
-  how.progress = progress;
-  std::unique_lock<std::mutex> one_at_a_time;
-  if (modelling::any_parallel(known, names)) {
-    Session& session = Session::only();
-    one_at_a_time = std::unique_lock<std::mutex>(session.mutex());
-    how.need_session = [&session] { session.need(); };
-    if (!modelling::any_choice(known, names)) session.need();
-    how.session = session.get();
-  }
-  modelling::Solved solved = modelling::solve(result.input, how);
+  Ready ready = ready_for(names, progress);
+  ready.how.go_on = missing != nullptr;
+  modelling::Solved solved = modelling::solve(result.input, ready.how);
+  for (const modelling::Missing& one : solved.missing)
+    missing->push_back({one.model, one.reason, one.failed});
   result.models = std::move(solved.results);
   result.pairs = std::move(solved.pairs);
   return result;

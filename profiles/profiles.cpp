@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/profiles.hpp"
 
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_points.hpp"
@@ -63,7 +63,7 @@ ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::strin
   const std::filesystem::path path = std::filesystem::path(case_file).parent_path() / source.name;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    throw InputError(fmt::format(
+    throw contact::FileError(fmt::format(
         "{}: profile = \"{}\" is neither a known profile nor an existing file; allowed: {}, arcs, "
         "polynomial or a file path relative to the case file; do: correct the name",
         case_file, source.name, built_in_names(wheel)));

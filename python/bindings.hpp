@@ -25,7 +25,14 @@ py::dict fields();
 /// ValueError unless the last axis has length six.
 py::dict stress_measures(const py::object& components);
 
-/// Registers the class CreepTable, the base of rollfem.Table.
+/// Where a patch is, with the numbers of postprocess::place_scalars.
+py::dict dict_of(const contact::ContactPlace& place);
+
+/// The class CreepTable, on which rollfem.Table is made, and `fill_table`.
 void define_tables(py::module_& module);
+/// What the commands study, compare, stress and check compute.
+void define_commands(py::module_& module);
+/// Profiles, contact points and the rigid wheelset.
+void define_track(py::module_& module);
 
 }  // namespace rollfem::python

@@ -3,59 +3,24 @@
 // solving lets other Python threads run and checks for Ctrl-C at every iteration.
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
-#include "python/bindings.hpp"
-#include "python/blas_threads.hpp"
+#include "python/caller.hpp"
 
-#include <optional>
 #include <pybind11/stl.h>
 
 namespace rollfem::python {
 
 namespace {
 
-/// A Python exception on its way through the solver. Not derived from std::exception, which a model
-/// might handle as its own.
-struct Ended {};
+using Solved = std::pair<Shared, std::vector<Missing>>;
 
-/// Calls back into Python and stores an exception raised there.
-class Caller {
- public:
-  explicit Caller(py::object callback) : callback_(std::move(callback)) {}
-
-  Progress progress() {
-    return [this](const ProgressEvent& event) { tell(event); };
-  }
-  /// Rethrows the stored exception. Requires the GIL.
-  void rethrow() {
-    if (raised_) throw std::move(*raised_);
-  }
-
- private:
-  void tell(const ProgressEvent& event) {
-    const py::gil_scoped_acquire gil;
-    try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!callback_.is_none()) callback_(event);
-    } catch (py::error_already_set& error) {
-      raised_.emplace(std::move(error));
-      throw Ended();
-    }
-  }
-
-  py::object callback_;
-  std::optional<py::error_already_set> raised_;
-};
-
-Shared solved(const Case& input, const std::vector<std::string>& models, py::object callback) {
-  Caller caller(std::move(callback));
-  try {
-    const py::gil_scoped_release free;
-    const OneBlasThread one_thread;
-    return std::make_shared<const Result>(solve(input, models, caller.progress()));
-  } catch (const Ended&) {
-    caller.rethrow();
-    throw;
-  }
+/// `go_on`: models that have no result are listed instead of ending the call.
+Solved solved(const Case& input, const std::vector<std::string>& models, py::object callback,
+              bool go_on) {
+  return without_gil(std::move(callback), [&](const Progress& progress) {
+    std::vector<Missing> missing;
+    Result result = solve(input, models, progress, go_on ? &missing : nullptr);
+    return Solved(std::make_shared<const Result>(std::move(result)), std::move(missing));
+  });
 }
 
 /// Python's Ctrl-C handler may not interrupt here; writing is complete or does not happen in any
@@ -98,16 +63,26 @@ void define_progress(py::module_& module) {
 PYBIND11_MODULE(_core, module) {
   using namespace rollfem;
   namespace py = pybind11;
-  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  const auto& input_error =
+      py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  py::register_exception<FileError>(module, "FileError",
+                                    py::make_tuple(input_error, py::handle(PyExc_OSError)));
   py::register_exception<SolveError>(module, "SolveError", PyExc_RuntimeError);
   python::define_progress(module);
   python::define_tables(module);
+  python::define_commands(module);
+  python::define_track(module);
   py::class_<Case>(module, "Case")
       .def_readonly("title", &Case::title)
       .def_readonly("text", &Case::text)
       .def_readonly("models", &Case::models)
       .def_property_readonly("load_points",
                              [](const Case& input) { return input.rolling.creepages.size(); })
+      .def_property_readonly(
+          "contact_modulus",
+          [](const Case& input) {
+            return contact::combine(input.wheel.material, input.rail.material).contact_modulus;
+          })
       .def_property_readonly("doubts",
                              [](const Case& input) { return contact::implausible_values(input); })
       .def("describe", [](const Case& input) { return describe(input); });
@@ -116,8 +91,12 @@ PYBIND11_MODULE(_core, module) {
   module.def("parse_case", &parse_case);
   module.def("models", &models);
   module.def("solve", [](const Case& input, const std::vector<std::string>& names,
-                         const py::object& callback) {
-    return std::const_pointer_cast<Result>(python::solved(input, names, callback));
+                         const py::object& callback, bool go_on) {
+    auto [result, missing] = python::solved(input, names, callback, go_on);
+    py::list without;
+    for (const Missing& one : missing)
+      without.append(py::make_tuple(one.model, one.reason, one.failed));
+    return py::make_tuple(std::const_pointer_cast<Result>(result), without);
   });
   module.def("models_of",
              [](const std::shared_ptr<Result>& result) { return python::models_of(result); });

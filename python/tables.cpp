@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "python/bindings.hpp"
+#include "models/program/version.hpp"
+#include "python/caller.hpp"
 #include "tables/files/table_files.hpp"
+#include "tables/filling/table_filling.hpp"
+#include "tables/filling/table_grid.hpp"
 
 #include <array>
 #include <map>
@@ -74,13 +77,35 @@ std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Co
   return found;
 }
 
+CreepTableReader filled(const Case& input, py::object callback) {
+  return without_gil(std::move(callback), [&](const Progress& progress) {
+    tables::CreepTable made = tables::empty_table(input);
+    made.program = "rollfem " + modelling::version() + " (" + modelling::commit() + ")";
+    made.command = "rollfem.table";
+    tables::fill_table(made, input, progress, nullptr);
+    return CreepTableReader(std::move(made));
+  });
+}
+
+/// What `rollfem table` writes.
+std::map<std::string, py::bytes> files_of(const CreepTableReader& reader) {
+  const tables::CreepTable& table = reader.table();
+  std::map<std::string, py::bytes> files{{"table.h5", tables::table_hdf5(table)},
+                                         {"table.csv", tables::table_csv(table)},
+                                         {"interpolation.csv", tables::interpolation_csv(table)}};
+  if (table.over_shifts()) files.emplace("shifts.csv", tables::shifts_csv(table));
+  return files;
+}
+
 }  // namespace
 
 void define_tables(py::module_& module) {
+  module.def("fill_table", &filled);
   py::class_<CreepTableReader>(module, "CreepTable")
       .def(py::init(
           [](const std::string& path) { return CreepTableReader(tables::read_table(path)); }))
       .def("contents", &contents_of)
+      .def("files", &files_of)
       .def("scaled",
            [](const CreepTableReader& reader, const Column& ratio, const Column& xi,
               const Column& eta, const Column& phi) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/input/profile.hpp"
 
-#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
@@ -11,6 +10,7 @@
 #include "postprocess/write/output.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
+#include "profiles/profile_rows.hpp"
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
@@ -36,12 +36,6 @@ struct NamedProfile {
   ProfileCurve curve;
   profiles::ProfileReport report;
 };
-
-constexpr double degrees = 180.0 / 3.14159265358979323846;
-
-double angle_of(const ProfilePoint& place) {
-  return std::atan2(place.tangent_z, place.tangent_y) * degrees;
-}
 
 std::string radius_of(double curvature) {
   // Radii above 1 km are straight lines with rounding errors of the cubics.
@@ -106,34 +100,18 @@ std::string list(const ProfileCurve& curve) {
   constexpr int steps = 30;
   for (int k = 0; k <= steps; ++k) {
     const ProfilePoint place = curve.at(curve.first() + (curve.last() - curve.first()) * k / steps);
-    text += fmt::format("  {:>10.4f}{:>12.4f}{:>14.3f}{:>14}\n", place.y, place.z, angle_of(place),
-                        radius_of(place.curvature));
+    text += fmt::format("  {:>10.4f}{:>12.4f}{:>14.3f}{:>14}\n", place.y, place.z,
+                        profiles::angle_of(place), radius_of(place.curvature));
   }
   return text;
 }
 
-/// Table with a row every tenth of a millimetre and two at every joint, one for each side.
 std::string table(const NamedProfile& profile) {
-  const ProfileCurve& curve = profile.curve;
   std::string text = fmt::format("# {}\n", profile.title);
   text += "s [mm],y [mm],z [mm],angle [deg],curvature [1/mm]\n";
-  const auto row = [&](double parameter, const ProfilePoint& place, double curvature) {
-    text += fmt::format("{:.6f},{:.9f},{:.9f},{:.6f},{:.8g}\n", parameter, place.y, place.z,
-                        angle_of(place), curvature);
-  };
-  const auto joints = profiles::profile_features(curve, profile.wheel).joints;
-  const double length = curve.last() - curve.first();
-  const int steps = contact::count_of(std::ceil(length / 0.1), "points along a profile");
-  auto joint = joints.begin();
-  for (int k = 0; k <= steps; ++k) {
-    const double parameter = k == steps ? curve.last() : curve.first() + length * k / steps;
-    for (; joint != joints.end() && joint->parameter <= parameter; ++joint) {
-      row(joint->parameter, joint->place, joint->curvature_before);
-      row(joint->parameter, joint->place, joint->place.curvature);
-    }
-    const ProfilePoint place = curve.at(parameter);
-    row(parameter, place, place.curvature);
-  }
+  for (const profiles::ProfileRow& row : profiles::profile_rows(profile.curve, profile.wheel))
+    text += fmt::format("{:.6f},{:.9f},{:.9f},{:.6f},{:.8g}\n", row.s, row.y, row.z, row.angle,
+                        row.curvature);
   return text;
 }
 

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command `stress`: stress and displacement below the surface from stored results, without
-// solving again. The half-space and theories with tractions on the contact grid use exact integrals
-// over the elements; finite elements use interpolation in the stored bodies.
+// The command `stress`: stress and displacement below the surface from stored results.
 #pragma once
 
-#include "app/results/stress_request.hpp"
 #include "contact/solve/model.hpp"
+#include "models/stress/stress_request.hpp"
+
+#include <string>
 
 namespace rollfem::app {
 
-/// Writes stress.csv, stress.json and figures, prints a table. Throws contact::InputError and then
-/// writes nothing.
-void stress(const StressRequest& request, const contact::ModelRegistry& models);
+struct StressCommand : modelling::StressRequest {
+  std::string directory;  ///< empty: <result folder>_stress
+  bool quiet = false;
+  bool figures = true;
+};
+
+/// Writes stress.csv, stress.json and figures, prints a table. Throws contact::InputError; nothing
+/// is written then.
+void stress(const StressCommand& request, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

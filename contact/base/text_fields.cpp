@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/text_fields.hpp"
 
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 
 #include <fmt/format.h>
 
@@ -111,7 +111,7 @@ std::string text_of_file(const std::string& path, const std::string& name, std::
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   if (!error && size > largest)
-    throw InputError(
+    throw FileError(
         fmt::format("{}: has {:.3g} MB; allowed: {:.3g} MB; do: name another file, or "
                     "give fewer points",
                     name, 1e-6 * static_cast<double>(size), 1e-6 * static_cast<double>(largest)));
@@ -120,7 +120,7 @@ std::string text_of_file(const std::string& path, const std::string& name, std::
   // An empty file would set the stream's fail bit.
   if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
   if (!text || (!stream && !stream.eof()))
-    throw InputError(fmt::format(
+    throw FileError(fmt::format(
         "{}: cannot be read; do: check the path, which is relative to the case file, and the "
         "permissions",
         name));

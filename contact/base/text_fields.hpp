@@ -47,8 +47,8 @@ std::optional<int> whole_number_of(std::string_view field);
 /// and section limits (`point.begin`). A file of passwords named by mistake is never quoted.
 bool looks_like_table(std::string_view text, std::string_view marks);
 
-/// The contents of a regular file. Throws InputError with `name` when the file cannot be read or is
-/// larger than `largest` bytes.
+/// The whole of a regular file. Throws FileError, which calls it `name`, where it cannot be read
+/// or is larger than `largest` bytes.
 std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest);
 
 /// A field for a message: at most 40 characters, ? for unprintable ones.

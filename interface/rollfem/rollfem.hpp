@@ -5,19 +5,21 @@
 // compatible within a minor version; everything else may change with every commit.
 #pragma once
 
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/result.hpp"
 #include "postprocess/write/output.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace rollfem {
 
 using contact::Case;
+using contact::FileError;
 using contact::InputError;
 using contact::ModelResult;
 using contact::PointResult;
@@ -39,15 +41,23 @@ Case parse_case(const std::string& text, const std::string& name = "case");
 /// Multi-line text with every key, its value and unit, and whether it is the default.
 std::string describe(const Case& input);
 
-/// Names of the models in this build, cheapest first.
+/// A model without a result for a case, and why.
+struct Missing {
+  std::string model, reason;
+  bool failed = false;  ///< it tried; else it cannot take the case
+};
+
+/// Names of the models that this build has, the cheaper first.
 std::vector<std::string> models();
 
-/// Solves a case with the named models, by default its own. `progress` (may be empty) is called at
-/// every iteration; an exception from it ends the solution and is passed on. Thread-safe, but
-/// finite-element solutions wait for each other. Throws InputError and SolveError. Missing a
-/// requested accuracy is no error: ModelResult::shortfall reports it.
+/// Solves a case with the models named, or else with its own. `progress` (may be empty) is told of
+/// every iteration; what it throws ends the solution and comes out of here. May be called from
+/// several threads at once; finite elements then wait for each other. Throws InputError and
+/// SolveError. An accuracy that was asked for and not reached is no error here: it is said in
+/// ModelResult::shortfall. With `missing` models that cannot take the case, or fail, are listed
+/// there, and the others go on.
 Result solve(const Case& input, const std::vector<std::string>& models = {},
-             const Progress& progress = {});
+             const Progress& progress = {}, std::vector<Missing>* missing = nullptr);
 
 /// The same for case files.
 Result solve_file(const std::string& file, const std::vector<std::string>& models = {},
@@ -57,6 +67,36 @@ Result solve_file(const std::string& file, const std::vector<std::string>& model
 /// and report.html, which take some seconds. Returns why these could not be drawn, or an empty
 /// text. Throws InputError if the folder cannot be written.
 std::string write(const std::string& folder, const Result& result, bool report = false);
+
+/// What a command writes: contents of files by their names, the text it prints, its warnings.
+struct Files {
+  std::map<std::string, std::string> contents;
+  std::string text;
+  std::vector<std::string> warnings;
+};
+
+/// As options of `rollfem study` (docs/commands.md). Without models the half-space; "all": every
+/// model that can take the case.
+struct StudyOptions {
+  std::vector<std::string> models, vary;
+  bool together = false;
+  int levels = 0;  ///< 0: as the model has it
+  std::vector<std::string> references;
+};
+
+/// A refinement study: study.json, study.csv. Throws as `solve` does.
+Files study(const Case& input, const StudyOptions& options = {}, const Progress& progress = {});
+
+/// A case of a comparison.
+struct Compared {
+  std::string name;
+  Result result;
+  std::vector<Missing> missing;
+};
+
+/// Models side by side: compare.json, compare.csv. `reference`: the model that the others are
+/// compared with; empty: the best there is.
+Files compare(const std::vector<Compared>& cases, const std::string& reference = "");
 
 /// Folder of the Python package rollfem_figures, which draws reports and reads results.
 std::string figures_directory();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/files/files_together.hpp"
 
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 
 #include <fmt/core.h>
 
@@ -49,8 +49,8 @@ void fail_to(const std::string& doing, const fs::path& path, int error) {
   const char* advice = "choose another folder with -o";
   if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another disk with -o";
   if (error == EFBIG) advice = "raise the limit of file size (ulimit -f)";
-  throw contact::InputError(fmt::format("cannot {} {}: {}; nothing was written; do: {}", doing,
-                                        path.string(), std::strerror(error), advice));
+  throw contact::FileError(fmt::format("cannot {} {}: {}; nothing was written; do: {}", doing,
+                                       path.string(), std::strerror(error), advice));
 }
 
 void write_file(const fs::path& path, std::string_view content) {

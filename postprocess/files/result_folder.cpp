@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/files/result_folder.hpp"
 
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-using contact::InputError;
+using contact::FileError;
 
 bool is_result_folder(const fs::path& folder) {
   std::ifstream file(folder / "summary.json");
@@ -35,7 +35,7 @@ bool is_result_folder(const fs::path& folder) {
 }  // namespace
 
 fs::path resolved_folder(const std::string& directory) {
-  if (directory.empty()) throw InputError("the output folder has an empty name; give one with -o");
+  if (directory.empty()) throw FileError("the output folder has an empty name; give one with -o");
   std::error_code error;
   fs::path path = fs::weakly_canonical(fs::absolute(directory), error);
   if (error) fail_to("find", directory, error.value());
@@ -51,17 +51,17 @@ void check_target(const fs::path& target) {
   if (status.type() == fs::file_type::not_found) return;
   if (error) fail_to("look at", target, error.value());
   if (!fs::is_directory(status))
-    throw InputError(fmt::format(
+    throw FileError(fmt::format(
         "{} is a file, not a folder; do: give the result another name with -o", target.string()));
   if (fs::equivalent(target, fs::current_path(error), error) || !target.has_relative_path())
-    throw InputError(fmt::format(
+    throw FileError(fmt::format(
         "{} is the current folder, and a result replaces its folder as a whole; do: give a "
         "folder below it with -o",
         target.string()));
   const bool empty = fs::is_empty(target, error);
   if (error) fail_to("read", target, error.value());
   if (!empty && !is_result_folder(target))
-    throw InputError(
+    throw FileError(
         fmt::format("{} holds files that are not an earlier result of rollfem (no matching "
                     "summary.json) and would be lost; do: choose a new or empty folder with -o",
                     target.string()));

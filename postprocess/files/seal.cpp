@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/files/seal.hpp"
 
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ std::string hdf5_seal(std::string_view data) {
 Seal check_hdf5_seal(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw contact::InputError(
+    throw contact::FileError(
         fmt::format("{} cannot be read; do: check the permissions of the file", path));
   std::string block(seal_size, '\0');
   file.read(block.data(), static_cast<std::streamsize>(block.size()));
@@ -59,7 +59,7 @@ Seal check_hdf5_seal(const std::string& path) {
     bytes += part.size();
   }
   if (!is_hdf5)
-    throw contact::InputError(fmt::format(
+    throw contact::FileError(fmt::format(
         "{} is not a result of rollfem (no HDF5 file); do: name the results.h5 of a run", path));
   return block == seal_text(bytes, crc) ? Seal::intact : Seal::broken;
 }

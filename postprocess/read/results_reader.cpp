@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/read/results_reader.hpp"
 
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
@@ -21,6 +21,7 @@ namespace rollfem::postprocess {
 namespace {
 
 using contact::Field;
+using contact::FileError;
 using contact::InputError;
 using contact::ModelResult;
 using contact::PointResult;
@@ -33,19 +34,19 @@ std::string find_file(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
-    throw InputError(
+    throw FileError(
         fmt::format("{}: there is no such file or folder; do: name a result folder of rollfem run, "
                     "or its results.h5",
                     path));
   if (!fs::is_directory(status)) {
     if (fs::is_regular_file(status)) return path;
-    throw InputError(fmt::format(
+    throw FileError(fmt::format(
         "{} is not a regular file; do: name a result folder of rollfem run, or its results.h5",
         path));
   }
   const fs::path file = fs::path(path) / "results.h5";
   if (!fs::is_regular_file(file, error))
-    throw InputError(
+    throw FileError(
         fmt::format("{}: there is no results.h5 in this folder; do: name a result folder of "
                     "rollfem run",
                     path));
@@ -56,7 +57,7 @@ std::string find_file(const std::string& path) {
 bool check_seal(const std::string& path) {
   const Seal seal = check_hdf5_seal(path);
   if (seal == Seal::broken)
-    throw InputError(fmt::format(
+    throw FileError(fmt::format(
         "{} is truncated or damaged: its checksum does not match; {}, or use a copy", path, again));
   return seal == Seal::intact;
 }
@@ -65,23 +66,23 @@ Handle open_checked(const std::string& path) {
   try {
     return open_file(path);
   } catch (const std::runtime_error&) {
-    throw InputError(
+    throw FileError(
         fmt::format("{} is truncated or damaged: HDF5 cannot open it; {}", path, again));
   }
 }
 
 void check_format(hid_t file, const std::string& path) {
   if (!has_attribute(file, "format") || read_text(file, "format") != "rollfem results")
-    throw InputError(fmt::format(
+    throw FileError(fmt::format(
         "{} is an HDF5 file, but not a result of rollfem; do: name the results.h5 of a run", path));
   const double version = read_number(file, "format_version");
   if (version != hdf5_format_version)
-    throw InputError(fmt::format(
+    throw FileError(fmt::format(
         "{} has format version {}, this program reads {}; do: run the case again with this "
         "version of rollfem, or read it with the version that wrote it ({})",
         path, version, hdf5_format_version, read_text(open_group(file, "provenance"), "version")));
   if (!has_attribute(file, "complete") || read_number(file, "complete") != 1.0)
-    throw InputError(
+    throw FileError(
         fmt::format("{} is incomplete, because writing it was interrupted; {}", path, again));
 }
 
@@ -93,7 +94,7 @@ auto guarded(const std::string& path, const Read& read) {
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw InputError(
+    throw FileError(
         fmt::format("{} cannot be read as a result of rollfem: {}; {}", path, error.what(), again));
   }
 }

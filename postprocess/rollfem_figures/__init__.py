@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads rollfem results and draws them.
+"""Draws what rollfem has written, for reports and for `rollfem.read`, which users call. Without the compiled module:
 
     from rollfem_figures import read_result
     result = read_result("results/thesis_a")

@@ -158,15 +158,29 @@ def _asked(comparison):
             f"(Hertz) has none, so its model error shows as a difference.</p><ul>{cases}</ul>")
 
 
-def build(directory):
-    """Draws every case of the comparison in `directory` and writes compare.html."""
+def _complete(comparison):
+    return [case for case in comparison["cases"] if case["complete"]]
+
+
+def read_comparison(directory):
+    """compare.json; figures then know how its models are called."""
     comparison = read_json(directory, "compare")
     styles.know(comparison.get("labels", {}))
-    cases = [c for c in comparison["cases"] if c["complete"]]
+    return comparison
+
+
+def captioned(comparison):
+    """(file name, caption, function that makes the figure or returns None) of all cases together."""
+    return [("difference_cost.svg", "Difference of each model from the reference against its cost, one marker per case. "
+             "Differences below 0.0001 % are drawn at that value.", lambda: cost_figure(_complete(comparison)))]
+
+
+def build(directory):
+    """Draws every case of the comparison in `directory` and writes compare.html."""
+    comparison = read_comparison(directory)
+    cases = _complete(comparison)
     sections = [_case_section(comparison, c, directory) for c in comparison["cases"]]
-    drawn = page.draw_all([("difference_cost.svg", "Difference of each model from the reference against its cost, one "
-                            "marker per case. Differences below 0.0001 % are drawn at that value.",
-                            lambda: cost_figure(cases))], directory)
+    drawn = page.draw_all(captioned(comparison), directory)
     found = _differences(cases, comparison["quantities"])
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")

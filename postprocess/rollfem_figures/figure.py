@@ -121,6 +121,10 @@ class Figure:
                 f'<style>{styles.css()}</style><rect class="f-ground" width="100%" height="100%"/>'
                 f'{"".join(parts)}</svg>\n')
 
+    def _repr_svg_(self):
+        """As notebooks show it."""
+        return self.svg()
+
     def save(self, path):
         """Writes the file completely or not at all."""
         write_whole(path, self.svg())

@@ -197,14 +197,16 @@ def draw_wheelset(table, loaded=()):
     if differences:
         figure.entry("right minus left" + UNDER_LOAD, "ink", marker="D")
     length = table["wave_length"] * 1e-3
-    figure.charts((270, 200), [
-        ("rolling radii", SHIFT, "right minus left [mm]", LEAST_RADIUS,
+    charts = [
+        ("rolling radii", SHIFT, "right less left [mm]", LEAST_RADIUS,
          [line(difference, -difference), *markers(differences, marker="D", size=2.8)]),
         ("contact angles", SHIFT, "contact angle [°]", LEAST_ANGLE, angles),
         ("equivalent conicity", "amplitude [mm]", "conicity [-]", LEAST_CONICITY,
          [(shift, table[f"conicity_{kind}"], {"colour": colour, "dash": dash, "name": f"conicity, {kind}"})
-          for kind, colour, dash in KINDS]),
-        ("wavelength", "amplitude [mm]", "[m]", LEAST_LENGTH, [(shift, length, {})])])
+          for kind, colour, dash in KINDS if np.isfinite(table[f"conicity_{kind}"]).any()]),
+        ("length of the wave", "amplitude [mm]", "[m]", LEAST_LENGTH, [(shift, length, {})])]
+    # A hollow wheel may have no wave.
+    figure.charts((270, 200), [chart for chart in charts if any(np.isfinite(y).any() for _, y, _ in chart[-1])])
     return figure.tell(f"Wheelset shifted by 0 to {shift[-1]:.3g} mm: ", [
         f"the right rolling radius grows to {difference[-1]:.3g} mm more than the left, the right contact angle to "
         f"{angle['right'].max():.3g} degrees", _conicity_seen(table)])

@@ -195,7 +195,7 @@ estimates."""
 MOST_OPEN = 3
 
 
-def _figures(study):
+def captioned(study):
     """(file name, caption, function that makes the figure or returns None) of all places."""
     friction = study["friction_coefficient"]
     for place in study["places"]:
@@ -226,14 +226,20 @@ def _place_part(study, place, drawn):
     return f"<details><summary>{title}</summary>{body}</details>"
 
 
-def build(directory):
-    """Draws the study in `directory` and writes study.html."""
+def read_study(directory):
+    """study.json with what figures need."""
     study = read_json(directory, "study")
     styles.know(study.get("labels", {}))
     quantities = {name: Quantity(**quantity) for name, quantity in study["quantities"].items()}
     for place in study["places"]:
         place["quantities"] = quantities
-    drawn = page.draw_all(_figures(study), directory)
+    return study
+
+
+def build(directory):
+    """Draws the study in `directory` and writes study.html."""
+    study = read_study(directory)
+    drawn = page.draw_all(captioned(study), directory)
     page.write_page(
         os.path.join(directory, "study.html"), "Refinement study: " + escape(study["title"] or study["case_file"]),
         page.made_by(study["program"], study), [

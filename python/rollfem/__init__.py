@@ -8,18 +8,23 @@
 Units are mm, N, MPa, s, rad. x is the rolling direction, y lateral, z normal and into the wheel; forces and tractions
 act on the wheel, and traction_coefficient is -F_x/F_z. `help(rollfem.Point)` lists every quantity with unit and sign.
 """
-from ._core import InputError, Progress, SolveError
+from ._core import FileError, InputError, Progress, SolveError
 from ._core import models as _models
 from ._core import version as _version
 from .case import Case
+from .model import ModelResult
+from .point import FIELDS, QUANTITIES, Point, stress_measures
 from .reading import read
-from .result import FIELDS, QUANTITIES, ModelResult, Point, Result, stress_measures
-from .solving import AccuracyWarning, DoubtWarning, solve
+from .result import Result
+from .solving import AccuracyWarning, Forecast, UnitWarning, forecast, solve
+from .studies import Comparison, Stress, Study, compare, stress, study
 from .sweeping import Sweep, sweep
-from .table import Table, TableForces
+from .tables import Table, TableForces, table
+from .track import Profile, Wheelset, contact_points, wheelset
 
 __version__ = _version()
 models = _models
-__all__ = ["AccuracyWarning", "Case", "DoubtWarning", "FIELDS", "InputError", "ModelResult", "Point", "Progress",
-           "QUANTITIES", "Result", "SolveError", "Sweep", "Table", "TableForces", "models", "read", "solve", "stress_measures",
-           "sweep"]
+__all__ = ["AccuracyWarning", "Case", "Comparison", "FIELDS", "FileError", "Forecast", "InputError", "ModelResult", "Point",
+           "Profile", "Progress", "QUANTITIES", "Result", "SolveError", "Stress", "Study", "Sweep", "Table", "TableForces",
+           "UnitWarning", "Wheelset", "compare", "contact_points", "forecast", "models", "read", "solve", "stress",
+           "stress_measures", "study", "sweep", "table", "wheelset"]

@@ -7,20 +7,24 @@ import numbers
 import os
 import re
 import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from html import escape
+from typing import Any
 
 import numpy as np
 
 from . import _core
-from ._core import InputError
+from ._core import FileError, InputError
+from .ellipse import curvatures
 
 BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def _key(name):
+def _key(name: str) -> str:
     return name if BARE_KEY.fullmatch(name) else json.dumps(name, ensure_ascii=False)
 
 
-def _value(value, where):
+def _value(value: Any, where: str) -> str:
     """A value as TOML."""
     if isinstance(value, bool):
         return "true" if value else "false"
@@ -37,24 +41,24 @@ def _value(value, where):
                      "of these; do: leave the key out where its default is meant")
 
 
-def _tables(table, path):
+def toml_lines(table: Mapping[str, Any], path: Sequence[str] = ()) -> Iterator[str]:
     """Lines of a table: its own values first, then the tables in it."""
-    later = []
+    later: list[str] = []
     for name, value in table.items():
         if not isinstance(name, str):
             raise InputError(f"{'.'.join(path)}: {name!r} is not a key; allowed: strings")
         here = [*path, name]
         if isinstance(value, dict):
-            later += ["", f"[{'.'.join(map(_key, here))}]", *_tables(value, here)]
+            later += ["", f"[{'.'.join(map(_key, here))}]", *toml_lines(value, here)]
         elif isinstance(value, (list, tuple)) and value and all(isinstance(each, dict) for each in value):
             for each in value:
-                later += ["", f"[[{'.'.join(map(_key, here))}]]", *_tables(each, here)]
+                later += ["", f"[[{'.'.join(map(_key, here))}]]", *toml_lines(each, here)]
         else:
             yield f"{_key(name)} = {_value(value, '.'.join(here))}"
     yield from later
 
 
-def _plain(value):
+def _plain(value: Any) -> Any:
     """A copy with plain Python values instead of numpy's, whose arrays cannot be compared as a whole."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
@@ -65,8 +69,8 @@ def _plain(value):
     return copy.deepcopy(value)
 
 
-def _merge(into, other):
-    """Merges `other` into a dict of sections: sections key by key; other values replace existing ones."""
+def _merge(into: dict[str, Any], other: Mapping[str, Any]) -> None:
+    """Merges `other` into a dict of sections: sections key by key, everything else as it is."""
     for name, value in other.items():
         if isinstance(value, dict):
             kept = into.setdefault(name, {})
@@ -77,10 +81,10 @@ def _merge(into, other):
             into[name] = _plain(value)
 
 
-def nested(changes):
-    """{"friction.coefficient": 0.3} and {"friction__coefficient": 0.3} as sections; a name without a section is looked
-    up in all sections."""
-    found = {}
+def nested(changes: Mapping[str, Any]) -> dict[str, Any]:
+    """{"friction.coefficient": 0.3} and {"friction__coefficient": 0.3} as sections; a name without a section is
+    looked for in all of them."""
+    found: dict[str, Any] = {}
     for name, value in changes.items():
         if not isinstance(name, str):
             raise InputError(f"{name!r} is not a key; allowed: strings")
@@ -93,14 +97,23 @@ def nested(changes):
     return found
 
 
-def path_of(name):
-    """Section and name of a key given only by its name: "spin" is ["rolling", "spin"]. An unknown name is returned
-    unchanged for the reader to reject. Raises InputError if several sections have the key."""
+def merged(data: dict[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """`data` with changed keys; those that are None are removed."""
+    asked = nested(changes)
+    _drop(data, asked)
+    _merge(data, asked)
+    return data
+
+
+def path_of(name: str) -> list[str]:
+    """Section and name of a key given by its name alone: "spin" is ["rolling", "spin"]. An unknown one is returned as it
+    is, and the reader rejects it. InputError where several sections have the key."""
     sections = [section for section, key in _core.keys() if key == name]
     if "" in sections or not sections:
         return [name]
-    if len(sections) > 1 and "history" in sections:
-        sections.remove("history")  # its keys of the same name are for single steps
+    for less in ("history", "table"):  # what these have of the same name is for single steps, and for an axis
+        if len(sections) > 1 and less in sections:
+            sections.remove(less)
     if len(sections) > 1:
         raise InputError(f"{name}: several sections have this key; allowed: "
                          + ", ".join(f"{section}.{name}" for section in sections)
@@ -111,12 +124,32 @@ def path_of(name):
 class Case:
     """A problem to solve: the sections and keys of a case file (docs/case-file.md), with the same checks.
 
-    rollfem.Case("case.toml"), rollfem.Case({"load": {"normal_force": 50e3}, ...}), rollfem.Case(load={...}, ...), or a
-    file or dict with keywords, which then replace single keys. A case is immutable; `with_` returns a changed copy.
-    Raises rollfem.InputError.
+    A case never changes; `with_` makes another.
+
+    Parameters
+    ----------
+    source : str, os.PathLike, dict or Case, optional
+        A case file, or the sections of one.
+    **sections
+        Sections as dicts, or single keys as in `with_`. They replace those of `source`; None removes a key.
+
+    Raises
+    ------
+    FileError
+        If the case file cannot be read.
+    InputError
+        If a key or value is wrong.
+
+    Examples
+    --------
+    >>> case = rollfem.Case("cases/thesis_a.toml", load={"normal_force": 60e3})
     """
 
-    def __init__(self, source=None, /, **sections):
+    _file: str
+    _data: dict[str, Any]
+    _read: _core.Case
+
+    def __init__(self, source: "str | os.PathLike[str] | Mapping[str, Any] | Case | None" = None, /, **sections: Any) -> None:
         self._file, data, core = "", {}, None
         if isinstance(source, Case):
             self._file, data = source._file, source.data
@@ -129,102 +162,197 @@ class Case:
         try:
             if isinstance(source, dict):
                 data = _plain(source)
-            _merge(data, nested(sections))
-            self._data = data
-            self.core = core if core is not None and not sections else self._parsed()
+            self._data = merged(data, sections)
+            self._read = core if core is not None and not sections else self._parsed()
         except RecursionError:
             raise InputError("the case contains itself, or its sections nest too deeply") from None
 
     @classmethod
-    def of(cls, file, data):
-        """A case from the contents of a case file, whose name is "" if there is none."""
+    def of(cls, file: str, data: dict[str, Any]) -> "Case":
+        """From the contents of a case file, whose name is "" where there is none."""
         case = cls.__new__(cls)
         case._file, case._data = file, data
-        case.core = case._parsed()
+        case._read = case._parsed()
         return case
 
-    def _parsed(self):
+    @classmethod
+    def from_ellipse(cls, semi_axis_x: float, semi_axis_y: float, normal_force: float, **sections: Any) -> "Case":
+        """A case whose bodies touch in a given Hertzian ellipse.
+
+        The wheel gets the rolling radius and a flat tread, the rail the transverse radius that follow from Hertz's
+        theory (Johnson, Contact Mechanics, 1985, equations 4.25).
+
+        Parameters
+        ----------
+        semi_axis_x, semi_axis_y : float
+            Along rolling and across, mm.
+        normal_force : float
+            N.
+        **sections
+            As of `Case`; materials are taken from there.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        InputError
+            If a semi-axis or the force is not positive, or a key is wrong.
+
+        Examples
+        --------
+        >>> case = rollfem.Case.from_ellipse(3.8, 10.9, 50e3, friction={"coefficient": 0.5})
+        """
+        if not all(math.isfinite(value) and value > 0 for value in (semi_axis_x, semi_axis_y, normal_force)):
+            raise InputError(f"from_ellipse({semi_axis_x!r}, {semi_axis_y!r}, {normal_force!r}): allowed: semi-axes and a "
+                             "force > 0; do: give them in mm and N")
+        bodies = {"load.normal_force": normal_force, "wheel.rolling_radius": 1.0, "wheel.transverse_radius": math.inf,
+                  "rail.transverse_radius": 300.0}
+        case = cls.of("", merged(nested(sections), bodies))
+        along, across = curvatures(semi_axis_x, semi_axis_y, normal_force, case.core.contact_modulus)
+        return case.with_({"wheel.rolling_radius": 0.5 / along, "rail.transverse_radius": 0.5 / across})
+
+    def _parsed(self) -> _core.Case:
         name = self._file or "case"
-        text = "\n".join(_tables(self._data, [])).lstrip("\n") + "\n"
+        text = "\n".join(toml_lines(self._data)).lstrip("\n") + "\n"
         try:
             return _core.parse_case(text, name)
         except InputError as error:
             # Lines and columns would refer to generated text.
             raise InputError(re.sub(rf"^{re.escape(name)}:\d+:\d+:", f"{name}:", str(error))) from None
 
-    def with_(self, changes=None, /, **keys):
-        """A copy with changed keys: with_(friction__coefficient=0.3), with_(spin=1e-4), with_({"load.normal_force":
-        60e3}), with_(rolling={"spin": 0.0}). A key set to None is removed."""
+    def with_(self, changes: Mapping[str, Any] | None = None, /, **keys: Any) -> "Case":
+        """Another case with changed keys.
+
+        Parameters
+        ----------
+        changes : dict, optional
+            {"friction.coefficient": 0.3}; a key without its section where only one section has it: {"spin": 1e-4}; or
+            whole sections.
+        **keys
+            The same with __ in place of the dot: friction__coefficient=0.3. A key set to None is removed.
+
+        Returns
+        -------
+        Case
+
+        Raises
+        ------
+        InputError
+            If a key or value is wrong.
+
+        Examples
+        --------
+        >>> wet = case.with_(friction__coefficient=0.2, spin=None)
+        """
         if changes is not None and not isinstance(changes, dict):
             raise InputError(f"with_({changes!r}): allowed: a dict of keys, or keywords")
-        asked = nested({**(changes or {}), **keys})
-        data = self.data
-        _drop(data, asked)
-        _merge(data, asked)
-        return Case.of(self._file, data)
+        return Case.of(self._file, merged(self.data, {**(changes or {}), **keys}))
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Any:
         """case["friction.coefficient"], or a section as a dict. KeyError for keys the case does not set."""
-        found = self._data
+        found: Any = self._data
         for part in name.split("."):
             found = found[part]
         return copy.deepcopy(found)
 
     @property
-    def data(self):
+    def core(self) -> _core.Case:
+        """The case of the library."""
+        return self._read
+
+    @property
+    def data(self) -> dict[str, Any]:
         """All keys as a dict of sections; a copy."""
         return copy.deepcopy(self._data)
 
     @property
-    def file(self):
+    def file(self) -> str:
         """The case file, or "" for a case made in Python."""
         return self._file
 
     @property
-    def title(self):
-        """The title in the case."""
+    def title(self) -> str:
+        """As the case has it."""
         return self.core.title
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The case as TOML."""
         return self.core.text
 
     @property
-    def models(self):
+    def models(self) -> list[str]:
         """Names of the models that the case requests."""
         return list(self.core.models)
 
     @property
-    def load_points(self):
+    def load_points(self) -> int:
         """Number of load points of every scene."""
         return self.core.load_points
 
-    def describe(self):
-        """Every key with its value, unit and whether it is the default, as `rollfem check` prints it."""
+    def describe(self) -> str:
+        """Every key as it was understood.
+
+        Returns
+        -------
+        str
+            Value, unit and whether it is the default, as `rollfem check` prints it.
+
+        Examples
+        --------
+        >>> print(case.describe())
+        """
         return self.core.describe()
 
-    def write(self, file):
-        """Writes the case file and returns its name."""
-        with open(file, "w", encoding="utf-8") as out:
-            out.write(self.text)
+    def write(self, file: str | os.PathLike[str]) -> str | os.PathLike[str]:
+        """Writes the case file.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            Its name.
+
+        Returns
+        -------
+        str or os.PathLike
+            The same name.
+
+        Raises
+        ------
+        FileError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> rollfem.solve(case.write("heavy.toml"))
+        """
+        try:
+            with open(file, "w", encoding="utf-8") as out:
+                out.write(self.text)
+        except OSError as error:
+            raise FileError(f"{os.fspath(file)}: cannot be written: {error.strerror}") from error
         return file
 
-    def __eq__(self, other):
+    def _repr_html_(self) -> str:
+        return f"<p>{escape(repr(self))}</p><details><summary>keys</summary><pre>{escape(self.text)}</pre></details>"
+
+    def __eq__(self, other: object) -> bool:
         return isinstance(other, Case) and (self._data, self._file) == (other._data, other._file)
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash(self.text)
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return Case.of, (self._file, self.data)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         count = self.load_points
         return f"<rollfem.Case {self.title or self._file or 'without a title'!r}: {count} load point{'s' * (count > 1)}>"
 
 
-def _drop(data, asked):
+def _drop(data: dict[str, Any], asked: dict[str, Any]) -> None:
     """Removes keys that are None from both."""
     for name in list(asked):
         if asked[name] is None:

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures of results; each function returns matplotlib axes and creates them unless given."""
+"""Figures of results; each returns matplotlib axes, created here unless given."""
+from typing import Any
+
 import numpy as np
 
 STATE_COLOURS = {"adhesion": "#56B4E9", "slip": "#E69F00"}
 
 
-def _axes(ax):
+def _axes(ax: Any) -> Any:
     if ax is not None:
         return ax
     try:
@@ -15,17 +17,17 @@ def _axes(ax):
     return pyplot.subplots(layout="constrained")[1]
 
 
-def _describe(name):
-    from .result import QUANTITIES
+def _describe(name: str) -> str:
+    from .point import QUANTITIES
     return QUANTITIES[name].label
 
 
-def _edges(centres, size):
+def _edges(centres: Any, size: float) -> Any:
     return np.append(centres - 0.5 * size, centres[-1] + 0.5 * size)
 
 
-def creep_curve(model, x="longitudinal_creepage", y="traction_coefficient", ax=None, **style):
-    """Plots one quantity over another, by their names, with error bars if available."""
+def creep_curve(model: Any, x: str = "longitudinal_creepage", y: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
+    """One quantity over another, by their names, with error bars where there are any."""
     ax = _axes(ax)
     bars = model.bars(y)
     style = {"marker": "o", "markersize": 4, "capsize": 2, "label": model.label or model.name, **style}
@@ -35,8 +37,8 @@ def creep_curve(model, x="longitudinal_creepage", y="traction_coefficient", ax=N
     return ax
 
 
-def creep_curves(result, x="longitudinal_creepage", y="traction_coefficient", ax=None, **style):
-    """The same for every model and patch with more than one load point, or for all if there is none."""
+def creep_curves(result: Any, x: str = "longitudinal_creepage", y: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
+    """The same for every model and patch with more than one load point; for all if none has."""
     ax = _axes(ax)
     several = [model for model in result if len(model) > 1] or list(result)
     for model in several:
@@ -46,7 +48,7 @@ def creep_curves(result, x="longitudinal_creepage", y="traction_coefficient", ax
     return ax
 
 
-def _map(model, values, ax, label, **style):
+def _map(model: Any, values: Any, ax: Any, label: str, **style: Any) -> Any:
     ax = _axes(ax)
     drawn = ax.pcolormesh(_edges(model.x, model.dx), _edges(model.y, model.dy), values, **style)
     ax.figure.colorbar(drawn, ax=ax, label=label)
@@ -56,19 +58,19 @@ def _map(model, values, ax, label, **style):
     return ax
 
 
-def pressure(model, point=0, ax=None, **style):
-    """Plots the pressure over the patch at a load point (counted from 0)."""
+def pressure(model: Any, point: int = 0, ax: Any = None, **style: Any) -> Any:
+    """Pressure over the patch at a load point (from 0)."""
     values = model.points[point]["pressure"]
-    return _map(model, np.ma.masked_less_equal(values, 0.0), ax, "pressure (MPa)", **{"cmap": "viridis", **style})
+    return _map(model, np.where(values > 0.0, values, np.nan), ax, "pressure (MPa)", **{"cmap": "viridis", **style})
 
 
-def traction(model, point=0, ax=None, arrows=12, **style):
-    """Plots the magnitude of the tangential traction over the patch, with some `arrows` arrows in each direction for
-    its direction on the wheel, and the border between adhesion and slip area."""
+def traction(model: Any, point: int = 0, ax: Any = None, arrows: int = 12, **style: Any) -> Any:
+    """Size of the tangential traction over the patch, with arrows of its direction on the wheel, some `arrows` each
+    way, and the border between adhesion and slip."""
     at = model.points[point]
     px, py = at["traction_x"], at["traction_y"]
     outside = at["pressure"] <= 0.0
-    ax = _map(model, np.ma.masked_array(np.hypot(px, py), outside), ax, "tangential traction (MPa)",
+    ax = _map(model, np.where(outside, np.nan, np.hypot(px, py)), ax, "tangential traction (MPa)",
               **{"cmap": "viridis", **style})
     steps = [max(1, round(n / arrows)) for n in px.shape]
     some = tuple(slice(step // 2, None, step) for step in steps)
@@ -81,8 +83,8 @@ def traction(model, point=0, ax=None, arrows=12, **style):
     return ax
 
 
-def path(model, axis="x", point=0, ax=None):
-    """Plots tangential traction and traction bound along a centre line of the patch: axis "x" or "y"."""
+def path(model: Any, axis: str = "x", point: int = 0, ax: Any = None) -> Any:
+    """Tangential traction and its bound along the middle line of the patch: axis "x" or "y"."""
     ax = _axes(ax)
     for field, label, line in (("traction_bound", "bound", "--"), ("traction_x", "$p_x$", "-"),
                                ("traction_y", "$p_y$", "-")):
@@ -94,8 +96,8 @@ def path(model, axis="x", point=0, ax=None):
     return ax
 
 
-def surface(sweep, quantity="traction_coefficient", ax=None, **style):
-    """Plots a quantity over the first axis of a sweep, with one curve for each value of the second axis, if any."""
+def surface(sweep: Any, quantity: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
+    """A quantity over the first axis of a sweep, a curve for each value of the second, if there is one."""
     ax = _axes(ax)
     values = sweep.values(quantity)
     names = list(sweep.axes)
@@ -110,4 +112,25 @@ def surface(sweep, quantity="traction_coefficient", ax=None, **style):
         ax.legend()
     ax.set_xlabel(names[0])
     ax.set_ylabel(_describe(quantity))
+    return ax
+
+
+def profile(found: Any, ax: Any = None, **style: Any) -> Any:
+    """Shape of a profile, z down."""
+    ax = _axes(ax)
+    ax.plot(found.y, found.z, **style)
+    ax.set_aspect("equal")
+    ax.invert_yaxis()
+    ax.set_xlabel("y, to the field side (mm)")
+    ax.set_ylabel("z, down (mm)")
+    return ax
+
+
+def curvature(found: Any, ax: Any = None, **style: Any) -> Any:
+    """Curvature of a profile over y."""
+    ax = _axes(ax)
+    ax.plot(found.y, found.curvature, **style)
+    ax.set_yscale("symlog", linthresh=1e-3)
+    ax.set_xlabel("y, to the field side (mm)")
+    ax.set_ylabel("curvature (1/mm)")
     return ax

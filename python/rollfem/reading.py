@@ -1,67 +1,107 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads stored results into the same types as solved ones."""
-import importlib
+"""Reads what rollfem has written into the types that computing returns."""
 import os
-import sys
 import tomllib
+from typing import Any
 
 from . import _core
 from .case import Case
-from .result import ModelResult, Result
+from .frames import figures_module
+from .model import ModelResult
+from .result import Result
+from .studies import Comparison, Files, Stress, Study
+from .tables import Table
 
 
-def _reader():
-    """The reader of the plotting program, which supports earlier formats and checksums."""
-    folder = os.path.dirname(_core.figures_directory())
-    if folder not in sys.path:
-        sys.path.append(folder)
-    try:
-        return importlib.import_module("rollfem_figures.reader")
-    except ImportError as error:
-        raise ImportError(f"reading results needs h5py and {folder}/rollfem_figures: {error}; "
-                          "do: apt install python3-h5py") from error
-
-
-def _point(point):
+def _point(point: Any) -> dict[str, Any]:
     return {**vars(point), "bodies": {name: vars(body) for name, body in point.bodies.items()}}
 
 
-def _model(model):
+def _model(model: Any) -> ModelResult:
     return ModelResult({**vars(model), "choice": "", "shortfall": "", "points": [_point(point) for point in model.points]})
 
 
-def read(folder):
-    """Reads a folder written by `rollfem run` or `Result.write`, or its results.h5, as a rollfem.Result. Raises
-    rollfem.InputError if it is not a complete result."""
-    reader = _reader()
+def _text(folder: str, name: str) -> str:
+    with open(os.path.join(folder, name), encoding="utf-8") as file:
+        return file.read()
+
+
+def read(path: str | os.PathLike[str]) -> Any:
+    """Whatever rollfem has written to a folder.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The folder of `rollfem run`, `table`, `study`, `compare` or `stress`, or of `write` of what is returned here; or its
+        results.h5, table.h5, study.json, compare.json, stress.json.
+
+    Returns
+    -------
+    Result, Table, Study, Comparison or Stress
+
+    Raises
+    ------
+    FileError
+        If there is nothing of this kind, or it is damaged.
+    ImportError
+        Without h5py.
+
+    Examples
+    --------
+    >>> rollfem.read("results/thesis_a")["halfspace"].max_pressure
+    """
+    name = os.fspath(path)
+    reader = figures_module("reader")
     try:
-        stored = reader.read_result(os.fspath(folder))
+        kind = figures_module("catalogue").kind_of(name)
+        if kind == "table":
+            return Table(name)
+        if kind in ("study", "compare", "stress"):
+            return _files(kind, name if os.path.isdir(name) else os.path.dirname(name) or ".")
+        stored = reader.read_result(name)
     except (reader.ResultError, OSError) as error:
-        raise _core.InputError(str(error)) from error
+        raise _core.FileError(str(error)) from error
     return Result(StoredCase(stored), [_model(model) for model in stored.models], provenance=stored.provenance,
                   folder=stored.directory)
+
+
+def _files(kind: str, folder: str) -> Study | Comparison | Stress:
+    found: type[Files] = Study if kind == "study" else Comparison if kind == "compare" else Stress
+    contents = {name: _text(folder, name) for name in (found.json, found.table)}
+    if kind == "stress":
+        return Stress(contents, folder=folder)
+    figures_module("reader").read_json(folder, kind)  # which knows checksums
+    if kind == "study":
+        return Study(contents, folder=folder)
+    made = Comparison(contents, folder=folder)
+    for case in made.data["cases"]:
+        if case["complete"] and isinstance(stored := read(os.path.join(folder, case["name"])), Result):
+            made.results[case["name"]] = stored
+    return made
 
 
 class StoredCase(Case):
     """The case of a stored result. It is parsed only if more than title and text is needed, because missing files of
     the case must not prevent showing the result."""
 
-    def __init__(self, stored):
+    def __init__(self, stored: Any) -> None:
         self._stored, self._file = stored, stored.case_file
         self._data = tomllib.loads(stored.case_text)
 
     @property
-    def core(self):
+    def core(self) -> _core.Case:
         """Reads the case."""
         return Case.of(self._file, self._data).core
 
     @property
-    def title(self):
-        return self._stored.title
+    def title(self) -> str:
+        """Of the stored case."""
+        return str(self._stored.title)
 
     @property
-    def text(self):
-        return self._stored.case_text
+    def text(self) -> str:
+        """Of the stored case."""
+        return str(self._stored.case_text)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<rollfem.Case {self.title!r}, stored>"

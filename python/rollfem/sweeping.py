@@ -1,74 +1,188 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Solves one case at every combination of given values."""
 import itertools
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from . import plot
 from ._core import InputError, SolveError
 from .case import Case, nested
-from .result import QUANTITIES, frame_of
-from .solving import names_of, solve
+from .frames import Tabular, dataset_of, html_table
+from .point import QUANTITIES, Point
+from .result import Result
+from .solving import Told, names_of, solve
 
 # : Keys of [rolling] that take lists; all their combinations become load points of one solution.
 CREEPAGES = ("longitudinal_creepage", "lateral_creepage", "spin")
 MOST_POINTS = 1000  # of a list in a case
+#: Of a wheel with several patches: sums, and those that have no sum as each patch has a frame of its own.
+SUMS = ("normal_force", "longitudinal_force", "vertical_force", "contact_area", "adhesion_area", "patch_count",
+        "elastic_energy", "frictional_work", "creepage_work", "iterations", "seconds")
+OWN_FRAME = ("lateral_force", "lateral_pressure", "spin_moment")
+Index = tuple[int, ...]
 
 
-class Sweep:
-    """Results over a grid of values: sweep.traction_coefficient, or sweep.values("...") of a model, is an array with
-    one axis per key, in the given order; nan marks a missing solution.
+class Sweep(Tabular):
+    """Results over a grid of values: sweep.traction_coefficient, or sweep.values("...") of a model, is an array with one
+    axis for each key, in their order; nan where there is no solution.
 
-    axes: {key: values}; results: the underlying rollfem.Results; failures: {index: reason} with skip_failures.
+    Where a wheel has several patches, forces along the rolling direction, vertical and normal forces (each along its own
+    normal), areas and energies are sums over them, traction_coefficient is -sum F_x / sum F_n, largest values are those
+    of all, forces in the patches' own frames (lateral_force, lateral_pressure, spin_moment) nan, and all else is of the
+    most loaded patch. `patches` has each by itself.
+
+    Attributes
+    ----------
+    axes : dict
+        {key: values}; load points that the case itself lists are the last axis: a creepage, or point_index (from 0).
+    results : list of Result
+        Behind the numbers.
+    failures : dict
+        {index: why} with skip_failures.
     """
 
-    def __init__(self, axes, models):
+    def __init__(self, axes: dict[str, np.ndarray]) -> None:
         self.axes = axes
-        self.results, self.failures = [], {}
-        self._models = models
-        self._points = {}
+        self.results: list[Result] = []
+        self.failures: dict[Index, str] = {}
+        self._patches: dict[str, np.ndarray] = {}
 
     @property
-    def shape(self):
+    def shape(self) -> Index:
         """Number of values of each axis."""
         return tuple(len(values) for values in self.axes.values())
 
-    def points(self, model=None):
-        """An array of rollfem.Point; None marks a missing solution. `model`: required if there are several."""
+    def patches(self, model: str | None = None) -> np.ndarray:
+        """The load points of every patch.
+
+        Parameters
+        ----------
+        model : str, optional
+            Which of several; with true profiles and both wheels "halfspace_left", say.
+
+        Returns
+        -------
+        numpy.ndarray of list of Point
+            The most loaded patch first; Point.place says where each is. Empty lists where there is no solution.
+
+        Raises
+        ------
+        KeyError, ValueError
+            If there is no such model, or several and none is named.
+
+        Examples
+        --------
+        >>> [point.normal_force for point in sweep.patches()[0]]
+        """
         if model is None:
-            if len(self._points) > 1:
-                raise ValueError(f"this sweep has {', '.join(self._points)}; do: name one, as in values(..., model=...)")
-            model = next(iter(self._points), None)
-        if model not in self._points:
-            raise KeyError(f"{model}: this sweep has {', '.join(self._points) or 'no result'}")
-        return self._points[model]
+            if len(self._patches) > 1:
+                raise ValueError(f"this sweep has {', '.join(self._patches)}; do: name one, as in values(..., model=...)")
+            model = next(iter(self._patches), None)
+        if model is None or model not in self._patches:
+            raise KeyError(f"{model}: this sweep has {', '.join(self._patches) or 'no result'}")
+        return self._patches[model]
 
-    def values(self, name, model=None):
-        """A quantity over the grid."""
+    def points(self, model: str | None = None) -> np.ndarray:
+        """The load points of the most loaded patches.
+
+        Parameters
+        ----------
+        model : str, optional
+            As of `patches`.
+
+        Returns
+        -------
+        numpy.ndarray of Point
+            None where there is no solution.
+
+        Examples
+        --------
+        >>> sweep.points()[0].pressure
+        """
+        return self._map(model, lambda patches: patches[0] if patches else None, object)
+
+    def values(self, name: str, model: str | None = None) -> np.ndarray:
+        """A quantity over the grid.
+
+        Parameters
+        ----------
+        name : str
+            One of rollfem.QUANTITIES, or "force_to_the_right": on the wheel along y of the track, N.
+        model : str, optional
+            As of `patches`.
+
+        Returns
+        -------
+        numpy.ndarray
+
+        Raises
+        ------
+        KeyError
+            If there is no such quantity or model.
+
+        Examples
+        --------
+        >>> sweep.values("longitudinal_force", model="fastsim")
+        """
+        if name == "force_to_the_right":
+            return self._map(model, lambda patches: sum(map(_to_the_right, patches)) if patches else None)
         if name not in QUANTITIES:
-            raise KeyError(f"{name}: not a quantity; allowed: {', '.join(QUANTITIES)}")
-        return self._map(model, lambda point: point.scalars.get(name))
+            raise KeyError(f"{name}: not a quantity; allowed: force_to_the_right, {', '.join(QUANTITIES)}")
+        return self._map(model, lambda patches: _whole(name, patches, lambda point, what: point.scalars.get(what)))
 
-    def bars(self, name, model=None):
-        """The error bars of a quantity over the grid, in its unit."""
-        return self._map(model, lambda point: point.bar(name))
+    def bars(self, name: str, model: str | None = None) -> np.ndarray:
+        """Error bars of a quantity over the grid; of a sum, the sum of the bars.
 
-    def _map(self, model, get):
-        points = self.points(model)
-        found = np.full(points.shape, np.nan)
-        for index, point in np.ndenumerate(points):
-            value = None if point is None else get(point)
+        Parameters
+        ----------
+        name, model : str
+            As of `values`.
+
+        Returns
+        -------
+        numpy.ndarray
+            In the unit of the quantity; nan where there are none.
+
+        Examples
+        --------
+        >>> sweep.bars("longitudinal_force")
+        """
+        return self._map(model, lambda patches: _bar(name, patches))
+
+    def _map(self, model: str | None, get: Callable[[list[Point]], Any], kind: type = float) -> np.ndarray:
+        patches = self.patches(model)
+        found: np.ndarray = np.full(patches.shape, np.nan if kind is float else None, dtype=kind)
+        for index, each in np.ndenumerate(patches):
+            value = get(each)
             if value is not None:
                 found[index] = value
         return found
 
-    def __getattr__(self, name):
-        if name in QUANTITIES:
+    def __getattr__(self, name: str) -> np.ndarray:
+        if name in QUANTITIES or name == "force_to_the_right":
             return self.values(name)
         raise AttributeError(f"a sweep has no {name}")
 
-    def columns(self, model=None):
-        """{name: array} over the combinations: one column per key, then the quantities."""
+    def columns(self, model: str | None = None) -> dict[str, np.ndarray]:
+        """All numbers over the combinations.
+
+        Parameters
+        ----------
+        model : str, optional
+            As of `patches`.
+
+        Returns
+        -------
+        dict
+            {name: array}: a column for each key, then the quantities.
+
+        Examples
+        --------
+        >>> sweep.columns()["spin"]
+        """
         grids = np.meshgrid(*self.axes.values(), indexing="ij")
         found = {name: grid.ravel() for name, grid in zip(self.axes, grids)}
         for name in QUANTITIES:
@@ -77,88 +191,210 @@ class Sweep:
                 found.setdefault(name, values)
         return found
 
-    def to_dataframe(self, model=None):
-        """`columns()` as a pandas.DataFrame. ImportError without pandas."""
-        return frame_of(self.columns(model))
+    def to_xarray(self, model: str | None = None) -> Any:
+        """All numbers with their axes and units.
+
+        Parameters
+        ----------
+        model : str, optional
+            As of `patches`.
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Raises
+        ------
+        ImportError
+            Without xarray.
+
+        Examples
+        --------
+        >>> sweep.to_xarray().traction_coefficient.plot()
+        """
+        values = {name: (tuple(self.axes), column.reshape(self.shape), {"units": QUANTITIES[name].unit})
+                  for name, column in self.columns(model).items() if name not in self.axes}
+        return dataset_of(values, self.axes, {"model": model or next(iter(self._patches))})
 
     plot = plot.surface
 
-    def _add(self, index, result, number):
+    def _add(self, index: Index, result: Result, number: int) -> None:
         """Load point `number` of a result at an index of the grid."""
         for model in result:
-            if model.place is not None and model.place["patches"] > 1:
-                raise InputError("a wheel has several patches here, which one array cannot hold; do: solve each "
-                                 "combination and read the values from its result")
-            name = model.name if model.place is None else f"{model.name}_{model.place['wheel']}"
             if model.place is not None and model.place["position"] > 1:
                 raise InputError("the case has several positions; do: sweep over them (lateral_shift=[...])")
-            points = self._points.setdefault(name, np.full(self.shape, None, dtype=object))
-            # Models without creepage have a single load point for all combinations.
-            points[index] = model.points[number if len(model) > 1 else 0]
+            name = model.name if model.place is None else f"{model.name}_{model.place['wheel']}"
+            if name not in self._patches:
+                self._patches[name] = np.empty(self.shape, dtype=object)
+                for each in np.ndindex(self.shape):
+                    self._patches[name][each] = []
+            # What knows no creepage has one load point for all of them.
+            self._patches[name][index].append(model.points[number if len(model) > 1 else 0])
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         grid = " x ".join(f"{name} ({len(values)})" for name, values in self.axes.items())
         failed = f", {len(self.failures)} failed" if self.failures else ""
-        return f"<rollfem.Sweep {grid}: {', '.join(self._points)}{failed}>"
+        return f"<rollfem.Sweep {grid}: {', '.join(self._patches)}{failed}>"
+
+    def _repr_html_(self) -> str:
+        heads = [*self.axes, "model", "traction_coefficient", "max_pressure"]
+        grids = [grid.ravel() for grid in np.meshgrid(*self.axes.values(), indexing="ij")]
+        return html_table(repr(self), heads, (row for model in self._patches for row in zip(
+            *grids, itertools.repeat(model), *(self.values(name, model).ravel() for name in heads[-2:]))))
 
 
-def _solve_into(sweep, case, indices, how, skip):
-    """Solves the load points of a case together; if that fails and failures may be skipped, separately."""
+def _whole(name: str, patches: Sequence[Point], get: Callable[[Point, str], Any]) -> Any:
+    """A number of a wheel from those of its patches; None where there is none."""
+    if len(patches) < 2:
+        return get(patches[0], name) if patches else None
+    if name in OWN_FRAME:
+        return None
+    if name == "traction_coefficient":
+        forces = [[get(point, each) for point in patches] for each in ("longitudinal_force", "normal_force")]
+        return None if None in forces[0] or not sum(forces[1]) else -sum(forces[0]) / sum(forces[1])
+    values = [get(point, name) for point in patches]
+    if name in SUMS:
+        return None if None in values else sum(values)
+    known = [value for value in values if value is not None]
+    if name.startswith("max_") or name == "residual":
+        return max(known, default=None)
+    return min(known, default=None) if name == "converged" else values[0]
+
+
+def _bar(name: str, patches: Sequence[Point]) -> float | None:
+    if len(patches) > 1 and name == "traction_coefficient":
+        bars = [point.bar("longitudinal_force") for point in patches]
+        known = [bar for bar in bars if bar is not None]
+        return sum(known) / sum(point.normal_force for point in patches) if len(known) == len(bars) else None
+    if len(patches) > 1 and name.startswith("max_"):
+        return max(patches, key=lambda point: point.scalars.get(name) or 0.0).bar(name)
+    found: float | None = _whole(name, patches, lambda point, what: point.bar(what))
+    return found
+
+
+def _to_the_right(point: Point) -> float:
+    """Force on the wheel along y of the track, N (docs/track.md); of a case without a track its lateral force."""
+    if point.place is None:
+        return float(point.lateral_force)
+    angle, tilt = point.place["contact_angle"], 1 if point.place["wheel"] == "left" else -1
+    return float(-point.lateral_force * math.cos(angle) + tilt * point.normal_force * math.sin(angle))
+
+
+def _lists(case: Case, without: Sequence[str] = ()) -> dict[str, list[Any]]:
+    """What the case lists over its load points, {"rolling.spin": [...]}, less some creepages."""
+    found = {f"rolling.{name}": values for name, values in case.data.get("rolling", {}).items()
+             if isinstance(values, list) and name not in without}
+    turns = case.data.get("wheelset", {}).get("rotation_change")
+    return {**found, **({"wheelset.rotation_change": turns} if isinstance(turns, list) else {})}
+
+
+def _solve_into(sweep: Sweep, case: Case, indices: Sequence[Index], how: Mapping[str, Any], skip: bool) -> None:
+    """Solves the load points of a case; if that fails and failures may be skipped, each separately."""
     try:
         result = solve(case, **how)
     except SolveError as error:
         if not skip:
             raise
-        if len(indices) == 1:
-            sweep.failures[indices[0]] = str(error)
+        lists = _lists(case)
+        if len(indices) == 1 or not _separate(case):
+            sweep.failures.update((index, str(error)) for index in indices)
             return
-        rolling = case.data["rolling"]
         for number, index in enumerate(indices):
-            one = {name: [rolling[name][number]] for name in CREEPAGES if isinstance(rolling.get(name), list)}
-            _solve_into(sweep, case.with_(rolling=one), [index], how, skip)
+            _solve_into(sweep, case.with_({name: values[number] for name, values in lists.items()}), [index], how, skip)
         return
     sweep.results.append(result)
     for number, index in enumerate(indices):
         sweep._add(index, result, number)
 
 
-def sweep(case, axes=None, /, *, model=None, models=None, progress=None, skip_failures=False, **keys):
-    """Solves a case at every combination of values and returns a rollfem.Sweep.
+def _separate(case: Case) -> bool:
+    """Whether load points do not depend on each other."""
+    return case.data.get("rolling", {}).get("problem", "steady") in ("steady", "frictionless")
 
-    sweep(case, longitudinal_creepage=[...], spin=[...]), sweep(case, {"friction.coefficient": [0.3, 0.5]}), sweep(case,
-    friction__coefficient=[0.3, 0.5]). Creepages become load points of one solution, which is cheapest; other keys need
-    one solution per combination. skip_failures: combinations without a solution are nan and listed in `failures`;
-    otherwise the first failure raises rollfem.SolveError.
+
+def sweep(case: Any, axes: Mapping[str, Any] | None = None, /, *, model: str | None = None, models: Any = None,
+          progress: Told = None, skip_failures: bool = False, **keys: Any) -> Sweep:
+    """Solves a case at every combination of values.
+
+    Creepages are load points of one solution, which costs least; all other keys take a solution for each combination.
+    Load points that the case lists itself are the last axis.
+
+    Parameters
+    ----------
+    case : str, os.PathLike, dict or Case
+    axes : dict, optional
+        {"friction.coefficient": [0.3, 0.5]}.
+    model, models, progress
+        As of `solve`.
+    skip_failures : bool
+        Combinations without a solution are nan and listed in `failures`; otherwise the first raises.
+    **keys
+        Keys and their values as of `Case.with_`: longitudinal_creepage=[...], friction__coefficient=[0.3, 0.5].
+
+    Returns
+    -------
+    Sweep
+
+    Raises
+    ------
+    InputError
+        If a key or value is wrong.
+    SolveError
+        If a combination has no solution.
+
+    Examples
+    --------
+    >>> sweep = rollfem.sweep(case, longitudinal_creepage=[0.0, 0.001], spin=[0.0, 1e-4])
+    >>> sweep.traction_coefficient.shape
+    (2, 2)
     """
     case = case if isinstance(case, Case) else Case(case)
-    asked = {name: [v for v in np.atleast_1d(np.asarray(values, dtype=object)).tolist()]
+    asked = {name: list(np.atleast_1d(np.asarray(values, dtype=object)).tolist())
              for name, values in {**(axes or {}), **keys}.items()}
     if not asked or not all(asked.values()):
         raise InputError("a sweep needs at least one key and its values, as in spin=[0.0, 1e-4]")
     names = list(asked)
     paths = {name: _path(name) for name in names}
-    inner = [name for name in names if paths[name][0] == "rolling" and paths[name][-1] in CREEPAGES]
+    inner = [name for name in names if _separate(case) and paths[name][0] == "rolling" and paths[name][-1] in CREEPAGES]
     outer = [name for name in names if name not in inner]
-    found = Sweep({name: np.array(values) for name, values in asked.items()}, models)
-    how = {"models": names_of(model, models), "progress": progress}
-    numbers = {name: range(len(asked[name])) for name in names}
-    for fixed in itertools.product(*(numbers[name] for name in outer)):
+    first = case.with_({name: asked[name][0] for name in outer}) if outer else case
+    own_lists, own_count, own_axis = _own_points(first, [paths[name][-1] for name in inner])
+    found = Sweep({**{name: np.array(values) for name, values in asked.items()}, **own_axis})
+    how = {"models": names_of(model, models) or None, "progress": progress}
+    for fixed in itertools.product(*(range(len(asked[name])) for name in outer)):
         at = case.with_({name: asked[name][k] for name, k in zip(outer, fixed)}) if outer else case
-        combinations = list(itertools.product(*(numbers[name] for name in inner)))
-        for begin in range(0, len(combinations), MOST_POINTS):
-            part = combinations[begin:begin + MOST_POINTS]
+        combinations = list(itertools.product(*(range(len(asked[name])) for name in inner), range(own_count)))
+        for begin in range(0, len(combinations), MOST_POINTS if inner else len(combinations)):
+            part = combinations[begin:begin + MOST_POINTS] if inner else combinations
             lists = {name: [asked[name][c[k]] for c in part] for k, name in enumerate(inner)}
-            indices = [tuple({**dict(zip(outer, fixed)), **dict(zip(inner, c))}[name] for name in names) for c in part]
+            lists.update((name, [values[c[-1]] for c in part]) for name, values in own_lists.items())
+            indices = [tuple(_in_order(names, outer, fixed, inner, c)) + (c[-1:] if own_axis else ()) for c in part]
             _solve_into(found, at.with_(lists) if inner else at, indices, how, skip_failures)
     return found
 
 
-def _path(name):
-    """Section and key of a name."""
-    at, path = nested({name: 0}), []
+def _in_order(names: Sequence[str], outer: Sequence[str], fixed: Index, inner: Sequence[str], c: Index) -> Iterator[int]:
+    """The index of a combination, in the order of the keys."""
+    numbers = {**dict(zip(outer, fixed)), **dict(zip(inner, c))}
+    return (numbers[name] for name in names)
+
+
+def _own_points(case: Case, swept: Sequence[str]) -> tuple[dict[str, list[Any]], int, dict[str, np.ndarray]]:
+    """Load points that the case lists beside the keys that are swept: its lists, their number, their axis."""
+    lists = _lists(case, swept)
+    count = max(map(len, lists.values()), default=1) if _separate(case) else case.load_points
+    if count < 2:
+        return lists, 1, {}
+    if len(lists) == 1 and _separate(case):
+        return lists, count, {name.split(".")[1]: np.array(values) for name, values in lists.items()}
+    return lists, count, {"point_index": np.arange(count)}
+
+
+def _path(name: str) -> list[str]:
+    """Section and key that a name stands for."""
+    at: Any = nested({name: 0})
+    path = []
     while isinstance(at, dict):
         path.append(next(iter(at)))
         at = at[path[-1]]
     return path
-
-

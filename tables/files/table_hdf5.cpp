@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
 #include "tables/files/table_files.hpp"
@@ -124,7 +124,7 @@ void write_values(hid_t file, const CreepTable& table) {
 }
 
 [[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
-  throw contact::InputError(
+  throw contact::FileError(
       fmt::format("{}: {}; do: name a table.h5 written by rollfem table", path, why));
 }
 

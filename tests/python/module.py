@@ -87,7 +87,7 @@ class Cases(unittest.TestCase):
             self.assertRaises(rollfem.InputError, call)
 
     def test_a_slip_of_units_warns(self):
-        with self.assertWarns(rollfem.DoubtWarning):
+        with self.assertWarns(rollfem.UnitWarning):
             rollfem.solve({**SMALL, "wheel": {"rolling_radius": 0.4, "transverse_radius": math.inf}}, model="hertz")
 
 

@@ -47,7 +47,7 @@ ALLOWED = {
             "profiles": ANY, "track": ANY, "postprocess": ANY, "tables": ANY,
             "theories": ANY, "fem": {"elasticity"}},
     "interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
-    "python": {"contact": ANY, "postprocess": ANY, "tables": {"files"}},
+    "python": {"contact": ANY, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
     "capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "tables": {"files"}},
 }
 # Rooms of a module, each of which may include those before it.
@@ -57,7 +57,7 @@ ROOMS = {
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance"],
     "postprocess": ["files", "hdf5", "write", "read", "compare", "study", "stress"],
-    "models": ["program", "caches", "fem", "choice", "solving", ""],
+    "models": ["program", "caches", "fem", "choice", "solving", "study", "stress", ""],
     "tables": ["files", "filling"],
     "app": ["frame", "input", "results", "run", "study", ""],
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/case/toml/toml_reader.hpp"
 
+#include "contact/base/file_error.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_text.hpp"
 #include "contact/case/toml/toml_faults.hpp"
@@ -229,7 +230,11 @@ void fail_file(const std::string& file, const std::string& wrong, const std::str
   CaseProblem problem;
   problem.wrong = wrong;
   problem.action = action;
-  fail(file, problem);
+  try {
+    fail(file, problem);
+  } catch (const InputError& error) {
+    throw FileError(error.what());
+  }
 }
 
 GivenCase read_toml(const std::string& text, const std::string& file,

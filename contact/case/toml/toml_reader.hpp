@@ -14,7 +14,7 @@ namespace rollfem::contact {
 GivenCase read_toml(const std::string& text, const std::string& file,
                     const std::vector<std::string>& models = {});
 
-/// Throws InputError: the file as a whole is wrong.
+/// Throws FileError: the file as a whole is wrong.
 [[noreturn]] void fail_file(const std::string& file, const std::string& wrong,
                             const std::string& action);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/results/stress_choice.hpp"
+#include "models/stress/stress_choice.hpp"
 
 #include "contact/base/errors.hpp"
 
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 namespace {
 
 using contact::InputError;
@@ -152,4 +152,4 @@ void check_stored(const StoredModel& stored, const PointResult& point, std::size
       models.reference().name));
 }
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

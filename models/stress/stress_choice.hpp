@@ -2,14 +2,14 @@
 // Selects the models and load points of a stored result for `rollfem stress`.
 #pragma once
 
-#include "app/results/stress_request.hpp"
 #include "contact/solve/model.hpp"
+#include "models/stress/stress_request.hpp"
 #include "postprocess/read/results_reader.hpp"
 
 #include <cstddef>
 #include <vector>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 /// The requested models of the requested patch. Defaults: the models with stress, the first patch.
 /// Throws contact::InputError.
@@ -31,4 +31,4 @@ void check_stored(const postprocess::StoredModel& stored, const contact::PointRe
                   std::size_t number, const StressRequest& request,
                   const contact::ModelRegistry& models);
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

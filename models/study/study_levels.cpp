@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/study/study_levels.hpp"
+#include "models/study/study_levels.hpp"
 
 #include <algorithm>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 using contact::ModelInfo;
 using contact::ModelInput;
@@ -88,4 +88,4 @@ std::vector<LevelPlan> level_plans(const ModelInput& input, const ModelInfo& mod
   return plans;
 }
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 /// Load points of one level. Their records carry the seconds spent on the level so far, so that the
 /// cost of a resumed level covers all calls.
@@ -44,8 +44,8 @@ std::string level_record_name(const std::string& place_key, const postprocess::S
 /// and uses the folder of process 0; null: each process for itself.
 std::optional<postprocess::StudyLevel> find_level(postprocess::CheckpointFolder* folder,
                                                   const std::string& name,
-                                                  const modelling::ParallelSession* everywhere);
+                                                  const ParallelSession* everywhere);
 void keep_level(postprocess::CheckpointFolder* folder, const std::string& name,
                 const postprocess::StudyLevel& level);
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/study/study_checkpoint.hpp"
+#include "models/study/study_checkpoint.hpp"
 
 #include "contact/result/record.hpp"
 
@@ -9,7 +9,7 @@
 #include <cctype>
 #include <cstring>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 namespace {
 
@@ -74,7 +74,7 @@ std::string level_record_name(const std::string& place_key, const postprocess::S
 }
 
 std::optional<StudyLevel> find_level(postprocess::CheckpointFolder* folder, const std::string& name,
-                                     const modelling::ParallelSession* everywhere) {
+                                     const ParallelSession* everywhere) {
   std::string bytes;
   if (folder != nullptr) bytes = folder->find(name).value_or("");
   if (everywhere != nullptr) bytes = everywhere->from_first(bytes);
@@ -87,4 +87,4 @@ void keep_level(postprocess::CheckpointFolder* folder, const std::string& name,
   if (folder != nullptr) folder->keep(name, bytes_of(level));
 }
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

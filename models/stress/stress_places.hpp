@@ -3,13 +3,13 @@
 // from the tractions, in finite elements from the bodies.
 #pragma once
 
-#include "app/results/stress_request.hpp"
+#include "models/stress/stress_request.hpp"
 #include "postprocess/stress/stress_report.hpp"
 
 #include <cstddef>
 #include <vector>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 /// Lines from the surface down below the centre of the patch, and below the most loaded element
 /// unless it contains the centre. Throws contact::InputError for an invalid depth.
@@ -37,4 +37,4 @@ std::vector<postprocess::StressSet> hybrid_sets(const contact::Case& input,
                                                 const std::vector<NamedRequest>& requests,
                                                 std::vector<contact::StressMaximum>& maxima);
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

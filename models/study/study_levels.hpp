@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 /// The levels of one model, coarsest first.
 struct LevelPlan {
@@ -36,4 +36,4 @@ std::vector<LevelPlan> level_plans(const contact::ModelInput& input,
                                    const contact::ModelInfo& model,
                                    const std::vector<std::string>& vary, bool together, int levels);
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

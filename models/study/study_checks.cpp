@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/study/study_checks.hpp"
+#include "models/study/study_checks.hpp"
 
-#include "app/study/study_levels.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
-#include "models/registry.hpp"
-#include "postprocess/files/files_together.hpp"
+#include "models/study/study_levels.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-namespace rollfem::app {
-
-namespace fs = std::filesystem;
+namespace rollfem::modelling {
 
 namespace {
 
@@ -37,14 +33,14 @@ void check_domain(const contact::Case& input) {
                     input.file, why));
 }
 
-bool asks_for_all(const StudyRequest& request) {
-  return request.models == std::vector<std::string>{"all"};
+bool asks_for_all(const StudyWishes& wishes) {
+  return wishes.models == std::vector<std::string>{"all"};
 }
 
-/// Throws unless a model of the study can refine `word`.
-void check_varied(const StudyRequest& request, const std::string& word,
+/// One of the models of the study must have it.
+void check_varied(const StudyWishes& wishes, const std::string& word,
                   const contact::ModelRegistry& known) {
-  const std::vector<std::string> names = named_models(request, known);
+  const std::vector<std::string> names = named_models(wishes, known);
   if (std::any_of(names.begin(), names.end(),
                   [&](const std::string& name) { return can_vary(known.at(name), word); }))
     return;
@@ -112,52 +108,45 @@ void read_number(const std::string& word, std::vector<StudyPlace>& places) {
 
 }  // namespace
 
-fs::path directory_of(const StudyRequest& request) {
-  if (!request.directory.empty()) return request.directory;
-  return fs::path("results") / (fs::path(request.case_file).stem().string() + "_study");
-}
-
-void check_call(const StudyRequest& request, const contact::Case& input,
-                const contact::ModelRegistry& known) {
+void check_wishes(const StudyWishes& wishes, const contact::Case& input,
+                  const contact::ModelRegistry& known) {
   const std::vector<std::string> words = varied_words(known);
-  for (const std::string& word : request.vary) {
+  for (const std::string& word : wishes.vary) {
     if (std::find(words.begin(), words.end(), word) == words.end())
       throw InputError(
           fmt::format("--vary {}: cannot be refined; {}allowed: {}; do: name one of them", word,
                       contact::did_you_mean(word, words), contact::listed(words)));
-    check_varied(request, word, known);
+    check_varied(wishes, word, known);
     if (word == "domain") check_domain(input);
   }
-  if (request.levels != 0 && (request.levels < 2 || request.levels > 8))
-    throw InputError(fmt::format("--levels {}: allowed: 2 to 8; do: correct it", request.levels));
-  refuse_other_result(directory_of(request), "study.json");
-  const postprocess::FilesTogether trial(directory_of(request));
+  if (wishes.levels != 0 && (wishes.levels < 2 || wishes.levels > 8))
+    throw InputError(fmt::format("--levels {}: allowed: 2 to 8; do: correct it", wishes.levels));
 }
 
-std::vector<std::string> named_models(const StudyRequest& request,
+std::vector<std::string> named_models(const StudyWishes& wishes,
                                       const contact::ModelRegistry& known) {
-  if (request.models.empty()) return {known.reference().name};
-  if (!asks_for_all(request)) return request.models;
+  if (wishes.models.empty()) return {known.reference().name};
+  if (!asks_for_all(wishes)) return wishes.models;
   std::vector<std::string> all;
   for (const contact::ModelInfo& model : known.all())
     if (model.built && !model.chooses) all.push_back(model.name);
   return all;
 }
 
-std::vector<std::string> models_of(const StudyRequest& request, const modelling::Scenes& scenes,
+std::vector<std::string> models_of(const StudyWishes& wishes, const Scenes& scenes,
                                    const contact::ModelRegistry& known) {
   std::vector<std::string> able;
-  for (const std::string& name : named_models(request, known)) try {
+  for (const std::string& name : named_models(wishes, known)) try {
       for (const contact::Scene& scene : scenes.list) known.check(scene, name);
       able.push_back(name);
-    } catch (const InputError&) {  // "all" skips models that cannot take the case
-      if (!asks_for_all(request)) throw;
+    } catch (const InputError&) {  // "all" means all that can
+      if (!asks_for_all(wishes)) throw;
     }
   return able;
 }
 
-void read_references(const StudyRequest& request, postprocess::StudyRecord& record) {
-  for (const std::string& word : request.references) {
+void read_references(const StudyWishes& wishes, postprocess::StudyRecord& record) {
+  for (const std::string& word : wishes.references) {
     if (word == "exact") {
       record.rule = ReferenceRule::exact;
       if (record.places.front().exact.empty())
@@ -172,4 +161,4 @@ void read_references(const StudyRequest& request, postprocess::StudyRecord& reco
   }
 }
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

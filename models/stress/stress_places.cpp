@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/results/stress_places.hpp"
+#include "models/stress/stress_places.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 namespace {
 
 using contact::InputError;
@@ -137,8 +137,7 @@ bool is_rigid(const ModelResult& model, const std::string& body) {
 /// The scene of the result's patch.
 contact::Scene scene_of(const contact::Case& input, const ModelResult& model) {
   if (!model.place) return input;
-  for (const contact::Scene& scene :
-       modelling::scenes_of(input, modelling::placed_wheels(input)).list)
+  for (const contact::Scene& scene : scenes_of(input, placed_wheels(input)).list)
     if (scene.place && scene.place->left == model.place->left &&
         scene.place->position == model.place->position && scene.place->patch == model.place->patch)
       return scene;
@@ -228,7 +227,7 @@ std::vector<StressSet> hybrid_sets(const contact::Case& input, const ModelResult
   scene.subsurface.clear();
   scene.output.stress_maxima = true;
   scene.follows_surface = 1.0;
-  const halfspace::SmoothParts parts = modelling::smooth_parts_finder()(scene, {});
+  const halfspace::SmoothParts parts = smooth_parts_finder()(scene, {});
   const hybrid::Stresses stresses(scene, parts);
   for (const NamedRequest& named : requests) {
     SubsurfaceRequest request = named.request;
@@ -249,4 +248,4 @@ std::vector<StressSet> hybrid_sets(const contact::Case& input, const ModelResult
   return sets;
 }
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

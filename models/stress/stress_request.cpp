@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/results/stress_request.hpp"
+#include "models/stress/stress_request.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <map>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 using contact::InputError;
 
@@ -59,4 +59,4 @@ std::optional<double> yield_shear_stress(const StressRequest& request) {
   return std::nullopt;
 }
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rollfem::app {
+namespace rollfem::modelling {
 
 struct StressRequest {
   std::string result;               ///< results.h5, or the folder that holds it
@@ -22,9 +22,6 @@ struct StressRequest {
   std::optional<double> depth;               ///< mm, of the depth profile
   std::optional<double> yield_shear_stress;  ///< k, MPa
   std::optional<double> yield_strength;      ///< Y, MPa
-  std::string directory;                     ///< empty: <result folder>_stress
-  bool quiet = false;
-  bool figures = true;
 };
 
 /// A request with its name in all files: point_1, line_1, plane_1, ...
@@ -41,4 +38,4 @@ std::vector<NamedRequest> named_requests(const StressRequest& request);
 /// k from --yield-shear-stress or --yield-strength, MPa; empty if neither is given.
 std::optional<double> yield_shear_stress(const StressRequest& request);
 
-}  // namespace rollfem::app
+}  // namespace rollfem::modelling

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A file that is missing, cannot be read or written, is damaged or of another kind: an InputError
+// that callers may tell from wrong values.
+#pragma once
+
+#include "contact/base/errors.hpp"
+
+namespace rollfem::contact {
+
+class FileError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+}  // namespace rollfem::contact

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "models/stress/stored_stress.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/stress_measures.hpp"
+#include "halfspace/stress/stress_maxima.hpp"
+#include "models/stress/stress_choice.hpp"
+#include "models/stress/stress_places.hpp"
+#include "postprocess/read/results_reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rollfem::modelling {
+namespace {
+
+using contact::InputError;
+using contact::ModelResult;
+using contact::PointResult;
+using postprocess::ResultsFile;
+using postprocess::StoredModel;
+using postprocess::StressOfModel;
+using postprocess::StressSet;
+
+/// Largest values at the nodes. Between them there are no larger ones: each measure is a convex
+/// function of the stress, and the interpolated stress is a mean of those of the nodes.
+std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, std::size_t point) {
+  std::vector<contact::StressMaximum> maxima;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const contact::BodyField body = model.body_at(point, b);
+    for (const auto& found : postprocess::largest_stresses(body.name, body.points, body.stress))
+      maxima.push_back(found);
+  }
+  return maxima;
+}
+
+/// Largest values that the places asked for show and the search has missed: it leaves out depths of
+/// less than an element, which counts where elements are long. Places nearer to the surface than
+/// `least`, but not on it, are left out.
+void add_largest_of_sets(const std::vector<StressSet>& sets, double least,
+                         std::vector<contact::StressMaximum>& maxima) {
+  for (const StressSet& set : sets)
+    for (const auto& found : postprocess::largest_stresses(
+             set.field.request.wheel ? "wheel" : "rail", set.field.points, set.field.stress, least))
+      for (contact::StressMaximum& maximum : maxima)
+        if (maximum.measure == found.measure && maximum.body == found.body &&
+            found.value > maximum.value)
+          maximum = found;
+}
+
+StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size_t number,
+                        const std::vector<NamedRequest>& asked, const StressRequest& request,
+                        const contact::ModelRegistry& models) {
+  const PointResult& point = model.points[number];
+  std::vector<NamedRequest> requests = asked;
+  if (request.depth_profile || asked.empty()) {
+    const auto profiles = depth_profiles(model, number, request);
+    requests.insert(requests.begin(), profiles.begin(), profiles.end());
+  }
+  StressOfModel found;
+  found.point = number;
+  const contact::ModelInfo* info = models.find(model.name);
+  const bool bodies = in_bodies(model.name, models);
+  if (info != nullptr && info->corrects_stress) {
+    found.sets = hybrid_sets(input, model, number, requests, found.maxima);
+    found.result = std::move(model);
+    return found;
+  }
+  found.sets =
+      bodies ? body_sets(model, number, requests) : halfspace_sets(input, model, number, requests);
+  found.maxima = point.stress_maxima;
+  if (found.maxima.empty())
+    found.maxima = bodies ? largest_at_nodes(model, number)
+                          : halfspace::stress_maxima(input, model.grid, point);
+  const double element = std::max(model.grid.dx, model.grid.dy);
+  add_largest_of_sets(found.sets, bodies ? 0.0 : 0.5 * element, found.maxima);
+  found.result = std::move(model);
+  return found;
+}
+
+}  // namespace
+
+postprocess::StressReport stored_stress(const StressRequest& request,
+                                        const contact::ModelRegistry& models,
+                                        std::vector<std::string>& warnings) {
+  const std::vector<NamedRequest> asked = named_requests(request);
+  postprocess::StressReport report;
+  report.yield_shear_stress = yield_shear_stress(request);
+
+  const ResultsFile file(request.result);
+  if (!file.sealed())
+    warnings.push_back(
+        file.path() +
+        " has no checksum (an earlier version or another program wrote it), so damage may go "
+        "unnoticed; do: if in doubt, run the case again");
+  report.source = file.path();
+  report.title = file.input().title;
+  report.point_named = !request.points.empty() || !request.creepages.empty();
+  std::vector<std::string> left_out;
+  for (const StoredModel& stored : chosen_models(file, request, models)) {
+    const ModelResult whole = file.read(stored);
+    for (const std::size_t point : chosen_points(whole, request)) {
+      try {
+        check_stored(stored, whole.points[point], point, request, models);
+      } catch (const InputError& error) {
+        if (left_out.empty() || left_out.back() != error.what())
+          left_out.emplace_back(error.what());
+        continue;
+      }
+      ModelResult model = whole;
+      if (in_bodies(stored.name, models)) file.read_bodies(stored, point, model);
+      report.models.push_back(
+          stress_of(file.input(), std::move(model), point, asked, request, models));
+    }
+  }
+  if (report.models.empty()) throw InputError(left_out.front());
+  for (const std::string& why : left_out) warnings.push_back("left out: " + why);
+  return report;
+}
+
+}  // namespace rollfem::modelling

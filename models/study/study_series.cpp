@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "models/study/study_series.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/result/quantities.hpp"
+#include "models/solving/expected_choice.hpp"
+#include "models/study/study_checkpoint.hpp"
+#include "models/study/study_checks.hpp"
+#include "models/study/study_levels.hpp"
+#include "theories/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace rollfem::modelling {
+
+namespace {
+
+using contact::InputError;
+using postprocess::StudyLevel;
+using postprocess::StudyPlace;
+using postprocess::StudySeries;
+using postprocess::StudyValues;
+
+/// Keys of a study with the load point (from 0) and the quantity that they stand for. A value of 0
+/// is one that the model does not give.
+std::vector<std::tuple<std::string, std::size_t, std::string>> keys_of(
+    const contact::ModelResult& result, bool patch) {
+  std::vector<std::tuple<std::string, std::size_t, std::string>> keys;
+  if (result.points.empty()) return keys;
+  const auto put = [&](const char* name) {
+    if (contact::quantity(result.points.front(), name) != 0.0) keys.emplace_back(name, 0, name);
+  };
+  put("max_pressure");
+  // A patch of profiles is no ellipse.
+  put(patch ? "contact_length" : "semi_axis_x");
+  put(patch ? "contact_width" : "semi_axis_y");
+  put("approach");
+  for (std::size_t k = 0; k < result.points.size(); ++k)
+    if (result.points[k].max_traction > 0.0)
+      keys.emplace_back(fmt::format("traction_coefficient:{}", k + 1), k, "traction_coefficient");
+  return keys;
+}
+
+StudyValues values_of(const contact::ModelResult& result, bool patch) {
+  StudyValues values;
+  for (const auto& [key, point, name] : keys_of(result, patch))
+    values[key] = contact::quantity(result.points[point], name);
+  return values;
+}
+
+StudyValues bars_of(const contact::ModelResult& result, bool patch) {
+  StudyValues bars;
+  for (const auto& [key, point, name] : keys_of(result, patch)) {
+    const auto& estimates = result.points[point].error_estimate;
+    if (const auto bar = estimates.find(name); bar != estimates.end()) bars[key] = bar->second;
+  }
+  return bars;
+}
+
+/// Hertz's values where the case is one that they are exact for.
+StudyValues exact_values(const contact::Scene& scene) {
+  if (scene.has_profiles()) return {};
+  try {
+    return values_of(theories::models().run("hertz", scene, {}), false);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+bool parallel(const LevelPlan& plan, const StudyRun& work) {
+  return work.how.models->at(plan.model).parallel;
+}
+
+/// The level as an earlier call left it, or solved. Of a parallel model collective.
+StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
+                    const StudySeries& series, const std::string& place, const StudyRun& work) {
+  StudyLevel level;
+  level.label = wanted.label;
+  level.parameter = wanted.parameter;
+  const std::string name = level_record_name(place, series, level);
+  const bool several = parallel(plan, work) && !work.how.together;
+  if (const auto kept = find_level(work.kept, name, several ? work.how.session : nullptr)) {
+    work.say(fmt::format("{} {}: resumed", plan.model, level.label));
+    return *kept;
+  }
+  LevelPoints points(work.kept, name);
+  Solving how = work.how;
+  how.checkpoint = &points;
+  how.progress = [&](contact::ProgressEvent event) {
+    event.stage = wanted.label + ": " + event.stage;
+    contact::report(work.how.progress, event);
+  };
+  const contact::ModelResult result = solve_scene(plan.model, wanted.input, work.notes, how);
+  const auto total = result.seconds.find("total");
+  level.unknowns = result.unknowns;
+  level.contact_elements = result.contact_elements;
+  level.seconds = points.seconds_before() + (total == result.seconds.end() ? 0.0 : total->second);
+  level.values = values_of(result, wanted.input.has_profiles());
+  level.bars = bars_of(result, wanted.input.has_profiles());
+  for (const contact::PointResult& point : result.points)
+    level.noise = std::max(level.noise, point.residual);
+  keep_level(work.kept, name, level);
+  points.drop();
+  work.say(fmt::format("{} {}: {:.2g} s", plan.model, level.label, level.seconds));
+  return level;
+}
+
+/// A level may be too coarse to be laid out or to be solved: then the series begins with a finer
+/// one. After a level that was solved a failure ends it, since limits need levels in a row.
+StudySeries run_series(const LevelPlan& plan, const std::string& place, const StudyRun& work) {
+  StudySeries series;
+  series.model = plan.model;
+  series.vary = plan.vary;
+  series.parameter = plan.parameter;
+  series.ratio = plan.ratio;
+  const contact::ModelInfo& model = work.how.models->at(plan.model);
+  series.measures_others = model.name == work.how.models->reference().name;
+  series.limit_of_its_own = model.keeps_bodies;
+  if (!parallel(plan, work) && !work.how.first) return series;
+  for (std::size_t k = 0; k < plan.levels.size(); ++k) {
+    if (!work.how.share.holds(k)) continue;
+    const contact::RefinedInput& wanted = plan.levels[k];
+    const auto failed = [&](const std::exception& error, std::string& list) {
+      if (!work.how.together) throw;  // the others may be inside a collective call
+      work.say(fmt::format("{} {}: no result: {}", plan.model, wanted.label, error.what()));
+      if (list.find(error.what()) == std::string::npos)
+        list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", wanted.label, error.what());
+    };
+    try {
+      series.levels.push_back(level_of(plan, wanted, series, place, work));
+      continue;
+    } catch (const contact::UnfitGrid& error) {
+      failed(error, series.levels.empty() ? series.left_out : series.failure);
+    } catch (const contact::SolveError& error) {
+      failed(error, series.failure);
+    } catch (const InputError& error) {
+      failed(error, series.levels.empty() ? series.left_out : series.failure);
+    }
+    if (!series.levels.empty() && work.how.share.whole()) break;
+  }
+  if (series.levels.empty() && !series.left_out.empty()) {
+    series.failure += (series.failure.empty() ? "" : "; ") + series.left_out;
+    series.left_out.clear();
+  }
+  return series;
+}
+
+/// The places of the case with what is known of them before any level is solved.
+std::vector<StudyPlace> places_of(const Scenes& scenes) {
+  std::vector<StudyPlace> places;
+  for (const contact::Scene& scene : scenes.list) {
+    StudyPlace place;
+    place.place = scene.place;
+    for (const contact::LoadPoint& point : scene.points) place.creepages.push_back(point.creepage);
+    place.exact = exact_values(scene);
+    places.push_back(std::move(place));
+  }
+  return places;
+}
+
+/// All series of a place. A theory that cannot take it says so when it runs: of "all" it is left
+/// out.
+void run_place(const StudyWishes& wishes, const std::vector<std::string>& models,
+               const contact::Scene& scene, StudyPlace& place, StudyRun work) {
+  const std::string name = place_name(place);
+  const auto say = work.say;
+  work.say = [&](const std::string& text) { say(name.empty() ? text : name + ": " + text); };
+  const bool all = !wishes.models.empty() && wishes.models.front() == "all";
+  for (const std::string& model : models)
+    for (const LevelPlan& plan : level_plans(scene, work.how.models->at(model), wishes.vary,
+                                             wishes.together, wishes.levels)) {
+      StudySeries series = run_series(plan, place_key(place), work);
+      if (series.levels.empty() && all)
+        work.say(fmt::format("{} is left out: {}", model, series.failure));
+      else
+        place.series.push_back(std::move(series));
+    }
+}
+
+}  // namespace
+
+postprocess::StudyRecord begin_study(const StudyWishes& wishes, const contact::Case& input,
+                                     const Scenes& scenes, postprocess::Provenance provenance) {
+  postprocess::StudyRecord record;
+  record.title = input.title;
+  record.case_file = input.file;
+  record.case_text = input.text;
+  record.friction = input.friction_coefficient;
+  record.provenance = std::move(provenance);
+  record.places = places_of(scenes);
+  if (input.has_profiles()) {
+    record.notes = scenes.notes;
+    record.notes.emplace_back(
+        "the balance of the wheelset is found once: all levels of a patch have the same normal "
+        "force and creepages, so that only the discretisation differs");
+  }
+  read_references(wishes, record);
+  return record;
+}
+
+void solve_levels(const StudyWishes& wishes, const std::vector<std::string>& models,
+                  const Scenes& scenes, const StudyRun& run, postprocess::StudyRecord& record) {
+  for (std::size_t k = 0; k < scenes.list.size(); ++k)
+    run_place(wishes, models, scenes.list[k], record.places[k], run);
+}
+
+std::string finish_study(const Scenes& scenes, const Solving& how,
+                         postprocess::StudyRecord& record) {
+  std::string failures;
+  bool any = false;
+  std::vector<StudyPlace> places;
+  for (std::size_t k = 0; k < record.places.size(); ++k) {
+    StudyPlace& place = record.places[k];
+    for (const StudySeries& series : place.series) {
+      any = any || !series.levels.empty();
+      if (!series.failure.empty()) failures += (failures.empty() ? "" : "; ") + series.failure;
+    }
+    if (place.series.empty()) continue;  // every model left out: it says nothing
+    add_choice(scenes.list[k], how, record.friction, place);
+    places.push_back(std::move(place));
+  }
+  record.places = std::move(places);
+  if (!any) throw contact::SolveError(failures);
+  return failures;
+}
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Calls of the library that take time: other Python threads run meanwhile, and progress is told to
+// a Python function, whose exceptions end the call.
+#pragma once
+
+#include "python/bindings.hpp"
+#include "python/blas_threads.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace rollfem::python {
+
+/// A Python exception on its way through the solver: no std::exception, which some model might take
+/// for one of its own.
+struct Ended {};
+
+/// Calls back into Python, and remembers what was raised there.
+class Caller {
+ public:
+  explicit Caller(py::object callback) : callback_(std::move(callback)) {}
+
+  Progress progress() {
+    return [this](const ProgressEvent& event) { tell(event); };
+  }
+  /// Throws what was raised. With the GIL.
+  void rethrow() {
+    if (raised_) throw std::move(*raised_);
+  }
+
+ private:
+  void tell(const ProgressEvent& event) {
+    const py::gil_scoped_acquire gil;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!callback_.is_none()) callback_(event);
+    } catch (py::error_already_set& error) {
+      raised_.emplace(std::move(error));
+      throw Ended();
+    }
+  }
+
+  py::object callback_;
+  std::optional<py::error_already_set> raised_;
+};
+
+/// work(progress) without the GIL; `callback`: a Python function or None.
+template <class Work>
+auto without_gil(py::object callback, const Work& work) {
+  Caller caller(std::move(callback));
+  try {
+    const py::gil_scoped_release free;
+    const OneBlasThread one_thread;
+    return work(caller.progress());
+  } catch (const Ended&) {
+    caller.rethrow();
+    throw;
+  }
+}
+
+}  // namespace rollfem::python

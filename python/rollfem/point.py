@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Load points, as numbers and numpy arrays: what each quantity and field is.
+
+Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx], x the rolling direction.
+"""
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Description of a scalar of a load point."""
+
+    title: str  #: for headings: "largest pressure"
+    symbol: str  #: "F_x", "xi"; empty where there is none
+    unit: str  #: "-" where it has none
+    meaning: str
+    percent_of: str  #: what errors are given in percent of: "the value", "mu F_z", ...
+
+    @property
+    def label(self) -> str:
+        """For an axis: "largest pressure (MPa)"."""
+        return self.title if self.unit == "-" else f"{self.title} ({self.unit})"
+
+
+@dataclass(frozen=True)
+class Field:
+    """Description of an array over the contact grid."""
+
+    unit: str
+    description: str
+    sign: str
+
+
+QUANTITIES = {name: Quantity(*row) for name, row in _core.quantities().items()}
+FIELDS = {name: Field(*row) for name, row in _core.fields().items()}
+
+
+class Point:
+    """One load point of one model: every quantity and every field by its name.
+
+    point.max_pressure is a number, None where the model does not give it; point.pressure an array [ny, nx], None where
+    the model has none. Bars are absolute, in the unit of the quantity.
+
+    Attributes
+    ----------
+    error_estimate : dict
+        {quantity: uncertainty left by grid and solver}.
+    no_bar : dict
+        {quantity: why it has none}.
+    model_error : dict
+        {quantity: what the model neglects, on any grid}.
+    richardson : dict
+        {quantity: value extrapolated to elements of size 0}.
+    subsurface : list of dict
+        For every [[subsurface.*]]: kind, body, points [n, 3] (mm), displacement [n, 3] (mm), stress [n, 6] (MPa: xx, yy,
+        zz, xy, yz, xz).
+    stress_maxima : list of dict
+        body, measure, value (MPa), place (mm).
+    bodies : dict
+        {"wheel": ..., "rail": ...} with points, cells, displacement and stress, for finite elements only.
+    place : dict or None
+        The place of the patch, as of its ModelResult.
+    """
+
+    def __init__(self, record: Mapping[str, Any], x: np.ndarray, y: np.ndarray, place: dict[str, Any] | None) -> None:
+        self.scalars: dict[str, Any] = record["scalars"]
+        self.fields: dict[str, np.ndarray] = record["fields"]
+        self.error_estimate: dict[str, float] = record["error_estimate"]
+        self.no_bar: dict[str, str] = record["no_bar"]
+        self.model_error: dict[str, float] = record["model_error"]
+        self.richardson: dict[str, float] = record["richardson"]
+        self.subsurface: list[dict[str, Any]] = record["subsurface"]
+        self.stress_maxima: list[dict[str, Any]] = record["stress_maxima"]
+        self.bodies: dict[str, Any] = record["bodies"]
+        self.x, self.y, self.place = x, y, place
+
+    if TYPE_CHECKING:
+        def __getattr__(self, name: str) -> Any: ...
+
+    def __getitem__(self, name: str) -> Any:
+        """A quantity or field; KeyError where the model does not give it."""
+        return self.fields[name] if name in self.fields else self.scalars[name]
+
+    def bar(self, name: str) -> float | None:
+        """The error bar of a quantity.
+
+        Parameters
+        ----------
+        name : str
+            Of a quantity.
+
+        Returns
+        -------
+        float or None
+            In the unit of the quantity; None where it has none.
+
+        Examples
+        --------
+        >>> result.points[0].bar("max_pressure")
+        """
+        return self.error_estimate.get(name)
+
+    def __repr__(self) -> str:
+        at = ", ".join(f"{QUANTITIES[name].symbol} = {self.scalars[name]:.4g}"
+                       for name in ("longitudinal_creepage", "lateral_creepage", "spin") if self.scalars.get(name))
+        return (f"<rollfem.Point {at or 'without creepage'}: p_0 = {self.max_pressure:.4g} MPa, "
+                f"-F_x/F_z = {self.traction_coefficient:.4g}>")
+
+
+def array_of(points: Sequence[Point], name: str) -> np.ndarray:
+    if name not in QUANTITIES:
+        raise KeyError(f"{name}: not a quantity; allowed: {', '.join(QUANTITIES)}")
+    values = [point.scalars.get(name) for point in points]
+    return np.array([np.nan if value is None else value for value in values])
+
+
+def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:
+    """Scalars of stresses.
+
+    Parameters
+    ----------
+    stress : array_like, [..., 6]
+        MPa: xx, yy, zz, xy, yz, xz, as point.subsurface and point.bodies have them.
+
+    Returns
+    -------
+    dict
+        Arrays, MPa, tension positive. hydrostatic: (xx + yy + zz) / 3; von_mises, tresca: equivalent uniaxial stresses, the
+        latter the difference of the outer principal stresses; orthogonal_shear: sqrt(xz^2 + yz^2), on the plane parallel
+        to the surface; principal [..., 3]: principal stresses, the largest first.
+
+    Raises
+    ------
+    ValueError
+        If the last axis does not have length six.
+
+    Examples
+    --------
+    >>> rollfem.stress_measures(point.subsurface[0]["stress"])["von_mises"].max()
+    """
+    return _core.stress_measures(stress)
+
+
+def text_of(name: str) -> str:
+    """A quantity in words."""
+    quantity = QUANTITIES[name]
+    symbol = f", {quantity.symbol}" if quantity.symbol else ""
+    return f"{quantity.title}{symbol} [{quantity.unit}]: {quantity.meaning}"
+
+
+def attribute(get: Callable[[Any, str], Any], name: str, doc: str) -> property:
+    """A documented attribute that get(self, name) looks up."""
+    return property(lambda self: get(self, name), doc=doc)
+
+
+def _document() -> None:
+    """Makes quantities and fields documented attributes."""
+    for name in QUANTITIES:
+        setattr(Point, name, attribute(lambda self, name: self.scalars.get(name), name, text_of(name)))
+    for name, field in FIELDS.items():
+        sign = f"; {field.sign}" if field.sign else ""
+        setattr(Point, name, attribute(lambda self, name: self.fields.get(name), name,
+                                       f"[ny, nx], {field.unit}: {field.description}{sign}"))
+
+
+_document()

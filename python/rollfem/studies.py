@@ -1,0 +1,359 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Refinement studies, comparisons of models, and stresses of stored results: what the commands of these names compute."""
+import csv
+import io
+import json
+import os
+import re
+import tempfile
+import warnings
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from .case import Case, toml_lines
+from .frames import Tabular, drawn, figures_module
+from .result import Result
+from .solving import Told, checked, names_of
+
+
+class Files(Tabular):
+    """What a command writes.
+
+    Attributes
+    ----------
+    contents : dict
+        Files by their names.
+    text : str
+        What the command prints.
+    data : dict
+        The JSON file (docs/commands.md).
+    """
+
+    table = ""  # its CSV file
+    json = ""
+
+    def __init__(self, contents: Mapping[str, str], text: str = "", folder: str = "") -> None:
+        self.contents, self.folder = dict(contents), folder
+        self.data: dict[str, Any] = json.loads(contents[self.json])
+        self.text = text or str(self.data.get("verdict", ""))
+
+    @property
+    def title(self) -> str:
+        """The title of the case."""
+        return str(self.data.get("title", ""))
+
+    def columns(self) -> dict[str, np.ndarray]:
+        """The CSV file.
+
+        Returns
+        -------
+        dict
+            {column: array} with the names of the file; numbers, nan where there is none, or words.
+
+        Examples
+        --------
+        >>> rollfem.study("cases/thesis_a.toml").columns()["order [-]"]
+        """
+        rows = list(csv.reader(io.StringIO(self.contents[self.table])))
+        return {name: _column([row[k] for row in rows[1:]]) for k, name in enumerate(rows[0])}
+
+    def figure(self, name: str) -> Any:
+        """A figure of the report.
+
+        Parameters
+        ----------
+        name : str
+            Of its file in figures/, without .svg.
+
+        Returns
+        -------
+        Figure
+            Notebooks show it; `figure.save("errors.svg")` writes it.
+
+        Raises
+        ------
+        KeyError
+            If there is no such figure; the message names those there are.
+
+        Examples
+        --------
+        >>> rollfem.study("cases/thesis_a.toml").figure("error_unknowns")
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            _core.write_files(folder, self.contents)
+            return drawn(folder, name)
+
+    def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
+        """Writes the folder that the command writes.
+
+        Parameters
+        ----------
+        folder : str or os.PathLike
+        report : bool
+            Also draws figures and the page, which takes some seconds.
+
+        Returns
+        -------
+        str or os.PathLike
+            The folder.
+
+        Raises
+        ------
+        FileError
+            If it cannot be written.
+
+        Examples
+        --------
+        >>> rollfem.study("cases/thesis_a.toml").write("results/thesis_a_study", report=True)
+        """
+        self._write_results(os.fspath(folder))
+        _core.write_files(os.fspath(folder), self.contents)
+        problem = _core.draw(os.path.join(folder, self.json) if self.json == "stress.json" else os.fspath(folder)) if report else ""
+        if problem:
+            raise _core.FileError(f"{folder}: the results were written, but the report was not drawn: {problem}")
+        return folder
+
+    def _write_results(self, folder: str) -> None:
+        """What belongs beside the files."""
+
+    def __repr__(self) -> str:
+        return f"<rollfem.{type(self).__name__} {self.title!r}>"
+
+    def _repr_html_(self) -> str:
+        return f"<p>{escape(repr(self))}</p><pre>{escape(self.text)}</pre>"
+
+
+def _column(texts: list[str]) -> np.ndarray:
+    try:
+        return np.array([float(text or "nan") for text in texts])
+    except ValueError:
+        return np.array(texts)
+
+
+def _in_python(error: _core.InputError) -> _core.InputError:
+    """A message of the command, whose options are keywords here."""
+    return type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error)))
+
+
+class Study(Files):
+    """A refinement study: a case on ever finer grids. `data["places"]` has series of levels, limits and orders;
+    `columns()` every number."""
+
+    table, json = "study.csv", "study.json"
+
+
+def study(case: Any, /, *, model: str | None = None, models: Any = None, vary: str | Sequence[str] = (),
+          together: bool = False, levels: int = 0, reference: str | Sequence[str] = (), progress: Told = None) -> Study:
+    """Solves a case on successively finer grids, cells, degrees or domains.
+
+    Parameters
+    ----------
+    case : str, os.PathLike, dict or Case
+    model, models : str or list of str, optional
+        Otherwise the half-space; "all": every model that can take the case.
+    vary : str or list of str
+        "grid", "cell", "degree", "domain"; otherwise as the model has it.
+    together : bool
+        Refine all of `vary` at once instead of one at a time.
+    levels : int
+        2 to 8; 0: as the model has it.
+    reference : str or list of str
+        "exact", "finest", "extrapolated" or "QUANTITY=VALUE".
+    progress : callable, optional
+        As of `solve`.
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    InputError
+        If the case or the call is wrong.
+    SolveError
+        If no level was solved; levels that fail beside others are a warning.
+
+    Examples
+    --------
+    >>> print(rollfem.study("cases/thesis_a.toml", levels=3).text)
+    """
+    def listed(words: str | Sequence[str]) -> list[str]:
+        return [words] if isinstance(words, str) else list(words)
+
+    names = names_of(model, models)
+    try:
+        contents, text, said = _core.study(checked(case).core, names, listed(vary), together, levels, listed(reference),
+                                           progress)
+    except _core.InputError as error:
+        raise _in_python(error) from None
+    for warning in said:
+        warnings.warn(warning, stacklevel=2)
+    return Study(contents, text)
+
+
+class Comparison(Files):
+    """Models side by side, each difference beside what error bars allow.
+
+    Attributes
+    ----------
+    results : dict
+        {name of the case: Result}; Result.missing names the models without one, and why.
+    """
+
+    table, json = "compare.csv", "compare.json"
+
+    def __init__(self, contents: Mapping[str, str], text: str = "", folder: str = "",
+                 results: dict[str, Result] | None = None) -> None:
+        super().__init__(contents, text, folder)
+        self.results = results or {}
+
+    def _write_results(self, folder: str) -> None:
+        for name, result in self.results.items():
+            if result.models:
+                result.write(os.path.join(folder, name))
+
+    def __repr__(self) -> str:
+        return f"<rollfem.Comparison of {', '.join(self.results)}>"
+
+
+def compare(cases: Any, /, *, models: Any = None, reference: str = "", progress: Told = None) -> Comparison:
+    """Solves cases with several models, and lays their numbers side by side.
+
+    A model that cannot take a case, or fails, is listed in the `missing` of its result.
+
+    Parameters
+    ----------
+    cases : case, list of cases or dict of cases
+        Each a str, os.PathLike, dict or Case; a dict gives them names.
+    models : list of str, optional
+        Otherwise those of `rollfem compare`.
+    reference : str
+        The model that the others are compared with; otherwise the best there is.
+    progress : callable, optional
+        As of `solve`.
+
+    Returns
+    -------
+    Comparison
+
+    Raises
+    ------
+    InputError
+        If a case or the call is wrong.
+
+    Examples
+    --------
+    >>> print(rollfem.compare("cases/thesis_a.toml", models=["fastsim", "halfspace"]).text)
+    """
+    names = names_of(None, models) or _core.compared_models()
+    if reference and reference not in names:
+        raise _core.InputError(f"reference = {reference!r}: it is not among the models compared; allowed: {', '.join(names)}")
+    results: dict[str, Result] = {}
+    for name, each in _named(cases):
+        case = checked(each)
+        results[name] = Result.of(case, *_core.solve(case.core, names, progress, True))
+    cores = [(name, result._core, result.missing) for name, result in results.items() if result._core is not None]
+    contents, text, _ = _core.compare(cores, reference)
+    return Comparison(contents, text, results=results)
+
+
+def _named(cases: Any) -> list[tuple[str, Any]]:
+    """(name, case) of what a call was given: a dict whose values are sections is one case."""
+    if isinstance(cases, dict) and all(isinstance(each, (str, os.PathLike, Case)) for each in cases.values()):
+        return list(cases.items())
+    found: list[tuple[str, Any]] = []
+    for number, each in enumerate(cases if isinstance(cases, (list, tuple)) else [cases], 1):
+        file = each.file if isinstance(each, Case) else each if isinstance(each, (str, os.PathLike)) else ""
+        found.append((os.path.splitext(os.path.basename(file))[0] or f"case_{number}", each))
+    if len({name for name, _ in found}) < len(found):
+        raise _core.InputError("cases: two have the same name; do: give a dict of names and cases")
+    return found
+
+
+class Stress(Files):
+    """Stresses below the surface at load points of a stored result.
+
+    Attributes
+    ----------
+    models : list
+        One for each model and load point, with `sets`: name, kind, body, shape and columns of arrays (x, y, z in mm; xx,
+        ..., von_mises, tresca, ... in MPa), and `largest`.
+    """
+
+    table, json = "stress.csv", "stress.json"
+
+    def __init__(self, contents: Mapping[str, str], text: str = "", folder: str = "") -> None:
+        super().__init__(contents, text, folder)
+        with tempfile.TemporaryDirectory() as here:
+            _core.write_files(here, self.contents)
+            self.models: list[Any] = figures_module("stress_reader").read_stress(here).models
+
+
+def stress(result: Any, /, *, places: Mapping[str, Any] | str | os.PathLike[str] | None = None, model: str | None = None,
+           models: Any = None, patch: str = "", point_index: int | Sequence[int] = (),
+           depth_profile: bool = False, depth: float | None = None, yield_shear_stress: float | None = None,
+           yield_strength: float | None = None) -> Stress:
+    """Stress and displacement below the surface, without solving again.
+
+    Parameters
+    ----------
+    result : Result, str or os.PathLike
+        A result, or the folder of a stored one.
+    places : dict, str or os.PathLike, optional
+        {"line": [{"body": "rail", "from": [0, 0, 0], "to": [0, 0, -10], "points": 50}]}, with the keys of
+        [[subsurface.*]] of a case, or a file that holds these; otherwise depth profiles under the patch.
+    model, models : str or list of str, optional
+        Otherwise those with stress.
+    patch : str
+        "left,1,1": side, position and patch, with true profiles; otherwise the first.
+    point_index : int or list of int
+        Load points, from 0; otherwise the last.
+    depth_profile : bool
+        Depth profiles also where places are given.
+    depth : float, optional
+        mm, of depth profiles; otherwise three times the smaller semi-axis.
+    yield_shear_stress, yield_strength : float, optional
+        MPa; one of them, for the shakedown map.
+
+    Returns
+    -------
+    Stress
+
+    Raises
+    ------
+    FileError
+        If the result cannot be read.
+    InputError
+        If what is asked for is not stored.
+
+    Examples
+    --------
+    >>> below = rollfem.stress("results/thesis_a", yield_strength=520.0)
+    >>> below.models[0].sets[0]["von_mises"].max()
+    """
+    points = [int(number) + 1 for number in np.atleast_1d(np.asarray(point_index, dtype=int))]
+    with tempfile.TemporaryDirectory() as here:
+        file = "" if places is None else os.path.join(here, "places") if isinstance(places, Mapping) else os.fspath(places)
+        if isinstance(places, Mapping):
+            with open(file, "w", encoding="utf-8") as out:
+                out.write("\n".join(toml_lines({"subsurface": places})))
+
+        def found_in(folder: str) -> tuple[dict[str, str], str, list[str]]:
+            return _core.stress(folder, names_of(model, models), patch, points, file, depth_profile, depth,
+                                yield_shear_stress, yield_strength)
+
+        try:
+            if isinstance(result, Result):
+                with result._stored() as folder:
+                    contents, text, said = found_in(folder)
+            else:
+                contents, text, said = found_in(os.fspath(result))
+        except _core.InputError as error:
+            raise _in_python(error) from None
+    for warning in said:
+        warnings.warn(warning, stacklevel=2)
+    return Stress(contents, text)

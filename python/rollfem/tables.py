@@ -1,0 +1,366 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of creep forces: filled here or by `rollfem table`, read and asked."""
+import os
+import tempfile
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from .frames import Tabular, dataset_of, drawn, html_table
+from .solving import Told, checked
+
+
+class Table(Tabular):
+    """A table of creep forces, with interpolation between its points (docs/tables.md).
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The folder that `rollfem table` or `write` has written, or its table.h5.
+
+    Attributes
+    ----------
+    axes : dict
+        {"axis_ratio" or "lateral_shift" (mm), "longitudinal", "lateral", "spin": values}; creepages are scaled.
+    longitudinal_force, lateral_force : numpy.ndarray
+        Over mu F_n, over these four axes.
+    spin_moment : numpy.ndarray
+        Over mu F_n sqrt(a b).
+    force_bar, moment_bar : numpy.ndarray
+        Error bars.
+    interpolation : dict
+        Errors at random points between those of the grid.
+    wheels : dict or None
+        Of a table over lateral shifts {name: array over the shifts}: contact_angle, rolling_radius, normal_force, ...
+    force_along_normal : numpy.ndarray or None
+        Of a table over lateral shifts, over mu F_n.
+
+    Raises
+    ------
+    FileError
+        For a file that is no table.
+
+    Examples
+    --------
+    >>> table = rollfem.Table("results/thesis_a_table")
+    >>> force = table.forces(semi_axis_x=4.1, semi_axis_y=9.4, shear_modulus=80769.0, friction_bound=27.5e3,
+    ...                      longitudinal_creepage=[0.001, 0.002], spin=1e-4)
+    >>> force.longitudinal_force, force.force_bar              # N
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self._take(_core.CreepTable(os.fspath(path)))
+
+    @classmethod
+    def of(cls, core: _core.CreepTable) -> "Table":
+        """A table of the library."""
+        made = cls.__new__(cls)
+        made._take(core)
+        return made
+
+    def _take(self, core: _core.CreepTable) -> None:
+        self._core = core
+        found = self._core.contents()
+        self.title: str = found["title"]
+        self.case_text: str = found["case_text"]
+        self.poisson_ratio: float = found["poisson_ratio"]
+        first = "lateral_shift" if found["over_shifts"] else "axis_ratio"
+        self.axes = dict(zip((first, "longitudinal", "lateral", "spin"), map(np.array, found["axes"])))
+        self.interpolation: dict[str, float] = found["interpolation"]
+        shape = tuple(len(values) for values in self.axes.values())
+        forces = np.array(found["forces"]).reshape(*shape, 3)
+        bars = np.array(found["bars"]).reshape(*shape, 2)
+        self.longitudinal_force, self.lateral_force, self.spin_moment = np.moveaxis(forces, -1, 0)
+        self.force_bar, self.moment_bar = np.moveaxis(bars, -1, 0)
+        self.wheels: dict[str, np.ndarray] | None = None
+        self.force_along_normal: np.ndarray | None = None
+        self.shear_modulus = self.friction_coefficient = np.nan
+        if found["over_shifts"]:
+            self.wheels = {name: np.array(values) for name, values in found["wheels"].items()}
+            self.force_along_normal = np.array(found["along_normal"]).reshape(shape)
+            self.shear_modulus, self.friction_coefficient = found["shear_modulus"], found["friction_coefficient"]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of values of each axis."""
+        return tuple(len(values) for values in self.axes.values())
+
+    def scaled(self, longitudinal: ArrayLike = 0.0, lateral: ArrayLike = 0.0, spin: ArrayLike = 0.0,
+               axis_ratio: ArrayLike | None = None, lateral_shift: ArrayLike | None = None) -> "TableForces":
+        """Forces over mu F_n, the moment over mu F_n sqrt(a b).
+
+        Parameters
+        ----------
+        longitudinal, lateral, spin : array_like
+            Scaled creepages xi', eta', phi' (docs/tables.md).
+        axis_ratio, lateral_shift : array_like, optional
+            The one that the table is over (mm); otherwise its only value.
+
+        Returns
+        -------
+        TableForces
+
+        Raises
+        ------
+        InputError
+            For a ratio or shift outside of the table.
+        ValueError
+            If the table has several ratios or shifts and none is given.
+
+        Examples
+        --------
+        >>> table.scaled(longitudinal=0.5, axis_ratio=2.0).longitudinal_force
+        """
+        first = next(iter(self.axes))
+        given = {"axis_ratio": axis_ratio, "lateral_shift": lateral_shift}
+        for name, value in given.items():
+            if name != first and value is not None:
+                raise ValueError(f"this table is over {first}; do: name that in place of {name}")
+        place = given[first]
+        if place is None:
+            if self.shape[0] != 1:
+                raise ValueError(f"this table has several values of {first}; do: name {first}")
+            place = self.axes[first][0]
+        return self._ask(self._core.scaled, place, longitudinal, lateral, spin)
+
+    def forces(self, *, semi_axis_x: ArrayLike | None = None, semi_axis_y: ArrayLike | None = None,
+               shear_modulus: ArrayLike | None = None, lateral_shift: ArrayLike | None = None,
+               friction_bound: ArrayLike | None = None, longitudinal_creepage: ArrayLike = 0.0,
+               lateral_creepage: ArrayLike = 0.0, spin: ArrayLike = 0.0) -> "TableForces":
+        """Forces of friction on the wheel.
+
+        Parameters
+        ----------
+        semi_axis_x, semi_axis_y, shear_modulus : array_like
+            Of an ellipse: along rolling and across; combined, 1/G = (1/G1 + 1/G2)/2; in consistent units (mm, N, MPa or
+            m, N, Pa).
+        lateral_shift : array_like
+            Of the wheelset, mm, for a table over shifts. It holds for the load that it was made with.
+        friction_bound : array_like
+            mu F_n; of a wheel that of all contacts, N, otherwise that of the table.
+        longitudinal_creepage, lateral_creepage, spin : array_like
+            Of the ellipse, or of the main contact, the most loaded one, in whose frame the forces are. Between two
+            shifts where contact jumps the nearer one is taken, and the bars hold all by which they differ.
+
+        Returns
+        -------
+        TableForces
+
+        Raises
+        ------
+        InputError
+            For a ratio or shift outside of the table.
+        TypeError
+            If what the table needs is missing, or what it does not know is given.
+
+        Examples
+        --------
+        >>> wheel = rollfem.Table("results/s1002_uic60_left_table")
+        >>> wheel.forces(lateral_shift=1.3, longitudinal_creepage=[0.001, 0.002]).longitudinal_force
+        """
+        ellipse = {"semi_axis_x": semi_axis_x, "semi_axis_y": semi_axis_y, "shear_modulus": shear_modulus}
+        creepages = longitudinal_creepage, lateral_creepage, spin
+        if self.wheels is None:
+            needed: dict[str, Any] = {**ellipse, "friction_bound": friction_bound}
+            excess: dict[str, Any] = {"lateral_shift": lateral_shift}
+        else:
+            needed, excess = {"lateral_shift": lateral_shift}, ellipse
+        missing = [name for name, value in needed.items() if value is None]
+        wrong = [name for name, value in excess.items() if value is not None]
+        if missing or wrong:
+            raise TypeError(f"this table is over {next(iter(self.axes))}: it needs {', '.join(needed)}; "
+                            f"do: {'give ' + ', '.join(missing) if missing else 'leave out ' + ', '.join(wrong)}")
+        if self.wheels is None:
+            return self._ask(self._core.physical, *needed.values(), *creepages)
+        if friction_bound is None:
+            friction_bound = self.friction_coefficient * self.wheel_at(needed["lateral_shift"])["normal_force"]
+        return self._ask(self._core.of_wheel, *needed.values(), friction_bound, *creepages)
+
+    def wheel_at(self, lateral_shift: ArrayLike) -> dict[str, Any]:
+        """The contact of the wheel at any shift.
+
+        Parameters
+        ----------
+        lateral_shift : array_like
+            mm.
+
+        Returns
+        -------
+        dict
+            {name: number or array} as `wheels`; jump_after: 1 where contact jumps there.
+
+        Raises
+        ------
+        InputError
+            For a table over ratios of axes.
+
+        Examples
+        --------
+        >>> wheel.wheel_at(1.3)["contact_angle"]
+        """
+        shifts = np.asarray(lateral_shift, dtype=float)
+        found = self._core.wheels_at(np.ascontiguousarray(shifts).ravel())
+        return {name: np.array(values).reshape(shifts.shape)[()] for name, values in found.items()}
+
+    @staticmethod
+    def _ask(function: Callable[..., Any], *arguments: Any) -> "TableForces":
+        arrays = np.broadcast_arrays(*(np.asarray(argument, dtype=float) for argument in arguments))
+        found = np.array(function(*(np.ascontiguousarray(array).ravel() for array in arrays)))
+        return TableForces(*(column.reshape(arrays[0].shape)[()] for column in found))
+
+    def columns(self) -> dict[str, np.ndarray]:
+        """All points.
+
+        Returns
+        -------
+        dict
+            {name: array}, one entry for each point.
+
+        Examples
+        --------
+        >>> table.columns()["longitudinal_force"]
+        """
+        grids = np.meshgrid(*self.axes.values(), indexing="ij")
+        found = {name: grid.ravel() for name, grid in zip(self.axes, grids)}
+        for name in ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar"):
+            found[name] = getattr(self, name).ravel()
+        if self.force_along_normal is not None:
+            found["force_along_normal"] = self.force_along_normal.ravel()
+        return found
+
+    def to_xarray(self) -> Any:
+        """Forces over their axes.
+
+        Returns
+        -------
+        xarray.Dataset
+
+        Raises
+        ------
+        ImportError
+            Without xarray.
+
+        Examples
+        --------
+        >>> table.to_xarray().longitudinal_force.isel(spin=2, lateral=0).plot()
+        """
+        values = {name: (tuple(self.axes), column.reshape(self.shape), {"units": "1"})
+                  for name, column in self.columns().items() if name not in self.axes}
+        return dataset_of(values, self.axes, {"title": self.title})
+
+    def figure(self, name: str = "table_curves") -> Any:
+        """A figure of the report.
+
+        Parameters
+        ----------
+        name : str
+            "table_surfaces", "table_curves", "table_ratios", "table_shifts", "table_wheels", "table_errors".
+
+        Returns
+        -------
+        Figure
+            Notebooks show it; `figure.save("table.svg")` writes it.
+
+        Raises
+        ------
+        KeyError, ValueError
+            If there is no such figure, or no data for it.
+
+        Examples
+        --------
+        >>> table.figure("table_errors")
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            _core.write_files(folder, self._core.files())
+            return drawn(folder, name)
+
+    def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
+        """Writes the folder that `rollfem table` writes.
+
+        Parameters
+        ----------
+        folder : str or os.PathLike
+        report : bool
+            Also draws figures and table.html, which takes some seconds.
+
+        Returns
+        -------
+        str or os.PathLike
+            The folder.
+
+        Raises
+        ------
+        FileError
+            If it cannot be written.
+
+        Examples
+        --------
+        >>> rollfem.table("cases/thesis_a.toml").write("results/thesis_a_table")
+        """
+        _core.write_files(os.fspath(folder), self._core.files())
+        if problem := _core.draw(os.fspath(folder)) if report else "":
+            raise _core.FileError(f"{folder}: the table was written, but the report was not drawn: {problem}")
+        return folder
+
+    def __repr__(self) -> str:
+        return f"<rollfem.Table {self.title!r}, {' x '.join(map(str, self.shape))} points>"
+
+    def _repr_html_(self) -> str:
+        return html_table(repr(self), ["axis", "values", "from", "to"], (
+            [name, len(values), float(values[0]), float(values[-1])] for name, values in self.axes.items()))
+
+
+class TableForces:
+    """What a table says: longitudinal_force, lateral_force, spin_moment, and the bars force_bar (of the force vector)
+    and moment_bar, which hold the bars of the grid around the point and what 95 of 100 points at random were off by
+    interpolation; force_along_normal, 0 of an ellipse. Numbers or arrays."""
+
+    __slots__ = ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar", "force_along_normal")
+
+    longitudinal_force: Any
+    lateral_force: Any
+    spin_moment: Any
+    force_bar: Any
+    moment_bar: Any
+    force_along_normal: Any
+
+    def __init__(self, *values: Any) -> None:
+        for name, value in zip(self.__slots__, values):
+            setattr(self, name, value)
+
+    def __repr__(self) -> str:
+        return f"<rollfem.TableForces {', '.join(f'{name}={getattr(self, name)}' for name in self.__slots__)}>"
+
+
+def table(case: Any, /, *, progress: Told = None, **sections: Any) -> Table:
+    """Fills a table of creep forces on all cores, as `rollfem table` does.
+
+    Parameters
+    ----------
+    case : str, os.PathLike, dict or Case
+        Its section [table] says over what.
+    progress : callable, optional
+        Called with a rollfem.Progress (point of points) after every part; an exception raised by it ends the table.
+    **sections
+        Keys that replace those of the case, as of `Case`.
+
+    Returns
+    -------
+    Table
+        `write` stores it.
+
+    Raises
+    ------
+    InputError
+        If the case is wrong.
+    SolveError
+        If a point has no solution.
+
+    Examples
+    --------
+    >>> table = rollfem.table("cases/thesis_a.toml", table={"axis_ratio": [0.5, 1.0, 2.0]})
+    """
+    return Table.of(_core.fill_table(checked(case, sections).core, progress))
