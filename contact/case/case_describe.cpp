@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace rollfem::contact {
@@ -41,6 +43,27 @@ std::string default_text(const Key& key, const Case& by_default) {
   if (key.required) return "required";
   const std::string value = toml_text(key.get(by_default));
   return value.empty() || !key.when_absent.empty() ? key.when_absent : value;
+}
+
+/// Allowed values beside a column of units: "0.001 to 1e+09" for "a number from 0.001 to 1e+09 mm".
+std::string allowed_in_table(const Key& key, const ModelWords& models) {
+  std::string text = allowed_values(key, models.known);
+  if (const std::size_t unit = text.find(" " + key.unit); !key.unit.empty() && unit != text.npos)
+    text.erase(unit, key.unit.size() + 1);
+  for (const auto& [said, shorter] :
+       {std::pair{"a number or a list of numbers ", "one or a list, "},
+        {"a list of two numbers ", "two, "},
+        {"a list of three numbers ", "three, "},
+        {"a whole number ", "whole, "},
+        {"a number ", ""},
+        {"from ", ""},
+        {"a string in quotes", "text"},
+        {"one of ", ""},
+        {"a list of some of ", "some of "}})
+    if (text.rfind(said, 0) == 0 || std::string_view(said) == "from ")
+      if (const std::size_t at = text.find(said); at != text.npos)
+        text.replace(at, std::string_view(said).size(), shorter);
+  return text;
 }
 
 /// One key of the template: its sentence, the allowed values, and the line itself.
@@ -112,24 +135,35 @@ std::string case_reference_markdown(const ModelWords& models) {
       "`rollfem check FILE` how a case is read.\n`rollfem docs schema > case.schema.json` is the "
       "JSON schema: with `#:schema case.schema.json` as the first\nline of a case, editors that "
       "know schemas of TOML complete keys and check values.\n";
-  std::string last_rows;
+  std::set<std::string> last_rows;
+  std::string last_name;
   std::size_t end_of_heading = 0;
   for (const Section& section : case_sections()) {
-    std::string rows;
-    for (const Key& key : section)
-      rows += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
-                          allowed_values(key, models.known), default_text(key, by_default),
-                          key.sentence);
-    const bool same = rows == std::exchange(last_rows, rows);
-    if (same) text.insert(end_of_heading, fmt::format(", [{}]", section.name));
-    if (same) continue;
+    std::set<std::string> rows;
+    std::string told, as_before;  // rows, keys whose row the section before has
+    for (const Key& key : section) {
+      const std::string row =
+          fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
+                      allowed_in_table(key, models), default_text(key, by_default), key.sentence);
+      rows.insert(row);
+      if (last_rows.count(row) == 0)
+        told += row;
+      else
+        as_before += fmt::format("{}`{}`", as_before.empty() ? "" : ", ", key.name);
+    }
+    last_rows = std::move(rows);
+    const std::string before = std::exchange(last_name, section.name);
+    if (told.empty()) text.insert(end_of_heading, fmt::format(", [{}]", section.name));
+    if (told.empty()) continue;
     text += section.name.empty()
                 ? "\n## Before the first section"
                 : fmt::format(section.repeated ? "\n## [[{}]]" : "\n## [{}]", section.name);
     end_of_heading = text.size();
-    text += section.name.empty() ? "\n\n" : fmt::format("\n\n{}.\n\n", section.sentence);
+    text += section.name.empty() ? "\n\n" : fmt::format("\n\n{}.", section.sentence);
+    if (!as_before.empty()) text += fmt::format(" As in [{}]: {}.", before, as_before);
+    text += section.name.empty() ? "" : "\n\n";
     text += "| key | symbol | unit | allowed | default | meaning |\n";
-    text += "|---|---|---|---|---|---|\n" + rows;
+    text += "|---|---|---|---|---|---|\n" + told;
   }
   return text;
 }
