@@ -41,8 +41,8 @@ def call(*command):
 
 def jobs():
     """As many as cores and memory allow: a file of finite elements takes some 2.5 GB to compile."""
-    memory = os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-    return os.environ.get("ROLLFEM_JOBS") or str(max(1, min(len(os.sched_getaffinity(0)), int(memory // 2.5e9))))
+    kilobytes = int(re.search(r"MemAvailable:\s+(\d+)", pathlib.Path("/proc/meminfo").read_text())[1])
+    return os.environ.get("ROLLFEM_JOBS") or str(max(1, min(len(os.sched_getaffinity(0)), kilobytes // 2_500_000)))
 
 
 def built():
