@@ -72,7 +72,7 @@ TEST(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
                  "has 1 points");
   expect_refused(call(folder, {"profile", folder.file("e.csv", ""), "--wheel"}), "is empty");
   expect_refused(call(folder, {"profile", "60E1", "--wheel"}), "belongs to a rail");
-  expect_refused(call(folder, {"profile", "60E1", "--wheel", "--rail"}), "contradict");
+  expect_refused(call(folder, {"profile", "60E1", "--wheel", "--rail"}), "exclude each other");
   EXPECT_TRUE(folder.made().empty());
 }
 

@@ -26,7 +26,7 @@ TEST(Table, IsWrittenWithItsErrorsAndAReport) {
   const Outcome outcome =
       done(folder, {"table", folder.file("case.toml", table_case(quick_table)), "-o", "out"});
   EXPECT_TRUE(
-      says(outcome.out, "60 points", "4 values of xi'", "interpolation at 10 random points"));
+      says(outcome.out, "60 points", "4 values of xi'", "interpolation error at 10 random points"));
   const fs::path out = folder.work() / "out";
   for (const char* name :
        {"table.h5", "table.csv", "interpolation.csv", "table.html", "figures/table_surfaces.svg",
@@ -109,7 +109,7 @@ TEST(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
                     "table.lateral_shift=[0.0,1.0,2.0]", "--set", "table.points=[2,2,3]", "--set",
                     "table.check_points=10", "--set", "contact_grid.elements_across=12"});
   EXPECT_TRUE(says(outcome.out, "81 points", "3 values of lateral shift 0 to 2 mm", "radius mm",
-                   "interpolation at 10"));
+                   "interpolation error at 10"));
   const fs::path out = folder.work() / "out";
   for (const char* name : {"table.h5", "table.csv", "shifts.csv", "interpolation.csv", "table.html",
                            "figures/table_shifts.svg", "figures/table_wheels.svg"})

@@ -130,5 +130,5 @@ TEST(StressOutput, RefusesPointsOutsideOfTheBody) {
   EXPECT_TRUE(says(above, "t.toml", "[[subsurface.line]] (request 2", "(0, 6, -0.1) mm", "rail",
                    "above its surface", "subsurface.surface"));
   const std::string beyond = message("[[subsurface.point]]\nat = [40, 0, 1]\n");
-  EXPECT_TRUE(says(beyond, "reaches 16 mm", "[fem] extent"));
+  EXPECT_TRUE(says(beyond, "extends 16 mm", "[fem] extent"));
 }
