@@ -39,7 +39,8 @@ TEST(Parts, OfARowOfPositionsAreOneRun) {
   done(folder, joined(run, {"whole"}));
   EXPECT_TRUE(says(done(folder, joined(run, {"out", "--part", "2/2"})).err, "part 2 of 2 is done"));
   EXPECT_FALSE(folder.holds("out"));
-  expect_refused(call(folder, joined(run, {"out", "--merge", "2"})), "missing beside out: 1; do: run the same");
+  expect_refused(call(folder, joined(run, {"out", "--merge", "2"})),
+                 "missing beside out: 1; do: run the same");
   done(folder, joined(run, {"out", "--part", "1/2"}));
   EXPECT_GE(records(folder.work() / "out.part-1-of-2.unfinished", "balance-"), 1);
   done(folder, joined(run, {"out", "--merge", "2"}));

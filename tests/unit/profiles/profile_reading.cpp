@@ -79,7 +79,7 @@ TEST(ProfileReading, TextThatMakesNoSenseIsRefusedWithItsLine) {
   expect_said("root:x:0:0:root:/root:/bin/sh\nuser:secret:1000\n", "passwd",
               "passwd:2: is not a profile");
   EXPECT_FALSE(says(refusal("root:x:0:0\nuser:secret:1000\n", false, {}, "a.prr"), "secret"));
-  expect_said("12\n" + rows, "a.txt", "a.txt:1: has one number");
+  expect_said("12\n" + rows, "a.txt", "a.txt:1: only one number");
   expect_said("Rail\n-36.0 37..5 0\n" + rows, "a.ban", "a.ban:2: expected a number, got `37..5`");
   expect_said("Rail\n" + rows + "the end\n", "a.mpt",
               fmt::format("a.mpt:{}: expected a number, got `the`", points_of("60E1").size() + 2));
