@@ -34,7 +34,7 @@ static rollfem_pair *quick[2], *fine[2];
 
 static rollfem_pair* make(int side, int elements) {
   char message[512];
-  rollfem_definition definition;
+  rollfem_definition definition = {.struct_size = sizeof definition};
   rollfem_defaults(&definition, ROLLFEM_MM_N);
   definition.side = side == 0 ? ROLLFEM_LEFT : ROLLFEM_RIGHT;
   definition.elements_across = elements;
@@ -44,6 +44,20 @@ static rollfem_pair* make(int side, int elements) {
     exit(2);
   }
   return pair;
+}
+
+/* At 20 m/s; mm, rad, mm/s, N. */
+static rollfem_state state_of(double shift, double yaw, double roll, double lateral, double turn, double rotation,
+                              double force) {
+  return (rollfem_state){.struct_size = sizeof(rollfem_state),
+                         .lateral_shift = shift,
+                         .yaw = yaw,
+                         .roll = roll,
+                         .forward_speed = 20e3,
+                         .lateral_velocity = lateral,
+                         .yaw_rate = turn,
+                         .rotation_speed = rotation,
+                         .vertical_force = force};
 }
 
 /* Largest differences, and the cost of every call. */
@@ -68,7 +82,7 @@ static int by_size(const void* a, const void* b) {
 /* Compares one state; returns 0 if there is no solution. */
 static int take(int side, const rollfem_state* state, tally* sum, rollfem_result* result) {
   char message[512];
-  rollfem_result exact;
+  rollfem_result exact = {.struct_size = sizeof exact};
   double least = 1e9;
   long most = 0;
   for (int k = 0; k < REPEATS; ++k) {
@@ -83,7 +97,7 @@ static int take(int side, const rollfem_state* state, tally* sum, rollfem_result
   }
   if (rollfem_solve(fine[side], state, &exact, message, sizeof message) != ROLLFEM_OK) return 0;
   double normal = 0.0;
-  for (int k = 0; k < exact.patches; ++k) normal += exact.patch[k].normal_force;
+  for (int k = 0; k < exact.patch_count; ++k) normal += exact.patch[k].normal_force;
   const rollfem_patch *a = &result->patch[0], *b = &exact.patch[0];
   const double bound = 0.3 * normal, radius = 0.25 * (b->length + b->width);
   const double fx = 100.0 * (result->force[0] - exact.force[0]) / bound,
@@ -93,14 +107,14 @@ static int take(int side, const rollfem_state* state, tally* sum, rollfem_result
                area = 100.0 * (a->area / b->area - 1.0);
   if (tells_all)
     printf("%8.3f %5s %8d %9.2f %9.2f %9.2f %8.2f %8.2f %7.2f %6ld\n", state->lateral_shift,
-           side == 0 ? "left" : "right", exact.patches, fx, fy, mz, p0, area, least, most);
+           side == 0 ? "left" : "right", exact.patch_count, fx, fy, mz, p0, area, least, most);
   sum->force = larger(larger(sum->force, fx), fy);
   sum->moment = larger(sum->moment, mz);
   sum->pressure = larger(sum->pressure, p0);
   sum->area = larger(sum->area, area);
   sum->sharp += fabs(p0) > 1.0;
   sum->unbarred += fabs(a->max_pressure - b->max_pressure) > a->max_pressure_bar;
-  sum->several += result->patches > 1;
+  sum->several += result->patch_count > 1;
   sum->ms[sum->states] = least;
   sum->allocations[sum->states++] = (double)most;
   return 1;
@@ -129,9 +143,9 @@ static void shifts(void) {
   tally sum = {0};
   for (double y = -4.0; y <= 10.0; y += 0.5)
     for (int side = 0; side < 2; ++side) {
-      const rollfem_state state = {y,    0.0008 * y, -0.000025 * y * fabs(y),           20e3,
-                                   30.0, 0.0,        20e3 / 460.0 * (1.0 + 0.0003 * y), 50e3};
-      rollfem_result result;
+      const rollfem_state state =
+          state_of(y, 0.0008 * y, -0.000025 * y * fabs(y), 30.0, 0.0, 20e3 / 460.0 * (1.0 + 0.0003 * y), 50e3);
+      rollfem_result result = {.struct_size = sizeof result};
       take(side, &state, &sum, &result);
     }
   tell("shifts of -4 to 10 mm", &sum);
@@ -143,9 +157,9 @@ static void s_curve(void) {
   const double speed = 20e3, radius = 460.0, ds = 500.0;
   double shift = 0.0, yaw = 0.0, turn = 0.0;
   for (int k = 0; k < 200; ++k) {
-    rollfem_result result[2];
+    rollfem_result result[2] = {{.struct_size = sizeof *result}, {.struct_size = sizeof *result}};
     for (int side = 0; side < 2; ++side) {
-      const rollfem_state state = {shift, yaw, 0.0, speed, speed * yaw, speed * turn, speed / radius, 50e3};
+      const rollfem_state state = state_of(shift, yaw, 0.0, speed * yaw, speed * turn, speed / radius, 50e3);
       char message[512];
       const int known = k % 2 == 0
                             ? take(side, &state, &sum, &result[side])
@@ -172,15 +186,11 @@ static double between(double lower, double upper) {
 static void random_states(void) {
   tally sum = {0};
   for (int k = 0; k < 100; ++k) {
-    const rollfem_state state = {between(-6.0, 6.0),
-                                 between(-0.004, 0.004),
-                                 between(-0.001, 0.001),
-                                 20e3,
-                                 between(-60.0, 60.0),
-                                 between(-0.1, 0.1),
-                                 20e3 / 460.0 * (1.0 + between(-0.005, 0.005)),
-                                 between(20e3, 120e3)};
-    rollfem_result result;
+    const double shift = between(-6.0, 6.0), yaw = between(-0.004, 0.004), roll = between(-0.001, 0.001),
+                 lateral = between(-60.0, 60.0), turn = between(-0.1, 0.1), faster = between(-0.005, 0.005);
+    const rollfem_state state =
+        state_of(shift, yaw, roll, lateral, turn, 20e3 / 460.0 * (1.0 + faster), between(20e3, 120e3));
+    rollfem_result result = {.struct_size = sizeof result};
     take(k % 2, &state, &sum, &result);
   }
   tell("random, shifts to 6 mm, loads of 20 to 120 kN, creepages to 0.5 %", &sum);
@@ -194,8 +204,9 @@ static void flange(void) {
                                      {5.9, 0.03},   {5.95, 0.03}};
   for (size_t k = 0; k < sizeof shift_and_yaw / sizeof *shift_and_yaw; ++k) {
     const double y = shift_and_yaw[k][0];
-    const rollfem_state state = {y, shift_and_yaw[k][1], -0.000025 * y * y, 20e3, 30.0, 0.0, 20e3 / 460.0 * 1.0005, 50e3};
-    rollfem_result result;
+    const rollfem_state state =
+        state_of(y, shift_and_yaw[k][1], -0.000025 * y * y, 30.0, 0.0, 20e3 / 460.0 * 1.0005, 50e3);
+    rollfem_result result = {.struct_size = sizeof result};
     take(1, &state, &sum, &result);
   }
   tell("flange of the right wheel at the rail", &sum);

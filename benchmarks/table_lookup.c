@@ -34,9 +34,9 @@ static double even(double low, double high) {
 static double of_ellipse(const rollfem_table* table, double ratio) {
   char message[512];
   const rollfem_ellipse ellipse = {
-      5.0 * sqrt(ratio), 5.0 / sqrt(ratio),  80e3, 15e3, even(-0.01, 0.01),
+      sizeof ellipse, 5.0 * sqrt(ratio), 5.0 / sqrt(ratio),  80e3, 15e3, even(-0.01, 0.01),
       even(-0.01, 0.01), even(-0.002, 0.002)};
-  rollfem_creep_forces forces;
+  rollfem_creep_forces forces = {.struct_size = sizeof forces};
   if (rollfem_table_forces(table, &ellipse, &forces, message, sizeof message) != ROLLFEM_OK) {
     fprintf(stderr, "%s\n", message);
     exit(2);
@@ -47,8 +47,8 @@ static double of_ellipse(const rollfem_table* table, double ratio) {
 static double of_wheel(const rollfem_table* table, double shift) {
   char message[512];
   const rollfem_shifted_wheel wheel = {
-      ROLLFEM_MM_N, shift, 0.0, even(-0.01, 0.01), even(-0.01, 0.01), even(-0.002, 0.002)};
-  rollfem_wheel_forces forces;
+      sizeof wheel, ROLLFEM_MM_N, shift, 0.0, even(-0.01, 0.01), even(-0.01, 0.01), even(-0.002, 0.002)};
+  rollfem_wheel_forces forces = {.struct_size = sizeof forces};
   if (rollfem_table_wheel_forces(table, &wheel, &forces, message, sizeof message) != ROLLFEM_OK) {
     fprintf(stderr, "%s\n", message);
     exit(2);

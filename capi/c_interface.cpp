@@ -8,20 +8,25 @@
 #include <fmt/format.h>
 
 #include "rollfem/rollfem.h"
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <string>
 
+using rollfem::capi::Given;
 using rollfem::capi::guarded;
 using rollfem::capi::PatchForces;
 using rollfem::capi::SolvedPatch;
 using rollfem::capi::SolvedWheel;
+using rollfem::capi::taken;
 using rollfem::capi::wanted;
+using rollfem::capi::WheelDerivatives;
 using rollfem::capi::WheelRailPair;
 using rollfem::capi::WheelState;
 namespace contact = rollfem::contact;
 
 namespace {
+
+/// Size of a state that ends with the vertical force.
+constexpr std::size_t first_state = offsetof(rollfem_state, given);
 
 /// The caller's units in mm and N.
 struct Units {
@@ -96,8 +101,24 @@ WheelState state_of(const rollfem_state& state, const Units& units) {
   found.lateral_velocity = state.lateral_velocity * units.length;
   found.yaw_rate = state.yaw_rate;
   found.rotation_speed = state.rotation_speed;
-  found.vertical_force = state.vertical_force * units.force;
-  return found;
+  switch (state.given) {
+    case ROLLFEM_VERTICAL_FORCE:
+      found.given = WheelState::Given::vertical_force;
+      found.load = state.vertical_force * units.force;
+      return found;
+    case ROLLFEM_HEIGHT:
+      found.given = WheelState::Given::height;
+      found.load = state.height * units.length;
+      return found;
+    case ROLLFEM_PENETRATION:
+      found.given = WheelState::Given::penetration;
+      found.load = state.penetration * units.length;
+      return found;
+  }
+  throw contact::InputError(
+      fmt::format("given = {}: is not known; allowed: ROLLFEM_VERTICAL_FORCE, ROLLFEM_HEIGHT, "
+                  "ROLLFEM_PENETRATION; do: write one of them",
+                  static_cast<int>(state.given)));
 }
 
 rollfem_patch patch_of(const SolvedPatch& patch, const Units& units) {
@@ -124,18 +145,42 @@ rollfem_patch patch_of(const SolvedPatch& patch, const Units& units) {
   found.max_pressure = of.max_pressure / units.stress();
   found.max_pressure_bar = of.max_pressure_bar / units.stress();
   found.adhesion_area = of.adhesion_area / area;
+  found.creepage_work = of.creepage_work / force;
   return found;
 }
 
-void fill(const SolvedWheel& wheel, const Units& units, rollfem_result& result) {
-  static_assert(SolvedWheel::most_patches == ROLLFEM_MOST_PATCHES);
-  result.patches = static_cast<int>(wheel.count);
-  for (int k = 0; k < result.patches; ++k) result.patch[k] = patch_of(wheel.patches[k], units);
+rollfem_result result_of(const SolvedWheel& wheel, const Units& units) {
+  static_assert(SolvedWheel::most_patches == ROLLFEM_MAX_PATCHES);
+  rollfem_result result{};
+  result.patch_count = static_cast<int>(wheel.count);
+  result.patches_unlisted = static_cast<int>(wheel.unlisted);
+  for (std::size_t k = 0; k < wheel.count; ++k) result.patch[k] = patch_of(wheel.patches[k], units);
   for (int d = 0; d < 3; ++d) {
-    result.force[d] = wheel.force[d] / units.force;
-    result.moment[d] = wheel.moment[d] / (units.force * units.length);
+    result.force[d] = wheel.sum.force[d] / units.force;
+    result.moment[d] = wheel.sum.moment[d] / (units.force * units.length);
   }
-  result.height = wheel.height / units.length;
+  result.creepage_work = wheel.creepage_work / units.force;
+  result.roll = wheel.roll;
+  result.touching_height = wheel.height / units.length;
+  result.penetration = wheel.penetration / units.length;
+  return result;
+}
+
+rollfem_derivatives derivatives_of(const WheelDerivatives& found, const WheelState& state,
+                                   const Units& units) {
+  static_assert(rollfem::capi::state_variables.size() == ROLLFEM_STATE_VARIABLES);
+  const bool by_force = state.given == WheelState::Given::vertical_force;
+  const double length = units.length, force = units.force;
+  // What one unit of a variable is in mm, N, s, rad.
+  const double unit[] = {length, 1.0, 1.0, length, length, 1.0, 1.0, by_force ? force : length};
+  rollfem_derivatives derivatives{};
+  for (std::size_t k = 0; k < found.by.size(); ++k)
+    for (int d = 0; d < 3; ++d) {
+      derivatives.force[d][k] = found.by[k].force[d] * unit[k] / force;
+      derivatives.moment[d][k] = found.by[k].moment[d] * unit[k] / (force * length);
+    }
+  derivatives.stiffness = found.stiffness * length / force;
+  return derivatives;
 }
 
 }  // namespace
@@ -148,20 +193,20 @@ struct rollfem_pair {
 extern "C" {
 
 void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
-  if (definition == nullptr) return;
   const double mm = units == ROLLFEM_M_N ? 1e-3 : 1.0;
   const double mpa = units == ROLLFEM_M_N ? 1e6 : units == ROLLFEM_MM_KN ? 1e-3 : 1.0;
-  *definition = {units,       ROLLFEM_LEFT, "S1002",     "60E1",     460.0 * mm,  1435.0 * mm,
-                 14.0 * mm,   1.0 / 40.0,   1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3,
-                 210e3 * mpa, 0.3,          0.3,         12};
+  Given<rollfem_definition> place(definition);
+  if (place.fits())
+    place.give({0, units, ROLLFEM_LEFT, "S1002", "60E1", 460.0 * mm, 1435.0 * mm, 14.0 * mm,
+                1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12});
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {
   rollfem_pair* made = nullptr;
   guarded(
       [&] {
-        const rollfem_definition& given =
-            wanted(definition, "definition", "one that rollfem_defaults has filled");
+        const rollfem_definition given =
+            taken(definition, "definition", "one that rollfem_defaults has filled");
         made = new rollfem_pair{units_of(given.units), WheelRailPair(case_of(given))};
       },
       message, size);
@@ -170,13 +215,33 @@ rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message
 
 rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* state,
                              rollfem_result* result, char* message, size_t size) {
-  if (result != nullptr) *result = rollfem_result{};
+  Given<rollfem_result> place(result);
   return guarded(
       [&] {
         const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
-        rollfem_result& found = wanted(result, "result", "a place for the result");
-        fill(of.pair.solve(state_of(wanted(state, "state", "a state of the wheelset"), of.units)),
-             of.units, found);
+        place.check("result", "a place for the result");
+        const WheelState at =
+            state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
+        place.give(result_of(of.pair.solve(at), of.units));
+      },
+      message, size);
+}
+
+rollfem_status rollfem_linearise(const rollfem_pair* pair, const rollfem_state* state,
+                                 rollfem_result* result, rollfem_derivatives* derivatives,
+                                 char* message, size_t size) {
+  Given<rollfem_result> place(result);
+  Given<rollfem_derivatives> place_of_derivatives(derivatives);
+  return guarded(
+      [&] {
+        const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
+        place.check("result", "a place for the result");
+        place_of_derivatives.check("derivatives", "a place for the derivatives");
+        const WheelState at =
+            state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
+        WheelDerivatives found;
+        place.give(result_of(of.pair.linearise(at, found), of.units));
+        place_of_derivatives.give(derivatives_of(found, at, of.units));
       },
       message, size);
 }
@@ -187,6 +252,10 @@ void rollfem_destroy(rollfem_pair* pair) {
 
 const char* rollfem_version(void) {
   return ROLLFEM_VERSION;
+}
+
+int rollfem_version_number(void) {
+  return ROLLFEM_VERSION_NUMBER;
 }
 
 }  // extern "C"

@@ -21,6 +21,13 @@ inline void tell(const std::string& text, char* message, size_t size) {
   message[length] = '\0';
 }
 
+[[noreturn]] inline void refuse_size(const char* name, size_t size, size_t first, size_t last) {
+  throw contact::InputError(fmt::format(
+      "{}: struct_size = {}: is not of this library, version {}; allowed: {} to {}; do: set it to "
+      "the sizeof of the structure, and compile with the header of this library or an earlier one",
+      name, size, ROLLFEM_VERSION, first, last));
+}
+
 /// Dereferences a pointer of the caller. `from`: its origin. Throws contact::InputError for NULL,
 /// most often after a refused creation that the caller did not check.
 template <class T>
@@ -31,6 +38,43 @@ T& wanted(T* pointer, const char* name, const char* from) {
         from));
   return *pointer;
 }
+
+/// Copies a structure of the caller; members beyond its struct_size are zero. Throws
+/// contact::InputError for NULL and for invalid sizes. `first`: its size in the first version.
+template <class T>
+T taken(const T* given, const char* name, const char* from, size_t first = sizeof(T)) {
+  const size_t size = wanted(given, name, from).struct_size;
+  if (size < first || size > sizeof(T)) refuse_size(name, size, first, sizeof(T));
+  T value{};
+  std::memcpy(static_cast<void*>(&value), given, size);
+  return value;
+}
+
+/// A result of the caller, written up to its struct_size.
+template <class T>
+class Given {
+ public:
+  /// Sets all members but struct_size to zero.
+  explicit Given(T* place) : place_(place) {
+    if (fits()) give({});
+  }
+  /// Throws contact::InputError as taken() does.
+  void check(const char* name, const char* from) const {
+    const size_t size = wanted(place_, name, from).struct_size;
+    if (!fits()) refuse_size(name, size, sizeof(size_t), sizeof(T));
+  }
+  bool fits() const {
+    return place_ != nullptr && place_->struct_size >= sizeof(size_t) &&
+           place_->struct_size <= sizeof(T);
+  }
+  void give(T value) {
+    value.struct_size = place_->struct_size;
+    std::memcpy(static_cast<void*>(place_), &value, value.struct_size);
+  }
+
+ private:
+  T* place_;
+};
 
 /// Runs `work` and translates its exceptions.
 template <class Work>

@@ -36,7 +36,7 @@ QuickPatch::QuickPatch(const halfspace::InfluenceTables& tables,
                (tables.nx() - 2 * margin + 3) * (tables.ny() - 2 * margin + 3)) {
   for (auto* list : {&place_, &climb_, &cosine_, &carried_, &of_lateral_})
     list->resize(static_cast<std::size_t>(tables.ny()));
-  for (Field* field : {&pressure_, &traction_.x, &traction_.y})
+  for (Field* field : {&pressure_, &traction_.x, &traction_.y, &change_.x, &change_.y})
     field->setZero(tables.nx() * tables.ny());
   loads_.reserve(loads_across * loads_across);
 }
@@ -85,11 +85,7 @@ GridBox QuickPatch::overlap_at(double sinking) const {
 bool QuickPatch::lay_over(const GridBox& box) {
   const double width = box.y[1] - box.y[0], nx = tables_.nx(), ny = tables_.ny();
   if (!(box.length > 0.0 && width > 0.0)) return false;
-  table_ = tables_.nearest(width / ny / (box.length / nx));
-  if (table_ == nullptr) return false;
-  lay(std::max(box.length / nx, width / ny / table_->ratio), box.middle_along_x,
-      0.5 * (box.y[0] + box.y[1]));
-  return true;
+  return lay(box.length / nx, width / ny, box.middle_along_x, 0.5 * (box.y[0] + box.y[1]));
 }
 
 bool QuickPatch::lay_on_patch() {
@@ -97,19 +93,16 @@ bool QuickPatch::lay_on_patch() {
   const double dx = patch.length / (tables_.nx() - 2 * margin);
   const double dy = patch.width / (tables_.ny() - 2 * margin);
   if (!(dx > 0.0 && dy > 0.0)) return false;
-  table_ = tables_.nearest(dy / dx);
-  if (table_ == nullptr) return false;
-  // The deviation from the tabulated ratio is split between both directions.
-  lay(std::sqrt(dx * dy / table_->ratio), 0.5 * (patch.x_lower + patch.x_upper),
-      0.5 * (patch.y_lower + patch.y_upper));
+  if (!lay(dx, dy, 0.5 * (patch.x_lower + patch.x_upper), 0.5 * (patch.y_lower + patch.y_upper)))
+    return false;
   own_slip_ = geometry_->rigid_slip(given_->creepage, grid_);
   slip_ = own_slip_;
   return true;
 }
 
-void QuickPatch::lay(double dx, double x_middle, double y_middle) {
-  grid_ =
-      ContactGrid::centred(tables_.nx(), tables_.ny(), dx, table_->ratio * dx, x_middle, y_middle);
+bool QuickPatch::lay(double dx, double dy, double x_middle, double y_middle) {
+  if (!tables_.interpolate(dy / dx, table_)) return false;
+  grid_ = ContactGrid::centred(tables_.nx(), tables_.ny(), dx, dy, x_middle, y_middle);
   geometry_->undeformed_distance(grid_, distance_);
   const auto [across, upwards] = direction_;
   for (int j = 0; j < grid_.ny; ++j) {
@@ -122,12 +115,13 @@ void QuickPatch::lay(double dx, double x_middle, double y_middle) {
     auto row = distance_.segment(grid_.index(0, j), grid_.nx);
     row = row.array() / carried_[k] + first_sinking();
   }
+  return true;
 }
 
 halfspace::NormalBlock QuickPatch::block() const {
   // y of the patch frame points to the field side on the left wheel, to the middle on the right.
   const double outward = contact().place.left ? 1.0 : -1.0;
-  return {table_, grid_, carried_.data(), contact().place.x_track, contact().place.way_across,
+  return {&table_, grid_, carried_.data(), contact().place.x_track, contact().place.way_across,
           outward};
 }
 
@@ -155,20 +149,47 @@ bool QuickPatch::is_one_region() const {
 bool QuickPatch::rub(const contact::Friction& friction, bool anew, bool keeps_weights) {
   static const contact::TangentialField none;
   if (!keeps_weights) contact::set_upwind_weights(grid_, pressure_, weights_);
-  if (!rolling_.set(*table_, pressure_, weights_)) return false;
+  if (!rolling_.set(table_, pressure_, weights_)) return false;
   if (!friction) return true;
   contact::TangentialOptions options;
   options.tolerance = traction_tolerance;
   options.krylov_tolerance = krylov_tolerance;
   newton_.solve(rolling_, {grid_, pressure_, slip_, *friction, 1.0}, rolling_.grid_indices(),
                 options, anew ? none : traction_);
-  traction_.x.setZero();
-  traction_.y.setZero();
+  spread(newton_.traction(), traction_);
+  return true;
+}
+
+/// Sets a field on the elements in contact, and zero elsewhere.
+void QuickPatch::spread(const Eigen::Ref<const Eigen::VectorXd>& of_elements,
+                        contact::TangentialField& field) const {
+  field.x.setZero();
+  field.y.setZero();
   const auto count = static_cast<Eigen::Index>(rolling_.grid_indices().size());
   for (Eigen::Index e = 0; e < count; ++e) {
     const Eigen::Index k = rolling_.grid_indices()[static_cast<std::size_t>(e)];
-    traction_.x[k] = newton_.traction()[e];
-    traction_.y[k] = newton_.traction()[count + e];
+    field.x[k] = of_elements[e];
+    field.y[k] = of_elements[count + e];
+  }
+}
+
+bool QuickPatch::respond(std::array<PatchSums, 3>& by_creepage) {
+  const auto count = static_cast<Eigen::Index>(rolling_.grid_indices().size());
+  slip_change_.resize(2 * count);
+  traction_change_.resize(2 * count);
+  for (std::size_t c = 0; c < 3; ++c) {
+    contact::Creepage changed = given_->creepage;
+    (c == 0 ? changed.longitudinal : c == 1 ? changed.lateral : changed.spin) += 1.0;
+    // Slip is linear in the creepages.
+    const contact::TangentialField slip = geometry_->rigid_slip(changed, grid_);
+    for (Eigen::Index e = 0; e < count; ++e) {
+      const Eigen::Index k = rolling_.grid_indices()[static_cast<std::size_t>(e)];
+      slip_change_[e] = slip.x[k] - own_slip_.x[k];
+      slip_change_[count + e] = slip.y[k] - own_slip_.y[k];
+    }
+    if (!newton_.respond(slip_change_, traction_change_)) return false;
+    spread(traction_change_, change_);
+    by_creepage[c] = sum(nullptr, change_);
   }
   return true;
 }
@@ -272,28 +293,44 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
   point_.converged = true;
 }
 
-void QuickPatch::fill_sums() {
-  double longitudinal = 0.0, lateral = 0.0, normal = 0.0, spin_moment = 0.0, pressed = 0.0;
+/// Resultants of pressure and tractions; without a pressure, of the tractions alone.
+PatchSums QuickPatch::sum(const Field* pressure, const contact::TangentialField& traction) const {
+  PatchSums sums;
   for (int j = 0; j < grid_.ny; ++j) {
     const auto row = static_cast<std::size_t>(j);
     for (int i = 0; i < grid_.nx; ++i) {
       const int k = grid_.index(i, j);
-      const double of_pressure = -climb_[row] * pressure_[k] * cosine_[row];
-      const double across = traction_.y[k] * cosine_[row] + of_pressure;
-      pressed += of_pressure;
-      longitudinal += traction_.x[k];
-      lateral += across;
-      normal += (pressure_[k] + climb_[row] * traction_.y[k]) * cosine_[row];
-      spin_moment += grid_.x(i) * across - place_[row] * traction_.x[k];
+      const double pressed = pressure == nullptr ? 0.0 : (*pressure)[k];
+      const double of_pressure = -climb_[row] * pressed * cosine_[row];
+      const double across = traction.y[k] * cosine_[row] + of_pressure;
+      sums.lateral_pressure += of_pressure;
+      sums.longitudinal += traction.x[k];
+      sums.lateral += across;
+      sums.normal += (pressed + climb_[row] * traction.y[k]) * cosine_[row];
+      sums.spin_moment += grid_.x(i) * across - place_[row] * traction.x[k];
     }
   }
   const double area = grid_.element_area();
+  for (double* value :
+       {&sums.longitudinal, &sums.lateral, &sums.normal, &sums.lateral_pressure, &sums.spin_moment})
+    *value *= area;
+  return sums;
+}
+
+/// Work of the creep forces per mm rolled, N.
+double QuickPatch::creepage_work() const {
+  return -grid_.element_area() * (traction_.x.dot(own_slip_.x) + traction_.y.dot(own_slip_.y));
+}
+
+void QuickPatch::fill_sums() {
+  const PatchSums sums = this->sums();
   point_.creepage = given_->creepage;
-  point_.longitudinal_force = area * longitudinal;
-  point_.lateral_force = area * lateral;
-  point_.lateral_pressure = area * pressed;
-  point_.normal_force = area * normal;
-  point_.spin_moment = area * spin_moment;
+  point_.longitudinal_force = sums.longitudinal;
+  point_.lateral_force = sums.lateral;
+  point_.lateral_pressure = sums.lateral_pressure;
+  point_.normal_force = sums.normal;
+  point_.spin_moment = sums.spin_moment;
+  point_.creepage_work = creepage_work();
   const PeakPressure::Peak peak = peak_.of(*geometry_, grid_, pressure_);
   point_.max_pressure = peak.pressure;
   max_pressure_bar_ = peak.bar;

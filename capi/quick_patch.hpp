@@ -4,6 +4,7 @@
 #pragma once
 
 #include "capi/peak_pressure.hpp"
+#include "capi/solved_wheel.hpp"
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/result.hpp"
@@ -27,6 +28,8 @@ struct QuickContact {
   const track::WheelRailContact* contact = nullptr;
   contact::Geometry geometry;
   contact::Creepage creepage;
+  /// Derivatives by rotation, lateral and yaw velocity (track::Motion), if a response follows.
+  std::array<contact::Creepage, 3> by_motion{};
 };
 
 /// Extents of a grid, mm.
@@ -47,6 +50,7 @@ class QuickPatch {
 
   /// Starts with a contact, which must outlive the solution.
   void begin(const QuickContact& contact);
+  const QuickContact& given() const { return *given_; }
   const track::WheelRailContact& contact() const { return *given_->contact; }
   /// Direction of the load, y and z in the patch frame.
   const std::array<double, 2>& direction() const { return direction_; }
@@ -95,26 +99,36 @@ class QuickPatch {
   void finish(const contact::Friction& friction, const double* gap, const double* displacement,
               double sinking);
   const contact::PointResult& point() const { return point_; }
+  /// Resultants of the present pressure and tractions.
+  PatchSums sums() const { return sum(&pressure_, traction_); }
+  /// Derivatives of the friction forces by xi, eta and phi at fixed pressure, from the linearised
+  /// friction problem. False if its linear systems do not converge.
+  bool respond(std::array<PatchSums, 3>& by_creepage);
   double max_pressure_bar() const { return max_pressure_bar_; }  ///< MPa
 
  private:
   bool reaches_only(const std::function<bool(double)>& good, double elements) const;
   double grid_place(double y) const;
-  void lay(double dx, double x_middle, double y_middle);
+  bool lay(double dx, double dy, double x_middle, double y_middle);
+  PatchSums sum(const contact::Field* pressure, const contact::TangentialField& traction) const;
+  void spread(const Eigen::Ref<const Eigen::VectorXd>& of_elements,
+              contact::TangentialField& field) const;
+  double creepage_work() const;
   void fill_sums();
 
   const halfspace::InfluenceTables& tables_;
   const QuickContact* given_ = nullptr;
   std::array<double, 2> direction_{0.0, 1.0};
   std::optional<contact::ChartedGeometry> geometry_;
-  const halfspace::InfluenceTable* table_ = nullptr;
+  halfspace::InfluenceTable table_;  ///< of the elements of the grid
   contact::ContactGrid grid_;
   /// Per row of the grid: y in the patch frame, inclination of the surface and its cosine, and the
   /// components along the load of unit pressure and unit lateral traction.
   std::vector<double> place_, climb_, cosine_, carried_, of_lateral_;
   contact::PatchSize size_;
   contact::Field distance_, pressure_, weights_;
-  contact::TangentialField own_slip_, slip_, traction_;
+  contact::TangentialField own_slip_, slip_, traction_, change_;
+  Eigen::VectorXd slip_change_, traction_change_;  ///< on the elements in contact
   std::vector<contact::NeighbourLoad> loads_;
   contact::PointResult point_;
   PeakPressure peak_;

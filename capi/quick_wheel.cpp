@@ -29,6 +29,10 @@ constexpr int fewest_turns_of_several = 3;
 /// meets.
 constexpr int turns_until_kept = 5;
 constexpr int most_rounds = 8;
+/// Step of the derivatives by the sinking, relative: a power law keeps four digits, and the step
+/// smooths over elements that enter the contact.
+constexpr double sinking_step = 0.05;
+constexpr double pressure_tolerance_of_steps = 1e-7;
 
 }  // namespace
 
@@ -50,6 +54,7 @@ QuickOutcome QuickWheel::solve(const std::vector<QuickContact>& contacts, const 
 QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contacts,
                                         const QuickLoad& load) {
   if (contacts.empty() || contacts.size() > most_patches) return QuickOutcome::unfit;
+  given_sinking_ = load.sinking;
   loaded_.clear();
   reserve_.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -65,15 +70,12 @@ QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contact
     if (!find_patches(pressed)) return QuickOutcome::unfit;
     if (!every([](const QuickPatch& patch) { return patch.is_within_limits(0.0); }))
       return QuickOutcome::conformal;
-    for (QuickPatch* patch : loaded_) {
-      if (!any_ && !(patch->is_one_region() && patch->turn() < most_turn))
-        return QuickOutcome::unfit;
-      if (!patch->lay_on_patch()) return QuickOutcome::unfit;
-    }
+    if (!lay_on_patches()) return QuickOutcome::unfit;
     set_problem();
     const Sharing sharing = share_load(load, pressed);
     if (sharing == Sharing::outgrows) {
-      grow_boxes(std::cbrt(pressed / found_for));
+      constexpr double somewhat = 1.1;
+      grow_boxes(given_sinking_ ? somewhat : std::cbrt(pressed / found_for));
       continue;
     }
     if (sharing == Sharing::fails) return QuickOutcome::unfit;
@@ -100,6 +102,13 @@ bool QuickWheel::find_patches(double force) {
     if (!take_reached() && fits) return true;
   }
   return false;
+}
+
+bool QuickWheel::lay_on_patches() {
+  return std::all_of(loaded_.begin(), loaded_.end(), [&](QuickPatch* patch) {
+    if (!any_ && !(patch->is_one_region() && patch->turn() < most_turn)) return false;
+    return patch->lay_on_patch();
+  });
 }
 
 template <class Good>
@@ -185,14 +194,18 @@ void QuickWheel::set_problem() {
   }
 }
 
-/// Solves for the pressures that together carry `force`, starting from the present ones or, with
-/// `anew`, from zero.
+/// Solves for the pressures that together carry `force`, or for those at a given sinking, starting
+/// from the present ones or, with `anew`, from zero.
 void QuickWheel::press(double force, double tolerance, bool anew) {
   static const contact::Field none;
   contact::NormalOptions options;
   options.tolerance = tolerance;
   contact::BoundConstrainedCg& solver = joint_->solver;
-  solver.solve_sum(normal_, joint_->distance, force, options, anew ? none : solver.pressure());
+  const contact::Field& start = anew ? none : solver.pressure();
+  if (given_sinking_)
+    solver.solve_approach(normal_, joint_->distance, *given_sinking_, options, start);
+  else
+    solver.solve_sum(normal_, joint_->distance, force, options, start);
   Eigen::Index first = 0;
   for (QuickPatch* patch : loaded_) {
     patch->press(solver.pressure().data() + first);
@@ -218,16 +231,19 @@ QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share)
   const double expected = share;
   contact::PositiveFixedPoint sharing;
   for (int turn = 0; turn < most_turns; ++turn) {
-    press(share, pressure_tolerance, turn == 0);
+    // At a given sinking, friction does not change the pressures.
+    if (turn == 0 || !given_sinking_) press(share, pressure_tolerance, turn == 0);
     if (!every([](const QuickPatch& patch) {
           return patch.has_pressure() && !patch.touches_border();
         }))
       return Sharing::outgrows;
     if (!rub(load, turn)) return Sharing::fails;
+    const bool settled = loaded_.size() == 1 || turn + 1 >= fewest_turns_of_several;
+    if (given_sinking_ && settled) return Sharing::done;
+    if (given_sinking_) continue;
     double of_friction = 0.0;
     for (const QuickPatch* patch : loaded_) of_friction += patch->load_of_friction();
     const double image = load.force - of_friction;
-    const bool settled = loaded_.size() == 1 || turn + 1 >= fewest_turns_of_several;
     if (settled && std::abs(image - share) <= shared_to * load.force) {
       for (QuickPatch* patch : loaded_) patch->scale(load.force / (share + of_friction));
       return Sharing::done;
@@ -241,6 +257,44 @@ QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share)
   return Sharing::fails;
 }
 
+/// Resultants of every patch at another sinking, starting from the present solution.
+bool QuickWheel::sums_at(double sinking, const QuickLoad& load, std::vector<PatchSums>& sums) {
+  given_sinking_ = sinking;
+  press(0.0, pressure_tolerance_of_steps, false);
+  if (!every([](const QuickPatch& patch) {
+        return patch.has_pressure() && !patch.touches_border();
+      }) ||
+      !rub(load, 1))
+    return false;
+  sums.clear();
+  for (const QuickPatch* patch : loaded_) sums.push_back(patch->sums());
+  return true;
+}
+
+bool QuickWheel::respond(const QuickLoad& load, std::vector<PatchResponse>& responses) {
+  responses.resize(loaded_.size());
+  for (std::size_t k = 0; k < loaded_.size(); ++k) {
+    responses[k] = {};
+    if (load.friction && !loaded_[k]->respond(responses[k].by_creepage)) return false;
+  }
+  const double stands = sinking(), step = sinking_step * stands;
+  try {
+    if (!sums_at(stands - step, load, below_) || !sums_at(stands + step, load, above_))
+      return false;
+  } catch (const contact::SolveError&) {
+    return false;
+  }
+  const auto slope = [&](double PatchSums::*sum, std::size_t k) {
+    return (above_[k].*sum - below_[k].*sum) / (2.0 * step);
+  };
+  for (std::size_t k = 0; k < loaded_.size(); ++k)
+    for (double PatchSums::*sum :
+         {&PatchSums::longitudinal, &PatchSums::lateral, &PatchSums::normal,
+          &PatchSums::lateral_pressure, &PatchSums::spin_moment})
+      responses[k].by_sinking.*sum = slope(sum, k);
+  return true;
+}
+
 void QuickWheel::check(const QuickLoad& load) {
   const contact::BoundConstrainedCg& solver = joint_->solver;
   Eigen::Index first = 0;
@@ -249,7 +303,7 @@ void QuickWheel::check(const QuickLoad& load) {
                   solver.approach());
     first += patch->distance().size();
     contact::NormalLoad own;
-    if (loaded_.size() == 1) {
+    if (loaded_.size() == 1 && !given_sinking_) {
       own.force = load.force;
       own.direction = patch->direction();
     }

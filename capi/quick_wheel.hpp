@@ -8,13 +8,16 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rollfem::capi {
 
 /// Load and friction of the wheel.
 struct QuickLoad {
-  double force = 0.0;  ///< N, vertical, friction included
+  double force = 0.0;  ///< N, vertical, friction included; ignored if a sinking is given
+  /// Vertical, below first touch, mm; positive.
+  std::optional<double> sinking;
   contact::Friction friction;
 };
 
@@ -22,6 +25,12 @@ enum class QuickOutcome {
   solved,
   unfit,  ///< left to the solvers of the model halfspace, which report the reason if they fail too
   conformal,  ///< a patch reaches into another contact
+};
+
+/// Derivatives of the resultants of a patch.
+struct PatchResponse {
+  std::array<PatchSums, 3> by_creepage;  ///< at the same pressure, per unit of xi, eta and phi
+  PatchSums by_sinking;                  ///< per mm, at the same place and creepages
 };
 
 class QuickWheel {
@@ -42,6 +51,11 @@ class QuickWheel {
   QuickOutcome solve(const std::vector<QuickContact>& contacts, const QuickLoad& load);
   /// The loaded patches, in the order of the contacts.
   const std::vector<QuickPatch*>& patches() const { return loaded_; }
+  /// Vertical, below first touch, mm.
+  double sinking() const { return joint_->solver.approach(); }
+  /// Derivatives for each patch, in the order of patches(), at the solution, which is then lost.
+  /// False if that fails.
+  bool respond(const QuickLoad& load, std::vector<PatchResponse>& responses);
 
  private:
   /// The joint problem of several patches, with fields of constant size.
@@ -59,6 +73,8 @@ class QuickWheel {
   void drop_unloaded();
   void set_problem();
   void press(double force, double tolerance, bool anew);
+  bool sums_at(double sinking, const QuickLoad& load, std::vector<PatchSums>& sums);
+  bool lay_on_patches();
   Sharing share_load(const QuickLoad& load, double& share);
   void grow_boxes(double factor);
   template <class Good>
@@ -71,6 +87,8 @@ class QuickWheel {
   std::vector<std::unique_ptr<QuickPatch>> all_;
   std::vector<QuickPatch*> loaded_, reserve_;
   std::vector<GridBox> boxes_;  ///< of the loaded patches
+  std::optional<double> given_sinking_;
+  std::vector<PatchSums> below_, above_;
   std::vector<halfspace::NormalBlock> blocks_;
   halfspace::FewElementsNormal normal_;
   std::array<Joint, most_patches> joints_;

@@ -9,6 +9,8 @@ struct rollfem_table {
   rollfem::tables::CreepTableReader reader;
 };
 
+using rollfem::capi::Given;
+using rollfem::capi::taken;
 using rollfem::capi::wanted;
 
 namespace {
@@ -36,15 +38,16 @@ rollfem_table* rollfem_table_open(const char* path, char* message, size_t size) 
 
 rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_ellipse* ellipse,
                                     rollfem_creep_forces* forces, char* message, size_t size) {
-  if (forces != nullptr) *forces = rollfem_creep_forces{};
+  Given<rollfem_creep_forces> result(forces);
   return rollfem::capi::guarded(
       [&] {
-        const rollfem_ellipse& of = wanted(ellipse, "ellipse", "an ellipse");
+        const rollfem_ellipse of = taken(ellipse, "ellipse", "an ellipse");
         const auto found = reader_of(table).physical(
             of.semi_axis_x, of.semi_axis_y, of.shear_modulus, of.friction_bound,
             {of.longitudinal_creepage, of.lateral_creepage, of.spin});
-        wanted(forces, "forces", "a place for the forces") = {
-            found.forces[0], found.forces[1], found.forces[2], found.force_bar, found.moment_bar};
+        result.check("forces", "a place for the forces");
+        result.give({0, found.forces[0], found.forces[1], found.forces[2], found.force_bar,
+                     found.moment_bar});
       },
       message, size);
 }
@@ -53,10 +56,10 @@ rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
                                           const rollfem_shifted_wheel* wheel,
                                           rollfem_wheel_forces* forces, char* message,
                                           size_t size) {
-  if (forces != nullptr) *forces = rollfem_wheel_forces{};
+  Given<rollfem_wheel_forces> result(forces);
   return rollfem::capi::guarded(
       [&] {
-        const rollfem_shifted_wheel& of = wanted(wheel, "wheel", "a wheel at a lateral shift");
+        const rollfem_shifted_wheel of = taken(wheel, "wheel", "a wheel at a lateral shift");
         const auto& reader = reader_of(table);
         // The caller's units in mm and N.
         const double length = of.units == ROLLFEM_M_N ? 1e3 : 1.0;
@@ -68,17 +71,12 @@ rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
         const auto found = reader.of_wheel(
             shift, bound, {of.longitudinal_creepage, of.lateral_creepage, of.spin / length});
         const double moment = newtons * length;
-        wanted(forces, "forces", "a place for the forces") = {found.forces[0] / newtons,
-                                                              found.forces[1] / newtons,
-                                                              found.along_normal / newtons,
-                                                              found.forces[2] / moment,
-                                                              found.force_bar / newtons,
-                                                              found.moment_bar / moment,
-                                                              bound / newtons,
-                                                              place.normal_force / newtons,
-                                                              place.contact_angle,
-                                                              place.rolling_radius / length,
-                                                              place.jump_after != 0.0};
+        result.check("forces", "a place for the forces");
+        result.give({0, found.forces[0] / newtons, found.forces[1] / newtons,
+                     found.along_normal / newtons, found.forces[2] / moment,
+                     found.force_bar / newtons, found.moment_bar / moment, bound / newtons,
+                     place.normal_force / newtons, place.contact_angle,
+                     place.rolling_radius / length, place.jump_after != 0.0});
       },
       message, size);
 }

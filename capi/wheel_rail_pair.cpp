@@ -7,10 +7,10 @@
 #include "halfspace/patch/correction_scene.hpp"
 #include "track/balance/position.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace rollfem::capi {
@@ -18,46 +18,6 @@ namespace rollfem::capi {
 namespace {
 
 using contact::Case;
-using contact::cross;
-using contact::Vector3;
-
-/// Checks every number of a state against the bounds of case files.
-void check(const WheelState& state, double rolling_radius) {
-  const auto within = [](const char* name, double value, double limit) {
-    if (std::abs(value) <= limit) return;  // false for NaN
-    throw contact::InputError(
-        fmt::format("{} = {:g}: is out of bounds; allowed: magnitudes up to {:g}; do: correct it",
-                    name, value, limit));
-  };
-  const auto positive = [](const char* name, double value, double limit) {
-    if (value > 0.0 && value <= limit) return;
-    throw contact::InputError(
-        fmt::format("{} = {:g}: is out of bounds; allowed: above 0, up to {:g}; do: correct it",
-                    name, value, limit));
-  };
-  const double speed = state.forward_speed;
-  positive("forward_speed in mm/s", speed, 1e9);
-  positive("vertical_force in N", state.vertical_force, 1e12);
-  within("lateral_shift in mm", state.lateral_shift, 1e3);
-  within("yaw in rad", state.yaw, 0.2);
-  if (!std::isnan(state.roll)) within("roll in rad", state.roll, 0.2);
-  within("lateral_velocity over forward_speed", state.lateral_velocity / speed, 1.0);
-  within("yaw_rate over forward_speed in rad/mm", state.yaw_rate / speed, 1.0);
-  within("rotation_speed times rolling_radius over forward_speed, less 1,",
-         state.rotation_speed * rolling_radius / speed - 1.0, 1.0);
-}
-void set(const WheelState& state, Case& input) {
-  contact::Wheelset& wheelset = input.wheelset;
-  wheelset.lateral_shift.assign(1, state.lateral_shift);
-  wheelset.yaw.assign(1, state.yaw);
-  wheelset.roll.clear();
-  if (!std::isnan(state.roll)) wheelset.roll.push_back(state.roll);
-  wheelset.lateral_velocity = state.lateral_velocity / state.forward_speed;
-  wheelset.yaw_velocity = state.yaw_rate / state.forward_speed;
-  wheelset.rotation_change.assign(
-      1, state.rotation_speed * input.wheel.rolling_radius / state.forward_speed - 1.0);
-  input.load.vertical_force = state.vertical_force;
-}
 
 /// The contact that belongs to a scene from the balance.
 const track::WheelRailContact& contact_of(const contact::Scene& scene,
@@ -109,34 +69,27 @@ PatchForces forces_of(const contact::PointResult& point, double max_pressure_bar
   found.adhesion_area = point.adhesion_area;
   found.max_pressure = point.max_pressure;
   found.max_pressure_bar = max_pressure_bar;
+  found.creepage_work = point.creepage_work.value_or(0.0);
   return found;
 }
 
-SolvedPatch patch_of(const contact::PointResult& point, double max_pressure_bar,
-                     const track::WheelRailContact& contact) {
-  SolvedPatch patch{forces_of(point, max_pressure_bar),
-                    contact.origin,
-                    contact.place.contact_angle,
-                    contact.place.rolling_radius,
-                    {}};
-  for (int d = 0; d < 3; ++d)
-    patch.force[d] = point.longitudinal_force * contact.along[d] +
-                     point.lateral_force * contact.across[d] +
-                     point.normal_force * contact.normal[d];
-  return patch;
+void set_pose(const track::WheelsetPose& pose, SolvedWheel& wheel) {
+  wheel.roll = pose.roll;
+  wheel.height = pose.height;
 }
 
-void add_to_sums(const SolvedPatch& patch, const track::WheelRailContact& contact,
-                 SolvedWheel& wheel) {
-  const Vector3 arm{contact.origin[0] - contact.axle.point[0],
-                    contact.origin[1] - contact.axle.point[1],
-                    contact.origin[2] - contact.axle.point[2]};
-  const Vector3 moment = cross(arm, patch.force);
-  for (int d = 0; d < 3; ++d) {
-    wheel.force[d] += patch.force[d];
-    wheel.moment[d] += moment[d] + patch.forces.spin_moment * contact.normal[d];
-  }
-  wheel.height = contact.pose.height;
+/// Adds a patch to the sums of its wheel.
+SolvedPatch add_patch(const contact::PointResult& point, double max_pressure_bar,
+                      const track::WheelRailContact& contact, SolvedWheel& wheel) {
+  const Wrench wrench =
+      wrench_of(contact, {point.longitudinal_force, point.lateral_force, point.normal_force,
+                          point.lateral_pressure, point.spin_moment});
+  add(wrench, 1.0, wheel.sum);
+  const SolvedPatch patch{forces_of(point, max_pressure_bar), contact.origin,
+                          contact.place.contact_angle, contact.place.rolling_radius, wrench.force};
+  wheel.creepage_work += patch.forces.creepage_work;
+  set_pose(contact.pose, wheel);
+  return patch;
 }
 
 /// Margin around the overlap of the bodies, mm: more than a grid on the patch needs.
@@ -145,44 +98,66 @@ constexpr double around_overlap = 10.0;
 /// Largest separation, mm, of a near miss to describe: none.
 constexpr double none = -contact::infinity;
 
-track::SearchOptions search_options() {
+track::SearchOptions search_options(const WheelState& state) {
   track::SearchOptions options;
   options.with_reserve = true;
+  if (state.given == WheelState::Given::height) options.height = state.load;
+  if (state.given == WheelState::Given::penetration) options.sinking = state.load;
   return options;
+}
+
+/// Given depth below first touch, mm.
+std::optional<double> sinking_of(const WheelState& state, double touching_height) {
+  if (state.given == WheelState::Given::vertical_force) return {};
+  return state.given == WheelState::Given::height ? state.load - touching_height : state.load;
+}
+
+/// Result of a wheel held above the rail.
+SolvedWheel apart(const track::WheelsetPose& pose, double sinking) {
+  SolvedWheel wheel;
+  set_pose(pose, wheel);
+  wheel.penetration = sinking;
+  return wheel;
+}
+
+/// Derivatives of the creepages by the motion, in which they are linear.
+std::array<contact::Creepage, 3> by_motion(const track::WheelRailContact& contact,
+                                           const track::Motion& motion,
+                                           const contact::Creepage& at) {
+  std::array<contact::Creepage, 3> by{};
+  const std::array<double track::Motion::*, 3> parts{
+      &track::Motion::rotation, &track::Motion::lateral_velocity, &track::Motion::yaw_velocity};
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    track::Motion moved = motion;
+    moved.*parts[k] += 1.0;
+    const contact::Creepage then = track::creepage_of(contact, moved);
+    by[k] = {then.longitudinal - at.longitudinal, then.lateral - at.lateral, then.spin - at.spin};
+  }
+  return by;
 }
 
 }  // namespace
 
-/// A workspace borrowed for a call and returned at its end.
-class WheelRailPair::Borrowed {
- public:
-  explicit Borrowed(const WheelRailPair& pair) : pair_(pair) {
-    {
-      const std::lock_guard<std::mutex> lock(pair_.mutex_);
-      if (!pair_.idle_.empty()) {
-        workspace_ = std::move(pair_.idle_.back());
-        pair_.idle_.pop_back();
-      }
-    }
-    if (workspace_) return;
-    workspace_.reset(new Workspace{pair_.input_, {}, {}, {}});
-    for (const auto& tables : pair_.tables_)
-      workspace_->wheels.push_back(
-          std::make_unique<QuickWheel>(*tables, tables == pair_.tables_.back(), pair_.material_));
-  }
-  ~Borrowed() {
+WheelRailPair::Borrowed::Borrowed(const WheelRailPair& pair) : pair_(pair) {
+  {
     const std::lock_guard<std::mutex> lock(pair_.mutex_);
-    pair_.idle_.push_back(std::move(workspace_));
+    if (!pair_.idle_.empty()) {
+      workspace_ = std::move(pair_.idle_.back());
+      pair_.idle_.pop_back();
+    }
   }
-  Borrowed(const Borrowed&) = delete;
-  Borrowed& operator=(const Borrowed&) = delete;
+  if (workspace_) return;
+  workspace_ = std::make_unique<Workspace>();
+  workspace_->input = pair_.input_;
+  for (const auto& tables : pair_.tables_)
+    workspace_->wheels.push_back(
+        std::make_unique<QuickWheel>(*tables, tables == pair_.tables_.back(), pair_.material_));
+}
 
-  Workspace& operator*() const { return *workspace_; }
-
- private:
-  const WheelRailPair& pair_;
-  std::unique_ptr<Workspace> workspace_;
-};
+WheelRailPair::Borrowed::~Borrowed() {
+  const std::lock_guard<std::mutex> lock(pair_.mutex_);
+  pair_.idle_.push_back(std::move(workspace_));
+}
 
 WheelRailPair::WheelRailPair(Case input)
     : input_(std::move(input)),
@@ -199,24 +174,28 @@ WheelRailPair::WheelRailPair(Case input)
 SolvedWheel WheelRailPair::solve(const WheelState& state) const {
   check(state, input_.wheel.rolling_radius);
   const Borrowed workspace(*this);
-  set(state, (*workspace).input);
+  return solve(*workspace, state);
+}
+
+SolvedWheel WheelRailPair::solve(Workspace& workspace, const WheelState& state) const {
+  set(state, workspace.input);
+  workspace.solved = nullptr;
   SolvedWheel wheel;
-  if (!tables_.empty() && solve_quickly(*workspace, wheel)) return wheel;
+  if (!tables_.empty() && solve_quickly(workspace, state, wheel)) return wheel;
   try {
-    solve_with_care((*workspace).input, wheel);
+    solve_with_care(workspace.input, state, wheel);
   } catch (const contact::SolveError&) {
-    if (!solve_curved((*workspace).input, wheel)) throw;
+    if (!solve_curved(workspace.input, state, wheel)) throw;
   }
   return wheel;
 }
 
 /// Solves a patch that reaches into another contact of the wheel: both form one conformal contact,
 /// which no plane can represent.
-bool WheelRailPair::solve_curved(Case input, SolvedWheel& wheel) const {
+bool WheelRailPair::solve_curved(Case input, const WheelState& state, SolvedWheel& wheel) const {
   input.halfspace.surface = contact::SurfaceForm::curved;
-  wheel = {};
   try {
-    solve_with_care(input, wheel);
+    solve_with_care(input, state, wheel);
   } catch (const contact::SolveError&) {
     return false;
   }
@@ -224,23 +203,32 @@ bool WheelRailPair::solve_curved(Case input, SolvedWheel& wheel) const {
 }
 
 /// False if QuickWheel cannot solve the contacts.
-bool WheelRailPair::solve_quickly(Workspace& workspace, SolvedWheel& wheel) const {
+bool WheelRailPair::solve_quickly(Workspace& workspace, const WheelState& state,
+                                  SolvedWheel& wheel) const {
   contact::SurfaceForm& form = workspace.input.halfspace.surface;
   for (const auto tried : {contact::SurfaceForm::automatic, contact::SurfaceForm::curved}) {
     form = tried;
-    const QuickOutcome outcome = solve_quickly_on(workspace, wheel);
+    const QuickOutcome outcome = solve_quickly_on(workspace, state, wheel);
     form = contact::SurfaceForm::automatic;
     if (outcome != QuickOutcome::conformal) return outcome == QuickOutcome::solved;
   }
   return false;
 }
 
-QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, SolvedWheel& wheel) const {
+QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, const WheelState& state,
+                                             SolvedWheel& wheel) const {
   const Case& input = workspace.input;
-  track::SearchOptions options = search_options();
+  track::SearchOptions options = search_options(state);
   options.around_overlap = around_overlap;
   options.near_miss = none;
   workspace.found = track::find_contacts(input, search_, 1, options);
+  const track::WheelsetPose& pose = workspace.found.front().pose;
+  workspace.load = {input.load.vertical_force.value_or(0.0), sinking_of(state, pose.height),
+                    friction_};
+  if (const auto& sinking = workspace.load.sinking; sinking && !(*sinking > 0.0)) {
+    wheel = apart(pose, *sinking);
+    return QuickOutcome::solved;
+  }
   const track::Motion motion = track::motion_of(input, input.wheelset.rotation_change.front());
   std::vector<QuickContact>& contacts = workspace.contacts;
   contacts.clear();
@@ -249,18 +237,21 @@ QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, SolvedWheel& 
     QuickContact one;
     one.contact = &contact;
     one.creepage = track::creepage_of(contact, motion);
+    if (workspace.linearises) one.by_motion = by_motion(contact, motion, one.creepage);
     one.geometry.surface = contact::ContactSurface::of(
         std::make_shared<const contact::PatchGeometry>(std::move(contact.geometry)));
     if (input.halfspace.surface == contact::SurfaceForm::automatic)
       one.geometry.surface.follows = track::follows_surface(contact.spread_of_normals);
     contacts.push_back(std::move(one));
   }
-  const QuickLoad load{*input.load.vertical_force, friction_};
   QuickOutcome outcome = QuickOutcome::unfit;
   for (const auto& quick : workspace.wheels) {
-    outcome = quick->solve(contacts, load);
+    outcome = quick->solve(contacts, workspace.load);
     if (outcome == QuickOutcome::unfit) continue;
-    if (outcome == QuickOutcome::solved) take(*quick, wheel);
+    if (outcome == QuickOutcome::solved) {
+      workspace.solved = quick.get();
+      take(*quick, wheel);
+    }
     break;
   }
   return outcome;
@@ -269,36 +260,50 @@ QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, SolvedWheel& 
 void WheelRailPair::take(const QuickWheel& quick, SolvedWheel& wheel) {
   std::array<const QuickPatch*, QuickWheel::most_patches> order{};
   wheel.count = quick.patches().size();
+  wheel.penetration = quick.sinking();
   const auto end = std::copy(quick.patches().begin(), quick.patches().end(), order.begin());
   for (auto at = order.begin(); at != end; ++at)
     std::iter_swap(at, std::max_element(at, end, [](const QuickPatch* a, const QuickPatch* b) {
                      return a->point().normal_force < b->point().normal_force;
                    }));
-  for (std::size_t k = 0; k < wheel.count; ++k) {
+  for (std::size_t k = 0; k < wheel.count; ++k)
     wheel.patches[k] =
-        patch_of(order[k]->point(), order[k]->max_pressure_bar(), order[k]->contact());
-    add_to_sums(wheel.patches[k], order[k]->contact(), wheel);
-  }
+        add_patch(order[k]->point(), order[k]->max_pressure_bar(), order[k]->contact(), wheel);
 }
 
-void WheelRailPair::solve_with_care(const Case& input, SolvedWheel& wheel) const {
-  const std::vector<track::PlacedScene> placed =
-      track::make_scenes(input, search_, search_options());
+void WheelRailPair::solve_with_care(const Case& input, const WheelState& state,
+                                    SolvedWheel& wheel) const {
+  wheel = {};
+  std::vector<track::PlacedScene> placed =
+      track::make_scenes(input, search_, search_options(state));
+  const track::WheelsetPose& pose = placed.front().contact.pose;
+  if (const auto sinking = sinking_of(state, pose.height)) {
+    if (!(*sinking > 0.0)) {
+      wheel = apart(pose, *sinking);
+      return;
+    }
+    for (track::PlacedScene& one : placed)
+      one.scene.points.front().load.approach =
+          *sinking * std::cos(one.contact.place.contact_angle) - one.contact.place.separation;
+  }
   std::vector<SolvedPatch> patches;
-  const auto add = [&](const contact::Scene& scene, const track::WheelRailContact& contact) {
+  const auto solve_one = [&](const contact::Scene& scene, const track::WheelRailContact& contact) {
     const CheckedPatch patch = solve_patch(scene, input.contact_grid.elements_across);
-    patches.push_back(patch_of(patch.point, patch.max_pressure_bar, contact));
-    add_to_sums(patches.back(), contact, wheel);
+    patches.push_back(add_patch(patch.point, patch.max_pressure_bar, contact, wheel));
+    wheel.penetration =
+        std::max(wheel.penetration, (patch.point.approach + contact.place.separation) /
+                                        std::cos(contact.place.contact_angle));
   };
   if (placed.size() == 1)
-    add(placed.front().scene, placed.front().contact);
+    solve_one(placed.front().scene, placed.front().contact);
   else
     for (const contact::Scene& scene : track::balanced_position(input, placed))
-      add(scene, contact_of(scene, placed));
+      solve_one(scene, contact_of(scene, placed));
   std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
     return a.forces.normal_force > b.forces.normal_force;
   });
   wheel.count = std::min(patches.size(), SolvedWheel::most_patches);
+  wheel.unlisted = patches.size() - wheel.count;
   std::copy_n(patches.begin(), wheel.count, wheel.patches.begin());
 }
 

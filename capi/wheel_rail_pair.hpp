@@ -4,56 +4,24 @@
 #pragma once
 
 #include "capi/quick_wheel.hpp"
+#include "capi/solved_wheel.hpp"
+#include "capi/wheel_state.hpp"
 #include "contact/case/case.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <array>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 namespace rollfem::capi {
 
-/// Position and motion of the wheelset relative to the ground; signs as in contact::Wheelset.
-struct WheelState {
-  double lateral_shift = 0.0;
-  double yaw = 0.0;
-  double roll = 0.0;  ///< NaN: both wheels touch
-  double forward_speed = 0.0;
-  double lateral_velocity = 0.0;
-  double yaw_rate = 0.0;
-  double rotation_speed = 0.0;
-  double vertical_force = 0.0;
-};
-
-/// Results of a patch; signs and frame as in contact::PointResult.
-struct PatchForces {
-  contact::Creepage creepage;
-  double normal_force = 0.0, longitudinal_force = 0.0, lateral_force = 0.0;  ///< N
-  double lateral_pressure = 0.0;                                             ///< N
-  double spin_moment = 0.0;                                                  ///< N mm
-  double length = 0.0, width = 0.0;                                          ///< mm
-  double area = 0.0, adhesion_area = 0.0;                                    ///< mm^2
-  double max_pressure = 0.0, max_pressure_bar = 0.0;                         ///< MPa
-};
-
-struct SolvedPatch {
-  PatchForces forces;
-  std::array<double, 3> origin{};  ///< contact point, track frame, mm
-  double contact_angle = 0.0;      ///< rad
-  double rolling_radius = 0.0;     ///< mm
-  std::array<double, 3> force{};   ///< on the wheel, track frame, N
-};
-
-struct SolvedWheel {
-  static constexpr std::size_t most_patches = 4;
-  std::size_t count = 0;
-  std::array<SolvedPatch, most_patches>
-      patches;  ///< the most loaded first; further ones count in the sums
-  std::array<double, 3> force{};
-  std::array<double, 3> moment{};  ///< about the middle of the axle
-  double height = 0.0;             ///< at which the wheel just touches, unloaded
+/// Derivatives of the sums over the patches of a wheel by state_variables; 0 for a roll that is
+/// found and for a wheel that does not touch.
+struct WheelDerivatives {
+  std::array<Wrench, state_variables.size()> by;
+  double stiffness =
+      0.0;  ///< N/mm, derivative of the upward force by the height, friction included
 };
 
 class WheelRailPair {
@@ -66,6 +34,11 @@ class WheelRailPair {
   /// solution. Results do not depend on earlier calls. Thread-safe.
   SolvedWheel solve(const WheelState& state) const;
 
+  /// Also returns derivatives. Velocities use the linearised friction problem, the load two
+  /// solutions on the same elements, the position central differences; all use differences if
+  /// QuickWheel cannot solve the contacts.
+  SolvedWheel linearise(const WheelState& state, WheelDerivatives& derivatives) const;
+
  private:
   /// Working memory of a call, kept for later calls of any thread.
   struct Workspace {
@@ -73,14 +46,26 @@ class WheelRailPair {
     std::vector<std::unique_ptr<QuickWheel>> wheels;  ///< tried in this order
     std::vector<track::WheelRailContact> found;
     std::vector<QuickContact> contacts;
+    QuickLoad load;
+    bool linearises = false;       ///< a response follows the solution
+    QuickWheel* solved = nullptr;  ///< the wheel that holds the solution
+    std::vector<PatchResponse> responses;
   };
   class Borrowed;
 
-  bool solve_quickly(Workspace& workspace, SolvedWheel& wheel) const;
-  QuickOutcome solve_quickly_on(Workspace& workspace, SolvedWheel& wheel) const;
+  SolvedWheel solve(Workspace& workspace, const WheelState& state) const;
+  bool solve_quickly(Workspace& workspace, const WheelState& state, SolvedWheel& wheel) const;
+  QuickOutcome solve_quickly_on(Workspace& workspace, const WheelState& state,
+                                SolvedWheel& wheel) const;
   static void take(const QuickWheel& quick, SolvedWheel& wheel);
-  void solve_with_care(const contact::Case& input, SolvedWheel& wheel) const;
-  bool solve_curved(contact::Case input, SolvedWheel& wheel) const;
+  void solve_with_care(const contact::Case& input, const WheelState& state,
+                       SolvedWheel& wheel) const;
+  bool solve_curved(contact::Case input, const WheelState& state, SolvedWheel& wheel) const;
+
+  bool respond(Workspace& workspace, const WheelState& state, WheelDerivatives& derivatives) const;
+  Wrench difference(Workspace& workspace, const WheelState& state, const SolvedWheel& at,
+                    std::size_t variable) const;
+  double step_of(const WheelState& state, const SolvedWheel& at, std::size_t variable) const;
 
   contact::Case input_;
   track::SearchScene search_;
@@ -90,6 +75,22 @@ class WheelRailPair {
   std::vector<std::unique_ptr<halfspace::InfluenceTables>> tables_;  ///< coarser grids first
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Workspace>> idle_;
+};
+
+/// The workspace of a call, given back at its end.
+class WheelRailPair::Borrowed {
+ public:
+  explicit Borrowed(const WheelRailPair& pair);
+  ~Borrowed();
+  Borrowed(const Borrowed&) = delete;
+  Borrowed& operator=(const Borrowed&) = delete;
+
+  Workspace& operator*() const { return *workspace_; }
+  Workspace* operator->() const { return workspace_.get(); }
+
+ private:
+  const WheelRailPair& pair_;
+  std::unique_ptr<Workspace> workspace_;
 };
 
 }  // namespace rollfem::capi

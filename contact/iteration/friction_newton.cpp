@@ -250,20 +250,43 @@ void FrictionNewton::find_law_by_slip(const Point& point) {
 void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result) const {
   compliance_->apply(p, result);
   result *= r_;
+  bound_change(p, result);
+}
+
+/// Turns r times a change of slip into the change of F, for tractions that change by `p`.
+void FrictionNewton::bound_change(const Gmres::Given& p, Gmres::Vector change) const {
   for (Index e = 0; e < count_; ++e) {
     const Index f = count_ + e;
     // Change of the element's bound with its slip.
     const double by_slip =
-        feels_slip_ ? (at_.by_slip[e] * result[e] + at_.by_slip[f] * result[f]) / r_ : 0.0;
-    result[e] += r_ * drag_ * p[e];
-    result[f] += r_ * drag_ * p[f];
+        feels_slip_ ? (at_.by_slip[e] * change[e] + at_.by_slip[f] * change[f]) / r_ : 0.0;
+    change[e] += r_ * drag_ * p[e];
+    change[f] += r_ * drag_ * p[f];
     if (at_.adheres[static_cast<std::size_t>(e)]) continue;
-    const double dx = result[e] - p[e];
-    const double dy = result[f] - p[f];
+    const double dx = change[e] - p[e];
+    const double dy = change[f] - p[f];
     const double along = at_.normal[e] * dx + at_.normal[f] * dy;
-    result[e] = p[e] + at_.factor[e] * (dx - along * at_.left[e]) - by_slip * at_.normal[e];
-    result[f] = p[f] + at_.factor[e] * (dy - along * at_.left[f]) - by_slip * at_.normal[f];
+    change[e] = p[e] + at_.factor[e] * (dx - along * at_.left[e]) - by_slip * at_.normal[e];
+    change[f] = p[f] + at_.factor[e] * (dy - along * at_.left[f]) - by_slip * at_.normal[f];
   }
+}
+
+bool FrictionNewton::respond(const Eigen::Ref<const Eigen::VectorXd>& slip_change,
+                             Eigen::Ref<Eigen::VectorXd> change) {
+  constexpr double tolerance = 1e-6;
+  constexpr int most_iterations = 400;
+  compliance_->linearise(at_, r_, 0.0);
+  right_ = r_ * slip_change;
+  slip_change_.setZero();  // tractions that stay
+  bound_change(slip_change_, right_);
+  right_ = -right_;
+  return gmres_
+      .solve([this](const Gmres::Given& p, Gmres::Vector result) { apply_jacobian(p, result); },
+             [this](const Gmres::Given& p, Gmres::Vector result) {
+               compliance_->precondition(p, result);
+             },
+             right_, {tolerance, most_iterations, krylov_restart}, change)
+      .converged;
 }
 
 /// Tolerance of the linear system: loose at first, tighter as Newton's method converges (Eisenstat

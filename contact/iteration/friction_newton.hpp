@@ -37,6 +37,12 @@ class FrictionNewton {
                const std::vector<Eigen::Index>& places, const TangentialOptions& options,
                const TangentialField& start);
 
+  /// Derivative of the tractions by the rigid slip, both on the elements in contact, times a change
+  /// of slip. Call it after solve(), with the compliance still alive. False if the linear system
+  /// does not converge.
+  bool respond(const Eigen::Ref<const Eigen::VectorXd>& slip_change,
+               Eigen::Ref<Eigen::VectorXd> change);
+
   /// Tractions of the elements in contact, within the bound to the tolerance; not projected,
   /// because that would hide the remaining error.
   const Eigen::Map<Eigen::VectorXd>& traction() const { return point_->traction; }
@@ -70,6 +76,7 @@ class FrictionNewton {
   void linearise(const Point& point);
   void find_law_by_slip(const Point& point);
   void apply_jacobian(const Gmres::Given& p, Gmres::Vector result) const;
+  void bound_change(const Gmres::Given& p, Gmres::Vector change) const;
   double forcing(double residual, double previous) const;
   void find_direction(double tolerance);
   bool advance(double residual, double previous);

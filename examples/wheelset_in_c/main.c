@@ -22,7 +22,7 @@ static double curvature(double s) {
 
 static rollfem_pair* make_pair(rollfem_side side) {
   char message[512];
-  rollfem_definition definition;
+  rollfem_definition definition = {.struct_size = sizeof definition};
   rollfem_defaults(&definition, ROLLFEM_M_N);
   definition.side = side;
   definition.rolling_radius = radius;
@@ -41,9 +41,16 @@ int main(int count, char** words) {
   printf("%8s %9s %9s %4s %9s %9s %4s %9s %9s\n", "s m", "shift mm", "yaw mrad", "left", "Fx N", "Fy N", "right",
          "Fx N", "Fy N");
   for (int k = 0; k < steps; ++k) {
-    rollfem_result result[2];
+    rollfem_result result[2] = {{.struct_size = sizeof *result}, {.struct_size = sizeof *result}};
     for (int side = 0; side < 2; ++side) {
-      const rollfem_state state = {shift, yaw, 0.0, speed, speed * yaw, speed * turn, speed / radius, load};
+      const rollfem_state state = {.struct_size = sizeof state,
+                                   .lateral_shift = shift,
+                                   .yaw = yaw,
+                                   .forward_speed = speed,
+                                   .lateral_velocity = speed * yaw,
+                                   .yaw_rate = speed * turn,
+                                   .rotation_speed = speed / radius,
+                                   .vertical_force = load};
       char message[512];
       if (rollfem_solve(wheel[side], &state, &result[side], message, sizeof message) != ROLLFEM_OK) {
         fprintf(stderr, "at %g m: %s\n", k * ds, message);
@@ -51,8 +58,8 @@ int main(int count, char** words) {
       }
     }
     if (k % 10 == 0)
-      printf("%8.2f %9.3f %9.3f %4d %9.0f %9.0f %4d %9.0f %9.0f\n", k * ds, 1e3 * shift, 1e3 * yaw, result[0].patches,
-             result[0].force[0], result[0].force[1], result[1].patches, result[1].force[0], result[1].force[1]);
+      printf("%8.2f %9.3f %9.3f %4d %9.0f %9.0f %4d %9.0f %9.0f\n", k * ds, 1e3 * shift, 1e3 * yaw, result[0].patch_count,
+             result[0].force[0], result[0].force[1], result[1].patch_count, result[1].force[0], result[1].force[1]);
     /* The wheel on the larger radius runs further, so the wheelset turns away from it relative to the ground; its yaw
        is relative to the track, which turns too. */
     const rollfem_patch *left = &result[0].patch[0], *right = &result[1].patch[0];

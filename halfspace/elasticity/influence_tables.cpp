@@ -3,6 +3,8 @@
 
 #include "halfspace/elasticity/influence.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rollfem::halfspace {
@@ -50,11 +52,33 @@ InfluenceTables::InfluenceTables(int nx, int ny, const contact::CombinedMaterial
     tables_.push_back(table_of(nx, ny, std::exp2(static_cast<double>(k) / steps_of_two), material));
 }
 
-const InfluenceTable* InfluenceTables::nearest(double ratio) const {
+bool InfluenceTables::interpolate(double ratio, InfluenceTable& table) const {
   constexpr int most = steps_of_two * octaves;
-  const double place = std::round(steps_of_two * std::log2(ratio)) + most;
-  if (!(place >= 0.0 && place <= 2 * most)) return nullptr;
-  return &tables_[static_cast<std::size_t>(place)];
+  const double place = steps_of_two * std::log2(ratio) + most;
+  if (!(place >= 0.0 && place <= 2 * most)) return false;
+  const int first = std::clamp(static_cast<int>(place) - 1, 0, 2 * most - 3);
+  const double t = place - first;
+  // Of the cubic through 0, 1, 2 and 3.
+  const std::array<double, 4> part{
+      (1.0 - t) * (2.0 - t) * (3.0 - t) / 6.0, t * (2.0 - t) * (3.0 - t) / 2.0,
+      -t * (1.0 - t) * (3.0 - t) / 2.0, t * (1.0 - t) * (2.0 - t) / 6.0};
+  const InfluenceTable* const at = &tables_[static_cast<std::size_t>(first)];
+  table.ratio = ratio;
+  table.nx = nx_;
+  table.ny = ny_;
+  table.diagonal = 0.0;
+  for (std::size_t m = 0; m < part.size(); ++m) table.diagonal += part[m] * at[m].diagonal;
+  for (std::vector<double> InfluenceTable::*list :
+       {&InfluenceTable::nn, &InfluenceTable::xx, &InfluenceTable::yy, &InfluenceTable::xy}) {
+    const std::size_t count = (at->*list).size();
+    (table.*list).resize(count);
+    const double *a = (at[0].*list).data(), *b = (at[1].*list).data(), *c = (at[2].*list).data(),
+                 *d = (at[3].*list).data();
+    double* to = (table.*list).data();
+    for (std::size_t k = 0; k < count; ++k)
+      to[k] = part[0] * a[k] + part[1] * b[k] + part[2] * c[k] + part[3] * d[k];
+  }
+  return true;
 }
 
 }  // namespace rollfem::halfspace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Influence coefficients of half-spaces, computed once for a pair of bodies: they are proportional
-// to the size of the elements, so that a series of aspect ratios covers every patch.
+// to the size of the elements, so that a series of aspect ratios, and interpolation between them,
+// covers every patch.
 #pragma once
 
 #include "contact/base/material.hpp"
@@ -38,8 +39,9 @@ class InfluenceTables {
 
   int nx() const { return nx_; }
   int ny() const { return ny_; }
-  /// The closest one on a logarithmic scale, within a tenth; null outside 1:64 to 64:1.
-  const InfluenceTable* nearest(double ratio) const;
+  /// Interpolates the table of an aspect ratio: a cubic through the four nearest on a logarithmic
+  /// scale, accurate to 1e-4. False outside 1:64 to 64:1.
+  bool interpolate(double ratio, InfluenceTable& table) const;
 
  private:
   int nx_, ny_;

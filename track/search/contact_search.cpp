@@ -141,8 +141,9 @@ class WheelSearch {
     const bool curved = input_.halfspace.surface == contact::SurfaceForm::curved;
     const double angle = options.merge_angle.value_or(curved ? angle_on_surface : angle_on_plane);
     const auto [groups, sinking] =
-        group_minima(gap_, angle, [this](const std::vector<Stretch>& stretches) {
-          return sinking_under_load(input_, gap_, stretches);
+        group_minima(gap_, angle, [&](const std::vector<Stretch>& stretches) {
+          if (options.height) return *options.height - pose_.height;
+          return options.sinking ? *options.sinking : sinking_under_load(input_, gap_, stretches);
         });
     std::vector<WheelRailContact> found;
     found.reserve(groups.size());

@@ -60,6 +60,9 @@ struct SearchOptions {
   /// mm: transforms wheel and rail into the frame of a contact only this far beyond the overlap of
   /// the bodies; infinite: as far as they are heights there.
   double around_overlap = std::numeric_limits<double>::infinity();
+  /// Sinking of the wheel below first touch, or height of its pose, mm; either overrides the load
+  /// of the case. A wheel that does not touch has near misses only.
+  std::optional<double> sinking, height;
   bool with_reserve = false;  ///< also scenes of contacts that the load may reach (make_scenes)
 };
 

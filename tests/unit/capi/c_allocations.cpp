@@ -34,7 +34,8 @@ namespace {
 
 long most_of(rollfem_side side) {
   char message[512];
-  rollfem_definition definition;
+  rollfem_definition definition{};
+  definition.struct_size = sizeof definition;
   rollfem_defaults(&definition, ROLLFEM_MM_N);
   definition.side = side;
   rollfem_pair* pair = rollfem_create(&definition, message, sizeof message);
@@ -57,8 +58,11 @@ long most_of(rollfem_side side) {
                                      {7.0, 5.6e-3},
                                      {8.0, 6.4e-3}}) {
       const double roll = -2.5e-5 * shift * shift;
-      const rollfem_state state = {shift, yaw, roll, 20e3, 30.0, 0.0, 43.5, 50e3};
+      const rollfem_state state = {sizeof state, shift, yaw,  roll, 20e3,
+                                   30.0,         0.0,   43.5, 50e3, ROLLFEM_VERTICAL_FORCE,
+                                   0.0,          0.0};
       rollfem_result result;
+      result.struct_size = sizeof result;
       const long before = allocations;
       EXPECT_EQ(rollfem_solve(pair, &state, &result, message, sizeof message), ROLLFEM_OK)
           << message;

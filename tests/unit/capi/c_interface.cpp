@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "rollfem/rollfem.h"
-#include "support/temporary_folder.hpp"
+#include "support/wheel_on_rail.hpp"
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -17,56 +17,16 @@
 
 namespace {
 
-using Pair = std::unique_ptr<rollfem_pair, void (*)(rollfem_pair*)>;
-
-rollfem_definition defaults(rollfem_side side = ROLLFEM_LEFT, rollfem_units units = ROLLFEM_MM_N) {
-  rollfem_definition definition;
-  rollfem_defaults(&definition, units);
-  definition.side = side;
-  return definition;
-}
-
-Pair make(const rollfem_definition& definition) {
-  char message[1000];
-  Pair pair(rollfem_create(&definition, message, sizeof message), rollfem_destroy);
-  EXPECT_NE(pair, nullptr) << message;
-  return pair;
-}
-
-rollfem_result solve(const Pair& pair, const rollfem_state& state) {
-  char message[1000];
-  rollfem_result result;
-  EXPECT_EQ(rollfem_solve(pair.get(), &state, &result, message, sizeof message), ROLLFEM_OK)
-      << message;
-  return result;
-}
-
-/// mm, rad, mm/s, N.
-rollfem_state state_at(double shift, double yaw) {
-  return {shift, yaw, 0.0, 20e3, 30.0, 0.02, 20e3 / 460.0 * 1.001, 50e3};
-}
+using namespace rollfem::testing;
 
 TEST(CInterface, CrownedRailUnderACylindricalWheelIsHertz) {
-  const rollfem::testing::TemporaryFolder folder;
-  std::string wheel = "# y z, mm\n", rail = wheel;
-  for (double y = -40.0; y <= 40.0; y += 0.25) wheel += std::to_string(y) + " 0.0\n";
-  for (double y = -36.0; y <= 36.0; y += 0.25)
-    rail +=
-        std::to_string(y) + " " + std::to_string(300.0 - std::sqrt(300.0 * 300.0 - y * y)) + "\n";
-  rollfem_definition definition = defaults();
-  const std::string wheel_file = folder.file("wheel.txt", wheel),
-                    rail_file = folder.file("rail.txt", rail);
-  definition.wheel_profile = wheel_file.c_str();
-  definition.rail_profile = rail_file.c_str();
-  definition.rolling_radius = 300.0;
-  definition.inclination = 0.0;
-  definition.gauge = 1451.0;
-  definition.gauge_height = 1.0;  // 24.5 mm beside the middle of the rail
+  const TemporaryFolder folder;
+  const Pair pair = sphere_on_plane(folder, 0.3);
   rollfem_state state = state_at(0.0, 0.0);
   state.rotation_speed = 20e3 / 300.0 * 1.1;  // slides all over
   state.lateral_velocity = state.yaw_rate = 0.0;
-  const rollfem_result result = solve(make(definition), state);
-  ASSERT_EQ(result.patches, 1);
+  const rollfem_result result = solve(pair, state);
+  ASSERT_EQ(result.patch_count, 1);
   // A sphere of 300 mm on a plane.
   const double modulus = 210e3 / (2.0 * (1.0 - 0.09));
   const double a = std::cbrt(0.75 * 50e3 * 300.0 / modulus);
@@ -139,9 +99,9 @@ TEST(CInterface, FrictionBoundsWhatThePressureDoesNotHaveOfTheLateralForce) {
   rollfem_state state = state_at(2.03, -0.0215);
   state.roll = -0.0075;
   const rollfem_result result = solve(make(definition), state);
-  ASSERT_GT(result.patches, 0);
+  ASSERT_GT(result.patch_count, 0);
   double pressed = 0.0;
-  for (int k = 0; k < result.patches; ++k) {
+  for (int k = 0; k < result.patch_count; ++k) {
     const rollfem_patch& patch = result.patch[k];
     pressed = std::max(pressed, std::abs(patch.lateral_pressure));
     EXPECT_LT(std::hypot(patch.longitudinal_force, patch.lateral_force - patch.lateral_pressure),
@@ -165,7 +125,7 @@ TEST(CInterface, ContactsInPlanesOfTheirOwnShareTheLoadAsInTheModelHalfspace) {
   input.wheelset.roll = {roll};
   const auto scenes = rollfem::track::balance(input).scenes;
   ASSERT_EQ(scenes.size(), 2u);
-  ASSERT_EQ(quick.patches, 2);
+  ASSERT_EQ(quick.patch_count, 2);
   const double all = quick.patch[0].normal_force + quick.patch[1].normal_force;
   for (int k = 0; k < 2; ++k) {
     const auto fine =
@@ -240,7 +200,7 @@ TEST(CInterface, UnitsAreOnlyUnits) {
     EXPECT_NEAR(b.spin / length / a.spin, 1.0, 1e-6);
     EXPECT_NEAR(b.area * length * length / a.area, 1.0, 1e-6);
     EXPECT_NEAR(other.moment[2] * force * length / mm.moment[2], 1.0, 1e-6);
-    EXPECT_NEAR(other.height * length / mm.height, 1.0, 1e-6);
+    EXPECT_NEAR(other.touching_height * length / mm.touching_height, 1.0, 1e-6);
   }
 }
 
@@ -273,7 +233,7 @@ TEST(CInterface, RefusesWithAReasonAndAZeroResult) {
   EXPECT_EQ(rollfem_create(&definition, message, sizeof message), nullptr);
 
   const Pair pair = make(defaults());
-  rollfem_result result;
+  auto result = sized<rollfem_result>();
   for (double rollfem_state::*member :
        {&rollfem_state::lateral_shift, &rollfem_state::yaw, &rollfem_state::forward_speed,
         &rollfem_state::rotation_speed, &rollfem_state::vertical_force}) {
@@ -281,7 +241,7 @@ TEST(CInterface, RefusesWithAReasonAndAZeroResult) {
     state.*member = std::nan("");
     EXPECT_EQ(rollfem_solve(pair.get(), &state, &result, message, sizeof message), ROLLFEM_REFUSED);
     EXPECT_NE(std::strstr(message, "out of bounds"), nullptr) << message;
-    EXPECT_EQ(result.patches, 0);
+    EXPECT_EQ(result.patch_count, 0);
   }
   rollfem_state state = state_at(200.0, 0.0);  // between the rails
   EXPECT_NE(rollfem_solve(pair.get(), &state, &result, message, 10), ROLLFEM_OK);
@@ -294,8 +254,8 @@ TEST(CInterface, NullIsRefusedWithAMessageByEveryCall) {
   const auto says = [&](const char* what) {
     return std::strstr(message, what) != nullptr && std::strstr(message, "do: ") != nullptr;
   };
-  const rollfem_state state{};
-  rollfem_result result;
+  const auto state = sized<rollfem_state>();
+  auto result = sized<rollfem_result>();
   rollfem_defaults(nullptr, ROLLFEM_MM_N);
   EXPECT_EQ(rollfem_create(nullptr, message, sizeof message), nullptr);
   EXPECT_TRUE(says("definition is NULL")) << message;
@@ -306,13 +266,13 @@ TEST(CInterface, NullIsRefusedWithAMessageByEveryCall) {
   EXPECT_TRUE(says("state is NULL")) << message;
   EXPECT_EQ(rollfem_solve(pair.get(), &state, nullptr, message, sizeof message), ROLLFEM_REFUSED);
   EXPECT_TRUE(says("result is NULL")) << message;
-  rollfem_creep_forces forces;
-  const rollfem_ellipse ellipse{};
+  auto forces = sized<rollfem_creep_forces>();
+  const auto ellipse = sized<rollfem_ellipse>();
   EXPECT_EQ(rollfem_table_forces(nullptr, &ellipse, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
   EXPECT_TRUE(says("table is NULL")) << message;
-  rollfem_wheel_forces of_wheel;
-  const rollfem_shifted_wheel wheel{};
+  auto of_wheel = sized<rollfem_wheel_forces>();
+  const auto wheel = sized<rollfem_shifted_wheel>();
   EXPECT_EQ(rollfem_table_wheel_forces(nullptr, &wheel, &of_wheel, message, sizeof message),
             ROLLFEM_REFUSED);
   EXPECT_TRUE(says("table is NULL")) << message;

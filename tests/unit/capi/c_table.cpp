@@ -40,8 +40,9 @@ TEST(CTable, SaysWhatTheTableSays) {
   const Table table(rollfem_table_open(file.c_str(), message, sizeof message), rollfem_table_close);
   ASSERT_NE(table, nullptr) << message;
   EXPECT_STREQ(message, "");
-  const rollfem_ellipse ellipse{6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4};
+  const rollfem_ellipse ellipse{sizeof ellipse, 6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4};
   rollfem_creep_forces forces;
+  forces.struct_size = sizeof forces;
   ASSERT_EQ(rollfem_table_forces(table.get(), &ellipse, &forces, message, sizeof message),
             ROLLFEM_OK);
   const auto expected =
@@ -63,8 +64,8 @@ TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNone) {
   const std::string file = folder.file("table.h5", tables::table_hdf5(some_table()));
   const Table table(rollfem_table_open(file.c_str(), message, sizeof message), rollfem_table_close);
   ASSERT_NE(table, nullptr) << message;
-  const rollfem_ellipse narrow{1.0, 5.0, 80e3, 15e3, 0.001, 0.0, 0.0};
-  rollfem_creep_forces forces{1.0, 1.0, 1.0, 1.0, 1.0};
+  const rollfem_ellipse narrow{sizeof narrow, 1.0, 5.0, 80e3, 15e3, 0.001, 0.0, 0.0};
+  rollfem_creep_forces forces{sizeof forces, 1.0, 1.0, 1.0, 1.0, 1.0};
   EXPECT_EQ(rollfem_table_forces(table.get(), &narrow, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
   EXPECT_TRUE(says(message, "a/b = 0.2"));
@@ -88,9 +89,10 @@ TEST(CTable, OfShiftsSaysWhatTheTableSaysInEveryUnit) {
   };
   for (const auto& [units, length, force] :
        {Unit{ROLLFEM_MM_N, 1.0, 1.0}, Unit{ROLLFEM_M_N, 1e3, 1.0}, Unit{ROLLFEM_MM_KN, 1.0, 1e3}}) {
-    const rollfem_shifted_wheel wheel{units, 0.4 / length, 12e3 / force,
-                                      0.001, -0.002,       3e-4 * length};
+    const rollfem_shifted_wheel wheel{sizeof wheel, units,  0.4 / length, 12e3 / force,
+                                      0.001,        -0.002, 3e-4 * length};
     rollfem_wheel_forces forces;
+    forces.struct_size = sizeof forces;
     ASSERT_EQ(rollfem_table_wheel_forces(table.get(), &wheel, &forces, nullptr, 0), ROLLFEM_OK);
     EXPECT_NEAR(force * forces.longitudinal_force, expected.forces[0], 1e-8);
     EXPECT_NEAR(force * forces.lateral_force, expected.forces[1], 1e-8);
@@ -111,8 +113,9 @@ TEST(CTable, OfShiftsTakesItsOwnFrictionAndTellsOfJumps) {
   const CreepTable truth = rollfem::testing::table_of_shifts(3);
   const Table table = opened(folder.file("table.h5", tables::table_hdf5(truth)));
   ASSERT_NE(table, nullptr);
-  const rollfem_shifted_wheel wheel{ROLLFEM_MM_N, 1.2, 0.0, 0.001, 0.0, 0.0};
+  const rollfem_shifted_wheel wheel{sizeof wheel, ROLLFEM_MM_N, 1.2, 0.0, 0.001, 0.0, 0.0};
   rollfem_wheel_forces forces;
+  forces.struct_size = sizeof forces;
   ASSERT_EQ(rollfem_table_wheel_forces(table.get(), &wheel, &forces, nullptr, 0), ROLLFEM_OK);
   const auto expected = tables::CreepTableReader(truth).of_wheel(1.2, 15e3, {0.001, 0.0, 0.0});
   EXPECT_NEAR(forces.friction_bound, 15e3, 1e-9);
@@ -128,8 +131,9 @@ TEST(CTable, RefusesTheOtherKindAndAShiftOutside) {
   const Table shifts =
       opened(folder.file("b/table.h5", tables::table_hdf5(rollfem::testing::table_of_shifts(2))));
   ASSERT_TRUE(ratios && shifts);
-  rollfem_shifted_wheel wheel{ROLLFEM_MM_N, 0.5, 0.0, 0.001, 0.0, 0.0};
+  rollfem_shifted_wheel wheel{sizeof wheel, ROLLFEM_MM_N, 0.5, 0.0, 0.001, 0.0, 0.0};
   rollfem_wheel_forces forces;
+  forces.struct_size = sizeof forces;
   EXPECT_EQ(rollfem_table_wheel_forces(ratios.get(), &wheel, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
   EXPECT_TRUE(says(message, "over axis ratios"));
@@ -138,8 +142,9 @@ TEST(CTable, RefusesTheOtherKindAndAShiftOutside) {
             ROLLFEM_REFUSED);
   EXPECT_TRUE(says(message, "lateral shift 4 mm"));
   EXPECT_EQ(forces.force_bar, 0.0);
-  const rollfem_ellipse ellipse{6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4};
+  const rollfem_ellipse ellipse{sizeof ellipse, 6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4};
   rollfem_creep_forces of_ellipse;
+  of_ellipse.struct_size = sizeof of_ellipse;
   EXPECT_EQ(rollfem_table_forces(shifts.get(), &ellipse, &of_ellipse, message, sizeof message),
             ROLLFEM_REFUSED);
 }

@@ -32,15 +32,21 @@ const InfluenceTables& tables() {
   return made;
 }
 
+InfluenceTable table_of(double ratio) {
+  InfluenceTable table;
+  EXPECT_TRUE(tables().interpolate(ratio, table));
+  return table;
+}
+
 /// A patch of about 12 by 12 elements.
 struct Case {
-  const InfluenceTable& table;
+  InfluenceTable table;
   ContactGrid grid;
   Field distance;
   double force = 50e3;
 
   Case(double ratio, double along, double across)
-      : table(*tables().nearest(ratio)),
+      : table(table_of(ratio)),
         grid(ContactGrid::centred(n, n, along / 12.0, table.ratio * along / 12.0, 0.1, -0.2)) {
     distance = grid.sample([&](double x, double y) {
       return 0.03 * (4.0 * x * x / (along * along) + 4.0 * y * y / (across * across) +
@@ -65,7 +71,7 @@ double largest_difference(const Field& a, const Field& b) {
 }
 
 TEST(FewElements, PressureIsThatOfTheHalfSpace) {
-  for (const Case& of : {Case(1.0, 10.0, 10.0), Case(0.1, 30.0, 3.0), Case(2.1, 6.0, 13.0)}) {
+  for (const Case& of : {Case(1.0, 10.0, 10.0), Case(0.125, 30.0, 3.0), Case(2.0, 6.0, 13.0)}) {
     const halfspace::HalfspaceCompliance compliance(of.grid, contact::combine({}, {}));
     contact::NormalOptions options;
     options.tolerance = 1e-10;
@@ -81,7 +87,7 @@ TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
   halfspace::FewElementsRolling elements(n, n, 15 * 15);
   contact::FrictionNewton quick;
   const contact::Friction law = contact::coulomb(friction);
-  for (const Case& of : {Case(1.0, 10.0, 10.0), Case(0.1, 30.0, 3.0), Case(2.1, 6.0, 13.0)}) {
+  for (const Case& of : {Case(1.0, 10.0, 10.0), Case(0.125, 30.0, 3.0), Case(2.0, 6.0, 13.0)}) {
     const Field pressure = pressure_of(of), weights = contact::upwind_weights(of.grid, pressure);
     const halfspace::HalfspaceCompliance compliance(of.grid, contact::combine({}, {}));
     const contact::EdgeFittedRolling rolling(compliance.rolling(contact::UpwindOrder::first),
@@ -155,13 +161,30 @@ TEST(FewElements, PatchesDisplaceEachOtherAsPointLoadsDo) {
   EXPECT_NEAR(others.dot(gap) / forces.dot(back), 1.0, 1e-12);
 }
 
+TEST(FewElements, CoefficientsBetweenTheRatiosOfTheLadderAreInterpolated) {
+  const contact::CombinedMaterial material = contact::combine({}, {});
+  for (const double ratio : {0.0171, 0.11, 0.92, 1.09, 2.18, 58.0}) {
+    const InfluenceTable table = table_of(ratio);
+    const auto exact = [&](int i, int j) {
+      return halfspace::rectangle_influence(i, j * ratio, 1.0, ratio, material);
+    };
+    const double own = exact(0, 0).nn, own_x = exact(0, 0).xx - exact(1, 0).xx;
+    for (int j = 0; j < n; ++j)
+      for (int i = -n; i <= n; ++i) {
+        EXPECT_NEAR(table.row(table.nn, j)[i], exact(i, j).nn, 1e-4 * own);
+        EXPECT_NEAR(table.row(table.xx, j)[i], exact(i, j).xx - exact(i + 1, j).xx, 1e-4 * own_x);
+      }
+  }
+}
+
 TEST(FewElements, SayWhenTheyCannot) {
   const Case of(1.0, 10.0, 10.0);
   const Field pressure = pressure_of(of), weights = contact::upwind_weights(of.grid, pressure);
   halfspace::FewElementsRolling small(n, n, 20);
   EXPECT_FALSE(small.set(of.table, pressure, weights));
-  EXPECT_EQ(tables().nearest(1e3), nullptr);
-  EXPECT_EQ(tables().nearest(1e-3), nullptr);
+  InfluenceTable table;
+  EXPECT_FALSE(tables().interpolate(1e3, table));
+  EXPECT_FALSE(tables().interpolate(1e-3, table));
 }
 
 }  // namespace

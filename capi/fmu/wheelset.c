@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+/* A wheelset on its track as a slave for co-simulation, FMI 2.0: rigid, with lateral shift, yaw and rotation of its own
+   under the forces of the springs, which are inputs. Within a communication step inputs stay as they are; the step is
+   integrated by ROS2 (Verwer et al. 1999), linearly implicit with the derivatives of rollfem_linearise. */
+#include "fmi2.h"
+#include "variables.h"
+
+#include <math.h>
+#include <rollfem/rollfem.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EXPORT __attribute__((visibility("default")))
+enum { UNKNOWNS = 5, TEXT = 1024 };
+
+/* What a step changes, and what fmi2GetFMUstate keeps. */
+typedef struct { double value[V_COUNT]; } saved;
+
+typedef struct {
+  saved now;
+  char profile[2][TEXT]; /* wheel, rail */
+  char name[TEXT], message[TEXT];
+  rollfem_pair* wheel[2]; /* left, right */
+  fmi2CallbackFunctions of_master;
+} slave;
+
+static fmi2Status fail(slave* s, fmi2Status status, const char* text) {
+  if (s->of_master.logger != NULL)
+    s->of_master.logger(s->of_master.componentEnvironment, s->name, status, "logStatusError", "%s", text);
+  return status;
+}
+
+static void set_state(const slave* s, int side, const double* at, double roll, rollfem_state* state) {
+  const double* v = s->now.value;
+  *state = (rollfem_state){.struct_size = sizeof *state,
+                           .lateral_shift = at[0],
+                           .lateral_velocity = at[1],
+                           .yaw = at[2],
+                           .yaw_rate = at[3] + v[V_speed] * v[V_curvature],
+                           .roll = roll,
+                           .forward_speed = v[V_speed],
+                           .rotation_speed = v[V_speed] / v[V_rolling_radius] + at[4],
+                           .vertical_force = v[side == 0 ? V_left_load : V_right_load]};
+}
+
+/* Rates of the unknowns; `result` has both wheels, and `by`, if asked for, the derivatives of the rates. */
+static int rates(slave* s, const double* at, double* rate, rollfem_result* result, double (*by)[UNKNOWNS]) {
+  static const int column[UNKNOWNS] = {ROLLFEM_BY_LATERAL_SHIFT, ROLLFEM_BY_LATERAL_VELOCITY, ROLLFEM_BY_YAW,
+                                       ROLLFEM_BY_YAW_RATE, ROLLFEM_BY_ROTATION_SPEED};
+  const double* v = s->now.value;
+  double sum[3] = {v[V_lateral_force], v[V_yaw_moment], v[V_axle_torque]}, roll = NAN;
+  const double inertia[3] = {v[V_mass], v[V_yaw_inertia], v[V_spin_inertia]};
+  if (by != NULL) memset(by, 0, UNKNOWNS * sizeof *by);
+  for (int side = 0; side < 2; ++side) {
+    rollfem_derivatives slope = {.struct_size = sizeof slope};
+    rollfem_state state;
+    result[side] = (rollfem_result){.struct_size = sizeof *result};
+    set_state(s, side, at, by != NULL ? NAN : roll, &state);
+    const rollfem_status status =
+        by != NULL ? rollfem_linearise(s->wheel[side], &state, &result[side], &slope, s->message, TEXT)
+                   : rollfem_solve(s->wheel[side], &state, &result[side], s->message, TEXT);
+    if (status != ROLLFEM_OK) return 0;
+    roll = result[side].roll;
+    sum[0] += result[side].force[1];
+    sum[1] += result[side].moment[2];
+    sum[2] -= result[side].moment[1];
+    for (int k = 0; by != NULL && k < UNKNOWNS; ++k) {
+      by[1][k] += slope.force[1][column[k]] / inertia[0];
+      by[3][k] += slope.moment[2][column[k]] / inertia[1];
+      by[4][k] -= slope.moment[1][column[k]] / inertia[2];
+    }
+  }
+  if (by != NULL) by[0][1] = by[2][3] = 1.0;
+  rate[0] = at[1];
+  rate[1] = sum[0] / inertia[0];
+  rate[2] = at[3];
+  rate[3] = sum[1] / inertia[1];
+  rate[4] = sum[2] / inertia[2];
+  return 1;
+}
+
+/* x with matrix x = x, by elimination; the matrix is lost. */
+static void solve(double (*matrix)[UNKNOWNS], double* x) {
+  for (int k = 0; k < UNKNOWNS; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < UNKNOWNS; ++i)
+      if (fabs(matrix[i][k]) > fabs(matrix[pivot][k])) pivot = i;
+    for (int j = 0; j < UNKNOWNS; ++j) {
+      const double swapped = matrix[k][j];
+      matrix[k][j] = matrix[pivot][j];
+      matrix[pivot][j] = swapped;
+    }
+    const double swapped = x[k];
+    x[k] = x[pivot];
+    x[pivot] = swapped;
+    for (int i = 0; i < UNKNOWNS; ++i) {
+      if (i == k) continue;
+      const double factor = matrix[i][k] / matrix[k][k];
+      for (int j = k; j < UNKNOWNS; ++j) matrix[i][j] -= factor * matrix[k][j];
+      x[i] -= factor * x[k];
+    }
+  }
+  for (int k = 0; k < UNKNOWNS; ++k) x[k] /= matrix[k][k];
+}
+
+static void tell_outputs(slave* s, const double* at, const rollfem_result* result) {
+  double* v = s->now.value;
+  memcpy(&v[V_shift], at, UNKNOWNS * sizeof *at); /* in the order of variables.cmake */
+  v[V_roll] = result[0].roll;
+  for (int d = 0; d < 2; ++d) {
+    v[V_left_fx + d] = result[0].force[d];
+    v[V_right_fx + d] = result[1].force[d];
+  }
+  v[V_left_t_gamma] = result[0].creepage_work;
+  v[V_right_t_gamma] = result[1].creepage_work;
+}
+
+static int advance(slave* s, double step) {
+  const double gamma = 1.0 - sqrt(0.5);
+  double at[UNKNOWNS], moved[UNKNOWNS], first[UNKNOWNS], second[UNKNOWNS], by[UNKNOWNS][UNKNOWNS];
+  double system[UNKNOWNS][UNKNOWNS], matrix[UNKNOWNS][UNKNOWNS];
+  rollfem_result result[2];
+  memcpy(at, &s->now.value[V_shift], sizeof at);
+  const int count = (int)fmax(1.0, ceil(step / s->now.value[V_largest_step] - 1e-9));
+  const double h = step / count;
+  for (int n = 0; n < count; ++n) {
+    if (!rates(s, at, first, result, n == 0 ? by : NULL)) return 0;
+    if (n == 0)
+      for (int i = 0; i < UNKNOWNS; ++i)
+        for (int k = 0; k < UNKNOWNS; ++k) system[i][k] = (i == k) - gamma * h * by[i][k];
+    memcpy(matrix, system, sizeof system);
+    solve(matrix, first);
+    for (int k = 0; k < UNKNOWNS; ++k) moved[k] = at[k] + h * first[k];
+    if (!rates(s, moved, second, result, NULL)) return 0;
+    for (int k = 0; k < UNKNOWNS; ++k) second[k] -= 2.0 * first[k];
+    memcpy(matrix, system, sizeof system);
+    solve(matrix, second);
+    for (int k = 0; k < UNKNOWNS; ++k) at[k] += h * (1.5 * first[k] + 0.5 * second[k]);
+  }
+  if (!rates(s, at, first, result, NULL)) return 0;
+  tell_outputs(s, at, result);
+  return 1;
+}
+
+static void drop_wheels(slave* s) {
+  for (int side = 0; side < 2; ++side) {
+    rollfem_destroy(s->wheel[side]);
+    s->wheel[side] = NULL;
+  }
+}
+
+EXPORT const char* fmi2GetTypesPlatform(void) {
+  return "default";
+}
+
+EXPORT const char* fmi2GetVersion(void) {
+  return "2.0";
+}
+
+EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, const fmi2String* categories) {
+  (void)c, (void)on, (void)count, (void)categories;
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2Reset(fmi2Component c) {
+  slave* s = c;
+  memcpy(s->now.value, start_values, sizeof start_values);
+  snprintf(s->profile[0], TEXT, "S1002");
+  snprintf(s->profile[1], TEXT, "60E1");
+  drop_wheels(s);
+  return fmi2OK;
+}
+
+EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
+                                     const fmi2CallbackFunctions* of_master, fmi2Boolean visible, fmi2Boolean logging) {
+  (void)resources, (void)visible, (void)logging;
+  slave* s = calloc(1, sizeof *s);
+  if (s == NULL) return NULL;
+  if (of_master != NULL) s->of_master = *of_master;
+  snprintf(s->name, TEXT, "%s", name);
+  fmi2Reset(s);
+  if (type == fmi2CoSimulation && strcmp(guid, GUID) == 0) return s;
+  fail(s, fmi2Error, "the FMU is for co-simulation, its guid is " GUID "; do: import its modelDescription.xml again");
+  free(s);
+  return NULL;
+}
+
+EXPORT void fmi2FreeInstance(fmi2Component c) {
+  if (c == NULL) return;
+  drop_wheels(c);
+  free(c);
+}
+
+EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start,
+                                      fmi2Boolean has_stop, fmi2Real stop) {
+  (void)c, (void)has_tolerance, (void)tolerance, (void)start, (void)has_stop, (void)stop;
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
+  (void)c;
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
+  slave* s = c;
+  const double* v = s->now.value;
+  drop_wheels(s);
+  for (int side = 0; side < 2; ++side) {
+    rollfem_definition definition = {.struct_size = sizeof definition};
+    rollfem_defaults(&definition, ROLLFEM_M_N);
+    definition.side = side == 0 ? ROLLFEM_LEFT : ROLLFEM_RIGHT;
+    definition.wheel_profile = s->profile[0];
+    definition.rail_profile = s->profile[1];
+    definition.rolling_radius = v[V_rolling_radius];
+    definition.gauge = v[V_gauge];
+    definition.inclination = v[V_inclination];
+    definition.friction_coefficient = v[V_friction];
+    s->wheel[side] = rollfem_create(&definition, s->message, TEXT);
+    if (s->wheel[side] == NULL) return fail(s, fmi2Error, s->message);
+  }
+  for (int k = V_mass; k <= V_spin_inertia; ++k)
+    if (!(v[k] > 0.0)) return fail(s, fmi2Error, "mass and inertias; allowed: above 0; do: correct them");
+  if (!(v[V_largest_step] > 0.0)) return fail(s, fmi2Error, "largest_step; allowed: above 0; do: correct it");
+  const double at[UNKNOWNS] = {v[V_start_shift], 0.0, v[V_start_yaw], 0.0, 0.0};
+  double rate[UNKNOWNS];
+  rollfem_result result[2];
+  if (!rates(s, at, rate, result, NULL)) return fail(s, fmi2Error, s->message);
+  tell_outputs(s, at, result);
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean is_final) {
+  slave* s = c;
+  (void)time, (void)is_final;
+  if (s->wheel[0] == NULL || s->wheel[1] == NULL || !(step > 0.0))
+    return fail(s, fmi2Error, "a step must be longer than 0 and follow the initialisation");
+  return advance(s, step) ? fmi2OK : fail(s, fmi2Discard, s->message);
+}
+
+EXPORT fmi2Status fmi2Terminate(fmi2Component c) {
+  (void)c;
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2CancelStep(fmi2Component c) {
+  return fail(c, fmi2Error, "steps are not asynchronous");
+}
+
+EXPORT fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference* which, size_t count, fmi2Real* values) {
+  slave* s = c;
+  for (size_t k = 0; k < count; ++k) {
+    if (which[k] >= V_COUNT) return fail(s, fmi2Error, "there is no Real of this value reference");
+    values[k] = s->now.value[which[k]];
+  }
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference* which, size_t count, const fmi2Real* values) {
+  slave* s = c;
+  for (size_t k = 0; k < count; ++k) {
+    if (which[k] >= V_shift) return fail(s, fmi2Error, "there is no input or parameter of this value reference");
+    s->now.value[which[k]] = values[k];
+  }
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference* which, size_t count, fmi2String* values) {
+  slave* s = c;
+  for (size_t k = 0; k < count; ++k) {
+    if (which[k] > 1) return fail(s, fmi2Error, "there is no String of this value reference");
+    values[k] = s->profile[which[k]];
+  }
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference* which, size_t count, const fmi2String* values) {
+  slave* s = c;
+  for (size_t k = 0; k < count; ++k) {
+    if (which[k] > 1 || values[k] == NULL || strlen(values[k]) >= TEXT)
+      return fail(s, fmi2Error, "there is no String of this value reference, or it is too long");
+    snprintf(s->profile[which[k]], TEXT, "%s", values[k]);
+  }
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate* place) {
+  slave* s = c;
+  if (*place == NULL) *place = malloc(sizeof(saved));
+  if (*place == NULL) return fail(s, fmi2Error, "out of memory");
+  memcpy(*place, &s->now, sizeof(saved));
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state) {
+  memcpy(&((slave*)c)->now, state, sizeof(saved));
+  return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate* place) {
+  (void)c;
+  free(*place);
+  *place = NULL;
+  return fmi2OK;
+}
+
+/* What this FMU does not have: modelDescription.xml declares none of it. */
+#define NONE(name, ...)                                                                                      \
+  EXPORT fmi2Status name(fmi2Component c, __VA_ARGS__) { return fail(c, fmi2Error, #name ": is not offered"); }
+NONE(fmi2GetInteger, const fmi2ValueReference* r, size_t n, fmi2Integer* v)
+NONE(fmi2SetInteger, const fmi2ValueReference* r, size_t n, const fmi2Integer* v)
+NONE(fmi2GetBoolean, const fmi2ValueReference* r, size_t n, fmi2Boolean* v)
+NONE(fmi2SetBoolean, const fmi2ValueReference* r, size_t n, const fmi2Boolean* v)
+NONE(fmi2SerializedFMUstateSize, fmi2FMUstate f, size_t* n)
+NONE(fmi2SerializeFMUstate, fmi2FMUstate f, fmi2Byte* b, size_t n)
+NONE(fmi2DeSerializeFMUstate, const fmi2Byte* b, size_t n, fmi2FMUstate* f)
+NONE(fmi2GetDirectionalDerivative, const fmi2ValueReference* u, size_t nu, const fmi2ValueReference* k, size_t nk,
+     const fmi2Real* d, fmi2Real* r)
+NONE(fmi2SetRealInputDerivatives, const fmi2ValueReference* r, size_t n, const fmi2Integer* o, const fmi2Real* v)
+NONE(fmi2GetRealOutputDerivatives, const fmi2ValueReference* r, size_t n, const fmi2Integer* o, fmi2Real* v)
+NONE(fmi2GetStatus, fmi2StatusKind k, fmi2Status* v)
+NONE(fmi2GetRealStatus, fmi2StatusKind k, fmi2Real* v)
+NONE(fmi2GetIntegerStatus, fmi2StatusKind k, fmi2Integer* v)
+NONE(fmi2GetBooleanStatus, fmi2StatusKind k, fmi2Boolean* v)
+NONE(fmi2GetStringStatus, fmi2StatusKind k, fmi2String* v)

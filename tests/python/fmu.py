@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Imports rollfem_wheelset.fmu as a simulation program does, and holds it against examples/hunting_in_python: the same
+motion, states that are restored, failures with a reason, libraries of its own. Status 77 without NumPy.
+Call: fmu.py FMU EXAMPLES rollfem.h librollfem_c.so"""
+import ctypes
+import pathlib
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+import zipfile
+
+try:
+    import numpy
+except ImportError:
+    print("NumPy is not installed: skipped")
+    sys.exit(77)
+
+LOGGER = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p,
+                          ctypes.c_char_p)
+
+
+class Callbacks(ctypes.Structure):
+    _fields_ = [("logger", LOGGER), *((name, ctypes.c_void_p) for name in ("allocate", "free", "finished", "environment"))]
+
+
+class Fmu:
+    def __init__(self, path):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        zipfile.ZipFile(path).extractall(self.folder)
+        self.description = xml.parse(self.folder / "modelDescription.xml").getroot()
+        model = self.description.find("CoSimulation").get("modelIdentifier")
+        self.library = ctypes.CDLL(str(self.folder / "binaries/linux64" / f"{model}.so"))
+        self.library.fmi2Instantiate.restype = ctypes.c_void_p
+        self.library.fmi2GetVersion.restype = ctypes.c_char_p
+        self.variables = {v.get("name"): v for v in self.description.iter("ScalarVariable")}
+        self.said = []
+        self.callbacks = Callbacks(LOGGER(lambda *words: self.said.append(words[5].decode())))
+        self.slave = None
+
+    def call(self, name, *arguments):
+        return getattr(self.library, name)(ctypes.c_void_p(self.slave), *arguments)
+
+    def instantiate(self, guid=None):
+        guid = guid or self.description.get("guid")
+        self.slave = self.library.fmi2Instantiate(b"wheelset", 1, guid.encode(), b"", ctypes.byref(self.callbacks), 0, 0)
+
+    def reference(self, name):
+        return ctypes.byref(ctypes.c_uint(int(self.variables[name].get("valueReference"))))
+
+    def set(self, **values):
+        for name, value in values.items():
+            text = isinstance(value, str)
+            place = ctypes.c_char_p(value.encode()) if text else ctypes.c_double(value)
+            function = "fmi2SetString" if text else "fmi2SetReal"
+            assert self.call(function, self.reference(name), ctypes.c_size_t(1), ctypes.byref(place)) == 0, self.said
+
+    def get(self, name):
+        place = ctypes.c_double()
+        assert self.call("fmi2GetReal", self.reference(name), ctypes.c_size_t(1), ctypes.byref(place)) == 0
+        return place.value
+
+    def initialise(self):
+        self.call("fmi2SetupExperiment", 0, ctypes.c_double(0.0), ctypes.c_double(0.0), 0, ctypes.c_double(0.0))
+        return self.call("fmi2EnterInitializationMode") or self.call("fmi2ExitInitializationMode")
+
+    def step(self, time, step):
+        return self.call("fmi2DoStep", ctypes.c_double(time), ctypes.c_double(step), 0)
+
+
+def same_motion(fmu, example, header, library):
+    """The free wheelset from 2 mm: alike to what one Jacobian for all and one for each step differ by."""
+    sys.path.insert(0, example)
+    import rollfem_c
+    import runs
+    import wheelset
+
+    contact = wheelset.ContactForces(rollfem_c.Library(header, library))
+    vehicle = runs.free(20.0)
+    start = numpy.array([2e-3, 0.0, 0.0, 0.0, 0.0])
+    _, series, _ = runs.integrate(vehicle, contact, start, 0.1, 0.002, jacobian_every=5)
+    for k in range(10):
+        assert fmu.step(0.01 * k, 0.01) == 0, fmu.said
+    for k, name in enumerate(("shift", "lateral_velocity", "yaw", "yaw_rate", "extra_rotation")):
+        scale = numpy.abs(series[k]).max()
+        print(f"{name}: {fmu.get(name):.9g}, by the example {series[k, -1]:.9g}")
+        assert abs(fmu.get(name) - series[k, -1]) <= 1e-6 * scale + 1e-12
+
+
+def main():
+    path, examples, header, library = sys.argv[1:]
+    fmu = Fmu(path)
+    assert fmu.library.fmi2GetVersion() == b"2.0" and fmu.description.get("fmiVersion") == "2.0"
+    fmu.instantiate("another guid")
+    assert fmu.slave is None and "guid" in fmu.said[-1]
+    fmu.instantiate()
+    for name, variable in fmu.variables.items():  # start values are those of the description
+        if variable.find("Real") is not None and variable.get("causality") != "output":
+            assert fmu.get(name) == float(variable.find("Real").get("start")), name
+    assert fmu.step(0.0, 0.01) == 3, "a step before the initialisation"
+    fmu.set(friction=-1.0)
+    assert fmu.initialise() == 3 and "friction" in fmu.said[-1], fmu.said
+    fmu.call("fmi2Reset")
+    fmu.set(start_shift=2e-3, wheel_profile="S1002", left_load=50e3)
+    assert fmu.initialise() == 0, fmu.said
+    assert fmu.get("shift") == 2e-3 and fmu.get("left_fx") * fmu.get("right_fx") < 0.0, "the larger wheel steers"
+    mapped = pathlib.Path("/proc/self/maps").read_text()
+    ours = {line.split()[-1] for line in mapped.splitlines() if "librollfem" in line}
+    assert ours and all(name.startswith(str(fmu.folder)) for name in ours), ours
+    same_motion(fmu, str(pathlib.Path(examples) / "hunting_in_python"), header, library)
+    state = ctypes.c_void_p()
+    assert fmu.call("fmi2GetFMUstate", ctypes.byref(state)) == 0
+    assert fmu.step(0.1, 0.01) == 0
+    once = [fmu.get(name) for name in ("shift", "yaw_rate", "left_fy", "right_t_gamma")]
+    assert fmu.call("fmi2SetFMUstate", state) == 0 and fmu.step(0.1, 0.01) == 0
+    assert once == [fmu.get(name) for name in ("shift", "yaw_rate", "left_fy", "right_t_gamma")]
+    fmu.set(left_load=-1.0)
+    assert fmu.step(0.11, 0.01) == 2 and "vertical_force" in fmu.said[-1]
+    assert fmu.get("shift") == once[0], "a step that is discarded changes nothing"
+    fmu.call("fmi2FreeFMUstate", ctypes.byref(state))
+    fmu.library.fmi2FreeInstance(ctypes.c_void_p(fmu.slave))
+    print(f"{path}: imported, {len(fmu.variables)} variables")
+
+
+main()
