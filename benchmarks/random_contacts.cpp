@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Reliability and speed of solving random contacts (tests/support/random_contact.hpp). Prints one
 // row of the table in docs/accuracy.md for every size, and every contact that is not solved or
-// takes many steps. Every grid starts from coarser ones as in the models, or from scratch. Call:
-// benchmark_random_contacts [scratch] SEED FIRST ACROSS:NUMBER ..., e.g. 1 0 20:1000 40:300
+// takes many steps. Every grid begins on coarser ones as in the models, or from scratch; friction
+// may fall with the slip velocity, at once or with a memory, and layers lie between. Call:
+// benchmark_random_contacts [scratch] [falling|memory] SEED FIRST ACROSS:NUMBER ...,
+// e.g. 1 0 20:1000 40:300
 #include <fmt/format.h>
 
 #include "tests/support/random_contact.hpp"
@@ -58,8 +60,16 @@ int main(int count, char** words) {
     --count;
     ++words;
   }
+  const std::string law = count > 1 ? words[1] : "";
+  const bool falls = law == "falling" || law == "memory";
+  if (falls) {
+    --count;
+    ++words;
+  }
   if (count < 4) {
-    fmt::print(stderr, "call: benchmark_random_contacts [scratch] SEED FIRST ACROSS:NUMBER ...\n");
+    fmt::print(stderr,
+               "call: benchmark_random_contacts [scratch] [falling|memory] SEED FIRST "
+               "ACROSS:NUMBER ...\n");
     return 2;
   }
   testing::RandomContacts contacts(static_cast<unsigned>(std::atoi(words[1])));
@@ -81,7 +91,9 @@ int main(int count, char** words) {
     }
     Tally tally;
     for (int k = 0; k < wanted; ++k, ++number) {
-      const testing::RandomContact contact = contacts.contact(number, across);
+      const testing::RandomContact contact =
+          falls ? contacts.falling_contact(number, across, law == "memory")
+                : contacts.contact(number, across);
       const testing::RandomOutcome outcome = testing::run_random(contact, start);
       tally.add(outcome);
       all.add(outcome);

@@ -281,7 +281,7 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
     }
   if (friction)
     for (const Eigen::Index k : rolling_.grid_indices())
-      fields.traction_bound[k] = friction->bound(pressure_[k], 0.0).value;
+      fields.traction_bound[k] = friction->coefficient() * pressure_[k];
   point_.approach = sinking - first_sinking();
   fill_sums();
   const std::vector<char>& adheres = newton_.adheres();

@@ -74,8 +74,12 @@ void read_friction(InputLines& lines, ContactCase& next, int sets) {
   for (int set = 0; set < sets; ++set) {
     const auto values = lines.numbers(names);
     if (L == 0) next.fstat = values[values.size() - 2], next.fkin = values.back();
+    if (L < 2 || L > 4) continue;
+    std::copy(values.end() - 4, values.end(), next.fall.begin());
+    next.fkin = values[values.size() - 5];
+    next.fstat = next.fkin + next.fall[0] + next.fall[2];
   }
-  if (L >= 2) lines.numbers({"MEMDST", "MEM_S0"});
+  if (L >= 2) lines.read(next.memory, {"MEMDST", "MEM_S0"});
   next.friction_law = L;
 }
 
@@ -97,7 +101,7 @@ void read_material(InputLines& lines, ContactCase& next) {
   if (d.M == 1) lines.numbers({"FG1", "FG2", "TC1", "TC2"});
   if (d.M == 2) lines.numbers({"FLX", "K0_MF", "ALFAMF", "BETAMF"});
   if (d.M == 3 || d.M == 5) lines.read(bodies.slope_reduction, {"K0_MF", "ALFAMF", "BETAMF"});
-  if (d.M == 4) lines.numbers({"GG3", "LAYTHK", "TAU_C0", "K_TAU"});
+  if (d.M == 4) lines.read(bodies.layer, {"GG3", "LAYTHK", "TAU_C0", "K_TAU"});
   if (d.M2 == 2) lines.numbers({"CDAMPN", "CDAMPT", "DFNMAX", "DFTMAX"});
   if (d.H != 3) return;
   for (int body = 0; body < 2; ++body) lines.numbers({"BKTEMP", "HEATCP", "LAMBDA", "DENSITY"});

@@ -26,6 +26,7 @@ struct BodyConstants {
   std::array<double, 2> poisson{}, shear_modulus{};      ///< module 3: upper, lower; 1: rail, wheel
   int influence = 2;                                     ///< digit C as last given
   std::array<double, 3> slope_reduction{1.0, 1.0, 1.0};  ///< K0_MF, ALFAMF, BETAMF
+  std::array<double, 4> layer{};                         ///< GG3, LAYTHK, TAU_C0, K_TAU
 };
 
 /// The potential contact area of module 3.
@@ -72,8 +73,10 @@ struct ContactCase {
   Digits digits;
   int max_outer = 1;                   ///< MAXOUT
   std::array<double, 4> kinematics{};  ///< module 3: FN or PEN, CKSI or FX, CETA or FY, CPHI
-  int friction_law = 0;                ///< digit L as last given
-  double fstat = 0.0, fkin = 0.0;      ///< Coulomb's law
+  int friction_law = 0;                ///< digit L as it was last given anew
+  double fstat = 0.0, fkin = 0.0;      ///< at rest, sliding
+  std::array<double, 4> fall{};        ///< F1, SABSH1, F2, SABSH2 of L = 2 to 4
+  std::array<double, 2> memory{};      ///< MEMDST, MEM_S0
   std::array<double, 4> rolling{0, 0, 0, 1.0 / 6.0};  ///< CHI, DQ, VELOC, FACPHI
   BodyConstants bodies;
   PotentialContact potential;

@@ -82,11 +82,24 @@ std::string values_text(const std::string& key, const std::vector<double>& value
   return text + "]";
 }
 
-/// Sections in the order of the case file.
-constexpr std::array<const char*, 16> sections{
-    "load",           "friction",     "wheel",     "rail",    "geometry", "wheel_profile",
-    "rail_profile",   "track",        "wheelset",  "rolling", "history",  "undeformed_distance",
-    "given_pressure", "contact_grid", "halfspace", "fastsim"};
+/// Sections in the order in which a case is read.
+constexpr std::array<const char*, 17> sections{"load",
+                                               "friction",
+                                               "layer",
+                                               "wheel",
+                                               "rail",
+                                               "geometry",
+                                               "wheel_profile",
+                                               "rail_profile",
+                                               "track",
+                                               "wheelset",
+                                               "rolling",
+                                               "history",
+                                               "undeformed_distance",
+                                               "given_pressure",
+                                               "contact_grid",
+                                               "halfspace",
+                                               "fastsim"};
 
 /// Text of a section of the case file `name`; empty without keys. `several`: set if a list
 /// determines the number of load points.

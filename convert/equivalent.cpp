@@ -20,19 +20,43 @@ std::string with_comment(const std::string& line, const std::string& comment) {
 
 /// Features requested by the values of a digit; other values count as the last entry.
 using Words = std::map<int, const char*>;
-const Words friction_words{{2, "friction falling linearly with slip velocity"},
-                           {3, "friction falling with slip velocity by a rational formula"},
-                           {4, "friction falling exponentially with slip velocity"},
-                           {6, "temperature-dependent friction"}};
+const Words friction_words{{6, "temperature-dependent friction"}};
 const Words material_words{{1, "viscoelastic bodies"},
                            {2, "the simplified theory with a user-defined flexibility"},
-                           {4, "an elasto-plastic interface layer"},
                            {5, "FaStrip"}};
 const Words bound_words{{1, "a thin sheet instead of the half-space"},
                         {3, "a parabolic traction bound with the full theory"},
                         {4, "normal contact by SDEC"},
                         {5, "normal contact by KPEC"},
                         {6, "normal contact by ANALYN"}};
+
+bool falls(const ContactCase& given) {
+  return given.friction_law >= 2 && given.friction_law <= 4;
+}
+
+/// The law, and the layer of M = 4; the speed is that of both.
+void fill_friction(const ContactCase& given, Equivalent& made) {
+  made.set("friction", "coefficient", given.fstat);
+  const auto& layer = given.bodies.layer;
+  if (given.digits.M == 4 && layer[1] > 0.0) {
+    made.set("layer", "thickness", layer[1], "mm");
+    made.set("layer", "shear_modulus", layer[0], "MPa");
+  }
+  if (!falls(given) || given.digits.T == 0) return;
+  constexpr std::array<const char*, 3> laws{"linear", "rational", "exponential"};
+  made.set_word("friction", "law", laws.at(static_cast<std::size_t>(given.friction_law - 2)));
+  made.set("friction", "kinetic_coefficient", given.fkin);
+  made.set("friction", "half_velocity", given.fall[1], "mm/s");
+  if (given.fall[2] != 0.0) {
+    made.set("friction", "second_part", given.fall[2]);
+    made.set("friction", "second_half_velocity", given.fall[3], "mm/s");
+  }
+  if (given.memory[0] > 0.0) {
+    made.set("friction", "memory_distance", given.memory[0], "mm");
+    made.set("friction", "memory_velocity", given.memory[1], "mm/s");
+  }
+  if (given.digits.T >= 2) made.set("rolling", "speed", given.rolling[2], "mm/s");
+}
 
 class Judgement {
  public:
@@ -43,7 +67,11 @@ class Judgement {
     if (digits_.T == 0) return;
     const int law = given_.friction_law;
     refuse(digits_.V != 0, "V", digits_.V, "friction that varies with position");
-    refuse(law != 0, "L", law, friction_words);
+    refuse(law != 0 && !falls(given_), "L", law, friction_words);
+    made_.refuse(falls(given_) && given_.module == 1,
+                 fmt::format("digit L = {}: falling friction on wheel and rail profiles (write it "
+                             "into the case file)",
+                             law));
     made_.refuse(law == 0 && std::abs(given_.fstat - given_.fkin) > 1e-3 * given_.fstat,
                  fmt::format("FSTAT = {:g} and FKIN = {:g} differ: rollfem has one coefficient for "
                              "adhesion and slip",
@@ -52,10 +80,14 @@ class Judgement {
 
   void bodies() {
     const int M = digits_.M, B = digits_.B, C = given_.bodies.influence;
-    refuse(M != 0 && M != 3, "M", M, material_words);
+    const bool full = M == 0 || M == 4;
+    refuse(!full && M != 3, "M", M, material_words);
     if (M == 3) fastsim();
-    refuse(M == 0 && B != 0 && B != 2, "B", B, bound_words);
-    made_.refuse(M == 0 && B == 2 && digits_.N == 0,
+    made_.refuse(M == 4 && given_.bodies.layer[2] > 0.0,
+                 fmt::format("digit M = 4, TAU_C0 = {:g}: a plastic interface layer",
+                             given_.bodies.layer[2]));
+    refuse(full && B != 0 && B != 2, "B", B, bound_words);
+    made_.refuse(full && B == 2 && digits_.N == 0,
                  "digits B = 2 and N = 0: Hertz's pressure needs the normal force");
     refuse(digits_.M2 != 0, "M2", digits_.M2, "material damping");
     refuse(C == 4, "C", C,
@@ -128,10 +160,9 @@ void note_settings(const ContactCase& given, Equivalent& made) {
   made.note(d.M == 3,
             "FASTSIM uses Kalker's three flexibilities at all creepages; CONTACT blends them into "
             "one as creepages grow");
-  made.note(
-      d.M == 0 && (d.T == 2 || d.T == 3),
-      "upwind_order = \"first\" is CONTACT's scheme and reproduces its numbers on its elements; "
-      "delete the line for the more accurate second-order scheme");
+  made.note(d.M != 3 && (d.T == 2 || d.T == 3),
+            "upwind_order = \"first\" is CONTACT's scheme and gives its numbers on its elements; "
+            "delete the line for the more accurate second-order scheme");
   made.note(
       given.module == 3 && given.rolling[3] != 1.0 / 6.0 && d.T >= 2 && given.kinematics[3] != 0.0,
       fmt::format("FACPHI = {:g}: the spin is taken at x + dq/6 here", given.rolling[3]));
@@ -191,7 +222,7 @@ Equivalent equivalent_of(const ContactCase& given, const std::string& profile_fo
   judge_digits(given, made);
   note_settings(given, made);
   if (!made.impossible.empty()) return made;
-  made.set("friction", "coefficient", given.fstat);
+  fill_friction(given, made);
   try {
     if (given.module == 3)
       fill_single_contact(given, made);

@@ -181,7 +181,7 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   const Ellipse ellipse = ellipse_of(given, modulus);
   const double scale = potential.size[2];
   const double a = ellipse.hertz.semi_axis_x, b = ellipse.hertz.semi_axis_y;
-  if (given.digits.M == 0 && given.digits.B == 2) {
+  if (given.digits.M != 3 && given.digits.B == 2) {
     made.set("given_pressure", "semi_axis_x", a, "mm");
     made.set("given_pressure", "semi_axis_y", b, "mm");
   } else {

@@ -60,6 +60,8 @@ void fill_row(const Row& row, const BrushStrip& strip, const StripTractions& tra
     fields.slip.y[k] = tractions.slip_y[at.nearest];
     fields.state[k] = tractions.state[at.nearest];
     if (std::isfinite(strip.bound)) fields.traction_bound[k] = strip.bound_at(x);
+    if (strip.law != nullptr && fields.state[k] == contact::ElementState::slip)
+      fields.traction_bound[k] = std::hypot(at.traction_x, at.traction_y);
   }
 }
 
@@ -107,6 +109,34 @@ StripElements chord_elements(const BrushStrip& strip, int count) {
   return {strip.middle + strip.half_length - 0.5 * step, 0.5 * step, step, count};
 }
 
+namespace {
+
+/// What friction leaves of the bound at rest, as the material goes through a strip. Its slip
+/// velocity is that of the rigid slip: with the slip of the brushes themselves the problem would
+/// have no solution that stays as elements are refined, for brushes do not feel each other.
+class FallingBound {
+ public:
+  explicit FallingBound(const contact::FrictionLaw* law)
+      : law_(law), rest_(law ? law->coefficient() : 1.0), coefficient_(rest_) {}
+
+  /// mu over that at rest at the end of a step.
+  double part_left(double slip, double step) {
+    if (law_ == nullptr) return 1.0;
+    const double there = law_->at(slip).value;
+    const auto memory = law_->memory();
+    const double left =
+        memory ? std::exp(-step * std::max(slip, memory->least_slip) / memory->distance) : 0.0;
+    coefficient_ = there + left * (coefficient_ - there);
+    return coefficient_ / rest_;
+  }
+
+ private:
+  const contact::FrictionLaw* law_;
+  double rest_, coefficient_;
+};
+
+}  // namespace
+
 StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& flexibilities,
                            const contact::Creepage& creepage, const StripElements& elements) {
   const BrushFlexibilities& flexible = flexibilities;
@@ -119,6 +149,7 @@ StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& fl
   result.state.assign(elements.count, contact::ElementState::adhesion);
   double px = 0.0;
   double py = 0.0;
+  FallingBound falling(strip.law);
   for (int k = 0; k < elements.count; ++k) {
     const double step = k == 0 ? elements.first_step : elements.step;
     const double x = elements.x_first - k * elements.step;
@@ -127,7 +158,9 @@ StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& fl
     px -= rate_x * step;
     py -= rate_y * step;
     const double size = std::hypot(px, py);
-    const double bound = strip.bound_at(x);
+    const double rigid = std::hypot(creepage.longitudinal - creepage.spin * strip.y,
+                                    creepage.lateral + creepage.spin * x);
+    const double bound = strip.bound_at(x) * falling.part_left(rigid, step);
     if (size > bound) {
       const double factor = bound / size;
       result.slip_x[k] = -flexible.longitudinal * (1.0 - factor) * px / step;

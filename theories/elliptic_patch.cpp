@@ -32,8 +32,10 @@ EllipticPatch elliptic_patch(const contact::Scene& scene) {
                       contact::ChartedGeometry(scene.geometry, contact::Chart::plane),
                       0.0,
                       {},
+                      {},
                       {}};
   patch.friction = scene.friction_coefficient();
+  if (scene.friction_law && scene.friction_law->feels_slip()) patch.falling = scene.friction_law;
   patch.grid = hertz.grid;
   patch.normal = std::move(hertz.points.front());
   // Theories give no tangential displacement, and the record holds either all components or none.

@@ -18,7 +18,8 @@ struct EllipticPatch {
   halfspace::HertzContact hertz;
   contact::CombinedMaterial material;
   contact::ChartedGeometry geometry;
-  double friction = 0.0;
+  double friction = 0.0;        ///< at rest
+  contact::Friction falling{};  ///< the law where friction falls with slip, else null
   contact::ContactGrid grid;
   contact::PointResult normal;  ///< everything normal filled in, tractions along the surface 0
 };

@@ -149,10 +149,11 @@ Demands of_ellipse(const Demands& more) {
 
 void add_theories(contact::ModelRegistry& models) {
   ModelInfo hertz{"hertz", "Hertz", "elliptic patch and pressure in closed form, without friction"};
-  // Frictionless: accepts any problem and gives only the patch.
-  hertz.takes = of_ellipse({Demand::line_contact, Demand::history, Demand::tangential_force,
-                            Demand::profiles, Demand::lateral_creepage, Demand::spin,
-                            Demand::extra_slip, Demand::extra_slip_on_profiles});
+  // It knows no friction: it takes any problem, and gives the patch alone.
+  hertz.takes =
+      of_ellipse({Demand::line_contact, Demand::history, Demand::tangential_force, Demand::profiles,
+                  Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
+                  Demand::extra_slip_on_profiles, Demand::falling_friction, Demand::layer});
   hertz.run = theory(
       [](const Scene& c, const Progress& p) {
         return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
@@ -186,8 +187,8 @@ void add_theories(contact::ModelRegistry& models) {
   models.add(carter);
 
   ModelInfo fastsim{"fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse"};
-  fastsim.takes =
-      of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip});
+  fastsim.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
+                              Demand::extra_slip, Demand::falling_friction, Demand::layer});
   fastsim.run = theory(elliptic(run_fastsim_of_case));
   fastsim.bars = strips_on_ellipse;
   fastsim.refinements = {strips_of(fastsim_level)};

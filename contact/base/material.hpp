@@ -26,12 +26,13 @@ struct CombinedMaterial {
   double poisson_ratio = 0.0;    ///< nu/G = (nu1/G1 + nu2/G2)/2
   double difference = 0.0;       ///< K, K/G = ((1-2nu1)/G1 - (1-2nu2)/G2)/4; 0 for like materials
   double contact_modulus = 0.0;  ///< E* in MPa, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
+  double layer = 0.0;            ///< h/G of a layer between the bodies in shear, mm/MPa
 
   /// Whether normal and tangential contact are coupled: K exceeds rounding.
   bool couples() const { return difference > 1e-12 || difference < -1e-12; }
   /// The same without that coupling.
   CombinedMaterial uncoupled() const {
-    return {shear_modulus, poisson_ratio, 0.0, contact_modulus};
+    return {shear_modulus, poisson_ratio, 0.0, contact_modulus, layer};
   }
 };
 

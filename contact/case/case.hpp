@@ -44,7 +44,36 @@ enum class ContactShape {
   line,   ///< endless rollers
 };
 
-/// The shape of the contact; the other members are for line contact.
+/// How friction falls with the velocity s of the slip: mu_kin + mu_1 f_1(s) + mu_2 f_2(s), where
+/// f_i is 1 at rest and 1/2 at s_hi.
+enum class FallShape {
+  none,         ///< Coulomb's law
+  linear,       ///< max(0, 1 - s/(2 s_hi))
+  rational,     ///< 1/(1 + s/s_h1), 1/(1 + (s/s_h2)^2)
+  exponential,  ///< 2^(-s/s_hi)
+};
+
+/// What the coefficient of friction, which is that at rest, does once the surfaces slide.
+struct FrictionFall {
+  FallShape shape = FallShape::none;
+  std::optional<double> kinetic_coefficient;  ///< mu_kin
+  std::optional<double> half_velocity;        ///< s_h1, mm/s
+  double second_part = 0.0;                   ///< mu_2; mu_1 is the rest
+  double second_half_velocity = 1.0;          ///< s_h2, mm/s
+  std::optional<double> polach_a;             ///< mu_kin/mu, in place of mu_kin
+  std::optional<double> polach_b;             ///< s/m, in place of s_h1
+  double memory_distance = 0.0;               ///< d_c, mm; 0: mu follows the slip at once
+  double memory_velocity = 1.0;               ///< s_0, mm/s
+};
+
+/// A layer between the bodies that gives way to shear alone.
+struct Layer {
+  double thickness = 0.0;                                          ///< mm
+  double shear_modulus = 0.0;                                      ///< MPa
+  double compliance() const { return thickness / shear_modulus; }  ///< mm/MPa
+};
+
+/// The shape of the contact; the rest is of a line.
 struct ContactShapeCase {
   ContactShape shape = ContactShape::point;
   double width = 1.0;                        ///< mm, width to which all forces refer
@@ -105,7 +134,7 @@ struct GivenCreepages {
 
 struct Rolling {
   Problem problem = Problem::steady;
-  double speed = 0.0;  ///< mm/s; inertia is felt only with FemOptions::inertia
+  double speed = 0.0;  ///< mm/s
   /// Lists in the file are broadcast to one length: that of the load points (steps of a history).
   std::vector<Creepage> creepages{Creepage{}};
   GivenCreepages given;
@@ -219,7 +248,9 @@ struct Case : ModelOptions {
   std::vector<std::string> accuracy_of{"max_pressure", "semi_axis_x", "semi_axis_y",
                                        "traction_coefficient"};
   Load load;
-  double friction_coefficient = 0.0;
+  double friction_coefficient = 0.0;  ///< at rest
+  FrictionFall friction_fall;
+  std::optional<Layer> layer;
   Wheel wheel;
   Rail rail;
   ContactShapeCase geometry;

@@ -44,8 +44,10 @@ class TangentialOperator {
   virtual TangentialField apply(const TangentialField& traction) const = 0;
   /// Mean diagonal entry of T, the scale of the projection parameter r = 1 / diagonal.
   virtual double diagonal() const = 0;
-  /// Approximate inverse of (r T + shift I) with every element in adhesion; the solver restricts it
-  /// to the adhesion set.
+  /// h/G of the layer between the bodies in A_tt, mm/MPa.
+  virtual double layer() const { return 0.0; }
+  /// Approximate inverse of (r T + shift I) as if every element were in adhesion; the solver
+  /// restricts it to the adhesion set.
   virtual TangentialField precondition(const TangentialField& residual, double r,
                                        double shift) const = 0;
 };

@@ -25,8 +25,10 @@ constexpr double first_drag = 0.3;
 constexpr double least_drag = 3e-3;
 constexpr double largest_drag = 100.0;
 
-/// Tolerance of problems with drag, which only provide a better start; relative to the creepage
-/// load.
+/// From this steepness of the law on (FrictionState::steepness) there may be several solutions.
+constexpr double steep = 0.5;
+
+/// A problem with drag only makes a better start, relative to the creepage load.
 constexpr double drag_tolerance = 1e-3;
 constexpr int patience_with_drag = 25;
 
@@ -49,12 +51,14 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
   places_ = &places;
   options_ = &options;
   r_ = 1.0 / compliance.diagonal();
-  feels_slip_ = problem.law.feels_slip();
+  state_.begin(problem, places);
+  feels_slip_ = state_.feels_slip();
   drag_ = 0.0;
+  frozen_ = false;
   effort_ = {};
   stood_still_ = false;
   lay_out(static_cast<Index>(places.size()));
-  for (Index e = 0; e < count_; ++e) bound_[e] = law_at(e, 0.0).value;
+  state_.set_rest(bound_);
   gather(problem.rigid_slip, rigid_slip_);
   const double creepage_load = r_ * rigid_slip_.norm();
   if (count_ == 0 || creepage_load == 0.0) {
@@ -62,10 +66,13 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
   } else {
     find_first_point(start);
     fronts_.begin(problem.grid, places);
-    // Relative to the creepage load, or to the bound if that is smaller, so that a low friction
-    // coefficient does not simulate convergence.
-    iterate(std::min(creepage_load, bound_.norm()), options);
-    // The tolerance applies to all elements together: a single one may exceed its bound by more.
+    // Relative to the creepage load; to the bound where that is smaller, so that a low friction
+    // coefficient does not make anything look converged.
+    const double scale = std::min(creepage_load, bound_.norm());
+    if (feels_slip_) effort_.steepness = state_.steepness(compliance.diagonal());
+    const bool direct = effort_.steepness < steep && iterate(scale, options.tolerance);
+    if (!direct && !(feels_slip_ && come_from_rest(scale))) fail(scale);
+    // The tolerance is of all elements together: one alone may be beyond its bound by more.
     project(point_->traction, point_->bound);
     evaluate_from_traction(*point_);
   }
@@ -75,7 +82,7 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
 
 void FrictionNewton::lay_out(Index count) {
   count_ = count;
-  constexpr Index vectors = 29;
+  constexpr Index vectors = 30;
   enlarge(memory_, vectors * count);
   double* next = memory_.data();
   const auto place = [&](Vector& vector, Index size) {
@@ -85,6 +92,7 @@ void FrictionNewton::lay_out(Index count) {
   for (Vector* vector : {&rigid_slip_, &dragged_from_, &direction_, &slip_change_, &right_})
     place(*vector, 2 * count);
   place(bound_, count);
+  place(bound_change_, count);
   for (Point& point : points_) {
     for (Vector* vector : {&point.traction, &point.slip, &point.value, &point.trial})
       place(*vector, 2 * count);
@@ -95,7 +103,6 @@ void FrictionNewton::lay_out(Index count) {
   }
   for (Eigen::VectorXd* vector : {&at_.normal, &at_.left}) enlarge(*vector, 2 * count);
   enlarge(at_.factor, count);
-  at_.by_slip.resize(feels_slip_ ? 2 * count : 0);
 }
 
 void FrictionNewton::gather(const TangentialField& field, Vector& values) const {
@@ -106,17 +113,19 @@ void FrictionNewton::gather(const TangentialField& field, Vector& values) const 
   }
 }
 
-void FrictionNewton::iterate(double scale, const TangentialOptions& options) {
+/// True when the residual is down to the tolerance.
+bool FrictionNewton::iterate(double scale, double tolerance) {
   double previous = infinity;
   int with_this_drag = 0;
-  for (int step = 0; step <= options.max_newton_steps; ++step) {
+  const int taken = effort_.newton_steps;
+  for (int step = 0; step <= options_->max_newton_steps; ++step) {
     const double residual = point_->norm / scale;
-    effort_.newton_steps = step;
+    effort_.newton_steps = taken + step;
     effort_.residual = residual;
-    if (drag_ == 0.0 && residual <= options.tolerance) return;
-    if (step == options.max_newton_steps || drag_ > largest_drag / r_) break;
+    if (drag_ == 0.0 && residual <= tolerance) return true;
+    if (step == options_->max_newton_steps || drag_ > largest_drag / r_) break;
     const bool settled = drag_ > 0.0 && residual <= drag_tolerance;
-    const int patience = drag_ > 0.0 ? patience_with_drag : options.patience;
+    const int patience = drag_ > 0.0 ? patience_with_drag : options_->patience;
     if (!settled && ++with_this_drag <= patience && advance(residual, previous)) {
       previous = residual;
       continue;
@@ -125,10 +134,57 @@ void FrictionNewton::iterate(double scale, const TangentialOptions& options) {
     previous = infinity;
     with_this_drag = 0;
   }
+  return false;
+}
+
+void FrictionNewton::fail(double scale) const {
   throw SolveError(fmt::format(
       "the tangential contact iteration did not converge: residual {:.3g} of the "
-      "creepage load after {} Newton steps and {} Krylov iterations, required {:.3g}",
-      point_->norm / scale, effort_.newton_steps, effort_.krylov_iterations, options.tolerance));
+      "creepage load after {} Newton steps and {} Krylov iterations, required {:.3g}{}",
+      point_->norm / scale, effort_.newton_steps, effort_.krylov_iterations, options_->tolerance,
+      feels_slip_ ? "; friction falls so steeply with the slip velocity that there is no steady "
+                    "state, or none that small changes do not leave; do: give "
+                    "friction.memory_distance, a larger one, or a larger half_velocity"
+                  : ""));
+}
+
+/// Where friction falls steeply there may be several solutions. That which grows out of small
+/// creepage has the largest bounds: they begin at rest and follow the slip of the solution with
+/// bounds held fixed, which has one. Rounds let more slip and lower bounds further, down to the
+/// first that stay; then Newton's method takes over, and must not leave them.
+bool FrictionNewton::come_from_rest(double scale) {
+  constexpr int most_rounds = 300;
+  constexpr double round_tolerance = 1e-5, least_near = 1e-6;  // below, rounds go on alone
+  double near = 1e-2;  // of the bound at rest of every element
+  const auto change = [&](const Eigen::VectorXd& before) {
+    return ((point_->bound - before).array() / bound_.array()).abs().maxCoeff();
+  };
+  for (Point& point : points_) point.bound = bound_;
+  for (int round = 0; round < most_rounds; ++round) {
+    frozen_ = true;
+    drag_ = 0.0;
+    fronts_.forget();
+    evaluate(*point_);
+    const bool solved = iterate(scale, near > 1e-3 ? round_tolerance : 0.1 * options_->tolerance);
+    frozen_ = false;
+    if (!solved) return false;
+    const Eigen::VectorXd held = point_->bound;
+    evaluate(*point_);
+    if (point_->norm <= options_->tolerance * scale) return true;
+    if (change(held) < near && near > least_near) {
+      fronts_.forget();
+      const Eigen::VectorXd traction = point_->traction, bound = point_->bound;
+      if (iterate(scale, options_->tolerance) && change(bound) < 10.0 * near) return true;
+      point_->traction = traction;
+      evaluate_from_traction(*point_);
+      near *= 0.1;
+    }
+    // Friction that is lost upstream can be gained downstream, and both go round.
+    const double share = round < 20 ? 1.0 : round < 80 ? 0.5 : 0.25;
+    point_->bound = held + share * (point_->bound - held);
+    trial_->bound = point_->bound;
+  }
+  return false;
 }
 
 void FrictionNewton::project(Vector& traction, const Vector& bound) const {
@@ -140,16 +196,7 @@ void FrictionNewton::project(Vector& traction, const Vector& bound) const {
   }
 }
 
-/// Traction bound of an element at a slip of the problem.
-FrictionLaw::Bound FrictionNewton::law_at(Index e, double slip) const {
-  const Index k = (*places_)[static_cast<std::size_t>(e)];
-  FrictionLaw::Bound bound =
-      problem_->law.bound(problem_->pressure[k], problem_->slip_factor * slip);
-  bound.by_slip *= problem_->slip_factor;
-  return bound;
-}
-
-/// Continues from the point with this drag, or without drag if it is small.
+/// Goes on from the point with this drag, with none where it is small.
 void FrictionNewton::set_drag(double drag) {
   drag_ = r_ * drag < least_drag ? 0.0 : drag;
   dragged_from_ = point_->traction;
@@ -158,25 +205,23 @@ void FrictionNewton::set_drag(double drag) {
 }
 
 /// From the traction and slip of a point.
-void FrictionNewton::evaluate(Point& point) const {
+void FrictionNewton::evaluate(Point& point) {
   point.trial = point.traction - r_ * point.slip;
   if (drag_ > 0.0) point.trial -= r_ * drag_ * (point.traction - dragged_from_);
-  if (feels_slip_)
-    for (Index e = 0; e < count_; ++e)
-      point.bound[e] = law_at(e, std::hypot(point.slip[e], point.slip[count_ + e])).value;
+  if (feels_slip_ && !frozen_) state_.set_bound(point.slip, point.bound);
   point.value = point.trial;
   project(point.value, point.bound);
   point.value = point.traction - point.value;
   point.norm = point.value.norm();
 }
 
-void FrictionNewton::evaluate_from_traction(Point& point) const {
+void FrictionNewton::evaluate_from_traction(Point& point) {
   compliance_->apply(point.traction, point.slip);
   point.slip += rigid_slip_;
   evaluate(point);
 }
 
-void FrictionNewton::evaluate_at_rest(Point& point) const {
+void FrictionNewton::evaluate_at_rest(Point& point) {
   point.traction.setZero();
   point.slip = rigid_slip_;
   evaluate(point);
@@ -233,22 +278,13 @@ void FrictionNewton::linearise(const Point& point) {
     at_.left[e] = point.traction[e] / reached;
     at_.left[f] = point.traction[f] / reached;
   }
-  if (feels_slip_) find_law_by_slip(point);
+  if (feels_slip_ && !frozen_) state_.linearise(point.slip);
 }
 
-void FrictionNewton::find_law_by_slip(const Point& point) {
-  at_.by_slip.setZero();
-  for (Index e = 0; e < count_; ++e) {
-    const double size = std::hypot(point.slip[e], point.slip[count_ + e]);
-    if (size == 0.0) continue;
-    const double derivative = law_at(e, size).by_slip / size;
-    at_.by_slip[e] = derivative * point.slip[e];
-    at_.by_slip[count_ + e] = derivative * point.slip[count_ + e];
-  }
-}
-
-void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result) const {
+void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result) {
   compliance_->apply(p, result);
+  const bool falls = feels_slip_ && !frozen_;
+  if (falls) state_.change(result, bound_change_);
   result *= r_;
   bound_change(p, result);
 }
@@ -257,17 +293,17 @@ void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result)
 void FrictionNewton::bound_change(const Gmres::Given& p, Gmres::Vector change) const {
   for (Index e = 0; e < count_; ++e) {
     const Index f = count_ + e;
-    // Change of the element's bound with its slip.
-    const double by_slip =
-        feels_slip_ ? (at_.by_slip[e] * change[e] + at_.by_slip[f] * change[f]) / r_ : 0.0;
-    change[e] += r_ * drag_ * p[e];
-    change[f] += r_ * drag_ * p[f];
+    result[e] += r_ * drag_ * p[e];
+    result[f] += r_ * drag_ * p[f];
     if (at_.adheres[static_cast<std::size_t>(e)]) continue;
     const double dx = change[e] - p[e];
     const double dy = change[f] - p[f];
     const double along = at_.normal[e] * dx + at_.normal[f] * dy;
-    change[e] = p[e] + at_.factor[e] * (dx - along * at_.left[e]) - by_slip * at_.normal[e];
-    change[f] = p[f] + at_.factor[e] * (dy - along * at_.left[f]) - by_slip * at_.normal[f];
+    result[e] = p[e] + at_.factor[e] * (dx - along * at_.left[e]);
+    result[f] = p[f] + at_.factor[e] * (dy - along * at_.left[f]);
+    if (!falls) continue;
+    result[e] -= bound_change_[e] * at_.normal[e];
+    result[f] -= bound_change_[e] * at_.normal[f];
   }
 }
 

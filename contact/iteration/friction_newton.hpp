@@ -4,24 +4,15 @@
 #pragma once
 
 #include "contact/iteration/adhesion_fronts.hpp"
+#include "contact/iteration/friction_state.hpp"
 #include "contact/iteration/gmres.hpp"
 #include "contact/iteration/linearisation.hpp"
 #include "contact/iteration/tangential.hpp"
-#include "contact/scene/friction_law.hpp"
 
 #include <initializer_list>
 #include <vector>
 
 namespace rollfem::contact {
-
-/// The problem as in tangential.hpp.
-struct FrictionProblem {
-  const ContactGrid& grid;
-  const Field& pressure;
-  const TangentialField& rigid_slip;
-  const FrictionLaw& law;
-  double slip_factor = 1.0;
-};
 
 class FrictionNewton {
  public:
@@ -29,6 +20,7 @@ class FrictionNewton {
     int newton_steps = 0;
     int krylov_iterations = 0;
     double residual = 0.0;
+    double steepness = 0.0;  ///< of the law (friction_state.hpp); 0 where it does not feel slip
   };
 
   /// `places`: grid indices of the elements in contact. `start`: initial tractions, empty for the
@@ -46,6 +38,7 @@ class FrictionNewton {
   /// Tractions of the elements in contact, within the bound to the tolerance; not projected,
   /// because that would hide the remaining error.
   const Eigen::Map<Eigen::VectorXd>& traction() const { return point_->traction; }
+  const Eigen::Map<Eigen::VectorXd>& bound() const { return point_->bound; }
   const std::vector<char>& adheres() const { return at_.adheres; }
 
  private:
@@ -64,19 +57,18 @@ class FrictionNewton {
 
   void lay_out(Index count);
   void gather(const TangentialField& field, Vector& values) const;
-  void iterate(double scale, const TangentialOptions& options);
+  bool iterate(double scale, double tolerance);
+  bool come_from_rest(double scale);
+  [[noreturn]] void fail(double scale) const;
   void project(Vector& traction, const Vector& bound) const;
-  FrictionLaw::Bound law_at(Index e, double slip) const;
   void set_drag(double drag);
-  void evaluate(Point& point) const;
-  void evaluate_from_traction(Point& point) const;
-  void evaluate_at_rest(Point& point) const;
+  void evaluate(Point& point);
+  void evaluate_from_traction(Point& point);
+  void evaluate_at_rest(Point& point);
   void find_first_point(const TangentialField& start);
   void stick_fully(Point& point);
   void linearise(const Point& point);
-  void find_law_by_slip(const Point& point);
-  void apply_jacobian(const Gmres::Given& p, Gmres::Vector result) const;
-  void bound_change(const Gmres::Given& p, Gmres::Vector change) const;
+  void apply_jacobian(const Gmres::Given& p, Gmres::Vector result);
   double forcing(double residual, double previous) const;
   void find_direction(double tolerance);
   bool advance(double residual, double previous);
@@ -88,13 +80,16 @@ class FrictionNewton {
   const TangentialOptions* options_ = nullptr;
   double r_ = 1.0;
   Index count_ = 0;
+  FrictionState state_;
   bool feels_slip_ = false;
-  double drag_ = 0.0;  ///< c in w + c (p - p'), of the unit of T
+  bool frozen_ = false;  ///< bounds stay as they are, whatever slips
+  double drag_ = 0.0;    ///< c in w + c (p - p'), of the unit of T
   Eigen::VectorXd memory_;
   Vector rigid_slip_{nullptr, 0};
   Vector bound_{nullptr, 0};         ///< g at rest
   Vector dragged_from_{nullptr, 0};  ///< p'
   Vector direction_{nullptr, 0}, slip_change_{nullptr, 0}, right_{nullptr, 0};
+  Vector bound_change_{nullptr, 0};  ///< where the law feels slip
   Point points_[2];
   Point *point_ = &points_[0], *trial_ = &points_[1];
   Linearisation at_;

@@ -74,7 +74,31 @@ void add_runs_of_row(const ContactGrid& grid, const Field& bound, int j, std::ve
   }
 }
 
-/// The run's neighbour in the next row: the overlapping run with the closest leading edge.
+/// The runs of all rows, in memory that is kept.
+class GridRuns {
+ public:
+  void find(const ContactGrid& grid, const Field& bound) {
+    runs_.clear();
+    ends_.assign(1, 0);
+    runs_.reserve(2 * static_cast<std::size_t>(grid.ny));
+    ends_.reserve(static_cast<std::size_t>(grid.ny) + 1);
+    for (int j = 0; j < grid.ny; ++j) {
+      add_runs_of_row(grid, bound, j, runs_);
+      ends_.push_back(runs_.size());
+    }
+  }
+  Runs of_row(int j) const {
+    if (j < 0 || j + 1 >= static_cast<int>(ends_.size())) return {};
+    const auto row = static_cast<std::size_t>(j);
+    return {runs_.data() + ends_[row], runs_.data() + ends_[row + 1]};
+  }
+
+ private:
+  std::vector<Run> runs_;
+  std::vector<std::size_t> ends_;
+};
+
+/// The run's neighbour in the next row: overlaps it, the leading edges nearest to each other.
 double edge_beside(const Runs& row, const Run& run) {
   double edge = run.beyond_border;
   int nearest = -1;
@@ -126,31 +150,40 @@ Field upwind_weights(const ContactGrid& grid, const Field& pressure) {
 
 void set_upwind_weights(const ContactGrid& grid, const Field& pressure, Field& weights) {
   weights.setConstant(grid.size(), usual_weight);
-  thread_local std::vector<Run> runs;
-  thread_local std::vector<std::size_t> ends;
-  runs.clear();
-  ends.assign(1, 0);
-  runs.reserve(2 * static_cast<std::size_t>(grid.ny));
-  ends.reserve(static_cast<std::size_t>(grid.ny) + 1);
-  for (int j = 0; j < grid.ny; ++j) {
-    add_runs_of_row(grid, pressure, j, runs);
-    ends.push_back(runs.size());
-  }
-  const auto row_of = [&](int j) {
-    if (j < 0 || j >= grid.ny) return Runs{};
-    const auto row = static_cast<std::size_t>(j);
-    return Runs{runs.data() + ends[row], runs.data() + ends[row + 1]};
-  };
+  thread_local GridRuns all;
+  all.find(grid, pressure);
   const double smoothing = smoothing_across_rows(grid);
   for (int j = 0; j < grid.ny; ++j) {
-    for (const Run& run : row_of(j)) {
+    for (const Run& run : all.of_row(j)) {
       if (!run.has_edge) continue;
-      const double below = edge_beside(row_of(j - 1), run);
-      const double above = edge_beside(row_of(j + 1), run);
+      const double below = edge_beside(all.of_row(j - 1), run);
+      const double above = edge_beside(all.of_row(j + 1), run);
       const double edge = run.beyond_border + smoothing * (below - 2.0 * run.beyond_border + above);
       weights[grid.index(run.last, j)] = leading_weight(edge);
     }
   }
+}
+
+Field leading_edges(const ContactGrid& grid, const Field& pressure) {
+  GridRuns all;
+  all.find(grid, pressure);
+  Field edges = Field::Zero(grid.size());
+  for (int j = 0; j < grid.ny; ++j)
+    for (const Run& run : all.of_row(j)) edges[grid.index(run.last, j)] = run.beyond_border;
+  return edges;
+}
+
+/// With the weight kappa the steps q of the traction of c D p = s are q_1 = s dx/(c (1 + kappa))
+/// and 3/2 q_{n+1} - 1/2 q_n = s dx/c behind it: p_n tends to (n + 3/2 (q_1 - 1)) s dx/c, which is
+/// to be (n - 1/2 + e) s dx/c with the edge e beyond the border.
+double layer_weight(double weight) {
+  double lower = -farthest, upper = farthest;  // leading_weight falls
+  constexpr int halvings = 40;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (lower + upper);
+    (leading_weight(middle) > weight ? lower : upper) = middle;
+  }
+  return 1.5 / (1.0 + lower) - 1.0;
 }
 
 TangentialField fitted_difference(const ContactGrid& grid, const TangentialField& displacement,
@@ -161,11 +194,24 @@ TangentialField fitted_difference(const ContactGrid& grid, const TangentialField
 
 EdgeFittedRolling::EdgeFittedRolling(const TangentialOperator& first,
                                      const TangentialOperator& second, Field weights)
-    : first_(first), second_(second), weights_(std::move(weights)) {}
+    : first_(first), second_(second), weights_(std::move(weights)) {
+  if (first.layer() == 0.0) return;
+  of_layer_ = Field::Zero(weights_.size());
+  for (Eigen::Index k = 0; k < weights_.size(); ++k)
+    if (weights_[k] != usual_weight)
+      of_layer_[k] = first.layer() * (layer_weight(weights_[k]) - weights_[k]);
+}
 
 TangentialField EdgeFittedRolling::apply(const TangentialField& traction) const {
   const TangentialField d = first_.apply(traction);
-  return {weighted(grid(), d.x, weights_), weighted(grid(), d.y, weights_)};
+  TangentialField slip{weighted(grid(), d.x, weights_), weighted(grid(), d.y, weights_)};
+  if (of_layer_.size() == 0) return slip;
+  const TangentialField steps = upwind_difference(grid(), traction, UpwindOrder::first);
+  for (int k = 0; k + 1 < grid().size(); ++k) {
+    slip.x[k] += of_layer_[k] * (steps.x[k] - steps.x[k + 1]);
+    slip.y[k] += of_layer_[k] * (steps.y[k] - steps.y[k + 1]);
+  }
+  return slip;
 }
 
 TangentialField EdgeFittedRolling::precondition(const TangentialField& residual, double r,

@@ -25,6 +25,14 @@ void set_upwind_weights(const ContactGrid& grid, const Field& pressure, Field& w
 /// adhesion area has its edge there. From 1.1 at -0.75 to -0.3 at 0.75.
 double leading_weight(double beyond_border);
 
+/// How far ahead of its leading border, in elements, the edge of each such leading element lies; 0
+/// at all others and where it is not known.
+Field leading_edges(const ContactGrid& grid, const Field& pressure);
+
+/// What the difference of a layer between the bodies takes where that of the bodies takes the
+/// weight of a leading element: the tractions that a layer alone holds grow as d, not as sqrt(d).
+double layer_weight(double weight);
+
 /// D u with these weights.
 TangentialField fitted_difference(const ContactGrid& grid, const TangentialField& displacement,
                                   const Field& weights);
@@ -47,6 +55,7 @@ class EdgeFittedRolling : public TangentialOperator {
   const TangentialOperator& first_;
   const TangentialOperator& second_;
   Field weights_;
+  Field of_layer_;  ///< its compliance times the difference of its weights; empty: no layer
 };
 
 }  // namespace rollfem::contact

@@ -31,16 +31,15 @@ class ContactElements {
   std::vector<Eigen::Index> places_;
 };
 
-/// Treatment of an element in the Jacobian J = (I - B) + B r T: B = I in adhesion, in slip B = (g /
-/// |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) instead of n, which is the same at the
-/// solution and converges much better (Hueeber, Stadler & Wohlmuth 2008). A slip-dependent law adds
-/// -n g' (w/|w|)^T T.
+/// How the Jacobian J = (I - B) + B r T treats an element: B = I in adhesion, in slip
+/// B = (g / |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) in place of n, which is the
+/// same at the solution and much better on the way (Hueeber, Stadler & Wohlmuth 2008). A law that
+/// feels slip adds -n times the change of g (friction_state.hpp).
 struct Linearisation {
   std::vector<char> adheres;
-  Eigen::VectorXd normal;   ///< n of the slipping elements
-  Eigen::VectorXd left;     ///< m of the slipping elements
-  Eigen::VectorXd factor;   ///< g / |q| of the slipping elements
-  Eigen::VectorXd by_slip;  ///< g' w / |w|; empty: 0
+  Eigen::VectorXd normal;  ///< n of the slipping elements
+  Eigen::VectorXd left;    ///< m of the slipping elements
+  Eigen::VectorXd factor;  ///< g / |q| of the slipping elements
 };
 
 /// Approximate inverse of J, block by block: r T + drag where elements adhere, then r T + drag +

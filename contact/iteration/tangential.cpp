@@ -61,21 +61,25 @@ TangentialSolution solve_tangential(const TangentialOperator& compliance,
   const CoulombFriction none(0.0);
   const FrictionLaw& law = problem.friction ? *problem.friction : none;
   FrictionNewton newton;
-  const auto [newton_steps, krylov_iterations, residual] = newton.solve(
-      on_elements,
-      {compliance.grid(), problem.pressure, problem.rigid_slip, law, problem.slip_factor},
-      elements.grid_indices(), options, start);
+  const FrictionNewton::Effort effort =
+      newton.solve(on_elements,
+                   {compliance.grid(), problem.pressure, problem.rigid_slip, law,
+                    problem.slip_factor, problem.past ? &*problem.past : nullptr},
+                   elements.grid_indices(), options, start);
   TangentialSolution result;
   result.traction = elements.scattered(newton.traction());
   const TangentialField displacement = compliance.apply(result.traction);
   result.slip = {problem.rigid_slip.x + displacement.x, problem.rigid_slip.y + displacement.y};
+  result.bound = Field::Zero(problem.pressure.size());
+  for (Index e = 0; e < elements.count(); ++e) result.bound[elements[e]] = newton.bound()[e];
   result.state.assign(static_cast<std::size_t>(problem.pressure.size()), ElementState::exterior);
   for (Index e = 0; e < elements.count(); ++e)
     result.state[static_cast<std::size_t>(elements[e])] =
         newton.adheres()[static_cast<std::size_t>(e)] ? ElementState::adhesion : ElementState::slip;
-  result.newton_steps = newton_steps;
-  result.krylov_iterations = krylov_iterations;
-  result.residual = residual;
+  result.newton_steps = effort.newton_steps;
+  result.krylov_iterations = effort.krylov_iterations;
+  result.residual = effort.residual;
+  result.steepness = effort.steepness;
   return result;
 }
 

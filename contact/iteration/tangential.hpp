@@ -7,16 +7,17 @@
 #pragma once
 
 #include "contact/iteration/compliance.hpp"
+#include "contact/iteration/friction_state.hpp"
 #include "contact/result/result.hpp"
-#include "contact/scene/friction_law.hpp"
 
 namespace rollfem::contact {
 
 struct TangentialProblem {
   Field pressure;              ///< p_n >= 0, MPa; 0 outside the contact area
   TangentialField rigid_slip;  ///< s, with any defect of the compliance added
-  Friction friction;           ///< null: frictionless; no default, so that it is never forgotten
-  double slip_factor = 1.0;    ///< slip of the friction law divided by w
+  Friction friction;           ///< null: frictionless; no default, so that none is forgotten
+  double slip_factor = 1.0;    ///< slip as the friction law takes it over w
+  std::optional<FrictionPast> past{};  ///< empty: steady rolling
 };
 
 struct TangentialOptions {
@@ -30,10 +31,12 @@ struct TangentialOptions {
 struct TangentialSolution {
   TangentialField traction;         ///< MPa, on the wheel; |p_t| <= g
   TangentialField slip;             ///< w
+  Field bound;                      ///< g, MPa
   std::vector<ElementState> state;  ///< exterior where g = 0 at rest
   int newton_steps = 0;
   int krylov_iterations = 0;
   double residual = 0.0;
+  double steepness = 0.0;  ///< of the friction law (friction_state.hpp)
 };
 
 /// Throws SolveError when Newton's method does not converge. `start`: initial tractions, empty for

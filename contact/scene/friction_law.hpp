@@ -1,61 +1,95 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A friction law: the largest tangential traction of an element as a function of pressure
-// and slip, with both derivatives. Each law is a class; the solvers know only this
-// interface.
+// A friction law: the coefficient of friction of an element as a function of its slip, with the
+// derivative, and how slowly it follows. Each law is a class; the solvers know only this interface.
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/case/case.hpp"
 
+#include <array>
 #include <memory>
+#include <optional>
 
 namespace rollfem::contact {
 
+/// mu follows the slip w with a lag: over a way of h mm rolled (h = 1 in a shift, which has none)
+/// it comes nearer to mu(|w|) by the factor exp(-h max(|w|, least_slip) / distance).
+struct FrictionMemory {
+  double distance = 0.0;    ///< d_c, mm slid until mu has come nearer by the factor e
+  double least_slip = 0.0;  ///< s_0 in the unit of the slip
+};
+
 class FrictionLaw {
  public:
-  struct Bound {
-    double value = 0.0;        ///< g, MPa
-    double by_pressure = 0.0;  ///< dg/dp_n
-    double by_slip = 0.0;      ///< dg/d|w|, MPa over the unit of the slip
+  struct Coefficient {
+    double value = 0.0;    ///< mu
+    double by_slip = 0.0;  ///< dmu/d|w|
   };
 
   virtual ~FrictionLaw() = default;
 
-  /// `pressure` >= 0, MPa; `slip` = |w| >= 0 as in results: relative to the rolling speed, mm in a
-  /// shift. The value is 0 at pressure 0 and positive above.
-  virtual Bound bound(double pressure, double slip) const = 0;
+  /// `slip` = |w| >= 0 as results give it: relative to the speed of rolling, mm in a shift.
+  /// Positive and continuous.
+  virtual Coefficient at(double slip) const = 0;
 
   /// Whether by_slip may be nonzero: bounds are then re-evaluated at every slip.
   virtual bool feels_slip() const { return false; }
 
-  /// mu without slip: the scale of forces, and the only parameter of theories restricted to
-  /// Coulomb's law.
-  virtual double coefficient() const = 0;
+  /// Empty: mu follows the slip at once.
+  virtual std::optional<FrictionMemory> memory() const { return {}; }
+
+  /// mu without slip: what forces are scaled with, and all that the theories take which know no
+  /// other law than Coulomb's.
+  double coefficient() const { return at(0.0).value; }
 };
 
 /// Null: no friction.
 using Friction = std::shared_ptr<const FrictionLaw>;
 
-/// g = mu p_n.
+/// The same mu at any slip.
 class CoulombFriction : public FrictionLaw {
  public:
   explicit CoulombFriction(double coefficient) : coefficient_(coefficient) {}
-  Bound bound(double pressure, double) const override {
-    return {coefficient_ * pressure, coefficient_, 0.0};
-  }
-  double coefficient() const override { return coefficient_; }
+  Coefficient at(double) const override { return {coefficient_, 0.0}; }
 
  private:
   double coefficient_;
 };
 
-/// Coulomb's law; null for coefficient 0.
+/// mu falls with the velocity s of the slip from mu(0) to the kinetic one, in two parts
+/// (FallShape).
+class FallingFriction : public FrictionLaw {
+ public:
+  struct Part {
+    double size = 0.0;       ///< mu_i, of which half is left at half_slip
+    double half_slip = 1.0;  ///< in the unit of the slip
+  };
+
+  FallingFriction(FallShape shape, double kinetic, const std::array<Part, 2>& parts,
+                  std::optional<FrictionMemory> memory = {})
+      : shape_(shape), kinetic_(kinetic), parts_(parts), memory_(memory) {}
+
+  Coefficient at(double slip) const override;
+  bool feels_slip() const override { return true; }
+  std::optional<FrictionMemory> memory() const override { return memory_; }
+
+ private:
+  FallShape shape_;
+  double kinetic_;
+  std::array<Part, 2> parts_;
+  std::optional<FrictionMemory> memory_;
+};
+
+/// Coulomb's law; null for the coefficient 0.
 Friction coulomb(double coefficient);
+
+/// The law of a case; null for the coefficient 0.
+Friction friction_of(const Case& input);
 
 /// The coefficient of the law; 0 without friction.
 double coefficient_of(const Friction& friction);
 
-/// g of every element, MPa; 0 without friction. `slip` may be empty: none.
-Field traction_bound(const Friction& friction, const Field& pressure,
-                     const TangentialField& slip = {});
+/// g = mu p_n of every element at rest, MPa; 0 without friction.
+Field traction_bound(const Friction& friction, const Field& pressure);
 
 }  // namespace rollfem::contact

@@ -41,7 +41,7 @@ Scene::Scene(const Case& input)
       wheel{input.wheel.material, input.wheel.mesh},
       rail{input.rail.material, input.rail.mesh},
       material(combine(input.wheel.material, input.rail.material)),
-      friction_law(coulomb(input.friction_coefficient)),
+      friction_law(friction_of(input)),
       problem(input.rolling.problem),
       given_pressure(input.given_pressure),
       speed(input.rolling.speed),
@@ -53,6 +53,7 @@ Scene::Scene(const Case& input)
       options(input),
       subsurface(input.subsurface),
       output(input.output) {
+  if (input.layer) material.layer = input.layer->compliance();
   for (std::size_t k = 0; k < input.rolling.creepages.size(); ++k)
     points.push_back(load_point(input, k));
 }

@@ -81,6 +81,7 @@ CoupledProblem ContactProblem::coupled_problem(const NormalLoad& load,
   problem.slip_factor = motion.slip_factor;
   problem.rigid_slip = motion.rigid_slip;
   problem.curvature_weight = motion.curvature_weight;
+  problem.past = motion.past;
   return problem;
 }
 

@@ -55,7 +55,8 @@ struct TangentialMotion {
   Motion motion = Motion::rolling;
   /// Slip of the results divided by slip of the problem (StepProblem).
   double slip_factor = 1.0;
-  double curvature_weight = 1.0;  ///< factor of Response::curvature_slip in the slip of the problem
+  double curvature_weight = 1.0;       ///< of Response::curvature_slip in the slip of the problem
+  std::optional<FrictionPast> past{};  ///< of a step of a history, where friction remembers
 };
 
 /// The motion at creepages (shifts), which affect only the rigid slip.

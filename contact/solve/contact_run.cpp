@@ -42,6 +42,16 @@ SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape
 
 }  // namespace
 
+std::string steep_friction_note(double steepness) {
+  if (steepness <= 1.0) return {};
+  return fmt::format(
+      "friction falls so steeply with the slip velocity ({:.2g} times what one element withstands) "
+      "that several states are possible, which depend on the grid: given is the one that grows out "
+      "of small creepage, with the most friction; a larger friction.memory_distance leaves one "
+      "(docs/friction.md)",
+      steepness);
+}
+
 ContactRun::ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
                        const Progress& progress, PointStore* store)
     : scene_(scene),
@@ -288,11 +298,11 @@ void ContactRun::solve_point(std::size_t k) {
 
 /// Start of the next step or the next finer level.
 void ContactRun::remember(std::size_t k) {
-  motion_->advance(k, {state_.displacement.x, state_.displacement.y});
+  motion_->advance(k, state_);
+  result_.steepness = std::max(result_.steepness, state_.tangential.steepness);
   if (scene_.is_history()) return;
-  result_.relative_traction.push_back(
-      relative_to_bound(state_.tangential.traction,
-                        traction_bound(friction_, state_.normal.pressure, state_.tangential.slip)));
+  result_.relative_traction.push_back(relative_to_bound(
+      state_.tangential.traction, traction_bound(friction_, state_.normal.pressure)));
 }
 
 PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
@@ -300,8 +310,7 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   motion_->describe(k, unknowns, point);
   point.fields.traction = state_.traction();
   point.fields.slip = state_.tangential.slip;
-  point.fields.traction_bound =
-      traction_bound(friction_, state_.normal.pressure, state_.tangential.slip);
+  point.fields.traction_bound = state_.tangential.bound;
   point.fields.gap = state_.normal.gap;
   point.fields.displacement = state_.displacement;
   point.fields.state = state_.tangential.state;

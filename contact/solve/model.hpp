@@ -43,6 +43,8 @@ enum class Demand {
   given_pressure,
   rigid_body,
   stress_in_rigid_body,
+  falling_friction,   ///< that falls with the slip velocity
+  layer,              ///< between wheel and rail
   inertia,            ///< of wheel and rail
   beyond_half_space,  ///< stress where a concave body extends beyond z = 0
 };

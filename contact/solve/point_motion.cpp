@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -15,7 +16,21 @@ using Eigen::Vector2d;
 
 PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
                          const ContactGrid& grid)
-    : scene_(scene), geometry_(geometry), grid_(grid), history_(grid, scene.upwind_order) {}
+    : scene_(scene), geometry_(geometry), grid_(grid), history_(grid, scene.upwind_order) {
+  if (!scene.is_history() || !scene.friction() || !scene.friction()->memory()) return;
+  friction_ = scene.friction();
+  const TangentialField rest{Field::Zero(grid.size()), Field::Zero(grid.size())};
+  history_.advance(rest, 0.0, Field::Constant(grid.size(), friction_->coefficient()));
+}
+
+/// mu of the elements after a step; that at rest where there is no contact.
+Field PointMotion::coefficient_after(const ContactState& state) const {
+  Field coefficient = Field::Constant(grid_.size(), friction_->coefficient());
+  for (Eigen::Index k = 0; k < coefficient.size(); ++k)
+    if (state.normal.pressure[k] > 0.0)
+      coefficient[k] = state.tangential.bound[k] / state.normal.pressure[k];
+  return coefficient;
+}
 
 Vector2d PointMotion::given_unknowns(std::size_t k) const {
   const LoadPoint& point = scene_.points[k];
@@ -38,7 +53,9 @@ TangentialMotion PointMotion::at(std::size_t k, const Vector2d& unknowns) const 
   if (scene_.problem == Problem::shift) {
     const StepProblem step =
         history_.shift_step(uniform_slip({unknowns.x(), unknowns.y(), point.spin_shift}, grid_));
-    return {step.rigid_slip, Motion::shift, step.slip_factor, 0.0};
+    TangentialMotion motion{step.rigid_slip, Motion::shift, step.slip_factor, 0.0};
+    if (friction_) motion.past = history_.past(0.0);
+    return motion;
   }
   const bool steps = scene_.problem == Problem::transient;
   const TangentialField slip = rigid_slip({unknowns.x(), unknowns.y(), point.creepage.spin},
@@ -46,7 +63,9 @@ TangentialMotion PointMotion::at(std::size_t k, const Vector2d& unknowns) const 
   if (!steps) return {slip, Motion::rolling, 1.0, 1.0};
   const StepProblem step = history_.rolling_step(slip, point.step_length);
   // Curved streamlines strain the material while it rolls; the problem of the step is in mm.
-  return {step.rigid_slip, Motion::shift, step.slip_factor, 1.0 / step.slip_factor};
+  TangentialMotion motion{step.rigid_slip, Motion::shift, step.slip_factor, 1.0 / step.slip_factor};
+  if (friction_) motion.past = history_.past(point.step_length);
+  return motion;
 }
 
 void PointMotion::describe(std::size_t k, const Vector2d& unknowns, PointResult& point) {
@@ -69,10 +88,12 @@ void PointMotion::describe(std::size_t k, const Vector2d& unknowns, PointResult&
   point.distance = sum_.distance;
 }
 
-void PointMotion::advance(std::size_t k, const TangentialField& displacement) {
+void PointMotion::advance(std::size_t k, const ContactState& state) {
   if (!scene_.is_history()) return;
   const bool rolls = scene_.problem == Problem::transient;
-  history_.advance(displacement, rolls ? scene_.points[k].step_length : 0.0);
+  history_.advance({state.displacement.x, state.displacement.y},
+                   rolls ? scene_.points[k].step_length : 0.0,
+                   friction_ ? coefficient_after(state) : Field());
 }
 
 void PointMotion::take_up(const PointResult& point) {
@@ -141,11 +162,29 @@ StepProblem History::rolling_step(const TangentialField& rigid_slip, double step
           1.5 / step_length};
 }
 
-void History::advance(const TangentialField& displacement, double step_length) {
+void History::advance(const TangentialField& displacement, double step_length, Field coefficient) {
   before_last_ = last_;
   last_ = displacement;
   before_last_step_ = last_step_;
   last_step_ = step_length;
+  coefficient_ = std::move(coefficient);
+}
+
+/// Linear between elements: a cubic could leave the values between which mu lies.
+FrictionPast History::past(double step_length) const {
+  if (step_length == 0.0) return {coefficient_, 1.0};
+  const double elements = std::min(step_length / grid_.dx, grid_.nx + 2.0);
+  const int ahead = static_cast<int>(elements);
+  const double part = elements - ahead;
+  FrictionPast past{Field(grid_.size()), step_length};
+  for (int j = 0; j < grid_.ny; ++j)
+    for (int i = 0; i < grid_.nx; ++i) {
+      const auto at = [&](int column) {
+        return coefficient_[grid_.index(std::min(column, grid_.nx - 1), j)];
+      };
+      past.coefficient[grid_.index(i, j)] = (1.0 - part) * at(i + ahead) + part * at(i + ahead + 1);
+    }
+  return past;
 }
 
 }  // namespace rollfem::contact

@@ -44,14 +44,19 @@ class History {
   /// InputError unless the step is positive.
   StepProblem rolling_step(const TangentialField& rigid_slip, double step_length) const;
 
-  /// Records a solved step: u = A p including all contributions. `step_length` 0 for a shift.
-  void advance(const TangentialField& displacement, double step_length);
+  /// The step is solved: u = A p with all that caused it, and mu of the elements where friction
+  /// remembers. `step_length` 0 for a shift.
+  void advance(const TangentialField& displacement, double step_length, Field coefficient = {});
+
+  /// mu of the particles that the next step brings to the elements: in a shift they stay.
+  FrictionPast past(double step_length) const;
 
  private:
   ContactGrid grid_;
   UpwindOrder order_;
   TangentialField last_;
   TangentialField before_last_;
+  Field coefficient_;              ///< mu after the last step
   double last_step_ = 0.0;         ///< mm rolled in the last step
   double before_last_step_ = 0.0;  ///< mm rolled in the step before
 };
@@ -78,8 +83,8 @@ class PointMotion {
   /// into `point`.
   void describe(std::size_t k, const Eigen::Vector2d& unknowns, PointResult& point);
 
-  /// State that the next step inherits from load point k.
-  void advance(std::size_t k, const TangentialField& displacement);
+  /// What the next step inherits from load point k.
+  void advance(std::size_t k, const ContactState& state);
 
   /// Records load point k as restored from an earlier run, which described it.
   void take_up(const PointResult& point);
@@ -89,13 +94,15 @@ class PointMotion {
     double longitudinal = 0.0, lateral = 0.0, spin = 0.0, distance = 0.0;
   };
 
-  /// `step`: length in mm of the corresponding difference.
+  Field coefficient_after(const ContactState& state) const;
+  /// `step`: over how many mm the difference reaches that it is put beside.
   TangentialField rigid_slip(const Creepage& creepage, double step) const;
 
   const Scene& scene_;
   const ChartedGeometry& geometry_;
   ContactGrid grid_;
   TangentialField extra_;
+  Friction friction_;  ///< null: none, or one that remembers nothing of earlier steps
   History history_;
   Sum sum_;
 };

@@ -97,7 +97,7 @@ void solve_tractions(const Preconditioner& standin, const CoupledProblem& proble
                      const Response* defect, double tolerance, const Field& weights,
                      StandinSolution& solution) {
   TangentialProblem tangential{solution.normal.pressure, problem.rigid_slip, problem.friction,
-                               problem.slip_factor};
+                               problem.slip_factor, problem.past};
   const Field& pressure = solution.normal.pressure;
   if (defect != nullptr) {
     const TangentialField slip = defect_slip(standin, problem, *defect, pressure);
@@ -233,6 +233,7 @@ void set_frictionless(const ContactGrid& grid, TangentialSolution& tangential,
                       const Field& pressure, const TangentialField& slip) {
   const Field zero = Field::Zero(grid.size());
   tangential.traction = {zero, zero};
+  tangential.bound = zero;
   tangential.slip = slip.x.size() == 0 ? TangentialField{zero, zero} : slip;
   tangential.state.clear();
   for (const double p : pressure)

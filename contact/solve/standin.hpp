@@ -55,13 +55,14 @@ VerticalFrame vertical_frame(const PatchShape& shape, const std::array<double, 2
 struct CoupledProblem {
   Field undeformed_distance;
   NormalLoad load;
-  Friction friction = nullptr;    ///< null: frictionless
-  TangentialField rigid_slip;     ///< empty: frictionless
-  double slip_factor = 1.0;       ///< slip of the friction law divided by slip of the problem
-  double curvature_weight = 1.0;  ///< factor of Response::curvature_slip in the slip
-  Field given_pressure;           ///< MPa, replaces the normal problem; empty: none
-  PatchShape shape;               ///< empty: plane
-  VerticalFrame frame;            ///< of the shape and the direction of the load
+  Friction friction = nullptr;       ///< null: frictionless
+  TangentialField rigid_slip;        ///< empty: frictionless
+  double slip_factor = 1.0;          ///< slip as the friction law takes it over that of the problem
+  std::optional<FrictionPast> past;  ///< of a step of a history, where friction remembers
+  double curvature_weight = 1.0;     ///< of Response::curvature_slip in the slip
+  Field given_pressure;              ///< MPa, replaces the normal problem; empty: none
+  PatchShape shape;                  ///< empty: plane
+  VerticalFrame frame;               ///< of the shape and the direction of the load
 
   bool frictionless() const { return rigid_slip.x.size() == 0 || !friction; }
   /// Whether friction carries a part of the prescribed force.

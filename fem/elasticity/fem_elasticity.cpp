@@ -27,6 +27,28 @@ using contact::PointResult;
 using contact::Scene;
 using contact::Stopwatch;
 
+/// Finite elements and the layer between them.
+class LayeredCompliance : public contact::Compliance {
+ public:
+  LayeredCompliance(const FemCompliance& bodies, double layer) : bodies_(bodies), layer_(layer) {}
+  const contact::ContactGrid& grid() const override { return bodies_.grid(); }
+  contact::SurfaceField apply(const contact::SurfaceField& traction) const override {
+    return respond(traction).displacement;
+  }
+  contact::Response respond(const contact::SurfaceField& traction) const override {
+    contact::Response response = bodies_.respond(traction);
+    contact::SurfaceField& u = response.displacement;
+    if (layer_ == 0.0 || u.x.size() != traction.x.size()) return response;  // another process
+    u.x += layer_ * traction.x;
+    u.y += layer_ * traction.y;
+    return response;
+  }
+
+ private:
+  const FemCompliance& bodies_;
+  double layer_;
+};
+
 class FemElasticity : public contact::Elasticity {
  public:
   FemElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
@@ -34,7 +56,7 @@ class FemElasticity : public contact::Elasticity {
                 const contact::Progress& progress, LevelStart& start, contact::ModelResult& result);
 
   void prepare() override;
-  const contact::Compliance& compliance() const override { return *compliance_; }
+  const contact::Compliance& compliance() const override { return *layered_; }
   const contact::SolvableCompliance& standin() const override { return *half_; }
   const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
   contact::Field extra_distance() const override {
@@ -69,6 +91,7 @@ class FemElasticity : public contact::Elasticity {
   Solvers solvers_;
   std::unique_ptr<StressOutput> stresses_;
   std::unique_ptr<FemCompliance> compliance_;
+  std::optional<LayeredCompliance> layered_;
   std::unique_ptr<halfspace::HalfspaceCompliance> half_;
   std::unique_ptr<halfspace::HalfspaceCompliance> coupled_half_;  ///< null: like materials
   std::optional<WheelExpansion> expansion_;                       ///< of a fast rotating wheel
@@ -147,6 +170,7 @@ void FemElasticity::make_compliance() {
       FemCompliance::Part{bodies_.wheel.get(), solvers_.wheel.get()},
       FemCompliance::Part{bodies_.rail.get(), solvers_.rail.get()}, scene_.geometry.surface,
       layout_.grid, far_boundary_of(scene_));
+  layered_.emplace(*compliance_, scene_.material.layer);
   start_.solver = (solvers_.wheel ? solvers_.wheel : solvers_.rail)->description();
   contact::ProgressEvent event;
   event.note = start_.solver;

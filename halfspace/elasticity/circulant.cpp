@@ -83,6 +83,9 @@ InfluenceQuadrant::InfluenceQuadrant(const ContactGrid& grid, const CombinedMate
   coefficients_.reserve(columns_ * (static_cast<std::size_t>(ny) + 1));
   for (int j = 0; j <= ny; ++j)
     for (int i = 0; i <= nx; ++i) coefficients_.push_back(element_influence(grid, i, j, material));
+  // A layer between the bodies moves an element by its own traction alone.
+  coefficients_.front().xx += material.layer;
+  coefficients_.front().yy += material.layer;
 }
 
 Symbol normal_symbol(const InfluenceQuadrant& quadrant, int px, int py) {

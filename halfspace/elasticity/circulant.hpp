@@ -29,8 +29,8 @@ enum class Difference { none = 0, first = 1, second = 2 };
 /// Size of the periodic plane for the circulants of a grid.
 std::array<int, 2> circulant_size(const contact::ContactGrid& grid);
 
-/// Influence coefficients of a grid at offsets from 0 to nx columns and ny rows; the others follow
-/// by symmetry.
+/// Influence coefficients of a grid at offsets from none to nx columns and ny rows, from which the
+/// others follow by symmetry; with a layer between the bodies.
 class InfluenceQuadrant {
  public:
   InfluenceQuadrant(const contact::ContactGrid& grid, const contact::CombinedMaterial& material,

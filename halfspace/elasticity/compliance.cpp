@@ -69,17 +69,20 @@ class HalfspaceNormal : public contact::NormalOperator {
 class HalfspaceTangential : public contact::TangentialOperator {
  public:
   HalfspaceTangential(const ContactGrid& grid, const PaddedFft& fft, const Symbols& symbols,
-                      Difference difference, double diagonal, const InfluenceQuadrant& quadrant)
+                      Difference difference, double diagonal, double layer,
+                      const InfluenceQuadrant& quadrant)
       : grid_(grid),
         fft_(fft),
         symbols_(symbols),
         factors_(difference_symbol(difference, fft.px(), grid.dx)),
         diagonal_(diagonal),
+        layer_(layer),
         quadrant_(quadrant),
         difference_(difference) {}
 
   const ContactGrid& grid() const override { return grid_; }
   double diagonal() const override { return diagonal_; }
+  double layer() const override { return layer_; }
 
   TangentialField apply(const TangentialField& traction) const override {
     fft_.forward(traction, x_, y_);
@@ -117,6 +120,7 @@ class HalfspaceTangential : public contact::TangentialOperator {
   const Symbols& symbols_;
   std::vector<Complex> factors_;
   double diagonal_;
+  double layer_;
   const InfluenceQuadrant& quadrant_;
   Difference difference_;
   mutable std::unique_ptr<TangentialCirculant> inverse_;  ///< created at first use
@@ -149,8 +153,9 @@ double mean_diagonal(const ContactGrid& grid, const InfluenceQuadrant& quadrant,
 struct HalfspaceCompliance::Implementation {
   ContactGrid grid;
   bool couples;
-  // D needs displacements up to two columns upstream of the grid: 2 nx + 3 separates the images and
-  // keeps the kernels even.
+  double layer;
+  // Displacements are wanted up to two columns upstream of the grid, for D: 2 nx + 3 keeps the
+  // images apart and the kernels even.
   PaddedFft fft;
   InfluenceQuadrant quadrant;
   mutable Symbols symbols;
@@ -162,6 +167,7 @@ struct HalfspaceCompliance::Implementation {
   Implementation(const ContactGrid& g, const CombinedMaterial& material)
       : grid(g),
         couples(material.difference != 0.0),
+        layer(material.layer),
         fft(g.nx, g.ny, 2 * g.nx + 3, g.is_line() ? 1 : 2 * g.ny),
         quadrant(g, material, std::max(fft.px(), circulant_size(g)[0]) / 2,
                  std::max(fft.py(), circulant_size(g)[1]) / 2) {}
@@ -187,7 +193,7 @@ struct HalfspaceCompliance::Implementation {
     auto& kept = tangential[static_cast<int>(difference)];
     if (!kept)
       kept = std::make_unique<HalfspaceTangential>(grid, fft, tangential_symbols(), difference,
-                                                   mean_diagonal(grid, quadrant, difference),
+                                                   mean_diagonal(grid, quadrant, difference), layer,
                                                    quadrant);
     return *kept;
   }

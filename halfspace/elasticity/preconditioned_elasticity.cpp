@@ -38,28 +38,44 @@ Eigen::Vector2d PreconditionedElasticity::shift_stiffness(const contact::PatchSi
   return halfspace::shift_stiffness(patch, scene_.material);
 }
 
+namespace {
+
+/// Of bodies and the layer between them in series; `area`: what the compliance of the layer is
+/// divided by (mm^2, in rolling mm^3).
+Vector2d with_layer(const Vector2d& bodies, double area, const CombinedMaterial& material) {
+  if (material.layer == 0.0) return bodies;
+  return (bodies.array().inverse() + material.layer / area).inverse();
+}
+
+}  // namespace
+
 Vector2d rolling_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
   const double a = 0.5 * patch.length;
   const double b = 0.5 * patch.width;
   const KalkerCoefficients kalker = kalker_coefficients(a, b, material.poisson_ratio);
-  return material.shear_modulus * a * b * Vector2d(kalker.c11, kalker.c22);
+  return with_layer(material.shear_modulus * a * b * Vector2d(kalker.c11, kalker.c22),
+                    8.0 / 3.0 * a * a * b, material);
 }
 
 Vector2d shift_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
   const double c = 0.5 * std::sqrt(patch.length * patch.width);
-  return Vector2d::Constant(4.0 * c * material.shear_modulus / (2.0 - material.poisson_ratio));
+  return with_layer(
+      Vector2d::Constant(4.0 * c * material.shear_modulus / (2.0 - material.poisson_ratio)),
+      contact::pi * c * c, material);
 }
 
 Vector2d line_rolling_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
   const double antiplane = 0.25 * contact::pi * material.shear_modulus * patch.length * patch.width;
-  return {antiplane / (1.0 - material.poisson_ratio), antiplane};
+  return with_layer({antiplane / (1.0 - material.poisson_ratio), antiplane},
+                    0.5 * patch.length * patch.length * patch.width, material);
 }
 
 Vector2d line_shift_stiffness(const PatchSize& patch, double reference,
                               const CombinedMaterial& material) {
   const double antiplane = 0.5 * contact::pi * material.shear_modulus * patch.width /
                            (std::log(4.0 * reference / patch.length) + 0.5);
-  return {antiplane / (1.0 - material.poisson_ratio), antiplane};
+  return with_layer({antiplane / (1.0 - material.poisson_ratio), antiplane},
+                    patch.length * patch.width, material);
 }
 
 }  // namespace rollfem::halfspace

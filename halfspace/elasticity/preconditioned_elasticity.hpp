@@ -36,7 +36,8 @@ class PreconditionedElasticity : public contact::Elasticity {
 };
 
 // Start of the search for the creepage or shift of a prescribed force: Kalker's linear theory
-// and Mindlin's tangential stiffness on the computed patch.
+// and Mindlin's tangential stiffness on the computed patch, in series with a layer between the
+// bodies whose tractions grow linearly behind the leading edge.
 
 /// -dF/d(creepage) of steady rolling without slip, N: G c^2 C11 and G c^2 C22.
 Eigen::Vector2d rolling_stiffness(const contact::PatchSize& patch,

@@ -327,6 +327,8 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   result.points = std::move(fine.points);
   add_notes(scene, result);
   if (!warning.empty()) result.notes.push_back(std::move(warning));
+  if (std::string note = contact::steep_friction_note(fine.steepness); !note.empty())
+    result.notes.push_back(std::move(note));
   result.seconds["total"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -117,9 +117,10 @@ Scene correction_scene(const Scene& scene) {
   bodies.wheel = scene.wheel;
   bodies.rail = scene.rail;
   bodies.material = scene.material;
+  bodies.material.layer = 0.0;
   bodies.follows_surface = scene.follows_surface;
   bodies.options.fem = scene.options.fem;
-  bodies.speed = scene.speed;
+  bodies.speed = scene.feels_inertia() ? scene.speed : 0.0;
   const NormalLoad largest = contact::largest_load(scene);
   contact::LoadPoint point;
   point.creepage.lateral = scene.is_symmetric() ? 0.0 : 1.0;

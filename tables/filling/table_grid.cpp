@@ -146,6 +146,12 @@ CreepTable empty_table(const contact::Case& input) {
                     "creepage, which a table cannot hold; allowed: like materials; do: give both "
                     "the same Young's modulus and Poisson's ratio, or use rollfem run",
                     input.file));
+  if (input.friction_fall.shape != contact::FallShape::none || input.layer)
+    throw contact::InputError(fmt::format(
+        "{}: {}: creep forces then depend on speed, load and size of the patch, which a table does "
+        "not hold; allowed: friction.law = \"constant\" without [layer]; do: remove {}, or use "
+        "rollfem run",
+        input.file, input.layer ? "layer" : "friction.law", input.layer ? "[layer]" : "the law"));
   CreepTable table;
   table.title = input.title;
   table.case_file = input.file;

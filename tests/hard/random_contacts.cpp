@@ -41,6 +41,22 @@ TEST(RandomContacts, AreAllSolvedInFewSteps) {
   EXPECT_LE(steps_of(294, 6, 80).back(), 12);
 }
 
+TEST(RandomContacts, FallingFrictionAndLayersAreAllSolved) {
+  RandomContacts contacts(31);
+  for (const bool remembers : {true, false}) {
+    std::vector<int> steps;
+    for (unsigned k = 0; k < 100; ++k) {
+      const RandomOutcome outcome = testing::run_random(contacts.falling_contact(k, 20, remembers),
+                                                        testing::RandomStart::nested);
+      EXPECT_TRUE(outcome.solved) << "contact " << k << (remembers ? ", with" : ", without")
+                                  << " memory: " << outcome.message;
+      steps.push_back(outcome.newton_steps);
+    }
+    std::sort(steps.begin(), steps.end());
+    EXPECT_LE(steps[50], 4);
+  }
+}
+
 /// Pressure and friction feed each other by mu K/(1 - nu).
 double gain(const RandomContact& contact) {
   const contact::CombinedMaterial material = contact.material();

@@ -14,9 +14,11 @@
 
 #include "tests/support/random_draws.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,10 +44,17 @@ struct RandomContact {
   contact::Creepage creepage;   ///< shifts in mm and rad for RandomKind::shift
   Eigen::Vector2d force{0, 0};  ///< over mu F_z, on the wheel
   double step = 0.0;            ///< mm, RandomKind::transient
+  contact::Friction falling;    ///< in place of Coulomb's law
+  double layer = 0.0;           ///< h/G, mm/MPa
 
   static constexpr double max_pressure = 1000.0;
   double normal_force() const { return 2.0 / 3.0 * M_PI * a * b * max_pressure; }
-  contact::CombinedMaterial material() const { return contact::combine(wheel, rail); }
+  contact::CombinedMaterial material() const {
+    contact::CombinedMaterial combined = contact::combine(wheel, rail);
+    combined.layer = layer;
+    return combined;
+  }
+  contact::Friction law() const { return falling ? falling : contact::coulomb(friction); }
   contact::ContactGrid grid() const {
     const int elements = across + 2 * margin;
     return contact::ContactGrid::centred(elements, elements, 2.0 * a / across, 2.0 * b / across);
@@ -93,6 +102,30 @@ class RandomContacts : private RandomDraws {
       c.given_pressure = false;
     }
     move(c);
+    return c;
+  }
+
+  /// The same with friction that falls and, in half of them, a layer, at 10 m/s: s_h from 1 mm/s to
+  /// 1e6, mu_kin/mu from 0.2 to 1, d_c from 1e-4 to 0.1 mm or 0.
+  RandomContact falling_contact(unsigned number, int across, bool remembers) {
+    RandomContact c = contact(number, across);
+    constexpr double speed = 1e4, s_0 = 1.0;
+    const auto shape = static_cast<contact::FallShape>(1 + static_cast<int>(uniform(0.0, 2.999)));
+    const double kinetic = c.friction * uniform(0.2, 1.0);
+    const double second = chance(0.3) ? uniform(0.0, 1.0) : 0.0;
+    const auto part = [&](double share) {
+      return contact::FallingFriction::Part{share * (c.friction - kinetic),
+                                            log_uniform(1.0, 1e6) / speed};
+    };
+    const std::array<contact::FallingFriction::Part, 2> parts{part(1.0 - second), part(second)};
+    const double distance = log_uniform(1e-4, 0.1);
+    std::optional<contact::FrictionMemory> memory;
+    if (remembers) memory = contact::FrictionMemory{distance, s_0 / speed};
+    c.falling = std::make_shared<contact::FallingFriction>(shape, kinetic, parts, memory);
+    const double size = std::sqrt(c.a * c.b);
+    if (chance(0.5)) c.layer = log_uniform(1e-3, 1e2) * size / c.material().shear_modulus;
+    // Below what slides at any velocity: above, there need not be a creepage.
+    c.force *= 0.9 * kinetic / c.friction;
     return c;
   }
 
@@ -159,7 +192,7 @@ class RandomLevel {
     if (c.material().couples())
       standin_ = std::make_unique<halfspace::HalfspaceCompliance>(grid_, c.material().uncoupled());
     contact::ContactConditions conditions;
-    conditions.friction = contact::coulomb(c.friction);
+    conditions.friction = c.law();
     if (c.given_pressure)
       conditions.given_pressure = grid_.sample([&](double x, double y) {
         const double rest = 1.0 - x * x / (c.a * c.a) - y * y / (c.b * c.b);
@@ -202,8 +235,22 @@ class RandomLevel {
   contact::TangentialMotion motion(const contact::Creepage& c) const {
     contact::TangentialMotion result;
     result.rigid_slip = rigid(c);
-    if (contact_.kind == RandomKind::shift) result.motion = contact::Motion::shift;
+    if (contact_.kind != RandomKind::shift) return result;
+    result.motion = contact::Motion::shift;
+    if (remembers()) result.past = contact::FrictionPast{rest(), 1.0};
     return result;
+  }
+
+  bool remembers() const { return contact_.law()->memory().has_value(); }
+  contact::Field rest() const { return contact::Field::Constant(grid_.size(), contact_.friction); }
+
+  /// mu of the elements after a step.
+  contact::Field coefficient() const {
+    contact::Field all = rest();
+    for (Eigen::Index k = 0; k < all.size(); ++k)
+      if (state_.normal.pressure[k] > 0.0)
+        all[k] = state_.tangential.bound[k] / state_.normal.pressure[k];
+    return all;
   }
 
   /// As contact::ContactRun begins.
@@ -216,7 +263,7 @@ class RandomLevel {
                    : contact::Field());
     const bool steady = contact_.kind == RandomKind::rolling || contact_.kind == RandomKind::force;
     if (!nested || !steady) return start;
-    const contact::Friction friction = contact::coulomb(contact_.friction);
+    const contact::Friction friction = contact_.law();
     const contact::Field& pressure = coarser_->state_.normal.pressure;
     start.tangential.traction = contact::finer_tractions(
         coarser_->grid_, pressure,
@@ -263,6 +310,8 @@ class RandomLevel {
   /// Three equal steps from the pressure alone.
   void roll_on() {
     contact::History history(grid_, contact::UpwindOrder::second);
+    const contact::Field none = contact::Field::Zero(grid_.size());
+    history.advance({none, none}, 0.0, rest());
     state_ = first_state();
     for (int step = 0; step < 3; ++step) {
       const contact::StepProblem problem =
@@ -271,8 +320,9 @@ class RandomLevel {
       motion.rigid_slip = problem.rigid_slip;
       motion.motion = contact::Motion::shift;
       motion.slip_factor = problem.slip_factor;
+      if (remembers()) motion.past = history.past(contact_.step);
       solve(motion, contact::ContactState(state_));
-      history.advance({state_.displacement.x, state_.displacement.y}, contact_.step);
+      history.advance({state_.displacement.x, state_.displacement.y}, contact_.step, coefficient());
     }
   }
 

@@ -245,6 +245,12 @@ const std::vector<Rivals>& rivals() {
        "",
        "exactly one of normal_force, approach and vertical_force; where the pressure is given, of "
        "normal_force and max_pressure"},
+      {{"friction.kinetic_coefficient", "friction.polach_a"},
+       "",
+       "at most one of kinetic_coefficient and polach_a"},
+      {{"friction.half_velocity", "friction.polach_b"},
+       "",
+       "at most one of half_velocity and polach_b"},
       {{"contact_grid.elements_across", "contact_grid.cell_size"},
        "",
        "at most one of elements_across and cell_size"}};

@@ -12,8 +12,8 @@ namespace rollfem::contact {
 /// Condition under which a rule applies to a case.
 using Condition = bool (*)(const GivenCase&);
 
-/// Keys that are not allowed where the condition holds: "section.name", with at most one *. In the
-/// message, {problem} is replaced by the problem, {slip} by extra_slip.
+/// Keys that must not stand where the condition holds: "section.name", with at most one *. In what
+/// is wrong, {problem} stands for the problem, {slip} for extra_slip, {law} for the friction law.
 struct Exclusion {
   Condition where;
   std::vector<const char*> keys;
@@ -29,7 +29,10 @@ const std::vector<Exclusion>& exclusions_of_shapes();
 /// Keys excluded by the problem, or by data given instead of a part of it.
 const std::vector<Exclusion>& exclusions_of_problems();
 
-/// Alternative keys: at most one of them is allowed.
+/// What a constant coefficient of friction, or another law, excludes.
+const std::vector<Exclusion>& exclusions_of_friction();
+
+/// Keys that decide the same thing: at most one of them may stand.
 struct Rivals {
   std::vector<const char*> keys;
   const char* why;  ///< added to "contradicts ..."; may be empty
@@ -48,6 +51,8 @@ struct Need {
 };
 
 const std::vector<Need>& needs();
+/// Of falling friction and of a layer.
+const std::vector<Need>& needs_of_friction();
 
 /// Applies the rules to the given keys. Throws InputError.
 void check_rules(const GivenCase& given);

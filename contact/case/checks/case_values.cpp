@@ -32,6 +32,33 @@ void check_friction(const GivenCase& given, const Case& input) {
           fmt::format("0, or {:g} to 1000", least_friction), "give 0 for no friction");
 }
 
+/// Below this part of the friction at rest what slides has next to no bound.
+constexpr double least_kinetic_part = 0.01;
+
+void check_fall(const GivenCase& given, const Case& input) {
+  const FrictionFall& fall = input.friction_fall;
+  const double mu = input.friction_coefficient;
+  if (fall.shape == FallShape::none || mu == 0.0) return;
+  const double kinetic =
+      fall.polach_a ? *fall.polach_a * mu : fall.kinetic_coefficient.value_or(mu);
+  const double least = least_kinetic_part * mu * (1.0 - 1e-12);
+  if (!fall.polach_a && (kinetic > mu || kinetic < least))
+    fail_at(given, "friction.kinetic_coefficient", *given.find("friction", "kinetic_coefficient"),
+            fmt::format("does not fit friction.coefficient = {:g}, from which friction falls", mu),
+            fmt::format("{:g} to {:g}", least_kinetic_part * mu, mu),
+            "give the coefficient at rest as friction.coefficient");
+  if (fall.second_part > (mu - kinetic) * (1.0 + 1e-12))
+    fail_at(given, "friction.second_part", *given.find("friction", "second_part"),
+            fmt::format("is more than friction falls, {:g} from rest to sliding", mu - kinetic),
+            fmt::format("0 to {:g}", mu - kinetic), "make it a part of that fall");
+  if (input.rolling.problem == Problem::shift || input.rolling.problem == Problem::frictionless ||
+      input.rolling.speed > 0.0)
+    return;
+  fail_at(given, "rolling.speed", *given.find("rolling", "speed"),
+          "leaves the friction at rest, although friction.law is given", "above 0 mm/s",
+          "give the rolling speed, or write `law = \"constant\"` under [friction]");
+}
+
 void check_friction_limit(const GivenCase& given, const Case& input) {
   const auto& forces = input.rolling.forces;
   for (std::size_t k = 0; k < forces.size(); ++k) {
@@ -199,6 +226,7 @@ void complete(const GivenCase& given, Case& input) {
 void check_values(const GivenCase& given, const Case& input) {
   check_rigid(given, input);
   check_friction(given, input);
+  check_fall(given, input);
   check_friction_limit(given, input);
   check_inertia(given, input);
   check_places(given, input);

@@ -58,7 +58,8 @@ void check_exclusion(const GivenCase& given, const Exclusion& rule) {
     const std::string wrong =
         fmt::format(fmt::runtime(rule.wrong),
                     fmt::arg("problem", word_of(given, "rolling", "problem", "steady")),
-                    fmt::arg("slip", word_of(given, "rolling", "extra_slip", "auto")));
+                    fmt::arg("slip", word_of(given, "rolling", "extra_slip", "auto")),
+                    fmt::arg("law", word_of(given, "friction", "law", "constant")));
     fail_at(given, found.key->path(), *found.value, wrong, rule.allowed, rule.action);
   }
 }
@@ -96,10 +97,12 @@ void check_need(const GivenCase& given, const Need& rule) {
 }  // namespace
 
 void check_rules(const GivenCase& given) {
-  for (const auto* rules : {&exclusions_of_shapes(), &exclusions_of_problems()})
+  for (const auto* rules :
+       {&exclusions_of_shapes(), &exclusions_of_problems(), &exclusions_of_friction()})
     for (const Exclusion& rule : *rules) check_exclusion(given, rule);
   for (const Rivals& rule : rivals()) check_rivals(given, rule);
-  for (const Need& rule : needs()) check_need(given, rule);
+  for (const auto* rules : {&needs(), &needs_of_friction()})
+    for (const Need& rule : *rules) check_need(given, rule);
 }
 
 }  // namespace rollfem::contact

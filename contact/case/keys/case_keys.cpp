@@ -21,6 +21,7 @@ Declarations gather() {
   for (auto* declare : {&general_section,
                         &load_section,
                         &friction_section,
+                        &layer_section,
                         &wheel_section,
                         &rail_section,
                         &geometry_section,

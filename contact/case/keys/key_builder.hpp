@@ -293,6 +293,7 @@ class Keys {
 SectionWithKeys general_section();
 SectionWithKeys load_section();
 SectionWithKeys friction_section();
+SectionWithKeys layer_section();
 SectionWithKeys wheel_section();
 SectionWithKeys rail_section();
 SectionWithKeys geometry_section();

@@ -32,7 +32,8 @@ void add_motion(RollingKeys& keys) {
       .unit("mm/s")
       .between(0.0, 1e8)
       .says(
-          "Rolling speed; matters only with fem.inertia, since rolling is otherwise quasi-static.")
+          "Rolling speed, for a friction.law of the slip velocity and for fem.inertia; all else is "
+          "quasi-static.")
       .into(&Rolling::speed);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Coulomb's law, and another law that needs only a class: friction falling with slip, defined here,
-// in the tangential problem.
+// Coulomb's law and friction that falls with slip: formulas, and in the tangential problem.
 #include "contact/scene/friction_law.hpp"
 
 #include "contact/iteration/tangential.hpp"
@@ -10,26 +9,19 @@
 
 #include "support/thesis_cases.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace rollfem::contact {
 namespace {
 
 /// mu = mu_s / (1 + |w| / w0).
-class FallingFriction : public FrictionLaw {
- public:
-  FallingFriction(double at_rest, double scale) : at_rest_(at_rest), scale_(scale) {}
-  Bound bound(double pressure, double slip) const override {
-    const double mu = at_rest_ / (1.0 + slip / scale_);
-    return {mu * pressure, mu, -mu * pressure / (scale_ + slip)};
-  }
-  bool feels_slip() const override { return true; }
-  double coefficient() const override { return at_rest_; }
-
- private:
-  double at_rest_;
-  double scale_;
-};
+FallingFriction hyperbola(double at_rest, double scale) {
+  return {FallShape::rational, 0.0, {{{at_rest, scale}, {}}}};
+}
 
 /// T = c I: every element on its own.
 class Springs : public TangentialOperator {
@@ -49,37 +41,65 @@ class Springs : public TangentialOperator {
   double c_;
 };
 
-void expect_derivatives(const FrictionLaw& law, double pressure, double slip) {
-  const FrictionLaw::Bound at = law.bound(pressure, slip);
-  const double dp = 1e-5 * pressure;
-  const double dw = 1e-5 * slip;
-  EXPECT_NEAR(
-      (law.bound(pressure + dp, slip).value - law.bound(pressure - dp, slip).value) / (2.0 * dp),
-      at.by_pressure, 1e-8);
-  EXPECT_NEAR(
-      (law.bound(pressure, slip + dw).value - law.bound(pressure, slip - dw).value) / (2.0 * dw),
-      at.by_slip, 1e-7 * std::max(1.0, std::abs(at.by_slip)));
-}
-
-TEST(FrictionLaws, DerivativesAreThoseOfTheBound) {
-  for (const double pressure : {1.0, 800.0})
-    for (const double slip : {1e-5, 1e-3, 0.1}) {
-      expect_derivatives(CoulombFriction(0.3), pressure, slip);
-      expect_derivatives(FallingFriction(0.3, 2e-3), pressure, slip);
+TEST(FrictionLaws, DerivativesAreThoseOfTheCoefficient) {
+  const std::array<FallingFriction::Part, 2> parts{{{0.1, 2e-3}, {0.07, 3e-2}}};
+  for (const FallShape shape : {FallShape::linear, FallShape::rational, FallShape::exponential})
+    for (const double slip : {1e-5, 1e-3, 3e-2, 0.2}) {
+      const FallingFriction law(shape, 0.14, parts);
+      const double dw = 1e-4 * slip;
+      EXPECT_NEAR((law.at(slip + dw).value - law.at(slip - dw).value) / (2.0 * dw),
+                  law.at(slip).by_slip, 1e-6 * std::max(1.0, std::abs(law.at(slip).by_slip)));
     }
 }
 
-TEST(FrictionLaws, CoulombsBoundIsThePressureTimesMuAtAnySlip) {
+TEST(FrictionLaws, AreHalvedAtTheirVelocities) {
+  // mu_kin + mu_1/2 + mu_2 f(s_h1/s_h2) at s_h1, by the formulas of the laws.
+  const std::array<FallingFriction::Part, 2> parts{{{0.12, 2e-3}, {0.06, 8e-3}}};
+  const std::vector<std::pair<FallShape, double>> left{{FallShape::linear, 1.0 - 1.0 / 8.0},
+                                                       {FallShape::rational, 16.0 / 17.0},
+                                                       {FallShape::exponential, std::exp2(-0.25)}};
+  for (const auto& [shape, second] : left) {
+    const FallingFriction law(shape, 0.14, parts);
+    EXPECT_NEAR(law.coefficient(), 0.32, 1e-15);
+    EXPECT_NEAR(law.at(2e-3).value, 0.14 + 0.06 + 0.06 * second, 1e-15);
+    EXPECT_NEAR(law.at(1e6).value, 0.14, 1e-8);
+  }
+}
+
+TEST(FrictionLaws, OfACaseTakeSpeedAndPolachsSpelling) {
+  Case input;
+  input.friction_coefficient = 0.33;
+  EXPECT_FALSE(friction_of(input)->feels_slip());
+  input.rolling.speed = 10e3;
+  input.friction_fall.shape = FallShape::exponential;
+  input.friction_fall.polach_a = 0.4;
+  input.friction_fall.polach_b = 0.6;
+  // mu ((1 - A) exp(-B s) + A) at 2 % of 10 m/s (Polach, Wear 258 (2005)).
+  EXPECT_NEAR(friction_of(input)->at(0.02).value, 0.33 * (0.6 * std::exp(-0.6 * 0.2) + 0.4), 1e-14);
+  input.friction_fall.memory_distance = 3e-3;
+  input.friction_fall.memory_velocity = 5.0;
+  EXPECT_EQ(friction_of(input)->memory()->distance, 3e-3);
+  EXPECT_EQ(friction_of(input)->memory()->least_slip, 5e-4);
+  input.friction_fall = {};
+  input.friction_fall.shape = FallShape::linear;
+  input.friction_fall.kinetic_coefficient = 0.2;
+  input.friction_fall.half_velocity = 100.0;
+  EXPECT_NEAR(friction_of(input)->at(0.01).value, 0.2 + 0.13 * 0.5, 1e-15);
+  input.rolling.problem = Problem::shift;  // mm of one second
+  EXPECT_NEAR(friction_of(input)->at(100.0).value, 0.2 + 0.13 * 0.5, 1e-15);
+}
+
+TEST(FrictionLaws, CoulombsBoundIsThePressureTimesMu) {
   const Field pressure = Field::LinSpaced(5, 0.0, 1000.0);
-  const TangentialField slip{Field::Ones(5), Field::Ones(5)};
-  EXPECT_EQ((traction_bound(coulomb(0.3), pressure, slip) - 0.3 * pressure).norm(), 0.0);
+  EXPECT_EQ((traction_bound(coulomb(0.3), pressure) - 0.3 * pressure).norm(), 0.0);
   EXPECT_EQ(traction_bound(nullptr, pressure).norm(), 0.0);
+  EXPECT_EQ(coulomb(0.3)->at(1e3).value, 0.3);
   EXPECT_EQ(coulomb(0.0), nullptr);
   EXPECT_EQ(coefficient_of(nullptr), 0.0);
   EXPECT_EQ(coefficient_of(coulomb(0.3)), 0.3);
 }
 
-TEST(SecondFrictionLaw, OfSpringsIsTheRootOfAQuadratic) {
+TEST(FallingFriction, OfSpringsIsTheRootOfAQuadratic) {
   // |w| + c g(|w|) = s where it slips: w^2 + (w0 - s) w + (c mu p - s) w0 = 0, once s > c mu p.
   const ContactGrid grid = ContactGrid::centred(3, 1, 1.0, 1.0);
   const double c = 1e-5;
@@ -87,7 +107,7 @@ TEST(SecondFrictionLaw, OfSpringsIsTheRootOfAQuadratic) {
   const double s = 2e-3;
   const double factor = 0.5;  // slip of the law over that of the problem
   TangentialProblem problem;
-  problem.friction = std::make_shared<FallingFriction>(0.3, factor * w0);
+  problem.friction = std::make_shared<FallingFriction>(hyperbola(0.3, factor * w0));
   problem.slip_factor = factor;
   problem.pressure = Field::Zero(3);
   problem.pressure << 100.0, 500.0, 1000.0;
@@ -107,7 +127,29 @@ TEST(SecondFrictionLaw, OfSpringsIsTheRootOfAQuadratic) {
   }
 }
 
-TEST(SecondFrictionLaw, OfARollingBallHoldsTheLawAtEveryElement) {
+TEST(FallingFriction, OfSeveralStatesTheOneWithTheMostFrictionIsGiven) {
+  // w^2 + (w0 - s) w + (c mu p - s) w0 = 0 has two roots besides adhesion for s from
+  // 2 sqrt(c mu p w0) - w0 = 2.46e-3 to c mu p = 3e-3, and one root beyond.
+  const ContactGrid grid = ContactGrid::centred(2, 1, 1.0, 1.0);
+  const double c = 1e-5;
+  TangentialProblem problem;
+  problem.friction = std::make_shared<FallingFriction>(hyperbola(0.3, 1e-3));
+  problem.pressure = Field::Constant(2, 1000.0);
+  problem.rigid_slip = {Field::Zero(2), Field::Zero(2)};
+  problem.rigid_slip.x << 2.8e-3, 3.2e-3;
+  // From where both slide.
+  const TangentialField sliding{Field::Constant(2, -112.0), Field::Zero(2)};
+  const TangentialSolution solution = solve_tangential(Springs(grid, c), problem, {}, sliding);
+  EXPECT_GT(solution.steepness, 1.0);
+  EXPECT_EQ(solution.state[0], ElementState::adhesion);
+  EXPECT_NEAR(solution.traction.x[0], -280.0, 1e-3);
+  const double w = 1.1e-3 + std::sqrt(1.1e-3 * 1.1e-3 + 0.2e-6);
+  EXPECT_EQ(solution.state[1], ElementState::slip);
+  EXPECT_NEAR(solution.slip.x[1], w, 1e-7);
+  EXPECT_NEAR(solution.traction.x[1], -(3.2e-3 - w) / c, 1e-2);
+}
+
+TEST(FallingFriction, OfARollingBallHoldsTheLawAtEveryElement) {
   const rollfem::testing::Benchmark9 ball;
   const ContactGrid grid = ball.grid(24);
   const halfspace::HalfspaceCompliance compliance(grid, ball.material());
@@ -115,7 +157,7 @@ TEST(SecondFrictionLaw, OfARollingBallHoldsTheLawAtEveryElement) {
   const TangentialOperator& rolling = compliance.rolling(UpwindOrder::second);
   const double coulomb_force =
       rollfem::testing::forces(grid, solve_tangential(rolling, problem).traction).x;
-  const FallingFriction law(ball.friction, 1.5e-2);
+  const FallingFriction law = hyperbola(ball.friction, 1.5e-2);
   problem.friction = std::make_shared<FallingFriction>(law);
   const TangentialSolution s = solve_tangential(rolling, problem);
   EXPECT_LE(s.newton_steps, 8);
@@ -123,7 +165,8 @@ TEST(SecondFrictionLaw, OfARollingBallHoldsTheLawAtEveryElement) {
   for (int k = 0; k < grid.size(); ++k) {
     const double p = std::hypot(s.traction.x[k], s.traction.y[k]);
     const double w = std::hypot(s.slip.x[k], s.slip.y[k]);
-    const double g = law.bound(problem.pressure[k], w).value;
+    const double g = law.at(w).value * problem.pressure[k];
+    EXPECT_NEAR(s.bound[k], g, 1e-12 + 1e-9 * g);
     EXPECT_LE(p, g * (1.0 + 1e-5) + 1e-12);
     if (s.state[static_cast<std::size_t>(k)] != ElementState::slip) continue;
     ++slipping;
@@ -135,7 +178,7 @@ TEST(SecondFrictionLaw, OfARollingBallHoldsTheLawAtEveryElement) {
   const double force = rollfem::testing::forces(grid, s.traction).x;
   EXPECT_LT(std::abs(force), 0.99 * std::abs(coulomb_force));  // less friction where it slips
   // A scale of slip beyond all slips is Coulomb's law.
-  problem.friction = std::make_shared<FallingFriction>(ball.friction, 1e6);
+  problem.friction = std::make_shared<FallingFriction>(hyperbola(ball.friction, 1e6));
   EXPECT_NEAR(rollfem::testing::forces(grid, solve_tangential(rolling, problem).traction).x,
               coulomb_force, 1e-5 * std::abs(coulomb_force));
 }

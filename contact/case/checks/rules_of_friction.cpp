@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the keys of falling friction and of a layer need and exclude.
+#include "contact/case/checks/case_rules.hpp"
+
+namespace rollfem::contact {
+
+namespace {
+
+bool has_friction_key(const GivenCase& given, const char* name) {
+  return given.find("friction", name) != nullptr;
+}
+std::string law_of(const GivenCase& given) {
+  return word_of(given, "friction", "law", "constant");
+}
+bool constant_friction(const GivenCase& given) {
+  return law_of(given) == "constant";
+}
+bool falling_friction(const GivenCase& given) {
+  return !constant_friction(given);
+}
+bool falls_otherwise(const GivenCase& given) {
+  return falling_friction(given) && law_of(given) != "exponential";
+}
+bool falls_in_rolling(const GivenCase& given) {
+  const std::string problem = word_of(given, "rolling", "problem", "steady");
+  return falling_friction(given) && problem != "shift" && problem != "frictionless";
+}
+bool falls_in_two_parts(const GivenCase& given) {
+  return falling_friction(given) && has_friction_key(given, "second_part");
+}
+bool falls_in_one_part(const GivenCase& given) {
+  return !has_friction_key(given, "second_part");
+}
+bool no_memory(const GivenCase& given) {
+  return !has_friction_key(given, "memory_distance");
+}
+bool has_layer(const GivenCase& given) {
+  return given.find("layer", "thickness") != nullptr ||
+         given.find("layer", "shear_modulus") != nullptr;
+}
+
+}  // namespace
+
+const std::vector<Exclusion>& exclusions_of_friction() {
+  static const std::vector<Exclusion> all{
+      {constant_friction,
+       {"friction.kinetic_coefficient", "friction.half_velocity", "friction.second_*",
+        "friction.polach_*", "friction.memory_*"},
+       "is of friction that falls with the slip velocity, but friction.law is constant",
+       "with the laws linear, rational, exponential",
+       "write `law = \"exponential\"` under [friction], or remove it"},
+      {falls_otherwise,
+       {"friction.polach_*"},
+       "is of the exponential law, but friction.law is {law}",
+       "with law = \"exponential\"",
+       "give kinetic_coefficient and half_velocity instead, or choose the exponential law"},
+      {falls_in_one_part,
+       {"friction.second_half_velocity"},
+       "is not used, because second_part is not given",
+       "together with second_part",
+       "add second_part under [friction], or remove it"},
+      {no_memory,
+       {"friction.memory_velocity"},
+       "is not used, because memory_distance is not given",
+       "together with memory_distance",
+       "add memory_distance under [friction], or remove it"}};
+  return all;
+}
+
+const std::vector<Need>& needs_of_friction() {
+  static const std::vector<Need> all{
+      {falling_friction,
+       {"friction.kinetic_coefficient", "friction.polach_a"},
+       "is missing",
+       "the coefficient to which friction falls with the slip velocity",
+       "add `kinetic_coefficient = 0.1` under [friction], or write `law = \"constant\"`"},
+      {falling_friction,
+       {"friction.half_velocity", "friction.polach_b"},
+       "is missing",
+       "the slip velocity in mm/s at which half of the fall is done",
+       "add `half_velocity = 1000.0` under [friction], or write `law = \"constant\"`"},
+      {falls_in_two_parts,
+       {"friction.second_half_velocity"},
+       "is missing",
+       "the slip velocity in mm/s at which half of second_part is left",
+       "add `second_half_velocity = 1e4` under [friction], or remove second_part"},
+      {falls_in_rolling,
+       {"rolling.speed"},
+       "is missing, and the friction depends on the slip velocity (friction.law)",
+       "the rolling speed in mm/s",
+       "add `speed = 10e3` under [rolling], or write `law = \"constant\"` under [friction]"},
+      {has_layer,
+       {"layer.thickness"},
+       "is missing",
+       "thickness and shear_modulus of the layer",
+       "add `thickness = 0.02` under [layer]"},
+      {has_layer,
+       {"layer.shear_modulus"},
+       "is missing",
+       "thickness and shear_modulus of the layer",
+       "add `shear_modulus = 800.0` under [layer]"}};
+  return all;
+}
+
+}  // namespace rollfem::contact
