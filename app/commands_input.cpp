@@ -112,6 +112,8 @@ void add_convert_command(CLI::App& program, Call& call) {
   convert->add_option("file", call.convert.file, "input file (.inp)")->required();
   convert->add_option("-o,--output", call.convert.directory,
                       "folder for the case files (default: <name of the file>_cases)");
+  convert->add_option("--cases", call.convert.cases,
+                      "convert only these cases: numbers and ranges, e.g. 1-5,8 (default: all)");
   convert->add_flag("--partial", call.convert.partial,
                     "skip cases whose physics has no equivalent (default: an error)");
   convert->footer(
