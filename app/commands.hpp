@@ -2,6 +2,7 @@
 // The commands of the program: options, help, and the checks of a call before its execution.
 #pragma once
 
+#include "app/input/check.hpp"
 #include "app/input/convert.hpp"
 #include "app/input/mesh.hpp"
 #include "app/input/profile.hpp"
@@ -32,8 +33,7 @@ struct Call {
   ProfileRequest profile = {};
   ConvertRequest convert = {};
   WheelsetRequest wheelset = {};
-  std::string check_file = {};
-  std::vector<std::string> check_changes = {};
+  CheckRequest check = {};
   std::string new_case_file = {};
   std::string drawn_directory = {};
   std::string page = {};
@@ -42,6 +42,12 @@ struct Call {
 
 /// Adds the repeatable option `--set KEY=VALUE`.
 void add_set_option(CLI::App& command, std::vector<std::string>& changes);
+
+/// Adds `--json`, which prints one JSON object and nothing else on standard output.
+void add_json_flag(CLI::App& command, bool& json);
+
+/// Adds `--quiet` to every command without it, except those that print nothing but a file.
+void add_quiet_flags(CLI::App& program);
 
 /// Each function adds its commands; `call` must outlive parsing.
 void add_computing_commands(CLI::App& program, Call& call);  ///< run, compare, study, table, bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/commands.hpp"
 #include "app/frame/parts.hpp"
+#include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
@@ -205,6 +206,14 @@ void add_bench(CLI::App& program, Call& call) {
   bench->add_flag(
       "--quick", call.bench.quick,
       "one case on coarse grids, about a second; does not store the speed of the machine");
+  add_json_flag(*bench, call.bench.json);
+  bench->add_flag_callback(
+      "-q,--quiet",
+      [&call] {
+        call.bench.quiet = true;
+        silence();
+      },
+      "print errors and warnings only");
   bench->footer("example: rollfem bench");
   bench->callback([&call] { app::bench(call.bench, call.models); });
 }
@@ -243,6 +252,26 @@ void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
       ->expected(1)
       ->allow_extra_args(false)
       ->take_all();
+}
+
+void add_json_flag(CLI::App& command, bool& json) {
+  const bool has_folder = command.get_option_no_throw("--output") != nullptr;
+  const std::string files = has_folder ? "; files are written only if -o names a folder" : "";
+  command.add_flag_callback(
+      "--json",
+      [&json] {
+        json = true;
+        silence();
+      },
+      "print one JSON object and nothing else" + files);
+}
+
+void add_quiet_flags(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    const std::string& name = command->get_name();
+    if (command->get_option_no_throw("--quiet") == nullptr && name != "docs" && name != "new-case")
+      command->add_flag_callback("-q,--quiet", silence, "print errors and warnings only");
+  }
 }
 
 void add_computing_commands(CLI::App& program, Call& call) {

@@ -6,15 +6,11 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
-#include "contact/scene/scene.hpp"
 #include "models/program/provenance.hpp"
 #include "models/program/version.hpp"
 #include "models/registry.hpp"
-#include "models/solving/case_scenes.hpp"
-#include "models/solving/expected_choice.hpp"
 #include "postprocess/write/case_schema.hpp"
 #include "postprocess/write/output.hpp"
-#include "theories/registry.hpp"
 
 #include <fmt/format.h>
 
@@ -40,45 +36,6 @@ void new_case(const std::string& file, const contact::ModelRegistry& models) {
   if (!stream)
     throw contact::InputError(
         fmt::format("new-case: {} cannot be written; do: name another file", file));
-}
-
-/// Which models can take the case as it stands. With profiles this depends on the scenes, which are
-/// known only after the balance of the wheelset.
-std::string taken_by(const contact::Case& input, const contact::ModelRegistry& models) {
-  const contact::Scene scene(input);
-  std::string text = "which models take it\n";
-  for (const contact::ModelInfo& model : models.all()) {
-    if (model.chooses) continue;
-    const auto reason = model.cannot(scene);
-    text += fmt::format("  {:<22} {}\n", model.name, reason ? "no: " + *reason : model.sentence);
-  }
-  return text;
-}
-
-/// Warns of reasons to refuse or doubt a result, as far as the closed form shows them.
-void warn_of_hertz(const contact::Case& input) {
-  try {
-    for (const std::string& note : theories::models().run("hertz", input, {}).notes)
-      if (note.rfind("warning: ", 0) == 0) std::cerr << note << '\n';
-  } catch (const contact::SolveError& error) {
-    std::cerr << fmt::format("warning: {}: {}\n", input.file, error.what());
-  } catch (const contact::InputError&) {
-    // No ellipse: the models report problems when they run.
-  }
-}
-
-void check_case(const std::string& file, const std::vector<std::string>& changes,
-                const contact::ModelRegistry& models) {
-  const contact::ModelWords words = modelling::model_words(models);
-  const contact::Case input = contact::read_case(file, words, changes);
-  std::cout << contact::describe(input, words) << contact::derived_values(input);
-  warn_of_doubts(input);
-  if (!input.has_profiles()) std::cout << taken_by(input, models);
-  if (!input.has_profiles()) warn_of_hertz(input);
-  if (input.has_profiles())
-    std::cout << "\nwhere wheel and rail touch\n"
-              << modelling::contacts_text(input, track::search_scene_of(input));
-  std::cout << modelling::expected_choice(input, models);
 }
 
 void draw_report(const std::string& directory) {
@@ -112,6 +69,8 @@ void add_convert_command(CLI::App& program, Call& call) {
   convert->add_option("file", call.convert.file, "input file (.inp)")->required();
   convert->add_option("-o,--output", call.convert.directory,
                       "folder for the case files (default: <name of the file>_cases)");
+  convert->add_option("--cases", call.convert.cases,
+                      "convert only these cases: numbers and ranges, e.g. 1-5,8 (default: all)");
   convert->add_flag("--partial", call.convert.partial,
                     "skip cases whose physics has no equivalent (default: an error)");
   convert->footer(
@@ -144,6 +103,7 @@ void add_geometry_commands(CLI::App& program, Call& call) {
   profile->add_option(
       "-o,--output", call.profile.directory,
       "folder for the table (.csv) and the figure (.svg) (default: results/<name>_profile)");
+  add_json_flag(*profile, call.profile.json);
   profile->footer("example: rollfem profile S1002 -o /tmp/profile");
   profile->callback([&call] { app::profile(call.profile); });
 
@@ -156,6 +116,7 @@ void add_geometry_commands(CLI::App& program, Call& call) {
   wheelset->add_option("-o,--output", call.wheelset.directory,
                        "folder for the table (.csv) and the figure (.svg) (default: results/<name "
                        "of the case file>_wheelset)");
+  add_json_flag(*wheelset, call.wheelset.json);
   add_set_option(*wheelset, call.wheelset.changes);
   wheelset->footer("example: rollfem wheelset cases/manchester_A22.toml");
   wheelset->callback([&call] { app::wheelset(call.wheelset, call.models); });
@@ -168,10 +129,11 @@ void add_input_commands(CLI::App& program, Call& call) {
 
   CLI::App* check =
       program.add_subcommand("check", "check a case file and print how rollfem interprets it");
-  check->add_option("case", call.check_file, "case file (.toml)")->required();
-  add_set_option(*check, call.check_changes);
+  check->add_option("case", call.check.case_file, "case file (.toml)")->required();
+  add_json_flag(*check, call.check.json);
+  add_set_option(*check, call.check.changes);
   check->footer("example: rollfem check cases/s1002_uic60_left.toml");
-  check->callback([&call] { check_case(call.check_file, call.check_changes, call.models); });
+  check->callback([&call] { check_case(call.check, call.models); });
 
   CLI::App* fresh = program.add_subcommand("new-case", "print a commented case file");
   fresh->add_option("-o,--output", call.new_case_file, "write it to this new file instead");

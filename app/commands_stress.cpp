@@ -45,6 +45,7 @@ void add_stress_command(CLI::App& program, Call& call) {
   stress->add_option("-o,--output", request.directory,
                      "folder for stress.csv, stress.json and figures; default: the name of the "
                      "result folder with _stress");
+  add_json_flag(*stress, request.json);
   stress->add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
   stress->add_flag_callback(
       "--no-figures", [&request] { request.figures = false; }, "write the tables only");

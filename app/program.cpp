@@ -3,10 +3,10 @@
 
 #include "app/commands.hpp"
 #include "app/frame/interruption.hpp"
+#include "app/version_text.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "models/program/provenance.hpp"
-#include "models/program/version.hpp"
 
 #include <fmt/format.h>
 
@@ -119,12 +119,12 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   call.mesh.argv = argv;
   CLI::App program("rollfem: rolling contact of wheel and rail by half-spaces and finite elements",
                    "rollfem");
-  program.set_version_flag(
-      "--version", fmt::format("rollfem {} ({})", modelling::version(), modelling::commit()));
+  program.set_version_flag("--version", version_text, "version, features and libraries");
   program.require_subcommand(1);
   add_computing_commands(program, call);
   add_stress_command(program, call);
   add_input_commands(program, call);
+  add_quiet_flags(program);
   std::vector<std::string> words = arguments(argc, argv);
   check_command(program, words);
   std::reverse(words.begin(), words.end());  // the order CLI11 expects

@@ -119,7 +119,7 @@ def run_one(program, case, model, folder, cases):
 
 def record(arguments):
     numbers, failed = {}, {}
-    version = subprocess.run([arguments.program, "--version"], text=True, capture_output=True, check=True).stdout
+    version = subprocess.run([arguments.program, "--version"], text=True, capture_output=True, check=True).stdout.splitlines()[0]
     for case in pin_cases.ALL:
         for model in case.models:
             if not fnmatch.fnmatch(f"{case.name}/{model}", arguments.only):

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "convert/conversion.hpp"
 
+#include "contact/base/errors.hpp"
+
 #include <fmt/format.h>
 
 #include "convert/equivalent.hpp"
 #include <algorithm>
 #include <array>
+#include <regex>
+#include <sstream>
+#include <utility>
 
 namespace rollfem::convert {
 
@@ -155,17 +160,48 @@ std::string numbers_text(const std::vector<int>& numbers) {
   return text;
 }
 
+std::vector<int> numbers_of(const std::string& text, int count, const std::string& file) {
+  const auto refuse = [&](const std::string& word, const std::string& what) {
+    throw contact::InputError(fmt::format(
+        "--cases {}: {}: {}; allowed: numbers and ranges from 1 to {}, the cases in {}; do: e.g. "
+        "--cases 1-{}",
+        text, word, what, count, file, count));
+  };
+  std::vector<int> numbers;
+  std::istringstream words(text + ",");
+  for (std::string word; std::getline(words, word, ',');) {
+    static const std::regex range("([0-9]{1,9})(-([0-9]{1,9}))?");
+    std::smatch ends;
+    if (!std::regex_match(word, ends, range)) refuse(word, "not a number or a range");
+    const int first = std::stoi(ends[1]), last = ends[3].matched ? std::stoi(ends[3]) : first;
+    if (first > last) refuse(word, "the range runs backwards");
+    for (const int end : {first, last})
+      if (end < 1 || end > count) refuse(word, fmt::format("there is no case {}", end));
+    for (int number = first; number <= last; ++number) numbers.push_back(number);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 Conversion convert_cases(const std::vector<ContactCase>& cases, const std::string& stem,
-                         const std::string& source, const std::string& profile_folder) {
+                         const std::string& source, const std::string& profile_folder,
+                         const std::vector<int>& chosen) {
   Conversion conversion;
   std::vector<Group> groups;
   bool open = false;    // whether the last case is in the last group
   bool coarse = false;  // the only problem of the cases since rest is too few elements
+  bool chosen_before = true;
   for (const ContactCase& given : cases) {
+    const bool is_chosen =
+        chosen.empty() || std::binary_search(chosen.begin(), chosen.end(), given.number);
+    const bool follows_chosen = std::exchange(chosen_before, is_chosen);
     Equivalent made = equivalent_of(given, profile_folder);
-    const bool joined = made.impossible.empty() && open && admits(groups.back(), made);
     const bool begins_late = made.continues && coarse;
     coarse = made.too_coarse && (begins_late || !made.continues);
+    open = open && follows_chosen;
+    if (!is_chosen) continue;
+    const bool joined = made.impossible.empty() && open && admits(groups.back(), made);
     if (made.impossible.empty() && begins_late)
       made.notes.push_back(
           "the history begins here: earlier cases have fewer than 4 elements across the patch");
@@ -173,10 +209,14 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
       made.impossible.push_back(
           open ? "digit P = 0: the case continues another one but differs from it in "
                  "more than load, creepages and forces"
-               : "digit P = 0: the case continues one that has no equivalent");
+          : follows_chosen
+              ? "digit P = 0: the case continues one that has no equivalent"
+              : fmt::format("digit P = 0: the case continues case {}, which --cases leaves out",
+                            given.number - 1));
     open = made.impossible.empty();
     if (!open) {
-      conversion.refused.push_back({given.number, given.line, made.impossible});
+      const bool only_coarse = made.too_coarse && made.impossible.size() == 1;
+      conversion.refused.push_back({given.number, given.line, only_coarse, made.impossible});
       continue;
     }
     if (!joined) groups.push_back({made, {}, {}, {}});
@@ -185,7 +225,7 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
   const std::size_t digits =
       std::to_string(cases.size()).size();  // leading zeros, so that files sort
   for (const Group& group : groups) {
-    const std::string name = groups.size() == 1 && conversion.refused.empty()
+    const std::string name = groups.size() == 1 && group.cases.size() == cases.size()
                                  ? stem
                                  : fmt::format("{}_{:0{}}", stem, group.cases.front(), digits);
     CaseFile file{name + ".toml", group.cases, case_text(group, name, source), {}, group.notes};

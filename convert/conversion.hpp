@@ -23,6 +23,7 @@ struct CaseFile {
 struct Refusal {
   int number = 0;
   std::size_t line = 0;
+  bool too_coarse = false;  ///< only because its grid has too few elements
   std::vector<std::string> reasons;
 };
 
@@ -32,9 +33,15 @@ struct Conversion {
 };
 
 /// `stem`: start of the file names; `source`: name of the input file in their comments;
-/// `profile_folder`: see equivalent_of.
+/// `profile_folder`: see equivalent_of; `chosen`: numbers of the cases to convert, ascending;
+/// empty: all.
 Conversion convert_cases(const std::vector<ContactCase>& cases, const std::string& stem,
-                         const std::string& source, const std::string& profile_folder);
+                         const std::string& source, const std::string& profile_folder,
+                         const std::vector<int>& chosen = {});
+
+/// The numbers in "1-5,8", ascending. Throws contact::InputError for anything else, and for a
+/// number beyond 1 to `count`; `file` is named in the message.
+std::vector<int> numbers_of(const std::string& text, int count, const std::string& file);
 
 /// "1, 3 to 30": for comments and messages.
 std::string numbers_text(const std::vector<int>& numbers);

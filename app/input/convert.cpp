@@ -83,10 +83,14 @@ std::string case_words(const std::vector<int>& numbers) {
 /// Refused cases, grouped by identical reasons.
 using Refused = std::vector<std::pair<std::vector<std::string>, std::vector<int>>>;
 
-void add(Refused& refused, const std::vector<std::string>& reasons, int number) {
+void add(Refused& refused, const std::vector<std::string>& reasons, const std::vector<int>& more) {
+  if (more.empty()) return;
   for (auto& [known, numbers] : refused)
-    if (known == reasons) return numbers.push_back(number);
-  refused.push_back({reasons, {number}});
+    if (known == reasons) {
+      numbers.insert(numbers.end(), more.begin(), more.end());
+      return;
+    }
+  refused.push_back({reasons, more});
 }
 
 /// Why `run` cannot read the case; otherwise empty.
@@ -127,23 +131,25 @@ void warn_of_missing_profiles(const std::vector<convert::ContactCase>& cases,
           name, file.string());
 }
 
-}  // namespace
-
-void convert(const ConvertRequest& request, const contact::ModelRegistry& models) {
+convert::Conversion conversion_of(const ConvertRequest& request,
+                                  const std::vector<convert::ContactCase>& cases,
+                                  const fs::path& directory) {
   const fs::path file(request.file);
-  const std::string text = contact::text_of_file(request.file, request.file, largest_input);
-  const auto cases = convert::read_contact_file(text, request.file);
-  const fs::path directory =
-      request.directory.empty() ? file.stem().string() + "_cases" : request.directory;
+  std::vector<int> chosen;
+  if (!request.cases.empty())
+    chosen = convert::numbers_of(request.cases, static_cast<int>(cases.size()), request.file);
   std::string source = file.filename().string();
   std::replace_if(
       source.begin(), source.end(), [](unsigned char c) { return c < ' '; }, '?');
-  convert::Conversion conversion =
-      convert::convert_cases(cases, file.stem().string(), source, profile_folder(file, directory));
-  Refused refused;
-  for (const convert::Refusal& refusal : conversion.refused)
-    add(refused, refusal.reasons, refusal.number);
-  Written written(directory);
+  return convert::convert_cases(cases, file.stem().string(), source,
+                                profile_folder(file, directory), chosen);
+}
+
+/// Writes the case files and returns those that `run` can read; the others are refused.
+std::vector<convert::CaseFile> written_cases(const convert::Conversion& conversion,
+                                             const fs::path& directory,
+                                             const contact::ModelRegistry& models, Written& written,
+                                             Refused& refused) {
   std::vector<convert::CaseFile> kept;
   for (const convert::CaseFile& made : conversion.files) {
     for (const auto& [name, content] : made.attached_files) written.write(name, content);
@@ -153,19 +159,16 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
       kept.push_back(made);
       continue;
     }
-    for (const int number : made.cases) add(refused, {wrong}, number);
+    add(refused, {wrong}, made.cases);
     for (const auto& [name, content] : made.attached_files) written.remove(directory / name);
     written.remove(directory / made.name);
   }
-  for (const auto& [reasons, numbers] : refused)
-    for (const std::string& reason : reasons)
-      std::cerr << fmt::format("{}: no equivalent: {}\n", case_words(numbers), reason);
-  if (!refused.empty() && (kept.empty() || !request.partial))
-    refuse(request.file, refused, kept.empty());
-  written.keep();
-  warn_of_missing_profiles(cases, file);
+  return kept;
+}
+
+void tell(const std::vector<convert::CaseFile>& files, const fs::path& directory) {
   std::vector<std::string> said;
-  for (const convert::CaseFile& made : kept) {
+  for (const convert::CaseFile& made : files) {
     std::cout << fmt::format("{}: {}\n", (directory / made.name).string(), case_words(made.cases));
     for (const std::string& note : made.notes) {
       if (std::find(said.begin(), said.end(), note) != said.end()) continue;
@@ -173,6 +176,43 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
       std::cout << "  note: " << note << '\n';
     }
   }
+}
+
+}  // namespace
+
+void convert(const ConvertRequest& request, const contact::ModelRegistry& models) {
+  const fs::path file(request.file);
+  const std::string text = contact::text_of_file(request.file, request.file, largest_input);
+  const auto cases = convert::read_contact_file(text, request.file);
+  const fs::path directory =
+      request.directory.empty() ? file.stem().string() + "_cases" : request.directory;
+  const convert::Conversion conversion = conversion_of(request, cases, directory);
+  Refused refused;
+  std::vector<int> left_out;
+  for (const convert::Refusal& refusal : conversion.refused)
+    if (refusal.too_coarse) {
+      std::cerr << fmt::format("case {}: left out: {}\n", refusal.number, refusal.reasons.front());
+      left_out.push_back(refusal.number);
+    } else {
+      add(refused, refusal.reasons, {refusal.number});
+    }
+  Written written(directory);
+  const std::vector<convert::CaseFile> kept =
+      written_cases(conversion, directory, models, written, refused);
+  for (const auto& [reasons, numbers] : refused)
+    for (const std::string& reason : reasons)
+      std::cerr << fmt::format("{}: no equivalent: {}\n", case_words(numbers), reason);
+  if (kept.empty()) add(refused, {}, left_out);
+  if (!refused.empty() && (kept.empty() || !request.partial))
+    refuse(request.file, refused, kept.empty());
+  written.keep();
+  warn_of_missing_profiles(cases, file);
+  tell(kept, directory);
+  if (!left_out.empty() && !request.partial)
+    throw contact::SolveError(
+        fmt::format("convert: {}: the others were written without {}; do: give the grid of CONTACT "
+                    "smaller elements, or accept this with --partial or --cases",
+                    request.file, case_words(left_out)));
 }
 
 }  // namespace rollfem::app

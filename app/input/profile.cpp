@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/input/profile.hpp"
 
+#include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
@@ -14,7 +15,9 @@
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -46,6 +49,14 @@ std::string place_of(const ProfilePoint& place) {
   return fmt::format("y = {:.4f}, z = {:.4f}", place.y, place.z);
 }
 
+/// The places of the smallest radii, convex and hollow as seen from the body: the rail's material
+/// is towards +z, the wheel's towards -z.
+std::array<ProfilePoint, 2> sharpest(const NamedProfile& profile,
+                                     const profiles::ProfileFeatures& features) {
+  if (profile.wheel) return {features.sharpest_down, features.sharpest_up};
+  return {features.sharpest_up, features.sharpest_down};
+}
+
 std::string described(const NamedProfile& profile) {
   const profiles::ProfileFeatures features =
       profiles::profile_features(profile.curve, profile.wheel);
@@ -68,9 +79,7 @@ std::string described(const NamedProfile& profile) {
     if (features.gauge_face)
       line("gauge face 14 mm below the top, mm", fmt::format("y = {:.4f}", *features.gauge_face));
   }
-  // Convex as seen from the body: the rail's material is towards +z, the wheel's towards -z.
-  const ProfilePoint& convex = profile.wheel ? features.sharpest_down : features.sharpest_up;
-  const ProfilePoint& hollow = profile.wheel ? features.sharpest_up : features.sharpest_down;
+  const auto [convex, hollow] = sharpest(profile, features);
   for (const auto& [what, place] :
        {std::pair{"smallest radius, convex, mm", convex}, {"smallest radius, hollow, mm", hollow}})
     if (std::abs(place.curvature) > 1e-6)
@@ -179,6 +188,36 @@ fs::path folder_for(const ProfileRequest& request) {
 
 namespace {
 
+nlohmann::ordered_json json_of(const NamedProfile& profile) {
+  const profiles::ProfileFeatures features =
+      profiles::profile_features(profile.curve, profile.wheel);
+  nlohmann::ordered_json json{{"title", profile.title},
+                              {"body", profile.wheel ? "wheel" : "rail"},
+                              {"source", profile.report.kind},
+                              {"length", features.length}};
+  if (features.gauge_face) json["gauge_face"] = *features.gauge_face;
+  const auto [convex, hollow] = sharpest(profile, features);
+  for (const auto& [name, place] :
+       {std::pair{"smallest_radius_convex", convex}, {"smallest_radius_hollow", hollow}})
+    if (std::abs(place.curvature) > 1e-6)
+      json[name] = {{"radius", 1.0 / std::abs(place.curvature)}, {"y", place.y}, {"z", place.z}};
+  json["joints"] = nlohmann::ordered_json::array();
+  for (const profiles::ProfileJoint& joint : features.joints)
+    json["joints"].push_back({{"y", joint.place.y},
+                              {"z", joint.place.z},
+                              {"curvature_before", joint.curvature_before},
+                              {"curvature_after", joint.place.curvature}});
+  json.update(columns_of(table(profile)));
+  return json;
+}
+
+void print(const std::vector<NamedProfile>& profiles) {
+  nlohmann::ordered_json json = result_head("profile");
+  json["profiles"] = nlohmann::ordered_json::array();
+  for (const NamedProfile& profile : profiles) json["profiles"].push_back(json_of(profile));
+  print_result(json.dump(1));
+}
+
 void draw_and_tell(const fs::path& file) {
   const std::string problem =
       postprocess::make_report(file.string(), modelling::script_directory().string());
@@ -204,6 +243,8 @@ void tell_pair(const contact::Case& input, const fs::path& folder) {
 
 void profile(const ProfileRequest& request) {
   const std::vector<NamedProfile> profiles = asked_for(request);
+  if (request.json) print(profiles);
+  if (request.json && request.directory.empty()) return;
   const fs::path folder = folder_for(request);
   for (const NamedProfile& profile : profiles) {
     const fs::path file = folder / (profile.file + ".csv");

@@ -12,6 +12,7 @@ struct ProfileRequest {
   bool wheel = false;     ///< the file is the profile of a wheel
   bool rail = false;      ///< the file is the profile of a rail
   std::string directory;  ///< empty: results/<name without extension>_profile
+  bool json = false;      ///< print JSON; files are then written only into `directory`
 };
 
 /// Writes profile.csv and profile.svg (of a case wheel.csv, wheel.svg, rail.csv, rail.svg) and

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/input/wheelset.hpp"
 
+#include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "models/program/provenance.hpp"
@@ -12,6 +13,7 @@
 #include "track/motion/rigid_touch.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -107,19 +109,20 @@ void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord
   record.rigid_row = rigid_row(rows);
 }
 
-void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models) {
-  const contact::Case input =
-      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
-  check(request, input);
-  const std::vector<WheelsetRow> rows =
-      track::wheelset_rows(input, track::search_scene_of(input), request.reach, shift_step);
-  const fs::path folder =
-      request.directory.empty()
-          ? fs::path("results") / (fs::path(request.case_file).stem().string() + "_wheelset")
-          : fs::path(request.directory);
-  postprocess::FilesTogether files(folder);
-  files.write("wheelset.csv", postprocess::rigid_wheelset_csv(rigid_row(rows)));
-  files.commit();
+namespace {
+
+void print(const contact::Case& input, const std::vector<WheelsetRow>& rows) {
+  nlohmann::ordered_json json = result_head("wheelset");
+  json["case_file"] = input.file;
+  json["title"] = input.title;
+  json["contact_distance"] = track::contact_distance(input.track);
+  json["rolling_radius"] = input.wheel.rolling_radius;
+  json.update(columns_of(postprocess::rigid_wheelset_csv(rigid_row(rows))));
+  print_result(json.dump(1));
+}
+
+void tell(const WheelsetRequest& request, const contact::Case& input,
+          const std::vector<WheelsetRow>& rows) {
   const double last = rows.back().touch.lateral_shift;
   std::cout << fmt::format(
       "{}\nrigid wheelset, contacts {:g} mm apart, rolling radius {:g} mm; the other side is the "
@@ -129,6 +132,26 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
   if (last + 0.5 * shift_step < request.reach)
     std::cout << fmt::format("beyond {:.1f} mm a wheel leaves its rail or its profile ends\n",
                              last);
+}
+
+}  // namespace
+
+void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models) {
+  const contact::Case input =
+      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+  check(request, input);
+  const std::vector<WheelsetRow> rows =
+      track::wheelset_rows(input, track::search_scene_of(input), request.reach, shift_step);
+  if (request.json) print(input, rows);
+  if (request.json && request.directory.empty()) return;
+  const fs::path folder =
+      request.directory.empty()
+          ? fs::path("results") / (fs::path(request.case_file).stem().string() + "_wheelset")
+          : fs::path(request.directory);
+  postprocess::FilesTogether files(folder);
+  files.write("wheelset.csv", postprocess::rigid_wheelset_csv(rigid_row(rows)));
+  files.commit();
+  tell(request, input, rows);
   const fs::path table = folder / "wheelset.csv";
   const std::string problem =
       postprocess::make_report(table.string(), modelling::script_directory().string());

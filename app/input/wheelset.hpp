@@ -16,6 +16,7 @@ struct WheelsetRequest {
   std::string case_file;
   std::vector<std::string> changes;  ///< of keys, from --set
   std::string directory;             ///< empty: results/<case file without .toml>_wheelset
+  bool json = false;                 ///< print JSON; files are then written only into `directory`
   double reach = 10.0;  ///< largest shift, mm, to the right; the other side is the mirror image
 };
 

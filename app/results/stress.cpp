@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/results/stress.hpp"
 
+#include "app/frame/screen.hpp"
 #include "models/program/provenance.hpp"
 #include "models/stress/stored_stress.hpp"
 #include "postprocess/files/files_together.hpp"
@@ -41,6 +42,12 @@ void remove_figures(const fs::path& folder) {
 void stress(const StressCommand& request, const contact::ModelRegistry& models) {
   std::vector<std::string> warnings;
   const postprocess::StressReport report = modelling::stored_stress(request, models, warnings);
+  if (request.json) {
+    for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
+    print_result(stress_json(report));
+    if (request.directory.empty()) return;
+    warnings.clear();
+  }
   const fs::path folder = output_folder(report.source, request).lexically_normal();
   postprocess::FilesTogether files(folder);
   files.write("stress.csv", stress_csv(report));

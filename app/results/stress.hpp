@@ -12,6 +12,7 @@ namespace rollfem::app {
 struct StressCommand : modelling::StressRequest {
   std::string directory;  ///< empty: <result folder>_stress
   bool quiet = false;
+  bool json = false;  ///< print stress.json; files are then written only into `directory`
   bool figures = true;
 };
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -48,6 +49,34 @@ std::string text_of_wheels(const CreepTable& table) {
   return text;
 }
 
+/// Interpolation error of every axis and, where interpolation limits the table, which one to refine
+/// and what that costs.
+std::string advice_of(const CreepTable& table, double largest_bar, double seconds) {
+  const tables::InterpolationError& error = table.interpolation;
+  const bool shifts = table.over_shifts();
+  const char* const names[] = {shifts ? "shift" : "a/b", "xi'", "eta'", "phi'"};
+  const char* const keys[] = {shifts ? "table.lateral_shift_step" : "table.axis_ratio",
+                              "table.points or table.longitudinal_values",
+                              "table.points or table.lateral_values",
+                              "table.points or table.spin_values"};
+  std::string text;
+  for (std::size_t axis = 0; axis < error.by_axis.size(); ++axis)
+    if (error.by_axis[axis] > 0.0)
+      text += fmt::format("{}{} {:.2g} %", text.empty() ? "  by axis, in 95 of 100: " : ", ",
+                          names[axis], 100.0 * error.by_axis[axis]);
+  if (text.empty()) return text;
+  text += '\n';
+  if (std::max(error.force_95, error.moment_95) <= largest_bar) return text;
+  const auto most = static_cast<std::size_t>(
+      std::max_element(error.by_axis.begin(), error.by_axis.end()) - error.by_axis.begin());
+  const std::size_t values = (most == 0 ? table.first_axis() : table.creepage[most - 1]).size();
+  const double more = static_cast<double>(2 * values - 1) / static_cast<double>(values);
+  return text + fmt::format(
+                    "interpolation limits this table: refine {} first ({}); {} values "
+                    "instead of {} would take about {:.2g} s\n",
+                    names[most], keys[most], 2 * values - 1, values, seconds * more);
+}
+
 std::string summary_of(const CreepTable& table, double seconds) {
   const tables::InterpolationError& error = table.interpolation;
   std::string text = fmt::format(
@@ -72,7 +101,7 @@ std::string summary_of(const CreepTable& table, double seconds) {
         "{:.2g} % at most; moment {:.2g} %, {:.2g} %\n",
         error.points, error.seed, 100.0 * error.force_95, 100.0 * error.force_max,
         100.0 * error.moment_95, 100.0 * error.moment_max);
-  return text;
+  return text + advice_of(table, std::max(force, moment), seconds);
 }
 
 void write_and_tell(const TableRequest& request, const CreepTable& table, double seconds) {

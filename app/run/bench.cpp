@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/run/bench.hpp"
 
+#include "app/frame/screen.hpp"
 #include "app/run/bench_cases.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
@@ -13,6 +14,7 @@
 #include "models/solving/auto_model.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +32,7 @@ namespace rollfem::app {
 namespace {
 
 using contact::ModelResult;
+using Json = nlohmann::ordered_json;
 
 /// Elements across of the half-space; the last grid measures the speed of the machine.
 const std::vector<int> grids{24, 40, 80}, quick_grids{24, 40};
@@ -98,6 +101,13 @@ class Bench {
         "\np0: error against Hertz; force: largest difference from the converged half-space,\nin "
         "percent of full sliding; seconds: all load points of the case together\n");
     tell_speed();
+    if (!request_.json || !how_.first) return;
+    Json json = result_head("bench");
+    json["rows"] = rows_;
+    json["skipped"] = left_out_;
+    if (speed_) json["times_predicted_seconds"] = *speed_;
+    json["other_programs_running"] = busy_;
+    print_result(json.dump(1));
   }
 
  private:
@@ -111,7 +121,7 @@ class Bench {
       return;
     }
     if (!model.has_stress) {
-      tell(model, grid_of_theories, solved(given, model.name, grid_of_theories));
+      tell(given, model, grid_of_theories, solved(given, model.name, grid_of_theories));
       return;
     }
     // The remaining models mesh the bodies.
@@ -121,7 +131,7 @@ class Bench {
     if (watch_.seconds() + speed_.value_or(1.0) * expected > request_.seconds)
       left_out_.push_back(model.name);
     else
-      tell(model, across, solved(given, model.name, across));
+      tell(given, model, across, solved(given, model.name, across));
   }
 
   /// The difference between the coarsest and the finest grid measures the speed, because it
@@ -133,7 +143,7 @@ class Bench {
     std::vector<Timed> timed;
     for (const int across : grids_of_half_spaces()) {
       const std::optional<Row> row = quickest(given, model.name, across);
-      tell(model, across, row);
+      tell(given, model, across, row);
       const auto seconds = predicted(given, model.name, across);
       if (!row || !seconds) return;
       timed.push_back({row->own_seconds, *seconds});
@@ -199,8 +209,15 @@ class Bench {
     return row;
   }
 
-  void tell(const contact::ModelInfo& model, int across, const std::optional<Row>& row) const {
+  void tell(const BenchCase& given, const contact::ModelInfo& model, int across,
+            const std::optional<Row>& row) {
     if (!row) return;
+    Json json{{"case", given.name}, {"model", model.name}};
+    if (!model.refinements.empty()) json["elements_across"] = across;
+    if (row->pressure_error) json["pressure_error"] = *row->pressure_error;
+    if (row->force_error) json["force_error"] = *row->force_error;
+    json["seconds"] = row->seconds;
+    rows_.push_back(json);
     print(fmt::format("{:<20}{:>8}{:>13}{:>13}{:>10.3f}\n", model.name,
                       model.refinements.empty() ? "-" : fmt::format("{}", across),
                       percent_of(row->pressure_error), percent_of(row->force_error), row->seconds));
@@ -225,6 +242,7 @@ class Bench {
   std::optional<double> speed_;
   bool busy_ = false;
   std::vector<std::string> left_out_;
+  std::vector<Json> rows_;  ///< as printed with --json
   std::filesystem::path keep_in_;
   std::string made_;
 };
@@ -240,7 +258,7 @@ void bench(const BenchRequest& request, const contact::ModelRegistry& models) {
     if (!model.chooses && model.built && !(request.quick && model.parallel))
       names.push_back(model.name);
   ComputingRequest silent = request;
-  silent.quiet = true;
+  silent.quiet = request.quiet || !request.json;
   CommandFrame frame(silent, models, names);
   if (frame.idle()) return;
   if (frame.first())

@@ -10,6 +10,7 @@ namespace rollfem::app {
 
 struct BenchRequest : ComputingRequest {
   double seconds = 30.0;  ///< time limit; runs expected to exceed it are skipped
+  bool json = false;      ///< print JSON, and progress of the models on stderr
   bool quick = false;     ///< one case on coarse grids, nothing stored
 };
 

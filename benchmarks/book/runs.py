@@ -98,7 +98,7 @@ class Bench:
 
     def _version(self):
         return subprocess.run([self.program, "--version"], check=True, capture_output=True,
-                              text=True).stdout.strip()
+                              text=True).stdout.splitlines()[0]
 
     @property
     def has_fem(self):

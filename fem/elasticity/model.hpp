@@ -9,6 +9,7 @@
 #include "halfspace/elasticity/smooth_map.hpp"
 
 #include <string>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -17,6 +18,14 @@ namespace rollfem::fem {
 /// none).
 contact::ModelResult run_fem(const contact::Scene& scene, const contact::Progress& progress,
                              contact::Checkpoint* checkpoint = nullptr);
+
+/// What the library consists of, for --version.
+struct About {
+  std::string libraries;                   ///< "deal.II 9.4.1, ..."
+  std::string mpi;                         ///< "Open MPI 4.1.4"
+  std::vector<std::string> simd_variants;  ///< of this machine
+  std::string simd_variant;                ///< the one in use
+};
 
 /// Functions that rollfem takes from the opened library.
 struct Entry {
@@ -31,6 +40,7 @@ struct Entry {
   /// By this process alone: corrections of bodies to half-spaces
   /// (hybrid/correction/smooth_parts.hpp).
   halfspace::SmoothParts (*find_smooth_parts)(const contact::Scene&, const contact::Progress&);
+  About (*about)();  ///< without MPI started
 };
 
 }  // namespace rollfem::fem

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The C entry point of this library, which rollfem opens at run time.
+#include "fem/discretisation/elasticity_kernel.hpp"
 #include "fem/elasticity/model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 
+#include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+#include <suitesparse/cholmod.h>
 
 #include <array>
 #include <memory>
@@ -37,13 +41,29 @@ std::string from_first(const std::string& text) {
   return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text);
 }
 
+rollfem::fem::About about() {
+  char mpi[MPI_MAX_LIBRARY_VERSION_STRING] = {};
+  int length = 0;
+  MPI_Get_library_version(mpi, &length);
+  const std::string text(mpi, static_cast<std::size_t>(length));
+  return {fmt::format("deal.II {}, Trilinos {}.{}.{}, p4est {}.{}.{}, CHOLMOD {}.{}.{}",
+                      DEAL_II_PACKAGE_VERSION, DEAL_II_TRILINOS_VERSION_MAJOR,
+                      DEAL_II_TRILINOS_VERSION_MINOR, DEAL_II_TRILINOS_VERSION_SUBMINOR,
+                      DEAL_II_P4EST_VERSION_MAJOR, DEAL_II_P4EST_VERSION_MINOR,
+                      DEAL_II_P4EST_VERSION_SUBMINOR, CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION,
+                      CHOLMOD_SUBSUB_VERSION),
+          text.substr(0, text.find_first_of(",\n")), rollfem::fem::simd_variants(),
+          rollfem::fem::simd_variant()};
+}
+
 const rollfem::fem::Entry entry{start,
                                 stop,
                                 process,
                                 from_first,
                                 rollfem::fem::run_fem,
                                 rollfem::fem::mesh_case,
-                                rollfem::fem::find_smooth_parts};
+                                rollfem::fem::find_smooth_parts,
+                                about};
 
 }  // namespace
 

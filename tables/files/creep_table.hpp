@@ -31,6 +31,9 @@ struct InterpolationError {
   unsigned seed = 0;
   double force_rms = 0.0, force_95 = 0.0, force_max = 0.0;
   double moment_rms = 0.0, moment_95 = 0.0, moment_max = 0.0;
+  /// The larger of force_95 and moment_95 at points between nodes of one axis alone: ratio or
+  /// shift, xi', eta', phi'. 0: an axis of one value, or not measured. Not stored in files.
+  std::array<double, 4> by_axis{};
 };
 
 /// The errors by their names in files and Python.

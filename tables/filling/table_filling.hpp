@@ -12,10 +12,11 @@ namespace rollfem::tables {
 
 /// Fills forces, bars and elements_across of a table with given axes
 /// (tables/filling/table_grid.hpp), over lateral shifts first its wheels and scales, and then
-/// checks interpolation at the number of random points in the case. `checkpoint` may be null.
-/// Values depend neither on resumed points nor on the number of threads. With a `share`, only that
-/// part of the points is solved and stored for the merging call, and the table stays incomplete.
-/// Throws contact::SolveError if a point does not converge or a wheel does not touch.
+/// checks interpolation at the number of random points in the case and, with a fourth as many each,
+/// along every axis. Reports the expected time beforehand as a progress event. `checkpoint` may be
+/// null. Values depend neither on resumed points nor on the number of threads. With a `share`, only
+/// that part of the points is solved and stored for the merging call, and the table stays
+/// incomplete. Throws contact::SolveError if a point does not converge or a wheel does not touch.
 void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
                 contact::Checkpoint* checkpoint, contact::Share share = {});
 

@@ -52,6 +52,61 @@ TEST(Convert, WritesTheOthersWhenToldTo) {
   EXPECT_EQ(folder.made().size(), 2U);
 }
 
+TEST(Convert, TakesTheCasesThatAreNamed) {
+  const Folder folder;
+  const std::string file = folder.file("roll.inp", rolling_ellipse);
+  const Outcome made = done(folder, {"convert", file, "--cases", "2-3"});
+  EXPECT_EQ(made.out.rfind("roll_cases/roll_2.toml: cases 2, 3\n", 0), 0u) << made.out;
+  done(folder, {"convert", file, "--cases", "3,1", "-o", "other"});
+  EXPECT_EQ(
+      folder.text("other/roll_1.toml").rfind("# Made by rollfem convert of roll.inp, cases 1, 3,"),
+      0u);
+  for (const auto& [cases, said] : std::vector<std::pair<std::string, std::string>>{
+           {"4", "--cases 4: 4: there is no case 4; allowed: numbers and ranges from 1 to 3"},
+           {"1-9", "there is no case 9"},
+           {"0", "there is no case 0"},
+           {"3-1", "the range runs backwards"},
+           {"1;2", "1;2: not a number or a range"}})
+    expect_refused(call(folder, {"convert", file, "-o", "wrong", "--cases", cases}), said);
+  EXPECT_FALSE(folder.holds("wrong"));
+}
+
+/// The ball, pressed on in a second step: by Hertz the patches are 0.227 and 1.96 mm across, 3 and
+/// 26 elements of 0.075 mm.
+std::string pressed_twice() {
+  return replaced(replaced(pushed_ball, " 20.0  -0.5", " 0.031 -0.5"), " 0 module",
+                  " 3\n 001120\n 100000\n 0011111\n 200 100 30 1 1d-6\n 20.0 -0.5 0.0 0.0\n 0\n");
+}
+
+TEST(Convert, LeavesOutCasesOfTooFewElementsAndGoesOn) {
+  const Folder folder;
+  const std::string file = folder.file("press.inp", pressed_twice());
+  const Outcome made = call(folder, {"convert", file});
+  EXPECT_EQ(made.status, 1);
+  EXPECT_TRUE(says(made.err, "case 1: left out: the patch is 3 by 3 elements",
+                   "the others were written without case 1"));
+  EXPECT_EQ(std::count(made.err.begin(), made.err.end(), '\n'), 2) << made.err;
+  EXPECT_TRUE(says(made.out, "press_cases/press_2.toml: case 2"));
+  done(folder, {"check", "press_cases/press_2.toml"});
+  // Told so, that is no failure; and a history may begin after such cases.
+  done(folder, {"convert", file, "-o", "partial", "--partial"});
+  done(folder, {"convert", file, "-o", "second", "--cases", "2"});
+  EXPECT_TRUE(folder.holds("second/press_2.toml"));
+  // Nothing is left of the first case alone.
+  EXPECT_EQ(call(folder, {"convert", file, "-o", "first", "--cases", "1"}).status, 2);
+  EXPECT_FALSE(folder.holds("first"));
+}
+
+TEST(Convert, HistoryOfCasesLeftOutIsMissed) {
+  const Folder folder;
+  const std::string file =
+      folder.file("press.inp", replaced(pressed_twice(), " 0.031 -0.5", " 10.0 -0.5"));
+  done(folder, {"convert", file});
+  const Outcome made = call(folder, {"convert", file, "-o", "second", "--cases", "2"});
+  EXPECT_EQ(made.status, 2);
+  EXPECT_TRUE(says(made.err, "the case continues case 1, which --cases leaves out"));
+}
+
 TEST(Convert, PointwiseDistanceIsRead) {
   const Folder folder;
   const std::string file = folder.file(

@@ -43,6 +43,31 @@ TEST(Table, IsWrittenWithItsErrorsAndAReport) {
   EXPECT_TRUE(says(contents(out / "table.html"), "95 of 100 points"));
 }
 
+/// The interpolation error that 95 of 100 random points of a table with these numbers of values
+/// stay below, and what the command says.
+std::pair<double, std::string> error_and_text(const Folder& folder, const std::string& points) {
+  const Outcome outcome =
+      done(folder,
+           {"table", folder.file("case.toml", table_case("check_points = 40\npoints = " + points)),
+            "-o", points, "--no-report"});
+  const auto error = rollfem::tables::read_table((folder.work() / points).string()).interpolation;
+  return {std::max(error.force_95, error.moment_95), outcome.out + outcome.err};
+}
+
+TEST(Table, NamesTheAxisWhoseRefinementHelps) {
+  const Folder folder;
+  const auto [coarse, said] = error_and_text(folder, "[9, 8, 3]");
+  EXPECT_TRUE(says(said, "by axis, in 95 of 100: xi'", "refine phi' first", "5 values instead of 3",
+                   "216 points: about "));
+  EXPECT_FALSE(says(said, "a/b 0")) << "a single ratio";
+  // The advice against tables with more values on one axis or the other.
+  const double finer_spin = error_and_text(folder, "[9, 8, 5]").first;
+  const double finer_xi = error_and_text(folder, "[17, 8, 3]").first;
+  EXPECT_LT(finer_spin, 0.7 * coarse);
+  EXPECT_GT(finer_xi, 0.9 * coarse);
+  EXPECT_TRUE(says(error_and_text(folder, "[2, 6, 9]").second, "refine xi' first"));
+}
+
 TEST(Table, AnEndedCallIsTakenUpAndIsTheSame) {
   const Folder folder;
   const std::string file =

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "app/input/check.hpp"
+
+#include "app/frame/screen.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/case/checks/plausibility.hpp"
+#include "contact/case/keys/case_keys.hpp"
+#include "contact/scene/scene.hpp"
+#include "models/caches/machine_speed.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
+#include "models/solving/case_scenes.hpp"
+#include "models/solving/expected_choice.hpp"
+#include "theories/registry.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <type_traits>
+#include <variant>
+
+namespace rollfem::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Which models can take the case as it stands: name, and the reason against it or nothing. With
+/// profiles this depends on the scenes, which are known only after the balance of the wheelset.
+std::string taken_by(const contact::Case& input, const contact::ModelRegistry& models) {
+  const contact::Scene scene(input);
+  std::string text = "which models take it\n";
+  for (const contact::ModelInfo& model : models.all()) {
+    if (model.chooses) continue;
+    const auto reason = model.cannot(scene);
+    text += fmt::format("  {:<22} {}\n", model.name, reason ? "no: " + *reason : model.sentence);
+  }
+  return text;
+}
+
+/// Doubtful values, and reasons to refuse or doubt a result as far as the closed form shows them.
+std::vector<std::string> warnings_of(const contact::Case& input) {
+  std::vector<std::string> warnings = contact::implausible_values(input);
+  if (input.has_profiles()) return warnings;
+  const std::string mark = "warning: ";
+  try {
+    for (const std::string& note : theories::models().run("hertz", input, {}).notes)
+      if (note.rfind(mark, 0) == 0) warnings.push_back(note.substr(mark.size()));
+  } catch (const contact::SolveError& error) {
+    warnings.push_back(fmt::format("{}: {}", input.file, error.what()));
+  } catch (const contact::InputError&) {
+    // No ellipse: the models report problems when they run.
+  }
+  return warnings;
+}
+
+/// inf, which JSON has no number for, becomes a text as in a case file.
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
+}
+
+/// Values of all keys that the case gives or that have a default, by path; [[subsurface]] is left
+/// out.
+Json keys_json(const contact::Case& input) {
+  Json keys = Json::object();
+  for (const contact::Section& section : contact::case_sections()) {
+    if (section.repeated || (section.of_profiles && !input.has_profiles())) continue;
+    for (const contact::Key& key : section)
+      std::visit(
+          [&](const auto& value) {
+            using Value = std::decay_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, double>) {
+              keys[key.path()] = key.kind == contact::KeyKind::integer
+                                     ? Json(static_cast<long long>(value))
+                                     : number(value);
+            } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+              keys[key.path()] = Json::array();
+              for (const double one : value) keys[key.path()].push_back(number(one));
+            } else if constexpr (!std::is_same_v<Value, std::monostate>) {
+              keys[key.path()] = value;
+            }
+          },
+          key.get(input));
+  }
+  return keys;
+}
+
+/// Forecasts of `auto` for a contact, in seconds of this machine.
+Json contact_json(const contact::Scene& scene, const contact::ModelRegistry& models) {
+  const auto speed = modelling::machine_speed();
+  std::vector<modelling::Forecast> forecasts = modelling::forecasts_of(scene, models);
+  const double accuracy = modelling::accuracy_of(scene.accuracy);
+  Json json = Json::object();
+  if (scene.place)
+    json["place"] = {{"wheel", scene.place->left ? "left" : "right"},
+                     {"position", scene.place->position},
+                     {"patch", scene.place->patch}};
+  json["accuracy"] = accuracy;
+  json["models"] = Json::array();
+  for (modelling::Forecast& forecast : forecasts) {
+    Json levels = Json::array();
+    for (modelling::Level& level : forecast.levels) {
+      level.seconds *= speed ? speed->times : 1.0;
+      levels.push_back({{"elements_across", level.across},
+                        {"discretisation", level.discretisation},
+                        {"seconds", level.seconds}});
+    }
+    json["models"].push_back({{"name", forecast.model},
+                              {"cannot", forecast.cannot},
+                              {"model_error", forecast.model_error},
+                              {"levels", levels}});
+  }
+  json["expected"] = modelling::verdict(forecasts, accuracy, true);
+  return json;
+}
+
+Json case_json(const contact::Case& input, const std::vector<std::string>& warnings,
+               const contact::ModelRegistry& models) {
+  Json json = result_head("check");
+  json["case_file"] = input.file;
+  json["keys"] = keys_json(input);
+  json["warnings"] = warnings;
+  if (!input.has_profiles()) {
+    const contact::Scene scene(input);
+    for (const contact::ModelInfo& model : models.all())
+      if (!model.chooses) json["cannot"][model.name] = model.cannot(scene).value_or("");
+  }
+  json["contacts"] = Json::array();
+  try {
+    for (const contact::Scene& scene :
+         modelling::unbalanced_scenes(input, modelling::placed_wheels(input)))
+      json["contacts"].push_back(contact_json(scene, models));
+  } catch (const contact::SolveError& error) {
+    json["warnings"].push_back(error.what());
+  } catch (const contact::InputError& error) {
+    json["warnings"].push_back(error.what());
+  }
+  return json;
+}
+
+}  // namespace
+
+void check_case(const CheckRequest& request, const contact::ModelRegistry& models) {
+  const contact::ModelWords words = modelling::model_words(models);
+  const contact::Case input = contact::read_case(request.case_file, words, request.changes);
+  std::cout << contact::describe(input, words) << contact::derived_values(input);
+  const std::vector<std::string> warnings = warnings_of(input);
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
+  if (request.json) {
+    print_result(case_json(input, warnings, models).dump(1));
+    return;
+  }
+  if (!input.has_profiles()) std::cout << taken_by(input, models);
+  if (input.has_profiles())
+    std::cout << "\nwhere wheel and rail touch\n"
+              << modelling::contacts_text(input, track::search_scene_of(input));
+  std::cout << modelling::expected_choice(input, models);
+}
+
+}  // namespace rollfem::app
