@@ -155,6 +155,7 @@ WheelRailPair::Borrowed::Borrowed(const WheelRailPair& pair) : pair_(pair) {
 }
 
 WheelRailPair::Borrowed::~Borrowed() {
+  workspace_->linearises = false;
   const std::lock_guard<std::mutex> lock(pair_.mutex_);
   pair_.idle_.push_back(std::move(workspace_));
 }
