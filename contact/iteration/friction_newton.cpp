@@ -283,27 +283,27 @@ void FrictionNewton::linearise(const Point& point) {
 
 void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result) {
   compliance_->apply(p, result);
-  const bool falls = feels_slip_ && !frozen_;
-  if (falls) state_.change(result, bound_change_);
   result *= r_;
-  bound_change(p, result);
+  change_value(p, result);
 }
 
 /// Turns r times a change of slip into the change of F, for tractions that change by `p`.
-void FrictionNewton::bound_change(const Gmres::Given& p, Gmres::Vector change) const {
+void FrictionNewton::change_value(const Gmres::Given& p, Gmres::Vector change) {
+  const bool falls = feels_slip_ && !frozen_;
+  if (falls) state_.change(change, bound_change_);
   for (Index e = 0; e < count_; ++e) {
     const Index f = count_ + e;
-    result[e] += r_ * drag_ * p[e];
-    result[f] += r_ * drag_ * p[f];
+    change[e] += r_ * drag_ * p[e];
+    change[f] += r_ * drag_ * p[f];
     if (at_.adheres[static_cast<std::size_t>(e)]) continue;
     const double dx = change[e] - p[e];
     const double dy = change[f] - p[f];
     const double along = at_.normal[e] * dx + at_.normal[f] * dy;
-    result[e] = p[e] + at_.factor[e] * (dx - along * at_.left[e]);
-    result[f] = p[f] + at_.factor[e] * (dy - along * at_.left[f]);
+    change[e] = p[e] + at_.factor[e] * (dx - along * at_.left[e]);
+    change[f] = p[f] + at_.factor[e] * (dy - along * at_.left[f]);
     if (!falls) continue;
-    result[e] -= bound_change_[e] * at_.normal[e];
-    result[f] -= bound_change_[e] * at_.normal[f];
+    change[e] -= bound_change_[e] / r_ * at_.normal[e];
+    change[f] -= bound_change_[e] / r_ * at_.normal[f];
   }
 }
 
@@ -314,7 +314,7 @@ bool FrictionNewton::respond(const Eigen::Ref<const Eigen::VectorXd>& slip_chang
   compliance_->linearise(at_, r_, 0.0);
   right_ = r_ * slip_change;
   slip_change_.setZero();  // tractions that stay
-  bound_change(slip_change_, right_);
+  change_value(slip_change_, right_);
   right_ = -right_;
   return gmres_
       .solve([this](const Gmres::Given& p, Gmres::Vector result) { apply_jacobian(p, result); },

@@ -69,6 +69,7 @@ class FrictionNewton {
   void stick_fully(Point& point);
   void linearise(const Point& point);
   void apply_jacobian(const Gmres::Given& p, Gmres::Vector result);
+  void change_value(const Gmres::Given& p, Gmres::Vector change);
   double forcing(double residual, double previous) const;
   void find_direction(double tolerance);
   bool advance(double residual, double previous);

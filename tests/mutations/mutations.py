@@ -48,7 +48,7 @@ MUTATIONS = [
              "a wheel that stands above the rail presses on it",
              ("unit_c_height",)),
     Mutation("respond_in_slip", "contact/iteration/friction_newton.cpp",
-             "  bound_change(slip_change_, right_);\n", "",
+             "  change_value(slip_change_, right_);\n", "",
              "tractions of the slip area respond to creepage as if they adhered",
              ("unit_c_derivatives",)),
     Mutation("quick_weight", "halfspace/elasticity/few_elements.cpp",
