@@ -61,6 +61,7 @@ QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contact
     all_[k]->begin(contacts[k]);
     (contacts[k].contact->reserve ? reserve_ : loaded_).push_back(all_[k].get());
   }
+  if (loaded_.empty()) return QuickOutcome::unfit;
   boxes_.clear();
   for (const QuickPatch* patch : loaded_) boxes_.push_back(patch->overlap());
   double pressed = load.force;

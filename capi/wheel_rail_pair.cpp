@@ -226,7 +226,10 @@ QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, const WheelSt
   const track::WheelsetPose& pose = workspace.found.front().pose;
   workspace.load = {input.load.vertical_force.value_or(0.0), sinking_of(state, pose.height),
                     friction_};
-  if (const auto& sinking = workspace.load.sinking; sinking && !(*sinking > 0.0)) {
+  const bool touches =
+      std::any_of(workspace.found.begin(), workspace.found.end(),
+                  [](const track::WheelRailContact& contact) { return contact.place.patch > 0; });
+  if (const auto& sinking = workspace.load.sinking; sinking && !(*sinking > 0.0 && touches)) {
     wheel = apart(pose, *sinking);
     return QuickOutcome::solved;
   }
@@ -279,7 +282,10 @@ void WheelRailPair::solve_with_care(const Case& input, const WheelState& state,
       track::make_scenes(input, search_, search_options(state));
   const track::WheelsetPose& pose = placed.front().contact.pose;
   if (const auto sinking = sinking_of(state, pose.height)) {
-    if (!(*sinking > 0.0)) {
+    const bool touches =
+        std::any_of(placed.begin(), placed.end(),
+                    [](const track::PlacedScene& scene) { return scene.contact.place.patch > 0; });
+    if (!(*sinking > 0.0 && touches)) {
       wheel = apart(pose, *sinking);
       return;
     }
