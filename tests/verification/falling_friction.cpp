@@ -31,7 +31,7 @@ using contact::Case;
 using contact::ModelResult;
 using contact::PointResult;
 
-constexpr double shear_modulus = 82000.0, poisson = 0.28, force = 106.7e3;
+constexpr double steel_modulus = 82000.0, poisson = 0.28, force = 106.7e3;
 
 /// Eurosprinter (Polach, Wear 258 (2005)): A is given, 8e-4 per mm, and a/b = 1/2; the load then
 /// says how large the ellipse is.
@@ -39,8 +39,8 @@ Case locomotive(const std::vector<double>& creepages) {
   Case input;
   input.file = "test.toml";
   input.load.normal_force = force;
-  input.wheel.material = input.rail.material = {2.0 * shear_modulus * (1.0 + poisson), poisson};
-  const double modulus = shear_modulus / (1.0 - poisson);
+  input.wheel.material = input.rail.material = {2.0 * steel_modulus * (1.0 + poisson), poisson};
+  const double modulus = steel_modulus / (1.0 - poisson);
   const auto curvatures = [&](double a, double b) {
     return halfspace::hertz_curvatures({a, b, 1.5 * force / (M_PI * a * b), 0.0, force}, modulus);
   };
@@ -291,7 +291,7 @@ TEST(Layer, OfALineContactInFullAdhesion) {
   EXPECT_NEAR(1e3 * adhesion_integral(1e3, 400), 1.0, 2e-3);  // Carter's slope
   for (const double lambda : {0.1, 1.0, 10.0}) {
     // a = 1 mm (line_contact.cpp).
-    const double compliance = 2.0 * (1.0 - poisson) / (M_PI * shear_modulus * lambda);
+    const double compliance = 2.0 * (1.0 - poisson) / (M_PI * steel_modulus * lambda);
     const double creepage = 1e-7;
     const auto at = [&](int across) {
       const std::string text = fmt::format(
