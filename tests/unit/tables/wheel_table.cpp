@@ -94,7 +94,7 @@ TEST(WheelTable, TakenUpItIsTheSameToTheLastBit) {
   const CreepTable whole = filled_wheel(rim_case(), &memory);
   EXPECT_EQ(whole.forces, rim_table().forces);
   const std::size_t all = memory.records.size();
-  EXPECT_EQ(all, 3U + 2U);  // a part for each shift and each place between
+  EXPECT_EQ(all, 3U + 2U + 4U);  // a part for each shift, place between them and axis
   memory.forget_every_second();
   const CreepTable again = filled_wheel(rim_case(), &memory);
   EXPECT_EQ(again.forces, whole.forces);

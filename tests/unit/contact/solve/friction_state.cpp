@@ -92,7 +92,8 @@ double worst_error(int elements) {
   const Row row(elements);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
-  state.begin({row.grid, row.pressure, row.none, law}, row.places);
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  state.begin(problem, row.places);
   const VectorXd mu = row.coefficient(state, row.slip(smooth_slip));
   double worst = 0.0;
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
@@ -113,7 +114,9 @@ TEST(FrictionState, ConstantSlipDecaysExponentially) {
   const Row row(20);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
-  state.begin({row.grid, row.pressure, row.none, law, 2.0}, row.places);  // the law's slip is twice
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law,
+                                2.0};  // the law's slip is twice
+  state.begin(problem, row.places);
   for (const double w : {2e-4, 3e-3, 0.5}) {
     const VectorXd mu = row.coefficient(state, row.slip([&](double) { return 0.5 * w; }));
     for (Eigen::Index e = 0; e < mu.size(); ++e) {
@@ -129,7 +132,8 @@ TEST(FrictionState, ShortMemoryIsNone) {
   const Row row(20);
   const FallingFriction law = law_with(FrictionMemory{1e-12, s_0});
   FrictionState state;
-  state.begin({row.grid, row.pressure, row.none, law}, row.places);
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  state.begin(problem, row.places);
   const VectorXd mu = row.coefficient(state, row.slip(smooth_slip));
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
     const double x = row.grid.x(static_cast<int>(row.places[static_cast<std::size_t>(e)]));
@@ -143,7 +147,8 @@ TEST(FrictionState, AGapInTheRowBringsFrictionBackToThatAtRest) {
   row.places.erase(row.places.begin() + 7);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
-  state.begin({row.grid, row.pressure, row.none, law}, row.places);
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  state.begin(problem, row.places);
   const VectorXd mu = row.coefficient(state, row.slip([](double) { return 0.02; }));
   EXPECT_LT(mu[7], 0.2);   // behind the first half of the row
   EXPECT_GT(mu[6], 0.25);  // the first behind the gap
@@ -180,7 +185,8 @@ TEST(FrictionState, AStepOfAHistoryRemembersItsParticle) {
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   const FrictionPast past{Field::LinSpaced(row.grid.nx, 0.2, 0.4), 0.3};
   FrictionState state;
-  state.begin({row.grid, row.pressure, row.none, law, 1.0, &past}, row.places);
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law, 1.0, &past};
+  state.begin(problem, row.places);
   const double w = 6e-3;
   const VectorXd mu = row.coefficient(state, row.slip([&](double) { return w; }));
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
