@@ -217,8 +217,8 @@ def _limit_table(letter, result, bent):
         ours, theirs, third = (m.points[index] for m in (half, fem, bent))
         difference = (theirs[key] - ours[key]) / abs(scale or ours[key])
         bars = ours.error_estimate.get(key, 0) + theirs.error_estimate.get(key, 0)
-        rows.append([words, _with_bar(ours[key], ours.errors.get(key)), number(third[key], 5),
-                     _with_bar(theirs[key], theirs.errors.get(key)), percent(difference),
+        rows.append([words, _with_bar(ours[key], ours.error_estimate.get(key)), number(third[key], 5),
+                     _with_bar(theirs[key], theirs.error_estimate.get(key)), percent(difference),
                      "yes" if abs(theirs[key] - ours[key]) > bars else "no"])
 
     for key, words, unit in QUANTITIES:
