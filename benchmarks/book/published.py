@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Published numbers, each with its source. Units mm, N, MPa, rad; signs are rollfem's."""
+import json
+import os
 
 # CONTACT rev 2707 run for this project on case a: p0 by elements across.
 CONTACT_PRESSURE_A = {20: 577.730282, 40: 578.643455, 80: 578.888652, 160: 578.947893}
@@ -132,3 +134,12 @@ CONTACT_GROOVES = {
             "creepage_turned": -4.5857e-4},
     10.05: {"p0": 348.7, "approach": 0.017427, "creepage": -6.4950e-4, "p0_turned_back": 336.1},
     10.02: {"p0": 296.8, "p0_turned_back": 283.6}}
+
+
+def calculix(case):
+    """({by: line without friction}, CalculiX's on the finest cells) of the comparison that holds `case`, as
+    benchmarks/calculix/curved_patch.py --store wrote it."""
+    with open(os.path.join(os.path.dirname(__file__), "calculix.json"), encoding="utf-8") as file:
+        lines = {line["by"]: line for line in json.load(file) if case in line and line["friction"] == 0.0}
+    finest = min((by for by in lines if by.startswith("CalculiX")), key=lambda by: float(by.split()[1]))
+    return lines, lines[finest]

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Conformal contact: CONTACT's results explained, curved half-spaces, the hybrid, and the range of each theory."""
-import json
-import os
-
 import numpy as np
 from matplotlib import pyplot as plt
 
@@ -76,9 +73,7 @@ def _truth_rows():
 
 def _calculix_rows():
     """The groove over its equivalent on a flat rail, on equal meshes of another program (benchmarks/calculix)."""
-    with open(os.path.join(os.path.dirname(os.path.dirname(__file__)), "calculix.json"), encoding="utf-8") as file:
-        lines = {line["by"]: line for line in json.load(file) if "groove" in line}
-    finest = lines[min((by for by in lines if by.startswith("CalculiX")), key=lambda by: float(by.split()[1]))]
+    lines, finest = published.calculix("groove")
 
     def ratio(line, key):
         return line["groove"].get(f"{key}_of_fit", line["groove"][key]) / line["flat"].get(f"{key}_of_fit", line["flat"][key])

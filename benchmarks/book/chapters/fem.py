@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The finite-element model against Hertz on finer cells; the hybrid against CalculiX."""
-import json
-import os
-
 import numpy as np
 from calculix.curved_patch import PAIRS, fitted
 from matplotlib import pyplot as plt
 
-from .. import closed_forms
+from .. import closed_forms, published
 from ..chapter import Chapter, Cost, Row, Table
 from ..page import number
 
@@ -73,10 +70,9 @@ def _normal_contact(bench, case, friction):
 
 def calculix(bench):
     """The effect of a curved patch by an independent finite-element program: CalculiX on cases a and f"""
-    with open(os.path.join(os.path.dirname(os.path.dirname(__file__)), "calculix.json"), encoding="utf-8") as file:
-        stored = {line["by"]: line for line in json.load(file) if line["by"].startswith("CalculiX") and "f" in line}
+    recorded, finest = published.calculix("f")
+    stored = {by: line for by, line in recorded.items() if by.startswith("CalculiX")}
     runs = {friction: {case: _normal_contact(bench, case, friction) for case in "af"} for friction in (0.0, 0.55)}
-    finest = stored[min(stored, key=lambda by: float(by.split()[1]))]
 
     def change(line, key):
         return line["f"][key] - line["a"][key]
