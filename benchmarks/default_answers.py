@@ -62,13 +62,14 @@ def truth(options, scene):
     """Models of the finest solution; {} if neither hybrid nor half-space finishes in time."""
     kept = options.output / f"{scene.name}_truth.json"
     if not kept.exists():
-        found = []
         for model in ("hybrid", "halfspace"):
             folder = options.output / f"{scene.name}_{model}"
             subprocess.run(["timeout", "300", options.program, "run", str(options.output / f"{scene.name}.toml"), "--model",
                             model, "--set", "contact_grid.elements_across=80", "--no-report", "-q", "-o", str(folder)],
                            capture_output=True, check=False)
-            found = found or models_of(folder)
+            found = models_of(folder)
+            if found:
+                break
         kept.write_text(json.dumps(found), "utf-8")
     return {place_of(model): model for model in json.loads(kept.read_text("utf-8"))}
 
