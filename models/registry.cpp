@@ -63,42 +63,54 @@ bool any_parallel(const ModelRegistry& models, const std::vector<std::string>& n
                      [&](const std::string& name) { return models.at(name).parallel; });
 }
 
+namespace {
+
+/// The models of `all` for which `holds`, as "`a`, `b`", or as "all but `c`" where that is shorter.
+template <class Condition>
+std::string which_models(const std::vector<ModelInfo>& all, const Condition& holds) {
+  std::vector<std::string> yes, no;
+  for (const ModelInfo& model : all) (holds(model) ? yes : no).push_back("`" + model.name + "`");
+  if (yes.empty()) return "none";
+  if (no.empty()) return "all";
+  return yes.size() <= no.size() + 1 ? contact::listed(yes) : "all but " + contact::listed(no);
+}
+
+}  // namespace
+
 std::string models_markdown(const ModelRegistry& models) {
   std::string text =
       "# Models\n\n<!-- Made by `rollfem docs models` from the registry; do not edit. -->\n\nThe "
       "models that `--model` and `models` of a case file accept, cheapest first. [Which "
       "model](choice.md)\nsays where each ends. *by default in*: used by that command if neither "
       "call nor case names a model;\n*study*: what `rollfem study` refines, the first unless "
-      "`--vary` says otherwise.\n\n| model | in figures | what it is | by default in | study | "
-      "stress below the surface |\n|---|---|---|---|---|---|\n";
+      "`--vary` says otherwise.\n\n| model | in figures | what it is | by default in | study |\n"
+      "|---|---|---|---|---|\n";
   for (const ModelInfo& model : models.all()) {
     std::vector<std::string> where;
     if (model.in_run) where.emplace_back("run");
     if (model.in_compare) where.emplace_back("compare");
     std::vector<std::string> ways;
     for (const contact::Refinement& way : model.refinements) ways.push_back(way.word);
-    text +=
-        fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", model.name, model.label, model.sentence,
-                    contact::listed(where), contact::listed(ways), model.has_stress ? "yes" : "");
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", model.name, model.label, model.sentence,
+                        contact::listed(where), contact::listed(ways));
   }
   text +=
       "\nAll models accept longitudinal creepage, force or approach, and unlike materials. For "
       "anything else a\nmodel that cannot solve the case refuses it (exit status 2) and names "
-      "those that can.\n\n| |";
+      "those that can.\n\n| a case with | is solved by |\n|---|---|";
   std::vector<ModelInfo> solving;  // auto checks its own candidates
   for (const ModelInfo& model : models.all())
     if (!model.chooses) solving.push_back(model);
-  for (const ModelInfo& model : solving) text += fmt::format(" `{}` |", model.name);
-  text += "\n|---|";
-  for (std::size_t k = 0; k < solving.size(); ++k) text += "---|";
   for (const contact::Demand demand : contact::all_demands()) {
-    text += fmt::format("\n| {} |", contact::demand_words(demand));
-    for (const ModelInfo& model : solving) {
-      const auto& takes = model.takes;
-      const bool able = std::find(takes.begin(), takes.end(), demand) != takes.end();
-      text += able ? " x |" : " |";
-    }
+    const auto takes = [demand](const ModelInfo& model) {
+      return std::find(model.takes.begin(), model.takes.end(), demand) != model.takes.end();
+    };
+    text +=
+        fmt::format("\n| {} | {} |", contact::demand_words(demand), which_models(solving, takes));
   }
+  text +=
+      fmt::format("\n| stress below the surface (the others leave it out) | {} |",
+                  which_models(solving, [](const ModelInfo& model) { return model.has_stress; }));
   return text + "\n";
 }
 

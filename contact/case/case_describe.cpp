@@ -45,21 +45,18 @@ std::string default_text(const Key& key, const Case& by_default) {
   return value.empty() || !key.when_absent.empty() ? key.when_absent : value;
 }
 
-/// Allowed values beside a column of units: "0.001 to 1e+09" for "a number from 0.001 to 1e+09 mm".
+/// Allowed values in few words: "0.001 to 1e+09 mm" for "a number from 0.001 to 1e+09 mm".
 std::string allowed_in_table(const Key& key, const ModelWords& models) {
   std::string text = allowed_values(key, models.known);
-  if (const std::size_t unit = text.find(" " + key.unit); !key.unit.empty() && unit != text.npos)
-    text.erase(unit, key.unit.size() + 1);
-  for (const auto& [said, shorter] :
-       {std::pair{"a number or a list of numbers ", "one or a list, "},
-        {"a list of two numbers ", "two, "},
-        {"a list of three numbers ", "three, "},
-        {"a whole number ", "whole, "},
-        {"a number ", ""},
-        {"from ", ""},
-        {"a string in quotes", "text"},
-        {"one of ", ""},
-        {"a list of some of ", "some of "}})
+  for (const auto& [said, shorter] : {std::pair{"a number or a list of numbers ", "list, "},
+                                      {"a list of two numbers ", "two, "},
+                                      {"a list of three numbers ", "three, "},
+                                      {"a whole number ", "whole, "},
+                                      {"a number ", ""},
+                                      {"from ", ""},
+                                      {"a string in quotes", "text"},
+                                      {"one of ", ""},
+                                      {"a list of some of ", "some of "}})
     if (text.rfind(said, 0) == 0 || std::string_view(said) == "from ")
       if (const std::size_t at = text.find(said); at != text.npos)
         text.replace(at, std::string_view(said).size(), shorter);
@@ -109,8 +106,9 @@ std::string describe(const Case& input, const ModelWords& models) {
 std::string case_template(const ModelWords& models) {
   std::string text =
       "# A case of rolling contact for rollfem. Units: mm, N, MPa, rad. x is the rolling\n"
-      "# direction, y lateral, z normal. `rollfem check FILE` shows how a case is read,\n"
-      "# `rollfem run FILE` computes it. Reference of all keys: docs/case-file.md\n";
+      "# direction, y lateral, z normal. Paths are relative to this file; sections in [[ ]]\n"
+      "# may be repeated. `rollfem check FILE` shows how a case is read, `rollfem run FILE`\n"
+      "# computes it. Reference of all keys: docs/case-file.md\n";
   for (const Section& section : case_sections()) {
     if (section.repeated)
       text += fmt::format("\n# {}\n# [[{}]]\n", section.sentence, section.name);
@@ -129,12 +127,14 @@ std::string case_reference_markdown(const ModelWords& models) {
       "# Case file reference\n\n"
       "<!-- Made by `rollfem docs case-file` from the declarations in contact/case/keys/; "
       "do not edit. -->\n\n"
-      "A case file is TOML. Units: mm, N, MPa, rad; x is the rolling direction, y lateral, z "
-      "normal into the wheel.\nUnknown keys, wrong types, values out of bounds and contradictions "
-      "are errors that name file, line and key.\n`rollfem new-case` prints a commented template, "
-      "`rollfem check FILE` how a case is read.\n`rollfem docs schema > case.schema.json` is the "
-      "JSON schema: with `#:schema case.schema.json` as the first\nline of a case, editors that "
-      "know schemas of TOML complete keys and check values.\n";
+      "A case file is TOML. x is the rolling direction, y lateral, z normal into the wheel. Paths "
+      "are relative to the case\nfile. `list` stands for one number or a list of numbers; sections "
+      "in `[[ ]]` may be repeated. Unknown keys, wrong types,\nvalues out of bounds and "
+      "contradictions are errors that name file, line and key.\n\n`rollfem new-case` prints a "
+      "commented template, `rollfem check FILE` how a case is read. `rollfem docs schema >\n"
+      "case.schema.json` writes the JSON schema: with `#:schema case.schema.json` as the first "
+      "line "
+      "of a case, editors that\nknow schemas of TOML complete keys and check values.\n";
   std::set<std::string> last_rows;
   std::string last_name;
   std::size_t end_of_heading = 0;
@@ -142,9 +142,9 @@ std::string case_reference_markdown(const ModelWords& models) {
     std::set<std::string> rows;
     std::string told, as_before;  // rows, keys whose row the section before has
     for (const Key& key : section) {
-      const std::string row =
-          fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", key.name, key.symbol, key.unit,
-                      allowed_in_table(key, models), default_text(key, by_default), key.sentence);
+      const std::string row = fmt::format(
+          "| `{}`{}{} | {} | {} | {} |\n", key.name, key.symbol.empty() ? "" : " ", key.symbol,
+          allowed_in_table(key, models), default_text(key, by_default), key.sentence);
       rows.insert(row);
       if (last_rows.count(row) == 0)
         told += row;
@@ -162,8 +162,8 @@ std::string case_reference_markdown(const ModelWords& models) {
     text += section.name.empty() ? "\n\n" : fmt::format("\n\n{}.", section.sentence);
     if (!as_before.empty()) text += fmt::format(" As in [{}]: {}.", before, as_before);
     text += section.name.empty() ? "" : "\n\n";
-    text += "| key | symbol | unit | allowed | default | meaning |\n";
-    text += "|---|---|---|---|---|---|\n" + told;
+    text += "| key | allowed | default | meaning |\n";
+    text += "|---|---|---|---|\n" + told;
   }
   return text;
 }

@@ -259,10 +259,9 @@ std::vector<std::string> accuracy_words() {
 }
 
 std::string quantities_markdown() {
-  std::string text =
-      "| key of a point | symbol | unit | meaning | percent of |\n|---|---|---|---|---|\n";
+  std::string text = "| key of a point | unit | meaning | percent of |\n|---|---|---|---|\n";
   for (const Quantity& q : quantities())
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", q.name, cell(q.symbol), q.unit, q.meaning,
+    text += fmt::format("| `{}` {} | {} | {} | {} |\n", q.name, cell(q.symbol), q.unit, q.meaning,
                         text_of(q.scale));
   return text;
 }

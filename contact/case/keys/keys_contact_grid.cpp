@@ -9,9 +9,7 @@ SectionWithKeys contact_grid_section() {
   keys.section().alternatives = true;
   keys.integer("elements_across")
       .between(4, 2000)
-      .says(
-          "Number of contact elements along the smaller extent of the patch; not together with "
-          "cell_size.")
+      .says("Contact elements along the smaller extent of the patch; not with cell_size.")
       .by(
           [](const GridOptions& grid) {
             return grid.cell_size ? KeyValue() : value_of(grid.elements_across);
@@ -29,15 +27,15 @@ SectionWithKeys contact_grid_section() {
       .positive()
       .otherwise("from the size of the patch")
       .says(
-          "Extent of the whole potential contact area, [along x, along y], if Hertz's ellipse does "
-          "not cover it (several patches).")
+          "Extent of the potential contact area, [along x, along y], if Hertz's ellipse does not "
+          "cover it (several patches).")
       .into(&GridOptions::extent);
   keys.pair("middle")
       .unit("mm")
       .within(1e6)
       .says(
-          "Middle of the potential contact area, [x, y]; with profiles relative to the contact "
-          "point, without an extent relative to the middle of the patch.")
+          "Its middle, [x, y]; with profiles relative to the contact point, without an extent to "
+          "the middle of the patch.")
       .into(&GridOptions::middle);
   return keys;
 }

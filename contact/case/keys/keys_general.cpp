@@ -14,27 +14,25 @@ SectionWithKeys general_section() {
       .into(&Case::title);
   keys.choices("models")
       .says(
-          "The models that `run` solves, in this order; `--model` on the command line overrides "
-          "it. `auto`, on its own, chooses the cheapest of halfspace, hybrid and fem that meets "
-          "`accuracy` (docs/choice.md).")
+          "Models that `run` solves, in this order; `--model` overrides it. `auto`, on its own, "
+          "chooses the cheapest of halfspace, hybrid and fem that meets `accuracy` "
+          "(docs/choice.md).")
       .by([](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
           [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); });
   keys.real("accuracy")
       .between(1e-5, 0.5)
       .otherwise("unset: no refinement")
       .says(
-          "Requested accuracy: largest relative estimated error of the quantities in "
-          "`accuracy_of`. The models halfspace and fem start from the cells of the case and halve "
-          "them until it is reached; if memory or the finest grid sets a limit first, the results "
-          "are written and the run ends with status 1. The model auto chooses model and grid to "
-          "reach it, model error included; its default is 0.01, and missing the default is only a "
-          "warning.")
+          "Largest relative error, as estimated, of the quantities in `accuracy_of`. halfspace and "
+          "fem halve their cells until it is reached; if memory or the finest grid sets a limit "
+          "first, results are written and the status is 1. auto chooses model and grid, model "
+          "error included; its default is 0.01, and missing the default is only a warning.")
       .into(&Case::accuracy);
   keys.choices("accuracy_of")
       .among(accuracy_words())
       .says(
-          "Quantities that `accuracy` applies to. Their error is the largest over all load points, "
-          "relative to the value, for traction_coefficient to mu, for max_traction_x to mu p_0.")
+          "Quantities that `accuracy` applies to, at the worst load point; errors are relative to "
+          "the value, of traction_coefficient to mu, of max_traction_x to mu p_0.")
       .into(&Case::accuracy_of);
   return keys;
 }

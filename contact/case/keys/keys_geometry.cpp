@@ -10,17 +10,14 @@ SectionWithKeys geometry_section() {
   keys.section().alternatives = true;
   keys.choice("shape")
       .says(
-          "`point`: a contact of finite width, given by radii, profiles or points; `line`: endless "
-          "rollers in plane strain, without transverse radii. Line contact is for the models "
-          "halfspace, hertz and carter, without spin.")
+          "`point`: finite width, given by radii, profiles or points; `line`: endless rollers in "
+          "plane strain, without transverse radii and spin (models halfspace, hertz, carter).")
       .into(&ContactShapeCase::shape,
             {{"point", ContactShape::point}, {"line", ContactShape::line}});
   keys.real("width")
       .unit("mm")
       .positive()
-      .says(
-          "Line contact: the width to which all forces, moments, areas and work refer; 1 gives "
-          "them per mm.")
+      .says("Line contact: width to which forces, moments, areas and work refer; 1: per mm.")
       .into(&ContactShapeCase::width);
   keys.real("relative_radius")
       .symbol("R")
@@ -28,17 +25,17 @@ SectionWithKeys geometry_section() {
       .between(smallest_radius, largest)
       .otherwise("wheel.rolling_radius, on a straight rail")
       .says(
-          "Line contact: radius of the roller on a plane with the same undeformed distance h = x^2 "
-          "/ (2 R); for two rollers 1/R = 1/R1 + 1/R2.")
+          "Line contact: R of the undeformed distance h = x^2 / (2 R); for two rollers 1/R = 1/R1 "
+          "+ 1/R2.")
       .into(&ContactShapeCase::relative_radius);
   keys.real("reference_distance")
       .unit("mm")
       .positive()
       .otherwise("the relative radius")
       .says(
-          "Line contact: displacements are relative to that of the surface at this distance from a "
-          "line load; approach, elastic energy, shifts and transients depend on it, steady rolling "
-          "does not.")
+          "Line contact: displacements are relative to the surface at this distance from a line "
+          "load; approach, elastic energy, shifts and transients depend on it, steady rolling does "
+          "not.")
       .into(&ContactShapeCase::reference_distance);
   return keys;
 }

@@ -18,7 +18,7 @@ struct Shift {
 SectionWithKeys history_section() {
   Keys<Case> keys("history",
                   "Steps of the problems `shift` and `transient`, one list entry per step; a shift "
-                  "is relative to the previous step, not to the start",
+                  "is relative to the previous step",
                   whole_case());
   keys.section().alternatives = true;
   keys.integer("steps")

@@ -4,7 +4,7 @@
 namespace rollfem::contact {
 
 SectionWithKeys load_section() {
-  const char* one_of = "give exactly one of normal_force and approach";
+  const char* one_of = "give exactly one";
   Keys<Load> keys("load", "Force or approach that presses the bodies together", &Case::load);
   keys.section().alternatives = true;
   keys.real("normal_force")
@@ -28,7 +28,7 @@ SectionWithKeys load_section() {
       .symbol("Q")
       .unit("N")
       .between(1e-6, largest_force)
-      .otherwise("give exactly one of normal_force, approach and vertical_force")
+      .otherwise(one_of)
       .says(
           "With profiles: vertical force on each wheel, carried by the normal forces and friction "
           "of all its patches together.")

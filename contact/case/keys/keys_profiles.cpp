@@ -16,8 +16,7 @@ void add_formulas(ProfileKeys& keys) {
       .or_inf()
       .otherwise("required by `arcs`")
       .says(
-          "Profile `arcs`: radii of arcs tangent to each other, positive convex, negative concave, "
-          "inf straight.")
+          "Profile `arcs`: radii of tangent arcs, positive convex, negative concave, inf straight.")
       .into(&Profile::radii);
   keys.reals("ends")
       .unit("mm")
@@ -25,30 +24,26 @@ void add_formulas(ProfileKeys& keys) {
       .otherwise("required by `arcs`")
       .says(
           "y at which the arcs end: with symmetric = true one for each radius, from the middle "
-          "outwards; otherwise one more than radii, from small to large y. The arcs pass through "
-          "(0, 0).")
+          "outwards; otherwise one more than radii, increasing. The arcs pass through (0, 0).")
       .into(&Profile::ends);
   keys.toggle("symmetric")
-      .says("The arcs are given for y > 0 and mirrored for y < 0.")
+      .says("The arcs are given for y > 0 and mirrored.")
       .into(&Profile::symmetric);
-  keys.real("slope")
-      .within(1e6)
-      .says("dz/dy of the arcs at (0, 0), when they are not symmetric.")
-      .into(&Profile::slope);
+  keys.real("slope").within(1e6).says("dz/dy of unsymmetric arcs at (0, 0).").into(&Profile::slope);
   keys.reals("coefficients")
       .within(largest_force)
       .otherwise("required by `polynomial`")
       .says(
-          "Profile `polynomial`: z in mm over y in mm, lowest order first; several pieces one "
-          "after the other, each with the same number of coefficients.")
+          "Profile `polynomial`: z in mm over y in mm, lowest order first; pieces one after the "
+          "other, each with the same number of coefficients.")
       .into(&Profile::coefficients);
   keys.reals("limits")
       .unit("mm")
       .within(1e3)
       .otherwise("required by `polynomial`")
       .says(
-          "y at which the pieces begin and end, in increasing order, one more than pieces; pieces "
-          "must meet in value and slope.")
+          "y at which pieces begin and end, increasing, one more than pieces; they must meet in "
+          "value and slope.")
       .into(&Profile::limits);
 }
 
@@ -58,8 +53,7 @@ void add_places(ProfileKeys& keys) {
       .unit("rad")
       .within(1.6)
       .says(
-          "Rotate the profile about (0, 0), positive from y to z; not for the rail's inclination, "
-          "which is track.inclination.")
+          "Rotate about (0, 0), positive from y to z; the rail's inclination is track.inclination.")
       .into(&Profile::rotation);
   keys.pair("shift")
       .unit("mm")
@@ -77,7 +71,7 @@ void add_mending(ProfileKeys& keys) {
   keys.toggle("reverse").says("Reverse the order of the points.").into(&Profile::reverse);
   keys.toggle("sort").says("Sort the points by y.").into(&Profile::sort);
   keys.toggle("drop_duplicates")
-      .says("Drop points within 1e-6 mm of the previous point.")
+      .says("Drop points within 1e-6 mm of the previous one.")
       .into(&Profile::drop_duplicates);
   keys.toggle("drop_zigzag")
       .says("Drop points at which the curve turns back.")
@@ -90,28 +84,28 @@ void add_mending(ProfileKeys& keys) {
   keys.real("longest_gap")
       .unit("mm")
       .positive()
-      .says("Largest gap between points that the curve bridges; a larger gap is an error.")
+      .says("Largest gap that the curve bridges; a larger one is an error.")
       .into(&Profile::longest_gap);
   keys.real("largest_kink")
       .unit("degrees")
       .between(0.1, 180.0)
       .says(
-          "Largest angle between two chords; a larger one is an error, and so is a step that "
-          "stands out from the other points.")
+          "Largest angle between two chords; a larger one, or a step that stands out from the "
+          "other points, is an error.")
       .into(&Profile::largest_kink);
   keys.real("rounding")
       .unit("mm")
       .between(0.0, 100.0)
       .says(
-          "Drop points within this distance on both sides of a kink or step and bridge the gap "
-          "smoothly; 0: kinks are errors.")
+          "Drop points within this distance of a kink or step and bridge the gap smoothly; 0: "
+          "kinks are errors.")
       .into(&Profile::rounding);
   keys.real("smoothing")
       .unit("mm")
       .between(0.0, 1.0)
       .says(
-          "Scatter of the measured points across the profile (standard deviation), which is "
-          "smoothed away; 0: the curve passes through the points.")
+          "Standard deviation of measured points across the profile, which is smoothed away; 0: "
+          "the curve passes through the points.")
       .into(&Profile::smoothing);
 }
 

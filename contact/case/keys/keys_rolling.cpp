@@ -13,8 +13,8 @@ void add_motion(RollingKeys& keys) {
       .within(1.0)
       .example("[0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006]")
       .says(
-          "Rigid slip of the wheel over the rolling speed, along x. Positive when braking: the "
-          "rail pulls the wheel towards -x. A list gives a creep curve.")
+          "Rigid slip of the wheel along x over the rolling speed; positive when braking: the rail "
+          "pulls the wheel towards -x. A list gives a creep curve.")
       .into_each(&Rolling::creepages, &Creepage::longitudinal);
   keys.reals("lateral_creepage")
       .symbol("eta")
@@ -41,15 +41,14 @@ void add_difference(RollingKeys& keys) {
   keys.choice("upwind_order")
       .says(
           "Order of the difference along the streamline; `first` reproduces CONTACT's numbers on "
-          "the same elements (it evaluates the spin a sixth of a step upstream) and needs elements "
-          "some ten times finer.")
+          "the same elements (spin a sixth of a step upstream) and needs some ten times finer "
+          "ones.")
       .into(&Rolling::upwind_order,
             {{"first", UpwindOrder::first}, {"second", UpwindOrder::second}});
   keys.choice("leading_edge")
       .says(
-          "`fitted` adapts the second-order difference of steady rolling to the position of the "
-          "leading edge within its element; `plain` is the textbook difference, whose tractions "
-          "zigzag.")
+          "`fitted` adapts the second-order difference of steady rolling to the leading edge "
+          "within its element; `plain` is the textbook difference, whose tractions zigzag.")
       .into(&Rolling::leading_edge,
             {{"fitted", LeadingEdge::fitted}, {"plain", LeadingEdge::plain}});
 }
@@ -57,16 +56,14 @@ void add_difference(RollingKeys& keys) {
 void add_extra_slip(RollingKeys& keys) {
   keys.choice("extra_slip")
       .says(
-          "Rigid slip from the shape of the surface: `auto` follows from the wheel's true rolling "
-          "radii and, on a curved surface, from its local tangents; `none` uses creepages and spin "
-          "alone; `file` adds the slip in extra_slip_file.")
+          "Rigid slip from the shape of the surface: `auto` from the wheel's true rolling radii "
+          "and, on a curved surface, its tangents; `none`: creepages and spin alone; `file` adds "
+          "that of extra_slip_file.")
       .into(&Rolling::extra_slip,
             {{"auto", ExtraSlip::automatic}, {"none", ExtraSlip::none}, {"file", ExtraSlip::file}});
   keys.text("extra_slip_file")
       .otherwise("required if extra_slip is `file`")
-      .says(
-          "Lines `x, y, s_x, s_y` (mm and slip over the rolling speed) on a regular lattice; the "
-          "path is relative to the case file.")
+      .says("Lines `x, y, s_x, s_y` (mm, slip over the rolling speed) on a regular lattice.")
       .into(&Rolling::extra_slip_values);
 }
 
@@ -74,8 +71,8 @@ void add_problem(RollingKeys& keys) {
   keys.choice("problem")
       .says(
           "`steady`: steady rolling, each load point separately; `shift`: pressing and shifting "
-          "without rolling (Cattaneo), load points are steps; `transient`: rolling in steps, each "
-          "from the previous state; `frictionless`: the normal problem alone.")
+          "without rolling (Cattaneo), `transient`: rolling, both in steps, each from the previous "
+          "state; `frictionless`: the normal problem alone.")
       .into(&Rolling::problem, {{"steady", Problem::steady},
                                 {"shift", Problem::shift},
                                 {"transient", Problem::transient},
@@ -86,15 +83,15 @@ void add_problem(RollingKeys& keys) {
       .within(largest_force)
       .otherwise("creepage or shift applies")
       .says(
-          "Force on the wheel along x, instead of longitudinal_creepage (or longitudinal_shift); "
-          "negative when braking. Its magnitude must be below mu F_z.")
+          "Force on the wheel along x, instead of longitudinal_creepage or longitudinal_shift; "
+          "negative when braking, of magnitude below mu F_z.")
       .into_each(&Rolling::forces, &PrescribedForce::longitudinal);
   keys.reals("lateral_force")
       .symbol("F_y")
       .unit("N")
       .within(largest_force)
       .otherwise("creepage or shift applies")
-      .says("The same along y, instead of lateral_creepage (or lateral_shift).")
+      .says("The same along y.")
       .into_each(&Rolling::forces, &PrescribedForce::lateral);
 }
 

@@ -42,8 +42,8 @@ void add_body(RequestKeys& keys, const std::string& sentence) {
 
 void add_body_around_points(RequestKeys& keys) {
   add_body(keys,
-           "The body in which the points lie: z >= 0 in the wheel, z <= 0 in the rail; with the "
-           "models hybrid and fem a concave body extends beyond z = 0 to its surface.");
+           "Body of the points: z >= 0 in the wheel, z <= 0 in the rail; with hybrid and fem a "
+           "concave body extends beyond z = 0 to its surface.");
 }
 
 void add_corner(RequestKeys& keys, const std::string& name, const std::string& sentence,
@@ -74,17 +74,16 @@ void add_number_of_points(RequestKeys& keys, const std::string& sentence) {
 }  // namespace
 
 SectionWithKeys subsurface_point_section() {
-  RequestKeys keys = section_of(
-      "point", "A point below the surface (models halfspace, hybrid and fem); may be repeated",
-      Request::Kind::point);
+  RequestKeys keys =
+      section_of("point", "A point below the surface (models halfspace, hybrid and fem)",
+                 Request::Kind::point);
   add_body_around_points(keys);
   add_corner(keys, "at", "The point, [x, y, z].", &Request::from);
   return keys;
 }
 
 SectionWithKeys subsurface_line_section() {
-  RequestKeys keys = section_of("line", "A line of points below the surface; may be repeated",
-                                Request::Kind::line);
+  RequestKeys keys = section_of("line", "A line of points below the surface", Request::Kind::line);
   add_body_around_points(keys);
   add_corner(keys, "from", "One end of the line, [x, y, z].", &Request::from);
   add_corner(keys, "to", "The other end.", &Request::to);
@@ -93,8 +92,8 @@ SectionWithKeys subsurface_line_section() {
 }
 
 SectionWithKeys subsurface_plane_section() {
-  RequestKeys keys = section_of("plane", "A plane of points below the surface; may be repeated",
-                                Request::Kind::plane);
+  RequestKeys keys =
+      section_of("plane", "A plane of points below the surface", Request::Kind::plane);
   add_body_around_points(keys);
   add_corner(keys, "from", "One corner of the plane, a parallelogram, [x, y, z].", &Request::from);
   add_corner(keys, "to", "Corner at the end of the first side.", &Request::to);
@@ -108,10 +107,9 @@ SectionWithKeys subsurface_plane_section() {
 }
 
 SectionWithKeys subsurface_surface_section() {
-  RequestKeys keys = section_of(
-      "surface",
-      "A line that follows the contact surface of a body, on it or below it; may be repeated",
-      Request::Kind::surface);
+  RequestKeys keys =
+      section_of("surface", "A line that follows the contact surface of a body, on it or below it",
+                 Request::Kind::surface);
   add_body(keys, "The body whose surface is followed.");
   add_end(keys, "from", "One end of the line, [x, y].", &Request::from);
   add_end(keys, "to", "The other end.", &Request::to);
@@ -121,8 +119,8 @@ SectionWithKeys subsurface_surface_section() {
       .example("0.0")
       .otherwise("0, on the surface")
       .says(
-          "Depth of the line below the surface of the body: along z in the rail, towards the axle "
-          "in the wheel.")
+          "Depth of the line below the surface: along z in the rail, towards the axle in the "
+          "wheel.")
       .into(&Request::depth);
   add_number_of_points(keys, "Points equally spaced in x and y, both ends included.");
   return keys;

@@ -19,7 +19,7 @@ SectionWithKeys undeformed_distance_section() {
       .otherwise("from the radii of wheel and rail")
       .says(
           "Lines `x, y, h` in mm on a regular lattice, which becomes the potential contact area; "
-          "cubics interpolate between the points. The path is relative to the case file.")
+          "cubics interpolate.")
       .into(&DistanceOptions::values);
   return keys;
 }

@@ -20,7 +20,7 @@ void add_radius(Keys<Body>& keys, const char* symbol, const char* example, const
       .between(0.1, 0.9)
       .says(
           "Fraction of the transverse radius up to which the profile is a circle; beyond, it is "
-          "straight. See docs/meshes.md.")
+          "straight (docs/meshes.md).")
       .into(&Body::round_to);
 }
 
@@ -31,21 +31,21 @@ void add_material(Keys<Body>& keys) {
       .unit("MPa")
       .positive()
       .or_inf()
-      .says("Young's modulus; the default is steel; inf is a rigid body (not both).")
+      .says("Young's modulus, of steel by default; inf: a rigid body (not both).")
       .into(&Body::material, &Material::young_modulus);
   keys.real("poisson_ratio")
       .symbol("nu")
       .between(0.0, 0.5)
       .upper_open()
-      .says("Poisson's ratio; an incompressible body (0.5) is not covered.")
+      .says("Poisson's ratio; 0.5 (incompressible) is not covered.")
       .into(&Body::material, &Material::poisson_ratio);
   keys.real("density")
       .symbol("rho")
       .unit("t/mm^3")
       .between(0.0, 1e-7)
       .says(
-          "Mass density; matters only with fem.inertia; the default is steel (1 t/mm^3 = 1e12 "
-          "kg/m^3).")
+          "Mass density, of steel by default (1 t/mm^3 = 1e12 kg/m^3); matters only with "
+          "fem.inertia.")
       .into(&Body::material, &Material::density);
 }
 
@@ -55,16 +55,14 @@ void add_shape_from_files(Keys<Body>& keys, const std::string& names, const std:
   keys.text("profile")
       .otherwise("transverse_radius applies")
       .says("The profile, instead of transverse_radius: " + names +
-            ", `arcs`, `polynomial`, or a file relative to the case file: two columns y, z (text "
-            "or CSV), " +
-            files + ". Details in [" + keys.section().name + "_profile]; see docs/profiles.md.")
+            ", `arcs`, `polynomial`, or a file: two columns y, z (text or CSV), " + files +
+            ". Details: [" + keys.section().name + "_profile], docs/profiles.md.")
       .into(&Body::profile, &ProfileSource::name);
   keys.text("mesh")
       .otherwise("meshed by the program")
       .says(
           "Hexahedral gmsh mesh (.msh 4.1 or 2.2, mm, contact point at the origin) with the "
-          "physical surfaces `contact` and `fixed`, and `symmetry` for a half y >= 0; the path is "
-          "relative to the case file (model fem).")
+          "physical surfaces `contact`, `fixed`, and `symmetry` for a half y >= 0 (model fem).")
       .into(&Body::mesh);
 }
 
@@ -79,10 +77,9 @@ SectionWithKeys wheel_section() {
       .required("405.0")
       .says("Radius of the wheel at the running circle.")
       .into(&Wheel::rolling_radius);
-  add_radius(
-      keys, "R_wy", "inf",
-      "Radius of the wheel's profile: positive convex, negative concave (a hollow tread), inf "
-      "flat. A concave radius must be larger than the rail's. Omit it if `profile` is given.");
+  add_radius(keys, "R_wy", "inf",
+             "Radius of the wheel's profile: positive convex, negative concave (a hollow tread; "
+             "larger than the rail's), inf flat; not with `profile`.");
   add_material(keys);
   add_shape_from_files(keys, "`S1002` or `S1002-smooth`", "SIMPACK .prw, MiniProf .whl");
   return keys;
@@ -91,8 +88,8 @@ SectionWithKeys wheel_section() {
 SectionWithKeys rail_section() {
   Keys<Rail> keys("rail", "Lower body (2): a straight extruded rail", &Case::rail);
   add_radius(keys, "R_ry", "2000.0",
-             "Radius of the rail's head: positive convex, negative concave, inf flat. Along the "
-             "track the rail is straight. Omit it if `profile` is given.");
+             "Radius of the rail's head: positive convex, negative concave, inf flat; not with "
+             "`profile`.");
   add_material(keys);
   add_shape_from_files(keys, "`60E1` (the same as `UIC60`) or `UIC60-manchester`",
                        "SIMPACK .prr, MiniProf .ban");

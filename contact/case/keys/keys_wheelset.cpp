@@ -15,8 +15,7 @@ void add_positions(WheelsetKeys& keys) {
       .per("positions")
       .says(
           "Lateral shift of the wheelset, positive to the right seen along x. A list gives several "
-          "positions; lateral_shift, yaw and roll then have the same length, or one number for "
-          "all.")
+          "positions; lateral_shift, yaw and roll have one length or single numbers.")
       .into(&Wheelset::lateral_shift);
   keys.reals("yaw")
       .unit("rad")
@@ -30,15 +29,15 @@ void add_positions(WheelsetKeys& keys) {
       .per("positions")
       .otherwise("both wheels touch their rails")
       .says(
-          "Roll of the wheelset about x, positive when the right wheel is lower. If given, each "
-          "wheel is lowered onto its rail separately.")
+          "Roll of the wheelset about x, positive when the right wheel is lower; each wheel is "
+          "then lowered onto its rail separately.")
       .into(&Wheelset::roll);
 }
 
 void add_motion(WheelsetKeys& keys) {
   keys.real("lateral_velocity")
       .within(1.0)
-      .says("Lateral velocity of the wheelset over its forward speed, positive to the right.")
+      .says("Lateral over forward velocity, positive to the right.")
       .into(&Wheelset::lateral_velocity);
   keys.real("yaw_velocity")
       .unit("rad/mm")
@@ -49,13 +48,13 @@ void add_motion(WheelsetKeys& keys) {
       .within(1.0)
       .otherwise("0: the wheelset turns with V / rolling_radius")
       .says(
-          "Relative change of the wheelset's rotation from V / rolling_radius: positive drives, "
-          "negative brakes. A list gives a creep curve; not with longitudinal_creepage.")
+          "Relative change of the rotation from V / rolling_radius: positive drives, negative "
+          "brakes. A list gives a creep curve; not with longitudinal_creepage.")
       .into_each(&Wheelset::rotation_change);
   keys.choice("free_rolling")
       .says(
-          "Condition for the rotation, instead of rotation_change: `force`: F_x = 0 on each wheel "
-          "separately; `torque`: zero torque of both wheels about the axle; `none`: no condition.")
+          "Condition instead of rotation_change: `force`: F_x = 0 on each wheel separately; "
+          "`torque`: zero torque of both wheels about the axle.")
       .into(&Wheelset::free_rolling, {{"none", FreeRolling::none},
                                       {"force", FreeRolling::force},
                                       {"torque", FreeRolling::torque}});
@@ -68,7 +67,7 @@ SectionWithKeys wheelset_section() {
                     &Case::wheelset);
   keys.section().of_profiles = true;
   keys.choice("side")
-      .says("The wheels to solve; both are always placed on the track.")
+      .says("Wheels to solve; both are always placed on the track.")
       .into(&Wheelset::side,
             {{"left", WheelSide::left}, {"right", WheelSide::right}, {"both", WheelSide::both}});
   keys.real("flange_back_distance")
