@@ -19,7 +19,7 @@ struct EllipticPatch {
   contact::CombinedMaterial material;
   contact::ChartedGeometry geometry;
   double friction = 0.0;        ///< at rest
-  contact::Friction falling{};  ///< the law where friction falls with slip, else null
+  contact::Friction falling{};  ///< the law if friction falls with slip, otherwise null
   contact::ContactGrid grid;
   contact::PointResult normal;  ///< everything normal filled in, tractions along the surface 0
 };

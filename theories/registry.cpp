@@ -149,7 +149,7 @@ Demands of_ellipse(const Demands& more) {
 
 void add_theories(contact::ModelRegistry& models) {
   ModelInfo hertz{"hertz", "Hertz", "elliptic patch and pressure in closed form, without friction"};
-  // It knows no friction: it takes any problem, and gives the patch alone.
+  // Frictionless: accepts any problem and gives only the patch.
   hertz.takes =
       of_ellipse({Demand::line_contact, Demand::history, Demand::tangential_force, Demand::profiles,
                   Demand::lateral_creepage, Demand::spin, Demand::extra_slip,

@@ -53,7 +53,8 @@ enum class FallShape {
   exponential,  ///< 2^(-s/s_hi)
 };
 
-/// What the coefficient of friction, which is that at rest, does once the surfaces slide.
+/// Change of the coefficient of friction once the surfaces slide; the coefficient itself is that at
+/// rest.
 struct FrictionFall {
   FallShape shape = FallShape::none;
   std::optional<double> kinetic_coefficient;  ///< mu_kin
@@ -73,7 +74,7 @@ struct Layer {
   double compliance() const { return thickness / shear_modulus; }  ///< mm/MPa
 };
 
-/// The shape of the contact; the rest is of a line.
+/// The shape of the contact; the other members are for line contact.
 struct ContactShapeCase {
   ContactShape shape = ContactShape::point;
   double width = 1.0;                        ///< mm, width to which all forces refer

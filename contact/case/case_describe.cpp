@@ -140,7 +140,7 @@ std::string case_reference_markdown(const ModelWords& models) {
   std::size_t end_of_heading = 0;
   for (const Section& section : case_sections()) {
     std::set<std::string> rows;
-    std::string told, as_before;  // rows, keys whose row the section before has
+    std::string told, as_before;  // rows; keys with the row of the previous section
     for (const Key& key : section) {
       const std::string row = fmt::format(
           "| `{}`{}{} | {} | {} | {} |\n", key.name, key.symbol.empty() ? "" : " ", key.symbol,

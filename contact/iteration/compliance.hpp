@@ -46,8 +46,8 @@ class TangentialOperator {
   virtual double diagonal() const = 0;
   /// h/G of the layer between the bodies in A_tt, mm/MPa.
   virtual double layer() const { return 0.0; }
-  /// Approximate inverse of (r T + shift I) as if every element were in adhesion; the solver
-  /// restricts it to the adhesion set.
+  /// Approximate inverse of (r T + shift I) with every element in adhesion; the solver restricts it
+  /// to the adhesion set.
   virtual TangentialField precondition(const TangentialField& residual, double r,
                                        double shift) const = 0;
 };

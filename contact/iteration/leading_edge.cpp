@@ -74,7 +74,7 @@ void add_runs_of_row(const ContactGrid& grid, const Field& bound, int j, std::ve
   }
 }
 
-/// The runs of all rows, in memory that is kept.
+/// The runs of all rows; reuses its memory.
 class GridRuns {
  public:
   void find(const ContactGrid& grid, const Field& bound) {
@@ -98,7 +98,7 @@ class GridRuns {
   std::vector<std::size_t> ends_;
 };
 
-/// The run's neighbour in the next row: overlaps it, the leading edges nearest to each other.
+/// The run's neighbour in the next row: the overlapping run with the closest leading edge.
 double edge_beside(const Runs& row, const Run& run) {
   double edge = run.beyond_border;
   int nearest = -1;

@@ -29,8 +29,8 @@ double leading_weight(double beyond_border);
 /// at all others and where it is not known.
 Field leading_edges(const ContactGrid& grid, const Field& pressure);
 
-/// What the difference of a layer between the bodies takes where that of the bodies takes the
-/// weight of a leading element: the tractions that a layer alone holds grow as d, not as sqrt(d).
+/// Weight of the difference of a layer between the bodies at a leading element: tractions held by a
+/// layer alone grow as d, not as sqrt(d).
 double layer_weight(double weight);
 
 /// D u with these weights.

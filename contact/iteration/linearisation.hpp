@@ -31,10 +31,10 @@ class ContactElements {
   std::vector<Eigen::Index> places_;
 };
 
-/// How the Jacobian J = (I - B) + B r T treats an element: B = I in adhesion, in slip
-/// B = (g / |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) in place of n, which is the
-/// same at the solution and much better on the way (Hueeber, Stadler & Wohlmuth 2008). A law that
-/// feels slip adds -n times the change of g (friction_state.hpp).
+/// Treatment of an element in the Jacobian J = (I - B) + B r T: B = I in adhesion, in slip B = (g /
+/// |q|) (I - m n^T) with n = q / |q| and m = p / max(g, |p|) in place of n, which is the same at
+/// the solution and much better on the way (Hueeber, Stadler & Wohlmuth 2008). A law that feels
+/// slip adds -n times the change of g (friction_state.hpp).
 struct Linearisation {
   std::vector<char> adheres;
   Eigen::VectorXd normal;  ///< n of the slipping elements

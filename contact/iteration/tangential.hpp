@@ -15,8 +15,8 @@ namespace rollfem::contact {
 struct TangentialProblem {
   Field pressure;              ///< p_n >= 0, MPa; 0 outside the contact area
   TangentialField rigid_slip;  ///< s, with any defect of the compliance added
-  Friction friction;           ///< null: frictionless; no default, so that none is forgotten
-  double slip_factor = 1.0;    ///< slip as the friction law takes it over w
+  Friction friction;           ///< null: frictionless; no default, so that it is never forgotten
+  double slip_factor = 1.0;    ///< slip of the friction law divided by w
   std::optional<FrictionPast> past{};  ///< empty: steady rolling
 };
 

@@ -68,7 +68,7 @@ struct Scene {
   SceneBody wheel;
   SceneBody rail;
   CombinedMaterial material;  ///< with the layer between the bodies
-  Friction friction_law;      ///< as the case gives it; null where mu is 0
+  Friction friction_law;      ///< as given in the case; null if mu is 0
   Problem problem = Problem::steady;
   std::vector<LoadPoint> points;
   bool turns_freely = false;  ///< a wheelset's balance has found the rotation, and the creepages

@@ -39,7 +39,7 @@ struct ContactState {
   NormalSolution normal;
   TangentialSolution tangential;
   SurfaceField displacement;  ///< wheel minus rail, mm, by all tractions
-  Response defect;            ///< difference of the elasticity to the stand-in; empty: none
+  Response defect;            ///< difference between the elasticity and the stand-in; may be empty
   int iterations = 0;         ///< Newton steps, or outer iterations
   double residual = 0.0;
   Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< creepages (shifts) found for a force
@@ -55,7 +55,7 @@ struct TangentialMotion {
   Motion motion = Motion::rolling;
   /// Slip of the results divided by slip of the problem (StepProblem).
   double slip_factor = 1.0;
-  double curvature_weight = 1.0;       ///< of Response::curvature_slip in the slip of the problem
+  double curvature_weight = 1.0;  ///< factor of Response::curvature_slip in the slip of the problem
   std::optional<FrictionPast> past{};  ///< of a step of a history, where friction remembers
 };
 

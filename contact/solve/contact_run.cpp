@@ -329,7 +329,7 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   return point;
 }
 
-/// Works per mm rolled are the powers at V = 1; shifts and transient steps have none.
+/// Works per mm rolled are the powers at V = 1; shifts and transient steps have no such works.
 void ContactRun::add_energies(PointResult& point) const {
   const SurfaceField traction = times_stretch(point.fields.traction, shape_);
   point.elastic_energy = elastic_energy(result_.grid, traction, point.fields.displacement);

@@ -53,8 +53,7 @@ class PointStore {
   virtual void keep(std::size_t k, const PointResult& point, const ContactState& state) = 0;
 };
 
-/// What a finer level needs of a coarser one besides its results: p_t over g at rest, between -1
-/// and 1.
+/// State that a finer level takes over from a coarser one: p_t over g at rest, between -1 and 1.
 struct LevelResult {
   ContactGrid grid;
   Field pressure;            ///< without friction, MPa; of the last load point
@@ -64,10 +63,10 @@ struct LevelResult {
   double setup_seconds = 0.0;
   double normal_seconds = 0.0;
   double tangential_seconds = 0.0;
-  double steepness = 0.0;  ///< of the friction law, the largest of all load points
+  double steepness = 0.0;  ///< gain of the friction law, the largest of all load points
 };
 
-/// What a reader must know of a law that falls this steeply; empty: nothing.
+/// Warning about a law that falls this steeply; may be empty.
 std::string steep_friction_note(double steepness);
 
 struct RunOptions {

@@ -23,7 +23,7 @@ PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
   history_.advance(rest, 0.0, Field::Constant(grid.size(), friction_->coefficient()));
 }
 
-/// mu of the elements after a step; that at rest where there is no contact.
+/// mu of the elements after a step; outside the contact, the value at rest.
 Field PointMotion::coefficient_after(const ContactState& state) const {
   Field coefficient = Field::Constant(grid_.size(), friction_->coefficient());
   for (Eigen::Index k = 0; k < coefficient.size(); ++k)

@@ -83,7 +83,7 @@ class PointMotion {
   /// into `point`.
   void describe(std::size_t k, const Eigen::Vector2d& unknowns, PointResult& point);
 
-  /// What the next step inherits from load point k.
+  /// State that the next step inherits from load point k.
   void advance(std::size_t k, const ContactState& state);
 
   /// Records load point k as restored from an earlier run, which described it.
@@ -95,14 +95,14 @@ class PointMotion {
   };
 
   Field coefficient_after(const ContactState& state) const;
-  /// `step`: over how many mm the difference reaches that it is put beside.
+  /// `step`: length in mm of the corresponding difference.
   TangentialField rigid_slip(const Creepage& creepage, double step) const;
 
   const Scene& scene_;
   const ChartedGeometry& geometry_;
   ContactGrid grid_;
   TangentialField extra_;
-  Friction friction_;  ///< null: none, or one that remembers nothing of earlier steps
+  Friction friction_;  ///< null: no law, or one without memory of earlier steps
   History history_;
   Sum sum_;
 };

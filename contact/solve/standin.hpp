@@ -57,10 +57,10 @@ struct CoupledProblem {
   NormalLoad load;
   Friction friction = nullptr;       ///< null: frictionless
   TangentialField rigid_slip;        ///< empty: frictionless
-  double slip_factor = 1.0;          ///< slip as the friction law takes it over that of the problem
+  double slip_factor = 1.0;          ///< slip of the friction law divided by slip of the problem
   std::optional<FrictionPast> past;  ///< of a step of a history, where friction remembers
-  double curvature_weight = 1.0;     ///< of Response::curvature_slip in the slip
-  Field given_pressure;              ///< MPa, replaces the normal problem; empty: none
+  double curvature_weight = 1.0;     ///< factor of Response::curvature_slip in the slip
+  Field given_pressure;              ///< MPa, replaces the normal problem; may be empty
   PatchShape shape;                  ///< empty: plane
   VerticalFrame frame;               ///< of the shape and the direction of the load
 

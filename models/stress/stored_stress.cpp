@@ -34,9 +34,9 @@ std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, s
   return maxima;
 }
 
-/// Largest values that the places asked for show and the search has missed: it leaves out depths of
-/// less than an element, which counts where elements are long. Places nearer to the surface than
-/// `least`, but not on it, are left out.
+/// Raises the largest values to those at the requested places: the search skips depths below one
+/// element, which matters if elements are long. Ignores places closer to the surface than `least`
+/// but not on it.
 void add_largest_of_sets(const std::vector<StressSet>& sets, double least,
                          std::vector<contact::StressMaximum>& maxima) {
   for (const StressSet& set : sets)

@@ -13,8 +13,8 @@
 
 namespace rollfem::modelling {
 
-/// `warnings` gets what a user should know, and what was left out and why. Throws
-/// contact::InputError where nothing is left.
+/// `warnings` receives notes for the user, and what was left out and why. Throws
+/// contact::InputError if nothing is left.
 postprocess::StressReport stored_stress(const StressRequest& request,
                                         const contact::ModelRegistry& models,
                                         std::vector<std::string>& warnings);

@@ -24,8 +24,8 @@ using postprocess::StudyPlace;
 using postprocess::StudySeries;
 using postprocess::StudyValues;
 
-/// Keys of a study with the load point (from 0) and the quantity that they stand for. A value of 0
-/// is one that the model does not give.
+/// Keys of a study with their load point (from 0) and quantity. The value is 0 if the model does
+/// not give the quantity.
 std::vector<std::tuple<std::string, std::size_t, std::string>> keys_of(
     const contact::ModelResult& result, bool patch) {
   std::vector<std::tuple<std::string, std::size_t, std::string>> keys;
@@ -60,7 +60,7 @@ StudyValues bars_of(const contact::ModelResult& result, bool patch) {
   return bars;
 }
 
-/// Hertz's values where the case is one that they are exact for.
+/// Hertz's values if they are exact for the case.
 StudyValues exact_values(const contact::Scene& scene) {
   if (scene.has_profiles()) return {};
   try {
@@ -74,7 +74,7 @@ bool parallel(const LevelPlan& plan, const StudyRun& work) {
   return work.how.models->at(plan.model).parallel;
 }
 
-/// The level as an earlier call left it, or solved. Of a parallel model collective.
+/// The level as stored by an earlier call, otherwise solved. Collective for a parallel model.
 StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
                     const StudySeries& series, const std::string& place, const StudyRun& work) {
   StudyLevel level;
@@ -108,8 +108,8 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
   return level;
 }
 
-/// A level may be too coarse to be laid out or to be solved: then the series begins with a finer
-/// one. After a level that was solved a failure ends it, since limits need levels in a row.
+/// If a level is too coarse to be meshed or solved, the series begins with a finer one. After a
+/// solved level a failure ends the series, because limits need consecutive levels.
 StudySeries run_series(const LevelPlan& plan, const std::string& place, const StudyRun& work) {
   StudySeries series;
   series.model = plan.model;
@@ -148,7 +148,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const St
   return series;
 }
 
-/// The places of the case with what is known of them before any level is solved.
+/// The places of the case, before any level is solved.
 std::vector<StudyPlace> places_of(const Scenes& scenes) {
   std::vector<StudyPlace> places;
   for (const contact::Scene& scene : scenes.list) {
@@ -161,8 +161,8 @@ std::vector<StudyPlace> places_of(const Scenes& scenes) {
   return places;
 }
 
-/// All series of a place. A theory that cannot take it says so when it runs: of "all" it is left
-/// out.
+/// All series of a place. A theory that does not accept it throws when it runs; "all" then leaves
+/// it out.
 void run_place(const StudyWishes& wishes, const std::vector<std::string>& models,
                const contact::Scene& scene, StudyPlace& place, StudyRun work) {
   const std::string name = place_name(place);
@@ -218,7 +218,7 @@ std::string finish_study(const Scenes& scenes, const Solving& how,
       any = any || !series.levels.empty();
       if (!series.failure.empty()) failures += (failures.empty() ? "" : "; ") + series.failure;
     }
-    if (place.series.empty()) continue;  // every model left out: it says nothing
+    if (place.series.empty()) continue;  // all models were left out: the place has no results
     add_choice(scenes.list[k], how, record.friction, place);
     places.push_back(std::move(place));
   }

@@ -15,7 +15,7 @@
 
 namespace rollfem::modelling {
 
-/// What all series of a study share while they run.
+/// State shared by all series of a study.
 struct StudyRun {
   Solving how;
   postprocess::CheckpointFolder* kept = nullptr;  ///< of the first process; may be null

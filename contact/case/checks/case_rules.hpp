@@ -12,8 +12,8 @@ namespace rollfem::contact {
 /// Condition under which a rule applies to a case.
 using Condition = bool (*)(const GivenCase&);
 
-/// Keys that must not stand where the condition holds: "section.name", with at most one *. In what
-/// is wrong, {problem} stands for the problem, {slip} for extra_slip, {law} for the friction law.
+/// Keys that are not allowed if the condition holds: "section.name", with at most one *. In the
+/// texts, {problem} stands for the problem, {slip} for extra_slip, {law} for the friction law.
 struct Exclusion {
   Condition where;
   std::vector<const char*> keys;
@@ -29,10 +29,10 @@ const std::vector<Exclusion>& exclusions_of_shapes();
 /// Keys excluded by the problem, or by data given instead of a part of it.
 const std::vector<Exclusion>& exclusions_of_problems();
 
-/// What a constant coefficient of friction, or another law, excludes.
+/// Keys excluded by a constant coefficient of friction, or by another law.
 const std::vector<Exclusion>& exclusions_of_friction();
 
-/// Keys that decide the same thing: at most one of them may stand.
+/// Alternative keys: at most one of them is allowed.
 struct Rivals {
   std::vector<const char*> keys;
   const char* why;  ///< added to "contradicts ..."; may be empty

@@ -66,7 +66,7 @@ void doubt_load(const Case& input, Doubts& doubts) {
   const double radius = input.wheel.rolling_radius;
   const bool metal = std::min(input.wheel.material.young_modulus,
                               input.rail.material.young_modulus) > least_of_metal;
-  const bool line = input.geometry.shape == ContactShape::line;  // its force is of any width
+  const bool line = input.geometry.shape == ContactShape::line;  // any force is plausible
   if (line || !metal || !(radius >= smallest_wheel) || !std::isfinite(radius)) return;
   const double least = least_load_of_wheel * radius * radius;
   for (const auto& [key, force] : {std::pair{"load.normal_force", input.load.normal_force},

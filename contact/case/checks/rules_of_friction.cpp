@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the keys of falling friction and of a layer need and exclude.
+// Keys that falling friction and a layer require and exclude.
 #include "contact/case/checks/case_rules.hpp"
 
 namespace rollfem::contact {
