@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import datetime
+import json
 import os
 import platform
 import sys
@@ -20,8 +21,10 @@ def _parser():
                "Exit status: 0 all numbers are within their tolerances; 1 one is not, or a run failed;\n"
                "2 the call is wrong.")
     parser.add_argument("-o", "--output", metavar="DIR",
-                        help="folder for the book (default: docs/book of the source)")
-    parser.add_argument("--only", nargs="+", metavar="CHAPTER", help="these chapters only (see --list)")
+                        help="folder for the book (default: docs/book of the source; with --only "
+                             "results/book_only)")
+    parser.add_argument("--only", nargs="+", metavar="CHAPTER",
+                        help="these chapters only (see --list), as a book of their own")
     parser.add_argument("--list", action="store_true", help="list the chapters and exit")
     parser.add_argument("--results", metavar="DIR",
                         help="folder of the runs (default: results/book). Existing runs of the "
@@ -40,6 +43,23 @@ def _wanted(parser, options, known):
         if name not in names:
             parser.error(f"--only {name}: unknown chapter; allowed: {', '.join(names)}")
     return [c for c, name in zip(known, names) if not options.only or name in options.only]
+
+
+def _folder(parser, options, root, wanted):
+    """The folder of the book. A part of the book must not replace one that has other chapters."""
+    place = ["docs", "book"] if not options.only else ["results", "book_only"]
+    directory = os.path.abspath(options.output or os.path.join(root, *place))
+    if options.only and options.output:
+        try:
+            with open(os.path.join(directory, "book.json"), encoding="utf-8") as file:
+                there = {chapter["name"] for chapter in json.load(file)["chapters"]}
+        except (OSError, ValueError, KeyError):
+            there = set()
+        lost = len(there - {chapter.__name__.replace("_", "-") for chapter in wanted})
+        if lost:
+            parser.error(f"--only would remove the other chapters ({lost}) of the book in {directory}; "
+                         "do: name another folder with -o, or omit --only")
+    return directory
 
 
 def _machine():
@@ -87,7 +107,7 @@ def main():
             print(f"{chapter.__name__.replace('_', '-'):22} {chapter.__doc__.strip().splitlines()[0]}")
         return 0
     wanted = _wanted(parser, options, all_chapters.ALL)
-    directory = os.path.abspath(options.output or os.path.join(root, "docs", "book"))
+    directory = _folder(parser, options, root, wanted)
     say = (lambda text: None) if options.quiet else (lambda text: print(text, flush=True))
     begin = time.time()
     results = os.path.abspath(options.results or os.path.join(root, "results", "book"))

@@ -104,6 +104,13 @@ TEST(Book, SaysWhatIsWrongWithACall) {
   const Outcome unknown = book(folder, {"--only", "hertzz"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_TRUE(says(unknown.err, "hertzz: unknown chapter; allowed: hertz,"));
+  const std::string whole = R"({"chapters": [{"name": "hertz"}, {"name": "fastsim"}]})";
+  folder.file("work/out/book.json", whole);
+  const Outcome part = book(folder, {"--only", "fastsim"});
+  EXPECT_EQ(part.status, 2);
+  EXPECT_TRUE(says(part.err, "would remove the other chapters (1) of", "do: name another folder"));
+  EXPECT_EQ(folder.text("out/book.json"), whole);
+  std::filesystem::remove(folder.work() / "out/book.json");
   const Outcome unbuilt = book(folder, {"--only", "fastsim", "--build", "nowhere"});
   EXPECT_EQ(unbuilt.status, 1);
   EXPECT_TRUE(says(unbuilt.err, "do: ./rollfem build"));
