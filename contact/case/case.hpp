@@ -53,8 +53,7 @@ enum class FallShape {
   exponential,  ///< 2^(-s/s_hi)
 };
 
-/// Change of the coefficient of friction once the surfaces slide; the coefficient itself is that at
-/// rest.
+/// Fall of friction, from its coefficient at rest, once the surfaces slide.
 struct FrictionFall {
   FallShape shape = FallShape::none;
   std::optional<double> kinetic_coefficient;  ///< mu_kin

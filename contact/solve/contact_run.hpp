@@ -53,7 +53,8 @@ class PointStore {
   virtual void keep(std::size_t k, const PointResult& point, const ContactState& state) = 0;
 };
 
-/// State that a finer level takes over from a coarser one: p_t over g at rest, between -1 and 1.
+/// State that a finer level takes over from a coarser one besides its results: p_t over g at rest,
+/// between -1 and 1.
 struct LevelResult {
   ContactGrid grid;
   Field pressure;            ///< without friction, MPa; of the last load point
