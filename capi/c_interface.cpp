@@ -25,7 +25,9 @@ namespace contact = rollfem::contact;
 
 namespace {
 
-/// Size of a state that ends with the vertical force.
+/// Size of a definition that ends with the elements, and of a state that ends with the vertical
+/// force.
+constexpr std::size_t first_definition = offsetof(rollfem_definition, kinetic_coefficient);
 constexpr std::size_t first_state = offsetof(rollfem_state, given);
 
 /// The caller's units in mm and N.
@@ -71,18 +73,56 @@ std::string quoted(const char* what, const char* text) {
   return found + '"';
 }
 
+const char* name_of(rollfem_law law) {
+  switch (law) {
+    case ROLLFEM_CONSTANT:
+      return "constant";
+    case ROLLFEM_LINEAR:
+      return "linear";
+    case ROLLFEM_RATIONAL:
+      return "rational";
+    case ROLLFEM_EXPONENTIAL:
+      return "exponential";
+  }
+  throw contact::InputError(fmt::format(
+      "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
+      "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL; do: fill the definition with rollfem_defaults",
+      static_cast<int>(law)));
+}
+
+/// The sections of friction and of the layer; members that are 0 are not given.
+std::string friction_text(const rollfem_definition& definition, const Units& units) {
+  std::string text = fmt::format("[friction]\ncoefficient = {}\nlaw = \"{}\"\n",
+                                 definition.friction_coefficient, name_of(definition.friction_law));
+  const auto add = [&text](const char* key, double value) {
+    if (value != 0.0) text += fmt::format("{} = {}\n", key, value);
+  };
+  add("kinetic_coefficient", definition.kinetic_coefficient);
+  add("half_velocity", definition.half_velocity * units.length);
+  add("second_part", definition.second_part);
+  add("second_half_velocity", definition.second_half_velocity * units.length);
+  add("memory_distance", definition.memory_distance * units.length);
+  add("memory_velocity", definition.memory_velocity * units.length);
+  if (definition.friction_law != ROLLFEM_CONSTANT) text += "[rolling]\nspeed = 1.0\n";
+  if (definition.layer_thickness != 0.0 || definition.layer_shear_modulus != 0.0)
+    text += "[layer]\n";
+  add("thickness", definition.layer_thickness * units.length);
+  add("shear_modulus", definition.layer_shear_modulus * units.stress());
+  return text;
+}
+
 /// The definition as a case, which passes the checks of case files.
 contact::Case case_of(const rollfem_definition& definition) {
   const Units units = units_of(definition.units);
   const double length = units.length, stress = units.stress();
   const std::string text = fmt::format(
-      "models = [\"halfspace\"]\n[load]\nvertical_force = 1.0\n[friction]\ncoefficient = {}\n"
+      "models = [\"halfspace\"]\n[load]\nvertical_force = 1.0\n{}"
       "[wheel]\nrolling_radius = {}\nprofile = {}\nyoung_modulus = {}\npoisson_ratio = {}\n"
       "[rail]\nprofile = {}\nyoung_modulus = {}\npoisson_ratio = {}\n"
       "[track]\ngauge = {}\ngauge_height = {}\ninclination = {}\n"
       "[wheelset]\nside = \"{}\"\nflange_back_distance = {}\nflange_back_position = {}\n"
       "[contact_grid]\nelements_across = {}\n",
-      definition.friction_coefficient, definition.rolling_radius * length,
+      friction_text(definition, units), definition.rolling_radius * length,
       quoted("wheel_profile", definition.wheel_profile), definition.wheel_young_modulus * stress,
       definition.wheel_poisson_ratio, quoted("rail_profile", definition.rail_profile),
       definition.rail_young_modulus * stress, definition.rail_poisson_ratio,
@@ -198,15 +238,17 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
   Given<rollfem_definition> place(definition);
   if (place.fits())
     place.give({0, units, ROLLFEM_LEFT, "S1002", "60E1", 460.0 * mm, 1435.0 * mm, 14.0 * mm,
-                1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12});
+                1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12,
+                // friction is constant, and there is no layer
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT});
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {
   rollfem_pair* made = nullptr;
   guarded(
       [&] {
-        const rollfem_definition given =
-            taken(definition, "definition", "one that rollfem_defaults has filled");
+        const rollfem_definition given = taken(
+            definition, "definition", "one that rollfem_defaults has filled", first_definition);
         made = new rollfem_pair{units_of(given.units), WheelRailPair(case_of(given))};
       },
       message, size);

@@ -48,7 +48,9 @@ SolvedWheel WheelRailPair::linearise(const WheelState& state, WheelDerivatives& 
   found = {};
   if (at.count == 0) return at;
   const bool responds = workspace->solved != nullptr && respond(*workspace, state, found);
-  const std::size_t count = responds ? first_velocity : state_variables.size();
+  // The response takes the friction of every slip relative to the speed as unchanged by the speed.
+  const std::size_t differences = friction_falls() ? first_velocity + 1 : first_velocity;
+  const std::size_t count = responds ? differences : state_variables.size();
   for (std::size_t k = 0; k < count; ++k)
     if (!std::isnan(state.*state_variables[k])) found.by[k] = difference(*workspace, state, at, k);
   if (responds) return at;

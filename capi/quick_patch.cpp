@@ -31,6 +31,7 @@ constexpr int loads_across = 5;
 QuickPatch::QuickPatch(const halfspace::InfluenceTables& tables,
                        const contact::CombinedMaterial& material)
     : tables_(tables),
+      layer_(material.layer),
       peak_(material.contact_modulus),
       rolling_(tables.nx(), tables.ny(),
                (tables.nx() - 2 * margin + 3) * (tables.ny() - 2 * margin + 3)) {
@@ -149,13 +150,13 @@ bool QuickPatch::is_one_region() const {
 bool QuickPatch::rub(const contact::Friction& friction, bool anew, bool keeps_weights) {
   static const contact::TangentialField none;
   if (!keeps_weights) contact::set_upwind_weights(grid_, pressure_, weights_);
-  if (!rolling_.set(table_, pressure_, weights_)) return false;
+  if (!rolling_.set(table_, pressure_, weights_, layer_ / grid_.dx)) return false;
   if (!friction) return true;
   contact::TangentialOptions options;
   options.tolerance = traction_tolerance;
   options.krylov_tolerance = krylov_tolerance;
-  newton_.solve(rolling_, {grid_, pressure_, slip_, *friction, 1.0}, rolling_.grid_indices(),
-                options, anew ? none : traction_);
+  problem_.emplace(contact::FrictionProblem{grid_, pressure_, slip_, *friction, 1.0});
+  newton_.solve(rolling_, *problem_, rolling_.grid_indices(), options, anew ? none : traction_);
   spread(newton_.traction(), traction_);
   return true;
 }

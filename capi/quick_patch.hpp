@@ -102,7 +102,8 @@ class QuickPatch {
   /// Resultants of the present pressure and tractions.
   PatchSums sums() const { return sum(&pressure_, traction_); }
   /// Derivatives of the friction forces by xi, eta and phi at fixed pressure, from the linearised
-  /// friction problem. False if its linear systems do not converge.
+  /// friction problem; the friction law must still live. False if its linear systems do not
+  /// converge.
   bool respond(std::array<PatchSums, 3>& by_creepage);
   double max_pressure_bar() const { return max_pressure_bar_; }  ///< MPa
 
@@ -120,6 +121,7 @@ class QuickPatch {
   const QuickContact* given_ = nullptr;
   std::array<double, 2> direction_{0.0, 1.0};
   std::optional<contact::ChartedGeometry> geometry_;
+  double layer_;                     ///< its compliance between the bodies, mm/MPa
   halfspace::InfluenceTable table_;  ///< of the elements of the grid
   contact::ContactGrid grid_;
   /// Per row of the grid: y in the patch frame, inclination of the surface and its cosine, and the
@@ -133,6 +135,7 @@ class QuickPatch {
   contact::PointResult point_;
   PeakPressure peak_;
   double max_pressure_bar_ = 0.0;
+  std::optional<contact::FrictionProblem> problem_;  ///< last solved, for the response to it
   contact::FrictionNewton newton_;
   halfspace::FewElementsRolling rolling_;
 };

@@ -164,7 +164,8 @@ WheelRailPair::WheelRailPair(Case input)
     : input_(std::move(input)),
       search_(track::search_scene_of(input_)),
       material_(contact::combine(input_.wheel.material, input_.rail.material)),
-      friction_(contact::coulomb(input_.friction_coefficient)) {
+      friction_(contact::friction_of(input_)) {
+  if (input_.layer) material_.layer = input_.layer->compliance();
   const int across = input_.contact_grid.elements_across;
   if (material_.couples() || across > QuickWheel::most_across) return;
   for (const int elements : {across, QuickWheel::across_any_patch})
@@ -225,7 +226,7 @@ QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, const WheelSt
   workspace.found = track::find_contacts(input, search_, 1, options);
   const track::WheelsetPose& pose = workspace.found.front().pose;
   workspace.load = {input.load.vertical_force.value_or(0.0), sinking_of(state, pose.height),
-                    friction_};
+                    friction_falls() ? contact::friction_of(input) : friction_};
   const bool touches =
       std::any_of(workspace.found.begin(), workspace.found.end(),
                   [](const track::WheelRailContact& contact) { return contact.place.patch > 0; });

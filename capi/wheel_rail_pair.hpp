@@ -65,6 +65,8 @@ class WheelRailPair {
   bool respond(Workspace& workspace, const WheelState& state, WheelDerivatives& derivatives) const;
   Wrench difference(Workspace& workspace, const WheelState& state, const SolvedWheel& at,
                     std::size_t variable) const;
+  /// Then the law depends on the forward speed.
+  bool friction_falls() const { return friction_ && friction_->feels_slip(); }
   double step_of(const WheelState& state, const SolvedWheel& at, std::size_t variable) const;
 
   contact::Case input_;

@@ -54,6 +54,7 @@ void set(const WheelState& state, contact::Case& input) {
   wheelset.yaw_velocity = state.yaw_rate / state.forward_speed;
   wheelset.rotation_change.assign(
       1, state.rotation_speed * input.wheel.rolling_radius / state.forward_speed - 1.0);
+  input.rolling.speed = state.forward_speed;
   input.load = {};
   if (state.given == WheelState::Given::vertical_force)
     input.load.vertical_force = state.load;

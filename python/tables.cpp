@@ -61,8 +61,9 @@ py::dict contents_of(const CreepTableReader& reader) {
                   "poisson_ratio"_a = table.poisson_ratio, "over_shifts"_a = table.over_shifts(),
                   "shear_modulus"_a = table.shear_modulus,
                   "friction_coefficient"_a = table.friction_coefficient,
-                  "wheels"_a = wheels_of(table), "along_normal"_a = table.along_normal,
-                  "axes"_a = axes, "interpolation"_a = interpolation_of(table.interpolation),
+                  "only_for"_a = table.only_for, "wheels"_a = wheels_of(table),
+                  "along_normal"_a = table.along_normal, "axes"_a = axes,
+                  "interpolation"_a = interpolation_of(table.interpolation),
                   "forces"_a = table.forces, "bars"_a = table.bars);
 }
 

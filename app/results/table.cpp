@@ -84,6 +84,7 @@ std::string summary_of(const CreepTable& table, double seconds) {
       table.title, table.size(), seconds,
       table.over_shifts() ? range_of("lateral shift", table.lateral_shift) + " mm"
                           : range_of("a/b", table.axis_ratio));
+  if (!table.only_for.empty()) text += fmt::format("  only for {}\n", table.only_for);
   if (table.over_shifts()) text += text_of_wheels(table);
   const char* const names[] = {"xi'", "eta'", "phi'"};
   for (std::size_t q = 0; q < 3; ++q)

@@ -50,6 +50,15 @@ typedef enum {
 
 typedef enum { ROLLFEM_LEFT = 0, ROLLFEM_RIGHT = 1 } rollfem_side;
 
+/* How friction falls with the slip velocity s, from friction_coefficient mu at s = 0 (docs/friction.md): mu_kin +
+   mu_1 f(s/s_h1) + mu_2 f(s/s_h2), mu_1 = mu - mu_kin - mu_2. */
+typedef enum {
+  ROLLFEM_CONSTANT = 0,   /* not at all */
+  ROLLFEM_LINEAR = 1,     /* f(r) = max(0, 1 - r/2) */
+  ROLLFEM_RATIONAL = 2,   /* 1/(1 + r) in the first part, 1/(1 + r^2) in the second */
+  ROLLFEM_EXPONENTIAL = 3 /* 2^-r */
+} rollfem_law;
+
 /* Constant data of a pair. Fill it with rollfem_defaults, then change members. */
 typedef struct {
   size_t struct_size;
@@ -69,6 +78,16 @@ typedef struct {
   double rail_poisson_ratio;
   double friction_coefficient;
   int elements_across; /* across each patch; above 20 a call takes 0.1 to 7 s */
+  /* 0: not given */
+  double kinetic_coefficient;  /* mu_kin; required, as half_velocity, by every friction_law but the constant one */
+  double half_velocity;        /* s_h1, length per s */
+  double second_part;          /* mu_2 */
+  double second_half_velocity; /* s_h2 */
+  double memory_distance;      /* sliding distance d_c over which friction follows the slip velocity; 0: at once */
+  double memory_velocity;      /* s_0, below which it follows as if sliding at s_0; 0: 1 mm/s */
+  double layer_thickness;      /* of a layer between wheel and rail that gives way to shear; 0: none */
+  double layer_shear_modulus;  /* only thickness over modulus counts */
+  rollfem_law friction_law;
 } rollfem_definition;
 
 /* Which member of a state gives the load on the wheel. */
@@ -170,9 +189,10 @@ rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* stat
                              char* message, size_t size);
 
 /* Also returns derivatives. Columns of the velocities solve the linearised friction problem; the column of the load
-   compares two solutions on the same elements; shift, yaw and roll use central differences (0.02 mm, 2e-5 rad). States
-   that need the full solver (docs/c_interface.md) use differences for all columns. Forces have a kink where a patch
-   begins, and change steeply with the shift where the contact jumps along the profile. */
+   compares two solutions on the same elements; shift, yaw, roll and, under falling friction, the forward speed use
+   central differences (0.02 mm, 2e-5 rad, 2e-5 of the speed). States that need the full solver (docs/c_interface.md) use
+   differences for all columns. Forces have a kink where a patch begins, and change steeply with the shift where the
+   contact jumps along the profile. */
 rollfem_status rollfem_linearise(const rollfem_pair* pair, const rollfem_state* state, rollfem_result* result,
                                  rollfem_derivatives* derivatives, char* message, size_t size);
 

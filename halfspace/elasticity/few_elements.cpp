@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/few_elements.hpp"
 
+#include "contact/iteration/leading_edge.hpp"
+
 #include <cstdlib>
 
 namespace rollfem::halfspace {
 
 using contact::Field;
+
+namespace {
+
+/// contact::upwind_weights behind the leading element.
+constexpr double usual_weight = 0.5;
+
+}  // namespace
 
 FewElementsRolling::FewElementsRolling(int nx, int ny, int most_elements)
     : nx_(nx),
@@ -17,10 +26,11 @@ FewElementsRolling::FewElementsRolling(int nx, int ny, int most_elements)
 }
 
 bool FewElementsRolling::set(const InfluenceTable& table, const Field& pressure,
-                             const Field& weights) {
-  diagonal_ = table.diagonal;
+                             const Field& weights, double layer) {
+  diagonal_ = table.diagonal + (1.0 + usual_weight) * layer;
   if (!gather(pressure)) return false;
   fill_matrix(table, weights);
+  if (layer > 0.0) add_layer(layer, weights);
   return true;
 }
 
@@ -65,6 +75,22 @@ void FewElementsRolling::fill_matrix(const InfluenceTable& table, const Field& w
         across[count_ + b] = here * yy[at] + ahead * yy[at + 1];
         along[count_ + b] = across[b] = sign * (here * xy[at] + ahead * xy[at + 1]);
       }
+    }
+  }
+}
+
+/// D of the tractions, because the layer moves an element by its own traction alone.
+void FewElementsRolling::add_layer(double layer, const Field& weights) {
+  for (Index a = 0; a < count_; ++a) {
+    const Index place = places_[static_cast<std::size_t>(a)];
+    const double given = weights[place];
+    const double w = given == usual_weight ? given : contact::layer_weight(given);
+    const double share[] = {1.0 + w, -1.0 - 2.0 * w, w};
+    for (Index k = 0; k < 3 && a + k < count_; ++k) {
+      const Index upstream = places_[static_cast<std::size_t>(a + k)];
+      if (upstream / nx_ != place / nx_ || upstream - place > 2) break;
+      for (const Index component : {a, count_ + a})
+        matrix_(component, component + k) += layer * share[upstream - place];
     }
   }
 }

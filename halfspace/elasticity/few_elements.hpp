@@ -20,10 +20,11 @@ class FewElementsRolling : public contact::ElementOperator {
   /// For grids of nx by ny elements.
   FewElementsRolling(int nx, int ny, int most_elements);
 
-  /// Sets the elements under pressure. `weights`: contact::upwind_weights. False when there are
-  /// none, more than `most_elements` or too many in a row.
+  /// Sets the elements under pressure. `weights`: contact::upwind_weights; `layer`: compliance of a
+  /// layer between the bodies over dx, 1/MPa. False when there are none, more than `most_elements`
+  /// or too many in a row.
   bool set(const InfluenceTable& table, const contact::Field& pressure,
-           const contact::Field& weights);
+           const contact::Field& weights, double layer = 0.0);
   /// Their indices on the grid.
   const std::vector<Eigen::Index>& grid_indices() const { return places_; }
 
@@ -48,6 +49,7 @@ class FewElementsRolling : public contact::ElementOperator {
 
   bool gather(const contact::Field& pressure);
   void fill_matrix(const InfluenceTable& table, const contact::Field& weights);
+  void add_layer(double layer, const contact::Field& weights);
   void fill_block(const Row& row, const contact::Linearisation& at, double r, double drag);
 
   int nx_, ny_;

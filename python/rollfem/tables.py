@@ -37,6 +37,9 @@ class Table(Tabular):
         Of a table over lateral shifts {name: array over the shifts}: contact_angle, rolling_radius, normal_force, ...
     force_along_normal : numpy.ndarray or None
         Of a table over lateral shifts, over mu F_n.
+    only_for : str
+        The falling friction, its speed, or the layer that the table holds for alone, as for its load; "" for any
+        constant friction.
 
     Raises
     ------
@@ -78,6 +81,7 @@ class Table(Tabular):
         self.wheels: dict[str, np.ndarray] | None = None
         self.force_along_normal: np.ndarray | None = None
         self.shear_modulus = self.friction_coefficient = np.nan
+        self.only_for: str = found["only_for"]
         if found["over_shifts"]:
             self.wheels = {name: np.array(values) for name, values in found["wheels"].items()}
             self.force_along_normal = np.array(found["along_normal"]).reshape(shape)
@@ -140,7 +144,7 @@ class Table(Tabular):
         lateral_shift : array_like
             Of the wheelset, mm, for a table over shifts. It holds for the load that it was made with.
         friction_bound : array_like
-            mu F_n; of a wheel that of all contacts, N, otherwise that of the table.
+            mu F_n; of a wheel that of all contacts, N, otherwise that of the table; no other with `only_for`.
         longitudinal_creepage, lateral_creepage, spin : array_like
             Of the ellipse, or of the main contact, the most loaded one, in whose frame the forces are. Between two
             shifts where contact jumps the nearer one is taken, and the bars hold all by which they differ.
@@ -152,7 +156,7 @@ class Table(Tabular):
         Raises
         ------
         InputError
-            For a ratio or shift outside of the table.
+            For a ratio or shift outside of the table; with `only_for` also for creepages beyond its end.
         TypeError
             If what the table needs is missing, or what it does not know is given.
 

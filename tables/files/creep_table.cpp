@@ -278,6 +278,13 @@ TableForces CreepTableReader::forces_of(const Nodes& nodes, const Scaled& creepa
     const double end = table_.creepage[q].back();
     if (std::abs(creepage[q]) * shrunk > end) shrunk = end / std::abs(creepage[q]);
   }
+  constexpr double rounding = 1e-9;
+  if (shrunk < 1.0 - rounding && !table_.only_for.empty())
+    throw contact::InputError(
+        fmt::format("table: the creepages are {:.4g} times those at the end of the table, which "
+                    "holds for {}; allowed: creepages of the table; do: make one with larger "
+                    "[table] largest",
+                    1.0 / shrunk, table_.only_for));
   // For an ellipse, reversing all creepages reverses all forces; mirroring reverses eta, phi, F_y
   // and M_z. Both together reverse xi and F_x.
   const bool mirrored = !table_.over_shifts();
@@ -340,6 +347,15 @@ TableForces CreepTableReader::unscaled(const Nodes& nodes, double stiffness, dou
   return found;
 }
 
+void CreepTableReader::refuse_other_bound(double given, double own) const {
+  constexpr double rounding = 1e-6;
+  if (table_.only_for.empty() || std::abs(given - own) <= rounding * own) return;
+  throw contact::InputError(
+      fmt::format("table: mu F_n = {:g} N: the table holds for {}; allowed: its own {:g} N; do: "
+                  "leave friction_bound out, or make another table",
+                  given, table_.only_for, own));
+}
+
 TableForces CreepTableReader::of_wheel(double lateral_shift, double friction_bound,
                                        const Scaled& creepage) const {
   refuse_other_kind(true);
@@ -349,6 +365,7 @@ TableForces CreepTableReader::of_wheel(double lateral_shift, double friction_bou
   const Place here = locate(lateral_shift);
   const auto side = [&](const Nodes& nodes) {
     const TableWheel wheel = wheel_of(nodes);
+    refuse_other_bound(friction_bound, table_.friction_coefficient * wheel.normal_force);
     const double c2 = wheel.semi_axis_x * wheel.semi_axis_y;
     return unscaled(nodes, table_.shear_modulus * c2, std::sqrt(c2), friction_bound, creepage);
   };

@@ -73,6 +73,9 @@ struct CreepTable {
   std::vector<TableWheel> wheels;     ///< one per shift
   double shear_modulus = 0.0;         ///< MPa, combined
   double friction_coefficient = 0.0;
+  /// Friction whose forces are not proportional to mu F_n at equal scaled creepages: falling
+  /// friction at its speed, a layer; empty: any constant friction.
+  std::string only_for;
   /// Increasing values. Over ratios: xi' and eta' from 0 on, phi' of both signs. Negative xi' and
   /// eta' follow from symmetry: the force law is odd, and mirroring a contact changes the signs of
   /// eta, phi, F_y and M_z. Over lateral shifts all have both signs, because the rolling radii of a
@@ -123,7 +126,8 @@ class CreepTableReader {
   const CreepTable& table() const { return table_; }
 
   /// `place`: an axis ratio, or a lateral shift in mm. Creepages beyond the grid are all reduced by
-  /// one factor to its end, because full sliding depends only on their direction. Between two
+  /// one factor to its end, because full sliding depends only on their direction; under friction
+  /// that may fall further (CreepTable::only_for) they are refused. Between two
   /// shifts where contact jumps, the nearer one applies. Throws contact::InputError for a place
   /// outside the table (with a tolerance of one in a thousand for a ratio) and for values that are
   /// not finite.
@@ -140,8 +144,8 @@ class CreepTableReader {
 
   /// Forces of the wheel at a lateral shift (mm), in N and N mm, for creepages xi, eta and phi
   /// (rad/mm) of the main contact and mu F_n in N. Exact for the table's mu F_n; any other value
-  /// also scales the slip from the rolling radii. Throws contact::InputError for a table over
-  /// ratios.
+  /// also scales the slip from the rolling radii, and is refused by a table of only_for. Throws
+  /// contact::InputError for a table over ratios.
   TableForces of_wheel(double lateral_shift, double friction_bound, const Scaled& creepage) const;
 
   /// The wheel at a lateral shift, interpolated like the forces; jump_after: whether contact jumps
@@ -178,6 +182,7 @@ class CreepTableReader {
   TableForces unscaled(const Nodes& nodes, double stiffness, double c, double friction_bound,
                        const Scaled& creepage) const;
   void refuse_other_kind(bool wanted_shifts) const;
+  void refuse_other_bound(double given, double own) const;
 
   CreepTable table_;
   std::vector<Stretch> stretches_;

@@ -74,6 +74,7 @@ void write_wheels(hid_t file, const CreepTable& table) {
       create_group(file, "wheel", "The wheel at every lateral shift, loaded without friction");
   write_attribute(group, "shear_modulus", table.shear_modulus);
   write_attribute(group, "friction_coefficient", table.friction_coefficient);
+  if (!table.only_for.empty()) write_attribute(group, "only_for", table.only_for);
   for (const WheelColumn& entry : wheel_columns()) {
     const auto values =
         column(table.wheels, [&](const TableWheel& wheel) { return wheel.*entry.member; });
@@ -138,6 +139,7 @@ void read_wheels(hid_t file, hid_t axes, CreepTable& table) {
   const Handle group = open_group(file, "wheel");
   table.shear_modulus = read_number(group, "shear_modulus");
   table.friction_coefficient = read_number(group, "friction_coefficient");
+  if (has_attribute(group, "only_for")) table.only_for = read_text(group, "only_for");
   table.wheels.resize(table.lateral_shift.size());
   for (const WheelColumn& entry : wheel_columns()) {
     const std::vector<double> values = numbers_of(group, entry.name);

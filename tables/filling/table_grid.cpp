@@ -135,6 +135,18 @@ void check_wheel(const contact::Case& input) {
         "0; do: give one");
 }
 
+/// CreepTable::only_for.
+std::string only_for(const contact::Case& input) {
+  const bool falls = input.friction_fall.shape != contact::FallShape::none;
+  if (!falls && !input.layer) return {};
+  const std::string friction =
+      falls ? fmt::format("falling friction at a speed of {:g} mm/s", input.rolling.speed)
+            : fmt::format("a coefficient of friction of {:g}", input.friction_coefficient);
+  return friction + (input.layer ? fmt::format(" and a layer of {:g} mm and {:g} MPa",
+                                               input.layer->thickness, input.layer->shear_modulus)
+                                 : std::string());
+}
+
 }  // namespace
 
 CreepTable empty_table(const contact::Case& input) {
@@ -146,13 +158,14 @@ CreepTable empty_table(const contact::Case& input) {
                     "creepage, which a table cannot hold; allowed: like materials; do: give both "
                     "the same Young's modulus and Poisson's ratio, or use rollfem run",
                     input.file));
-  if (input.friction_fall.shape != contact::FallShape::none || input.layer)
-    throw contact::InputError(fmt::format(
-        "{}: {}: creep forces then depend on speed, load and size of the patch, which a table does "
-        "not hold; allowed: friction.law = \"constant\" without [layer]; do: remove {}, or use "
-        "rollfem run",
-        input.file, input.layer ? "layer" : "friction.law", input.layer ? "[layer]" : "the law"));
   CreepTable table;
+  table.only_for = only_for(input);
+  if (!table.only_for.empty() && input.table.lateral_shift.empty())
+    throw contact::InputError(fmt::format(
+        "{}: {}: creep forces then depend on speed, load and size of the patch, which a table of "
+        "ellipses does not hold; allowed: tables over table.lateral_shift; do: make one of a wheel "
+        "with profiles, remove {}, or use rollfem run",
+        input.file, input.layer ? "layer" : "friction.law", input.layer ? "[layer]" : "the law"));
   table.title = input.title;
   table.case_file = input.file;
   table.case_text = input.text;

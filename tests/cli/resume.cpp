@@ -72,6 +72,23 @@ TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
   expect_resumed_like(folder.work() / "whole", folder, file);
 }
 
+TEST(Resume, FrictionThatRemembersGoesOnFromThatOfTheParticles) {
+  const Folder folder;
+  std::string steps = "0.1";
+  for (int k = 1; k < 24; ++k) steps += ", 0.1";
+  std::string text = slow_creepages(
+      "problem = \"transient\"\nspeed = 1e4\nlongitudinal_creepage = 0.01\n"
+      "[history]\nstep_length = [" +
+      steps + "]\n[layer]\nthickness = 1.0\nshear_modulus = 8200.0\n");
+  const std::string constant = "coefficient = 0.55\n";
+  text.insert(text.find(constant) + constant.size(),
+              "law = \"exponential\"\nkinetic_coefficient = 0.4\nhalf_velocity = 1000.0\n"
+              "memory_distance = 0.003\n");
+  const std::string file = folder.file("slow.toml", text);
+  done(folder, run(file, "whole"));
+  expect_resumed_like(folder.work() / "whole", folder, file);
+}
+
 TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
   const Folder folder;
   const std::string file = folder.file("slow.toml", slow_creepages());

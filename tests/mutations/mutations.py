@@ -59,6 +59,10 @@ MUTATIONS = [
              "rows < 0 ? -1.0 : 1.0", "rows < 0 ? 1.0 : 1.0",
              "traction along x moves the surface across alike on both sides",
              ("unit_few_elements",)),
+    Mutation("quick_layer", "halfspace/elasticity/few_elements.cpp",
+             "+= layer * share[upstream - place];", "+= 0.9 * layer * share[upstream - place];",
+             "the operator of few elements has too stiff a layer",
+             ("unit_few_elements",)),
     # contact/: friction
     Mutation("fall_of_friction", "contact/scene/friction_law.cpp",
              "return {left, -rate * left};", "return {left, -left};",

@@ -9,7 +9,10 @@
 
 #include "tests/support/random_draws.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +57,33 @@ class RandomScenes : private RandomDraws {
     if (chance(0.5)) point.load = {pressed.normal_force, {}};
     random.motion = move(scene, point, pressed);
     return random;
+  }
+
+  /// Lets its friction fall where the surfaces slide, to 0.2 to 1 of that at rest at slips from a
+  /// third of those at saturation to 300 times these, with memory in three of four; adds a layer to
+  /// half of them. From the same stream, after the scene.
+  void let_fall(RandomScene& random) {
+    contact::Scene& scene = random.scene;
+    const bool shifts = scene.problem == contact::Problem::shift;
+    const double mu = scene.friction_coefficient(), part = uniform(0.2, 1.0);
+    const auto shape = static_cast<contact::FallShape>(1 + static_cast<int>(uniform(0.0, 2.999)));
+    const double second = chance(0.3) ? uniform(0.0, 1.0) : 0.0;
+    const auto fall = [&](double share) {
+      const double half_slip = mu * log_uniform(5e-3, 5.0) * (shifts ? 0.5 * reach : 1.0);
+      return contact::FallingFriction::Part{share * (1.0 - part) * mu, half_slip};
+    };
+    const std::array<contact::FallingFriction::Part, 2> parts{fall(1.0 - second), fall(second)};
+    const double distance = log_uniform(1e-3, 1e-2);
+    std::optional<contact::FrictionMemory> memory;
+    if (chance(0.75)) memory = contact::FrictionMemory{distance, shifts ? 1e-5 : 1e-4};
+    scene.friction_law =
+        std::make_shared<contact::FallingFriction>(shape, part * mu, parts, memory);
+    if (chance(0.5))
+      scene.material.layer = log_uniform(0.03, 10.0) * reach / scene.material.shear_modulus;
+    // Below what slides at any velocity.
+    for (contact::LoadPoint& point : scene.points)
+      for (auto* force : {&point.force.longitudinal, &point.force.lateral})
+        if (*force) **force *= part;
   }
 
   /// An integer from the same stream, after the scene.

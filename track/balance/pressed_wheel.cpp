@@ -95,17 +95,17 @@ PressedWheel::PressedWheel(const Case& input, const SearchScene& search)
   state_.contacts = static_cast<int>(scenes.size());
   for (Scene& scene : scenes) {
     const WheelRailContact& where = contact_of(scene, placed);
-    press(std::move(scene), where, input.friction_coefficient);
+    press(std::move(scene), where, contact::friction_of(input));
   }
 }
 
-void PressedWheel::press(Scene scene, const WheelRailContact& where, double coefficient) {
+void PressedWheel::press(Scene scene, const WheelRailContact& where, contact::Friction friction) {
   const PointResult pressed = halfspace::run_halfspace(scene, {}).points.front();
   contact::NormalLoad& load = scene.points.front().load;
   const bool along_normal = load.force && load.direction[0] == 0.0;
   const double force = along_normal ? *load.force : pressed.normal_force;
   load = {force, {}};
-  scene.friction_law = contact::coulomb(coefficient);
+  scene.friction_law = std::move(friction);
   if (contacts_.empty()) {
     const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
     state_.place = *scene.place;

@@ -56,7 +56,7 @@ class PressedWheel {
     double lateral = 0.0, normal = 0.0, spin_moment = 0.0;  ///< of the pressure; N, N mm
   };
 
-  void press(contact::Scene scene, const WheelRailContact& where, double coefficient);
+  void press(contact::Scene scene, const WheelRailContact& where, contact::Friction friction);
   std::vector<contact::Creepage> creepages_of(
       const Contact& contact, const std::vector<contact::Creepage>& creepages) const;
   void add(const Contact& contact, const contact::PointResult& point, FrictionForce& sum) const;

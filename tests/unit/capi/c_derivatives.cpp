@@ -158,6 +158,21 @@ TEST(CDerivatives, AreThoseOfCentralDifferencesOnTheTread) {
   }
 }
 
+TEST(CDerivatives, OfFallingFrictionAndOfALayerAreThoseOfCentralDifferences) {
+  rollfem_definition definition = defaults(ROLLFEM_RIGHT);
+  definition.friction_law = ROLLFEM_EXPONENTIAL;
+  definition.kinetic_coefficient = 0.1;
+  definition.half_velocity = 100.0;
+  definition.memory_distance = 0.003;
+  rollfem_state state = state_at(1.5, 0.0005);
+  state.rotation_speed = 20e3 / 460.0 * 1.01;  // beyond the peak
+  EXPECT_LT(largest_error(make(definition), state), 0.02);
+  definition = defaults(ROLLFEM_RIGHT);
+  definition.layer_thickness = 1.0;
+  definition.layer_shear_modulus = 8200.0;
+  EXPECT_LT(largest_error(make(definition), state), 0.02);
+}
+
 TEST(CDerivatives, AreThoseOfCentralDifferencesAtTheFlange) {
   const Pair pair = make(defaults(ROLLFEM_RIGHT));
   rollfem_state state = state_at(6.1, 0.02);

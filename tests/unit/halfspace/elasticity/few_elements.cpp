@@ -82,18 +82,21 @@ TEST(FewElements, PressureIsThatOfTheHalfSpace) {
   }
 }
 
-TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
+/// `layer`: compliance between the bodies, mm/MPa.
+void expect_tractions_of_the_halfspace(double layer) {
   const double friction = 0.3;
+  contact::CombinedMaterial material = contact::combine({}, {});
+  material.layer = layer;
   halfspace::FewElementsRolling elements(n, n, 15 * 15);
   contact::FrictionNewton quick;
   const contact::Friction law = contact::coulomb(friction);
   for (const Case& of : {Case(1.0, 10.0, 10.0), Case(0.125, 30.0, 3.0), Case(2.0, 6.0, 13.0)}) {
     const Field pressure = pressure_of(of), weights = contact::upwind_weights(of.grid, pressure);
-    const halfspace::HalfspaceCompliance compliance(of.grid, contact::combine({}, {}));
+    const halfspace::HalfspaceCompliance compliance(of.grid, material);
     const contact::EdgeFittedRolling rolling(compliance.rolling(contact::UpwindOrder::first),
                                              compliance.rolling(contact::UpwindOrder::second),
                                              weights);
-    ASSERT_TRUE(elements.set(of.table, pressure, weights));
+    ASSERT_TRUE(elements.set(of.table, pressure, weights, layer / of.grid.dx));
     const auto count = static_cast<Eigen::Index>(elements.grid_indices().size());
     contact::TangentialField traction;
     contact::TangentialOptions options;
@@ -123,6 +126,14 @@ TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
           std::count(exact.state.begin(), exact.state.end(), contact::ElementState::adhesion));
     }
   }
+}
+
+TEST(FewElements, TractionsAreThoseOfTheHalfSpace) {
+  expect_tractions_of_the_halfspace(0.0);
+}
+
+TEST(FewElements, TractionsWithALayerAreThoseOfTheHalfSpace) {
+  for (const double layer : {1e-6, 1.5e-4, 3e-3}) expect_tractions_of_the_halfspace(layer);
 }
 
 /// Of elements of `patch` under the point loads of elements that `force` puts on `loaded`, between

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Falling friction and a layer in rollfem.h against the law itself, the model halfspace on a finer
+// grid, and refusals.
+#include "contact/case/case_reader.hpp"
+#include "halfspace/model/model.hpp"
+#include "track/balance/balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rollfem/rollfem.h"
+#include "support/wheel_on_rail.hpp"
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace {
+
+using namespace rollfem::testing;
+
+rollfem_definition falling(rollfem_units units = ROLLFEM_MM_N) {
+  const double mm = units == ROLLFEM_M_N ? 1e-3 : 1.0;
+  rollfem_definition definition = defaults(ROLLFEM_RIGHT, units);
+  definition.friction_law = ROLLFEM_EXPONENTIAL;
+  definition.kinetic_coefficient = 0.1;
+  definition.half_velocity = 100.0 * mm;
+  return definition;
+}
+
+TEST(CFriction, InFullSlidingIsThatOfTheSlipVelocity) {
+  rollfem_state state = state_at(0.0, 0.0);
+  state.lateral_velocity = state.yaw_rate = 0.0;
+  for (const double speed : {2e3, 20e3}) {
+    state.forward_speed = speed;
+    state.rotation_speed = speed / 460.0 * 1.05;
+    const rollfem_result result = solve(make(falling()), state);
+    ASSERT_EQ(result.patch_count, 1);
+    const rollfem_patch& patch = result.patch[0];
+    const double slip = speed * std::hypot(patch.longitudinal_creepage, patch.lateral_creepage);
+    const double mu = 0.1 + 0.2 * std::exp2(-slip / 100.0);
+    EXPECT_NEAR(std::hypot(patch.longitudinal_force, patch.lateral_force) / patch.normal_force, mu,
+                0.005)
+        << speed;
+  }
+}
+
+/// The wheel of state_at(3.0, 0.002).
+rollfem::contact::Case falling_case(double rotation_change, int across) {
+  rollfem::contact::Case input = rollfem::contact::parse_case(R"(
+    [load]
+    vertical_force = 50e3
+    [friction]
+    coefficient = 0.3
+    law = "exponential"
+    kinetic_coefficient = 0.1
+    half_velocity = 100.0
+    memory_distance = 0.003
+    [layer]
+    thickness = 1.0
+    shear_modulus = 8200.0
+    [wheel]
+    rolling_radius = 460.0
+    profile = "S1002"
+    [rail]
+    profile = "60E1"
+    [track]
+    inclination = "1:40"
+    [rolling]
+    speed = 20e3
+    [wheelset]
+    side = "right"
+    lateral_shift = 3.0
+    yaw = 0.002
+    roll = 0.0
+    lateral_velocity = 0.0015
+    yaw_velocity = 1e-6
+  )",
+                                                              "case");
+  input.wheelset.rotation_change = {rotation_change};
+  input.contact_grid.elements_across = across;
+  return input;
+}
+
+/// On 12 elements across the model itself is 1.7 % of mu N away at the second state.
+TEST(CFriction, WithMemoryAndALayerIsAsCloseAsTheModelHalfspaceOnAsManyElements) {
+  rollfem_definition definition = falling();
+  definition.memory_distance = 0.003;
+  definition.layer_thickness = 1.0;
+  definition.layer_shear_modulus = 8200.0;
+  for (const double change : {0.001, 0.01}) {
+    rollfem_state state = state_at(3.0, 0.002);
+    state.rotation_speed = 20e3 / 460.0 * (1.0 + change);
+    const rollfem_result quick = solve(make(definition), state);
+    const auto of_model = [&](int across) {
+      const auto scenes = rollfem::track::balance(falling_case(change, across)).scenes;
+      EXPECT_EQ(scenes.size(), 1u);
+      return rollfem::halfspace::run_halfspace(scenes.front(), {}).points.front();
+    };
+    const auto coarse = of_model(12), fine = of_model(32);
+    const auto error = [&](double longitudinal, double lateral) {
+      return std::hypot(longitudinal - fine.longitudinal_force, lateral - fine.lateral_force) /
+             (0.3 * 50e3);
+    };
+    const rollfem_patch& patch = quick.patch[0];
+    EXPECT_LT(error(patch.longitudinal_force, patch.lateral_force),
+              std::max(0.01, error(coarse.longitudinal_force, coarse.lateral_force)));
+  }
+}
+
+TEST(CFriction, IsInTheUnitsOfThePair) {
+  const rollfem_state state = state_at(3.0, 0.002);
+  rollfem_state in_m = state;
+  for (double rollfem_state::*length :
+       {&rollfem_state::lateral_shift, &rollfem_state::forward_speed,
+        &rollfem_state::lateral_velocity})
+    in_m.*length *= 1e-3;
+  rollfem_definition definition = falling(), definition_in_m = falling(ROLLFEM_M_N);
+  definition.second_part = definition_in_m.second_part = 0.05;
+  definition.second_half_velocity = 30.0;
+  definition_in_m.second_half_velocity = 0.03;
+  definition.memory_distance = 0.003;
+  definition_in_m.memory_distance = 3e-6;
+  definition.memory_velocity = 5.0;
+  definition_in_m.memory_velocity = 5e-3;
+  definition.layer_thickness = 1.0;
+  definition_in_m.layer_thickness = 1e-3;
+  definition.layer_shear_modulus = 8200.0;
+  definition_in_m.layer_shear_modulus = 8200e6;
+  const rollfem_result one = solve(make(definition), state),
+                       other = solve(make(definition_in_m), in_m);
+  for (int d = 0; d < 3; ++d) EXPECT_NEAR(one.force[d], other.force[d], 1e-6 * 50e3);
+}
+
+TEST(CFriction, RefusesWhatIsMissingOrUnused) {
+  const auto refusal = [](const rollfem_definition& definition) {
+    char message[1000];
+    EXPECT_EQ(rollfem_create(&definition, message, sizeof message), nullptr);
+    return std::string(message);
+  };
+  rollfem_definition definition = falling();
+  definition.kinetic_coefficient = 0.0;
+  EXPECT_NE(refusal(definition).find("kinetic_coefficient"), std::string::npos);
+  definition = falling();
+  definition.half_velocity = -1.0;
+  EXPECT_NE(refusal(definition).find("half_velocity"), std::string::npos);
+  definition = falling();
+  definition.friction_law = ROLLFEM_CONSTANT;
+  EXPECT_NE(refusal(definition).find("but friction.law is constant"), std::string::npos);
+  definition = defaults();
+  definition.layer_thickness = 1.0;
+  EXPECT_NE(refusal(definition).find("layer.shear_modulus"), std::string::npos);
+  definition = defaults();
+  definition.friction_law = static_cast<rollfem_law>(7);
+  EXPECT_NE(refusal(definition).find("friction_law = 7"), std::string::npos);
+}
+
+TEST(CFriction, AProgramOfAnEarlierHeaderHasConstantFriction) {
+  rollfem_definition earlier = falling();
+  earlier.struct_size = offsetof(rollfem_definition, kinetic_coefficient);
+  const rollfem_state state = state_at(3.0, 0.002);
+  EXPECT_EQ(solve(make(earlier), state).force[0],
+            solve(make(defaults(ROLLFEM_RIGHT)), state).force[0]);
+}
+
+}  // namespace
