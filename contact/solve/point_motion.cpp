@@ -20,12 +20,12 @@ PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
   if (!scene.is_history() || !scene.friction() || !scene.friction()->memory()) return;
   friction_ = scene.friction();
   const TangentialField rest{Field::Zero(grid.size()), Field::Zero(grid.size())};
-  history_.advance(rest, 0.0, Field::Constant(grid.size(), friction_->coefficient()));
+  history_.advance(rest, 0.0, coefficients_of(friction_, grid));
 }
 
 /// mu of the elements after a step; that at rest where there is no contact.
 Field PointMotion::coefficient_after(const ContactState& state) const {
-  Field coefficient = Field::Constant(grid_.size(), friction_->coefficient());
+  Field coefficient = coefficients_of(friction_, grid_);
   for (Eigen::Index k = 0; k < coefficient.size(); ++k)
     if (state.normal.pressure[k] > 0.0)
       coefficient[k] = state.tangential.bound[k] / state.normal.pressure[k];

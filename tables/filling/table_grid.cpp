@@ -152,6 +152,11 @@ CreepTable empty_table(const contact::Case& input) {
         "not hold; allowed: friction.law = \"constant\" without [layer]; do: remove {}, or use "
         "rollfem run",
         input.file, input.layer ? "layer" : "friction.law", input.layer ? "[layer]" : "the law"));
+  if (!input.friction_variation.points.empty())
+    throw contact::InputError(fmt::format(
+        "{}: friction.coefficient: has several values, which a table does not hold; allowed: one "
+        "number; do: remove friction.inclination and friction.track_position, or use rollfem run",
+        input.file));
   CreepTable table;
   table.title = input.title;
   table.case_file = input.file;
