@@ -41,7 +41,9 @@ void into_points(KeyBuilder<Case> key, Member member) {
               given = given || one != value_of(member(without));
               if (const auto* number = std::get_if<double>(&one)) numbers.push_back(*number);
             }
-            return given ? shortened(numbers) : KeyValue();
+            if (!given) return {};
+            const KeyValue list = shortened(numbers);
+            return std::get<Numbers>(list).size() == 1 ? KeyValue(numbers.front()) : list;
           },
           [member](Case& c, const KeyValue& value) {
             const auto& numbers = std::get<Numbers>(value);
