@@ -59,7 +59,7 @@ ContactRun::ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunO
       options_(std::move(options)),
       progress_(progress),
       store_(store),
-      friction_(scene.friction()) {}
+      friction_(friction_on(scene, geometry)) {}
 
 void ContactRun::tell(ProgressEvent event, const char* stage, bool finished) const {
   event.model = options_.model;

@@ -86,6 +86,33 @@ TEST(FrictionOverRail, SlidingForceIsTheIntegralOfMuAndHertzsPressure) {
     }
 }
 
+TEST(FrictionOverRail, IsThatOfTheRailBelowTheRowWhereTheGridFollowsTheSurface) {
+  // Circles of 50 and -60 mm: the grid lies along their mean, on which y = R sin(s/R), and the
+  // rail's inclination there is asin(y/50). With s in place of y, mu is off by up to 3e-3.
+  Case input = crowned(0.0, {0.05, 0.0, 0.0});
+  input.load.normal_force = 400e3;
+  input.rail.profile.radii = {50.0};
+  input.rail.profile.ends = {42.0};
+  input.wheel.profile.radii = {-60.0};
+  input.wheel.profile.ends = {-42.0, 42.0};
+  input.wheelset.flange_back_position = -72.1987;  // above the middle of the rail
+  input.halfspace.surface = contact::SurfaceForm::curved;
+  set_points(input, {-0.5, 0.5}, {0.1, 5.1});
+  const auto result = halfspace::run_halfspace(track::make_scenes(input).at(0).scene, {});
+  const contact::ContactFields& fields = result.points.at(0).fields;
+  const double radius = 2.0 / (1.0 / 50.0 + 1.0 / 60.0);
+  double farthest = 0.0;
+  for (int j = 0; j < result.grid.ny; ++j) {
+    const Eigen::Index k = result.grid.index(result.grid.nx / 2, j);
+    if (!(fields.traction.n[k] > 0.0)) continue;
+    const double s = result.grid.y(j), y = radius * std::sin(s / radius);
+    farthest = std::max(farthest, std::abs(s));
+    EXPECT_NEAR(fields.traction_bound[k] / fields.traction.n[k], 2.6 + 5.0 * std::asin(y / 50.0),
+                5e-4);
+  }
+  EXPECT_GT(farthest, 7.0);
+}
+
 void expect_same(const Case& one, const Case& points) {
   const PointResult a = solved(one), b = solved(points);
   EXPECT_EQ(a.longitudinal_force, b.longitudinal_force);
