@@ -70,14 +70,19 @@ void read_friction(InputLines& lines, ContactCase& next, int sets) {
     lines.fail(fmt::format("digit L = {}; allowed: 0 to 4 and 6", L),
                "check for a missing line above it");
   std::vector<std::string> names = law->second;
-  if (next.module == 1 && next.digits.V > 0) names.insert(names.begin(), "ALPHVF");
+  next.friction_over = next.digits.V;
+  next.friction_points.clear();
+  const bool placed = next.module == 1 && next.digits.V > 0;
+  if (placed) names.insert(names.begin(), next.digits.V == 1 ? "ALPHVF" : "SVF");
   for (int set = 0; set < sets; ++set) {
     const auto values = lines.numbers(names);
     if (L == 0) next.fstat = values[values.size() - 2], next.fkin = values.back();
-    if (L < 2 || L > 4) continue;
-    std::copy(values.end() - 4, values.end(), next.fall.begin());
-    next.fkin = values[values.size() - 5];
-    next.fstat = next.fkin + next.fall[0] + next.fall[2];
+    if (L >= 2 && L <= 4) {
+      std::copy(values.end() - 4, values.end(), next.fall.begin());
+      next.fkin = values[values.size() - 5];
+      next.fstat = next.fkin + next.fall[0] + next.fall[2];
+    }
+    if (placed) next.friction_points.push_back({values.front(), next.fstat, next.fkin});
   }
   if (L >= 2) lines.read(next.memory, {"MEMDST", "MEM_S0"});
   next.friction_law = L;

@@ -66,6 +66,12 @@ struct StressBlock {
   std::vector<double> x, y, z;  ///< z > 0 in the upper body
 };
 
+/// Friction at one point over the rail (module 1, V = 1, 2).
+struct FrictionPoint {
+  double place = 0.0;  ///< ALPHVF, rad, negative on the gauge face; SVF, mm
+  double fstat = 0.0, fkin = 0.0;
+};
+
 struct ContactCase {
   int module = 3;
   int number = 0;        ///< counted from 1, as in CONTACT
@@ -74,9 +80,11 @@ struct ContactCase {
   int max_outer = 1;                   ///< MAXOUT
   std::array<double, 4> kinematics{};  ///< module 3: FN or PEN, CKSI or FX, CETA or FY, CPHI
   int friction_law = 0;                ///< digit L as it was last given anew
-  double fstat = 0.0, fkin = 0.0;      ///< at rest, sliding
-  std::array<double, 4> fall{};        ///< F1, SABSH1, F2, SABSH2 of L = 2 to 4
-  std::array<double, 2> memory{};      ///< MEMDST, MEM_S0
+  double fstat = 0.0, fkin = 0.0;      ///< at rest, sliding; of the last point
+  int friction_over = 0;               ///< digit V as it was last given with friction
+  std::vector<FrictionPoint> friction_points;         ///< of module 1 with friction_over > 0
+  std::array<double, 4> fall{};                       ///< F1, SABSH1, F2, SABSH2 of L = 2 to 4
+  std::array<double, 2> memory{};                     ///< MEMDST, MEM_S0
   std::array<double, 4> rolling{0, 0, 0, 1.0 / 6.0};  ///< CHI, DQ, VELOC, FACPHI
   BodyConstants bodies;
   PotentialContact potential;

@@ -34,9 +34,27 @@ bool falls(const ContactCase& given) {
   return given.friction_law >= 2 && given.friction_law <= 4;
 }
 
+void fill_coefficient(const ContactCase& given, Equivalent& made) {
+  const auto& points = given.friction_points;
+  if (points.size() < 2) return made.set("friction", "coefficient", given.fstat);
+  std::string places, coefficients;
+  for (const FrictionPoint& point : points) {
+    places += fmt::format("{}{:.12g}", places.empty() ? "" : ", ", point.place);
+    coefficients += fmt::format("{}{:.12g}", coefficients.empty() ? "" : ", ", point.fstat);
+  }
+  const bool along = given.friction_over == 2;
+  auto& lines = made.fixed["friction"];
+  lines.push_back(fmt::format("coefficient = [{}]", coefficients));
+  lines.push_back(fmt::format("{} = [{}]", along ? "track_position" : "inclination", places));
+  if (along) made.varied["wheelset.track_position"] = given.wheel_rail.position[0];
+  made.note(!along,
+            "digit V = 1: every row of elements has the friction of its own inclination; CONTACT "
+            "takes one for a planar contact");
+}
+
 /// The law, and the layer of M = 4; the speed is that of both.
 void fill_friction(const ContactCase& given, Equivalent& made) {
-  made.set("friction", "coefficient", given.fstat);
+  fill_coefficient(given, made);
   const auto& layer = given.bodies.layer;
   if (given.digits.M == 4 && layer[1] > 0.0) {
     made.set("layer", "thickness", layer[1], "mm");
@@ -66,16 +84,22 @@ class Judgement {
   void friction() {
     if (digits_.T == 0) return;
     const int law = given_.friction_law;
-    refuse(digits_.V != 0, "V", digits_.V, "friction that varies with position");
+    refuse(given_.friction_over > (given_.module == 1 ? 2 : 0), "V", given_.friction_over,
+           "friction of its own in every row of elements");
     refuse(law != 0 && !falls(given_), "L", law, friction_words);
     made_.refuse(falls(given_) && given_.module == 1,
                  fmt::format("digit L = {}: falling friction on wheel and rail profiles (write it "
                              "into the case file)",
                              law));
-    made_.refuse(law == 0 && std::abs(given_.fstat - given_.fkin) > 1e-3 * given_.fstat,
-                 fmt::format("FSTAT = {:g} and FKIN = {:g} differ: rollfem has one coefficient for "
-                             "adhesion and slip",
-                             given_.fstat, given_.fkin));
+    const auto one_coefficient = [&](double fstat, double fkin) {
+      made_.refuse(law == 0 && std::abs(fstat - fkin) > 1e-3 * fstat,
+                   fmt::format("FSTAT = {:g} and FKIN = {:g} differ: rollfem has one coefficient "
+                               "for adhesion and slip",
+                               fstat, fkin));
+    };
+    one_coefficient(given_.fstat, given_.fkin);
+    for (const FrictionPoint& point : given_.friction_points)
+      one_coefficient(point.fstat, point.fkin);
   }
 
   void bodies() {

@@ -66,6 +66,18 @@ struct FrictionFall {
   double memory_velocity = 1.0;               ///< s_0, mm/s
 };
 
+/// Friction over the rail: its numbers at points, linear between them and constant outside.
+struct FrictionVariation {
+  /// Kind of law and memory are those of the case.
+  struct Point {
+    double coefficient = 0.0;
+    FrictionFall fall;
+  };
+  std::vector<Point> points;           ///< empty: the same everywhere
+  std::vector<double> inclination;     ///< rad, ascending, of the points, or
+  std::vector<double> track_position;  ///< mm, ascending, of the points
+};
+
 /// A layer between the bodies that gives way to shear alone.
 struct Layer {
   double thickness = 0.0;                                          ///< mm
@@ -248,8 +260,9 @@ struct Case : ModelOptions {
   std::vector<std::string> accuracy_of{"max_pressure", "semi_axis_x", "semi_axis_y",
                                        "traction_coefficient"};
   Load load;
-  double friction_coefficient = 0.0;  ///< at rest
-  FrictionFall friction_fall;
+  double friction_coefficient = 0.0;  ///< at rest; the largest where it varies
+  FrictionFall friction_fall;         ///< of the first point where it varies
+  FrictionVariation friction_variation;
   std::optional<Layer> layer;
   Wheel wheel;
   Rail rail;

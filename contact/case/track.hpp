@@ -68,6 +68,7 @@ struct Wheelset {
   std::vector<double> lateral_shift{0.0};  ///< mm, positive to the right
   std::vector<double> yaw{0.0};            ///< rad, positive from x to y (to the right)
   std::vector<double> roll;                ///< rad, positive from y to z; empty: found by contact
+  std::vector<double> track_position;      ///< mm along the track; empty: friction does not ask
   double lateral_velocity =
       0.0;                    ///< of the wheelset, over the forward speed, positive to the right
   double yaw_velocity = 0.0;  ///< rad/mm: yaw rate over the forward speed

@@ -28,6 +28,10 @@ void FrictionState::begin(const FrictionProblem& problem, const std::vector<Inde
   problem_ = &problem;
   places_ = &places;
   count_ = static_cast<Index>(places.size());
+  rows_.clear();
+  if (problem.law.varies())
+    for (int j = 0; j < problem.grid.ny; ++j)
+      rows_.push_back(problem.law.of_row(problem.grid.y(j)));
   if (!feels_slip()) return;
   memory_ = problem.law.memory();
   for (Eigen::VectorXd* values : {&coefficient_, &by_own_, &by_ahead_, &carried_})
@@ -72,15 +76,23 @@ double steepness(const FrictionLaw& law, double pressure, double compliance, dou
 }
 
 double FrictionState::steepness(double compliance) const {
-  return contact::steepness(problem_->law, problem_->pressure.maxCoeff(),
-                            problem_->slip_factor * compliance,
-                            problem_->past != nullptr ? problem_->past->length : problem_->grid.dx);
+  const auto of = [&](const FrictionLaw& one) {
+    return contact::steepness(
+        one, problem_->pressure.maxCoeff(), problem_->slip_factor * compliance,
+        problem_->past != nullptr ? problem_->past->length : problem_->grid.dx);
+  };
+  if (rows_.empty()) return of(problem_->law);
+  double largest = 0.0;
+  for (Index e = 0; e < count_; ++e)
+    if (e == 0 || &law(e) != &law(e - 1)) largest = std::max(largest, of(law(e)));
+  return largest;
 }
 
 void FrictionState::set_rest(Vector bound) const {
   const double mu = problem_->law.coefficient();
   for (Index e = 0; e < count_; ++e)
-    bound[e] = mu * problem_->pressure[(*places_)[static_cast<std::size_t>(e)]];
+    bound[e] = (rows_.empty() ? mu : law(e).coefficient()) *
+               problem_->pressure[(*places_)[static_cast<std::size_t>(e)]];
 }
 
 void FrictionState::set_bound(const Given& slip, Vector bound) {
@@ -94,13 +106,11 @@ void FrictionState::set_bound(const Given& slip, Vector bound) {
 /// mu = e^-dt mu' + (1 - m) mu_s + (m - e^-dt) mu_s', m = (1 - e^-dt)/dt:
 /// second order, a mean with positive weights however long the step, and mu_s for dt to infinity.
 void FrictionState::follow(const Given& slip) {
-  const FrictionLaw& law = problem_->law;
-  const double rest = law.coefficient();
   FrictionLaw::Coefficient ahead;
   double rate_ahead = 0.0, rate_ahead_by_slip = 0.0;
   for (Index e = count_; e-- > 0;) {
     const double size = slip_at(slip, e);
-    const FrictionLaw::Coefficient own = law.at(size);
+    const FrictionLaw::Coefficient own = law(e).at(size);
     coefficient_[e] = own.value;
     by_own_[e] = own.by_slip;
     by_ahead_[e] = carried_[e] = 0.0;
@@ -109,7 +119,8 @@ void FrictionState::follow(const Given& slip) {
     const double rate_by_slip = size > memory_->least_slip ? 1.0 / memory_->distance : 0.0;
     if (leads_[static_cast<std::size_t>(e)]) {
       const Index k = (*places_)[static_cast<std::size_t>(e)];
-      const double before = problem_->past != nullptr ? problem_->past->coefficient[k] : rest;
+      const double before =
+          problem_->past != nullptr ? problem_->past->coefficient[k] : law(e).coefficient();
       const double left = std::exp(-ways_[e] * rate);
       coefficient_[e] = own.value + left * (before - own.value);
       by_own_[e] =

@@ -62,6 +62,12 @@ class FrictionState {
   using Index = Eigen::Index;
 
   double slip_at(const Given& slip, Index e) const;
+  /// The law of the element.
+  const FrictionLaw& law(Index e) const {
+    if (rows_.empty()) return problem_->law;
+    return *rows_[static_cast<std::size_t>((*places_)[static_cast<std::size_t>(e)] /
+                                           problem_->grid.nx)];
+  }
   void find_ways();
   /// Of all elements with derivatives.
   void follow(const Given& slip);
@@ -69,6 +75,7 @@ class FrictionState {
   const FrictionProblem* problem_ = nullptr;
   const std::vector<Index>* places_ = nullptr;
   Index count_ = 0;
+  std::vector<Friction> rows_;  ///< the law of each row of the grid; empty: one law
   std::optional<FrictionMemory> memory_;
   Eigen::VectorXd ways_;     ///< mm from the element ahead or the leading edge, or of the step
   std::vector<char> leads_;  ///< nothing of the row is ahead, or the particle brings its own mu

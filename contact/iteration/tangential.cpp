@@ -56,7 +56,8 @@ TangentialSolution solve_tangential(const TangentialOperator& compliance,
                                     const TangentialOptions& options,
                                     const TangentialField& start) {
   check_problem(compliance, problem);
-  const ContactElements elements(traction_bound(problem.friction, problem.pressure));
+  const ContactElements elements(
+      traction_bound(problem.friction, compliance.grid(), problem.pressure));
   GridElements on_elements(compliance, elements);
   const CoulombFriction none(0.0);
   const FrictionLaw& law = problem.friction ? *problem.friction : none;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/friction_law.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace rollfem::contact {
 
@@ -44,35 +46,98 @@ Friction coulomb(double coefficient) {
   return coefficient == 0.0 ? nullptr : std::make_shared<CoulombFriction>(coefficient);
 }
 
-Friction friction_of(const Case& input) {
-  const double mu = input.friction_coefficient;
+namespace {
+
+/// What a law has at one place.
+struct LawNumbers {
+  double rest = 0.0, kinetic = 0.0, half_velocity = 0.0, second = 0.0, second_half_velocity = 0.0;
+};
+
+LawNumbers numbers_of(double mu, const FrictionFall& fall) {
+  LawNumbers made{mu, fall.kinetic_coefficient.value_or(mu), fall.half_velocity.value_or(infinity),
+                  fall.second_part, fall.second_half_velocity};
+  if (fall.polach_a) made.kinetic = *fall.polach_a * mu;
+  if (fall.polach_b) made.half_velocity = 1e3 * std::log(2.0) / *fall.polach_b;  // B is in s/m
+  return made;
+}
+
+Friction law_of(const Case& input, const LawNumbers& at) {
   const FrictionFall& fall = input.friction_fall;
-  if (mu == 0.0 || fall.shape == FallShape::none) return coulomb(mu);
+  if (fall.shape == FallShape::none) return std::make_shared<CoulombFriction>(at.rest);
   // A shift has no speed: its slip in mm is taken as that of one second.
   const double speed = input.rolling.problem == Problem::shift ? 1.0 : input.rolling.speed;
-  double kinetic = fall.kinetic_coefficient.value_or(mu);
-  double half = fall.half_velocity.value_or(infinity);
-  if (fall.polach_a) {
-    kinetic = *fall.polach_a * mu;
-    half = 1e3 * std::log(2.0) / fall.polach_b.value_or(1.0);  // B is in s/m
-  }
-  const double second = fall.second_part;
   std::optional<FrictionMemory> memory;
   if (fall.memory_distance > 0.0)
     memory = FrictionMemory{fall.memory_distance, fall.memory_velocity / speed};
   return std::make_shared<FallingFriction>(
-      fall.shape, kinetic,
+      fall.shape, at.kinetic,
       std::array<FallingFriction::Part, 2>{
-          {{mu - kinetic - second, half / speed}, {second, fall.second_half_velocity / speed}}},
+          {{at.rest - at.kinetic - at.second, at.half_velocity / speed},
+           {at.second, at.second_half_velocity / speed}}},
       memory);
+}
+
+/// The numbers at a place: linear between the points, constant outside. Equal ones stay as they
+/// are to the last bit.
+LawNumbers numbers_at(const std::vector<double>& places,
+                      const std::vector<FrictionVariation::Point>& points, double place) {
+  const auto of = [&](std::size_t k) { return numbers_of(points[k].coefficient, points[k].fall); };
+  const auto after = std::upper_bound(places.begin(), places.end(), place);
+  if (after == places.begin()) return of(0);
+  const auto k = static_cast<std::size_t>(after - places.begin());
+  if (after == places.end()) return of(k - 1);
+  const LawNumbers from = of(k - 1), to = of(k);
+  const double part = (place - places[k - 1]) / (places[k] - places[k - 1]);
+  const auto between = [part](double a, double b) { return a == b ? a : a + part * (b - a); };
+  return {between(from.rest, to.rest), between(from.kinetic, to.kinetic),
+          between(from.half_velocity, to.half_velocity), between(from.second, to.second),
+          between(from.second_half_velocity, to.second_half_velocity)};
+}
+
+}  // namespace
+
+Friction friction_of(const Case& input, std::size_t position,
+                     const std::function<double(double y)>& inclination) {
+  const double mu = input.friction_coefficient;
+  if (mu == 0.0) return nullptr;
+  const auto& [points, inclinations, track_positions] = input.friction_variation;
+  if (points.empty()) return law_of(input, numbers_of(mu, input.friction_fall));
+  if (inclinations.empty())
+    return law_of(input,
+                  numbers_at(track_positions, points, input.wheelset.track_position.at(position)));
+  const auto most =
+      std::max_element(points.begin(), points.end(),
+                       [](const auto& a, const auto& b) { return a.coefficient < b.coefficient; });
+  return std::make_shared<VaryingFriction>(
+      law_of(input, numbers_of(most->coefficient, most->fall)), [input, inclination](double y) {
+        const FrictionVariation& over = input.friction_variation;
+        const double place = inclination ? inclination(y) : 0.0;
+        return law_of(input, numbers_at(over.inclination, over.points, place));
+      });
 }
 
 double coefficient_of(const Friction& friction) {
   return friction ? friction->coefficient() : 0.0;
 }
 
-Field traction_bound(const Friction& friction, const Field& pressure) {
-  return coefficient_of(friction) * pressure;
+Field coefficients_of(const Friction& friction, const ContactGrid& grid) {
+  Field values = Field::Constant(grid.size(), coefficient_of(friction));
+  if (!friction || !friction->varies()) return values;
+  for (int j = 0; j < grid.ny; ++j)
+    values.segment(grid.index(0, j), grid.nx)
+        .setConstant(friction->of_row(grid.y(j))->coefficient());
+  return values;
+}
+
+double mean_coefficient(const Friction& friction, const ContactGrid& grid, const Field& pressure) {
+  const double sum = pressure.sum();
+  if (!friction || !friction->varies() || !(sum > 0.0)) return coefficient_of(friction);
+  return coefficients_of(friction, grid).dot(pressure) / sum;
+}
+
+Field traction_bound(const Friction& friction, const ContactGrid& grid, const Field& pressure) {
+  if (!friction || !friction->varies()) return coefficient_of(friction) * pressure;
+  return coefficients_of(friction, grid).cwiseProduct(pressure);
 }
 
 }  // namespace rollfem::contact

@@ -7,8 +7,10 @@
 #include "contact/case/case.hpp"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -38,8 +40,13 @@ class FrictionLaw {
   /// Empty: mu follows the slip at once.
   virtual std::optional<FrictionMemory> memory() const { return {}; }
 
-  /// mu without slip: what forces are scaled with, and all that the theories take which know no
-  /// other law than Coulomb's.
+  /// Where friction varies over the rail: the law of the elements at y (mm, patch frame). Null:
+  /// this law everywhere.
+  virtual std::shared_ptr<const FrictionLaw> of_row(double) const { return nullptr; }
+  virtual bool varies() const { return false; }
+
+  /// mu without slip, the largest where it varies: what forces are scaled with, and all that the
+  /// theories take which know no other law than Coulomb's.
   double coefficient() const { return at(0.0).value; }
 };
 
@@ -80,16 +87,42 @@ class FallingFriction : public FrictionLaw {
   std::optional<FrictionMemory> memory_;
 };
 
+/// A law for every row of elements.
+class VaryingFriction : public FrictionLaw {
+ public:
+  using OfRow = std::function<Friction(double y)>;
+  /// `most`: that of the largest coefficient.
+  VaryingFriction(Friction most, OfRow of_row)
+      : most_(std::move(most)), of_row_(std::move(of_row)) {}
+  Coefficient at(double slip) const override { return most_->at(slip); }
+  bool feels_slip() const override { return most_->feels_slip(); }
+  std::optional<FrictionMemory> memory() const override { return most_->memory(); }
+  Friction of_row(double y) const override { return of_row_(y); }
+  bool varies() const override { return true; }
+
+ private:
+  Friction most_;
+  OfRow of_row_;
+};
+
 /// Coulomb's law; null for the coefficient 0.
 Friction coulomb(double coefficient);
 
-/// The law of a case; null for the coefficient 0.
-Friction friction_of(const Case& input);
+/// The law of a case at a position of the wheelset; null for the coefficient 0. `inclination`: of
+/// the rail over y of the patch frame (rail_inclination), if known.
+Friction friction_of(const Case& input, std::size_t position = 0,
+                     const std::function<double(double y)>& inclination = {});
 
 /// The coefficient of the law; 0 without friction.
 double coefficient_of(const Friction& friction);
 
+/// mu of every element at rest; 0 without friction.
+Field coefficients_of(const Friction& friction, const ContactGrid& grid);
+
+/// Mean of mu at rest under a pressure, weighted with it: the largest force over the load.
+double mean_coefficient(const Friction& friction, const ContactGrid& grid, const Field& pressure);
+
 /// g = mu p_n of every element at rest, MPa; 0 without friction.
-Field traction_bound(const Friction& friction, const Field& pressure);
+Field traction_bound(const Friction& friction, const ContactGrid& grid, const Field& pressure);
 
 }  // namespace rollfem::contact

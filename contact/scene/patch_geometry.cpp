@@ -142,6 +142,12 @@ double PatchGeometry::tilt() const {
   return std::atan2(axle_.direction[2], axle_.direction[1]);
 }
 
+double rail_inclination(const PatchGeometry& patch, const ContactPlace& place, double y) {
+  // y points to the field on the left and to the middle on the right.
+  const double rise = std::atan(patch.rail().at(y).slope);
+  return (place.left ? -rise : rise) - place.contact_angle;
+}
+
 std::string ContactPlace::label() const {
   std::string text = left ? "left" : "right";
   if (position > 0) text += fmt::format(", position {}", position);

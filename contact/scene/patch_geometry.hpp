@@ -130,4 +130,9 @@ struct ContactPlace {
   std::string label() const;
 };
 
+/// Inclination of the rail's surface at y of the patch frame against the track plane, rad: negative
+/// where it falls towards the middle of the track (gauge face), on either side; at the reference
+/// point minus the contact angle, but for the waves of the profile.
+double rail_inclination(const PatchGeometry& patch, const ContactPlace& place, double y);
+
 }  // namespace rollfem::contact

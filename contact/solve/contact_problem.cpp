@@ -124,7 +124,9 @@ ContactState ContactProblem::solve_for_force(const NormalLoad& load, const Motio
     state = solve(load, motion(at), &state, accuracy, each_iteration);
     iterations += state.iterations;
     const auto force = transmitted_force(grid(), state.traction(), conditions_.shape);
-    return TransmittedForce{{force[0], force[1]}, coefficient_of(conditions_.friction) * force[2]};
+    return TransmittedForce{
+        {force[0], force[1]},
+        mean_coefficient(conditions_.friction, grid(), state.normal.pressure) * force[2]};
   };
   state.unknowns = find_creepage(law, wanted, search).creepage;
   state.iterations = iterations;

@@ -59,7 +59,7 @@ ContactRun::ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunO
       options_(std::move(options)),
       progress_(progress),
       store_(store),
-      friction_(scene.friction()) {}
+      friction_(friction_on(scene, geometry)) {}
 
 void ContactRun::tell(ProgressEvent event, const char* stage, bool finished) const {
   event.model = options_.model;
@@ -184,7 +184,7 @@ ContactState ContactRun::start_for(std::size_t k) {
   if (!coarser || k >= coarser->relative_traction.size()) return start;
   start.tangential.traction =
       finer_tractions(coarser->grid, coarser->pressure, coarser->relative_traction[k], result_.grid,
-                      traction_bound(friction_, start.normal.pressure));
+                      traction_bound(friction_, result_.grid, start.normal.pressure));
   // The defect of these tractions, not from another load point.
   if (elasticity_->same_normal_block()) start.defect = {};
   return start;
@@ -214,8 +214,9 @@ ForceSearch ContactRun::search_for(std::size_t k) {
   };
   if (scene_.problem == Problem::steady) {
     search.stiffness = elasticity_->rolling_stiffness(patch);
-    search.start = first_creepage(point.force, motion_->given_unknowns(k), search.stiffness,
-                                  coefficient_of(friction_) * normal.normal_force);
+    search.start = first_creepage(
+        point.force, motion_->given_unknowns(k), search.stiffness,
+        mean_coefficient(friction_, result_.grid, normal.pressure) * normal.normal_force);
   } else {
     search.stiffness = elasticity_->shift_stiffness(patch);
     if (scene_.problem == Problem::transient) search.stiffness *= point.step_length;
@@ -241,8 +242,9 @@ Vector2d ContactRun::find_force(std::size_t k) {
     throw SolveError(
         "prescribed force: without friction there is no tangential force; do: prescribe the "
         "creepage, or a friction coefficient above 0");
+  const NormalSolution& pressed = problem_->press(scene_.points[k].load);
   refuse_force_beyond_friction(
-      wanted, friction_->coefficient() * problem_->press(scene_.points[k].load).normal_force);
+      wanted, mean_coefficient(friction_, result_.grid, pressed.pressure) * pressed.normal_force);
   state_ = problem_->solve_for_force(
       scene_.points[k].load, [&](const Vector2d& unknowns) { return motion_->at(k, unknowns); },
       wanted, search_for(k), start_for(k), options_.force_accuracy, each_iteration(k));
@@ -302,7 +304,7 @@ void ContactRun::remember(std::size_t k) {
   result_.steepness = std::max(result_.steepness, state_.tangential.steepness);
   if (scene_.is_history()) return;
   result_.relative_traction.push_back(relative_to_bound(
-      state_.tangential.traction, traction_bound(friction_, state_.normal.pressure)));
+      state_.tangential.traction, traction_bound(friction_, result_.grid, state_.normal.pressure)));
 }
 
 PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {

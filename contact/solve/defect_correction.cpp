@@ -108,7 +108,8 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
   double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
   if (to_the_bound)
     load = std::min(load, halfspace.rolling.diagonal() *
-                              rms_over(mask, traction_bound(problem.friction, pressure)));
+                              rms_over(mask, traction_bound(problem.friction,
+                                                            halfspace.whole.grid(), pressure)));
   // Differences within the rounding of the displacements count as zero.
   const double unit = halfspace.motion == Motion::shift ? 1.0 : halfspace.whole.grid().dx;
   const double rounding = 1e-12 * rms_over(mask, solution.displacement.n) / unit;
@@ -129,7 +130,10 @@ void solve_standin_with(const Preconditioner& halfspace, const Response& defect,
     solve_standin(halfspace, problem, defect, std::min(tolerance, search.tolerance), solution);
     const auto force =
         transmitted_force(halfspace.whole.grid(), tractions(solution), problem.shape);
-    return TransmittedForce{{force[0], force[1]}, coefficient_of(problem.friction) * force[2]};
+    return TransmittedForce{
+        {force[0], force[1]},
+        mean_coefficient(problem.friction, halfspace.whole.grid(), solution.normal.pressure) *
+            force[2]};
   };
   solution.unknowns = search.start = find_creepage(law, forced->wanted, search).creepage;
 }

@@ -102,6 +102,8 @@ const std::vector<DemandRow>& rows() {
       {Demand::stress_in_rigid_body, "subsurface", "the stress in a rigid body", stress_in_rigid},
       {Demand::falling_friction, "friction.law", "friction that falls with the slip velocity",
        [](const Scene& c) { return c.friction() && c.friction()->feels_slip(); }},
+      {Demand::varying_friction, "friction.inclination", "friction that varies over the rail",
+       [](const Scene& c) { return c.friction() && c.friction()->varies(); }},
       {Demand::layer, "layer", "a layer between wheel and rail",
        [](const Scene& c) { return c.material.layer > 0.0; }},
       {Demand::inertia, "fem.inertia", "the inertia of moving bodies",

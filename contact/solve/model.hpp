@@ -44,6 +44,7 @@ enum class Demand {
   rigid_body,
   stress_in_rigid_body,
   falling_friction,   ///< that falls with the slip velocity
+  varying_friction,   ///< over the inclination of the rail
   layer,              ///< between wheel and rail
   inertia,            ///< of wheel and rail
   beyond_half_space,  ///< stress where a concave body extends beyond z = 0

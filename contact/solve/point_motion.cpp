@@ -8,24 +8,33 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace rollfem::contact {
 
 using Eigen::Vector2d;
 
+Friction friction_on(const Scene& scene, const ChartedGeometry& geometry) {
+  const Friction friction = scene.friction();
+  if (!friction || !friction->varies() || !geometry.curved()) return friction;
+  return std::make_shared<VaryingFriction>(friction, [friction, &geometry](double grid_y) {
+    return friction->of_row(geometry.lateral_place(grid_y));
+  });
+}
+
 PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
                          const ContactGrid& grid)
     : scene_(scene), geometry_(geometry), grid_(grid), history_(grid, scene.upwind_order) {
   if (!scene.is_history() || !scene.friction() || !scene.friction()->memory()) return;
-  friction_ = scene.friction();
+  friction_ = friction_on(scene, geometry);
   const TangentialField rest{Field::Zero(grid.size()), Field::Zero(grid.size())};
-  history_.advance(rest, 0.0, Field::Constant(grid.size(), friction_->coefficient()));
+  history_.advance(rest, 0.0, coefficients_of(friction_, grid));
 }
 
 /// mu of the elements after a step; outside the contact, the value at rest.
 Field PointMotion::coefficient_after(const ContactState& state) const {
-  Field coefficient = Field::Constant(grid_.size(), friction_->coefficient());
+  Field coefficient = coefficients_of(friction_, grid_);
   for (Eigen::Index k = 0; k < coefficient.size(); ++k)
     if (state.normal.pressure[k] > 0.0)
       coefficient[k] = state.tangential.bound[k] / state.normal.pressure[k];

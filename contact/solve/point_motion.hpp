@@ -65,6 +65,10 @@ class History {
 /// elements of the row; beyond the grid the outermost value continues.
 Field upstream(const ContactGrid& grid, const Field& values, double distance);
 
+/// The scene's friction over the lateral coordinate of a grid in this geometry, which must outlive
+/// it.
+Friction friction_on(const Scene& scene, const ChartedGeometry& geometry);
+
 class PointMotion {
  public:
   /// Scene and geometry must outlive this object.

@@ -158,6 +158,11 @@ CreepTable empty_table(const contact::Case& input) {
                     "creepage, which a table cannot hold; allowed: like materials; do: give both "
                     "the same Young's modulus and Poisson's ratio, or use rollfem run",
                     input.file));
+  if (!input.friction_variation.points.empty())
+    throw contact::InputError(fmt::format(
+        "{}: friction.coefficient: has several values, which a table does not hold; allowed: one "
+        "number; do: remove friction.inclination and friction.track_position, or use rollfem run",
+        input.file));
   CreepTable table;
   table.only_for = only_for(input);
   if (!table.only_for.empty() && input.table.lateral_shift.empty())

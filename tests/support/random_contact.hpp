@@ -268,8 +268,8 @@ class RandomLevel {
     start.tangential.traction = contact::finer_tractions(
         coarser_->grid_, pressure,
         contact::relative_to_bound(coarser_->state_.tangential.traction,
-                                   contact::traction_bound(friction, pressure)),
-        grid_, contact::traction_bound(friction, start.normal.pressure));
+                                   contact::traction_bound(friction, coarser_->grid_, pressure)),
+        grid_, contact::traction_bound(friction, grid_, start.normal.pressure));
     return start;
   }
 

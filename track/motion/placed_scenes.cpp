@@ -71,6 +71,12 @@ PlacedScene make_scene(const Case& input, WheelRailContact contact) {
   const auto patch = std::make_shared<const contact::PatchGeometry>(placed.contact.geometry);
   placed.scene.geometry.surface = contact::ContactSurface::of(patch);
   placed.scene.place = placed.contact.place;
+  if (!input.friction_variation.points.empty())
+    placed.scene.friction_law =
+        contact::friction_of(input, static_cast<std::size_t>(placed.contact.place.position) - 1,
+                             [patch, place = placed.contact.place](double y) {
+                               return contact::rail_inclination(*patch, place, y);
+                             });
   if (input.halfspace.surface == contact::SurfaceForm::automatic)
     placed.scene.follows_surface = follows_surface(placed);
   for (std::size_t k = 0; k < placed.scene.points.size(); ++k) {

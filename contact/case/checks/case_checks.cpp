@@ -189,7 +189,8 @@ void check_together(const GivenCase& given) {
   check_rules(given);
   check_required(given);
   check_entries(given);
-  for (const char* group : {"load points", "positions"}) check_list_lengths(given, group);
+  for (const char* group : {"load points", "positions", "friction points"})
+    check_list_lengths(given, group);
 }
 
 void check_geometry(const GivenCase& given, const Case& input) {

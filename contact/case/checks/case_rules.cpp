@@ -251,6 +251,9 @@ const std::vector<Rivals>& rivals() {
       {{"friction.half_velocity", "friction.polach_b"},
        "",
        "at most one of half_velocity and polach_b"},
+      {{"friction.inclination", "friction.track_position"},
+       "",
+       "at most one of inclination and track_position"},
       {{"contact_grid.elements_across", "contact_grid.cell_size"},
        "",
        "at most one of elements_across and cell_size"}};

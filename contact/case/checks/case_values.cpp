@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace rollfem::contact {
 
@@ -24,21 +25,59 @@ std::optional<double> known_normal_force(const Case& input, std::size_t k) {
 /// Below this value squares of tractions underflow, and the tractions vanish beside the pressure.
 constexpr double least_friction = 1e-12;
 
+/// Below this part of the largest coefficient rows of elements have next to no bound.
+constexpr double least_part_of_largest = 1e-3;
+
 void check_friction(const GivenCase& given, const Case& input) {
+  const auto fail_here = [&](const std::string& wrong, const std::string& allowed,
+                             const std::string& action) {
+    fail_at(given, "friction.coefficient", *given.find("friction", "coefficient"), wrong, allowed,
+            action);
+  };
   const double mu = input.friction_coefficient;
-  if (mu == 0.0 || mu >= least_friction) return;
-  fail_at(given, "friction.coefficient", *given.find("friction", "coefficient"),
-          "is too small to differ from no friction",
-          fmt::format("0, or {:g} to 1000", least_friction), "give 0 for no friction");
+  if (mu > 0.0 && mu < least_friction)
+    fail_here("is too small to differ from no friction",
+              fmt::format("0, or {:g} to 1000", least_friction), "give 0 for no friction");
+  for (const FrictionVariation::Point& point : input.friction_variation.points)
+    if (point.coefficient < least_part_of_largest * mu)
+      fail_here(fmt::format("has next to no friction at a point, {:g}", point.coefficient),
+                fmt::format("at least {:g} times the largest, {:g}", least_part_of_largest, mu),
+                "give it a small coefficient, 0.01 say");
+}
+
+/// The places of friction that varies: as many as points, ascending.
+void check_friction_points(const GivenCase& given, const Case& input) {
+  const FrictionVariation& over = input.friction_variation;
+  const bool along = !over.track_position.empty();
+  const std::vector<double>& places = along ? over.track_position : over.inclination;
+  if (places.empty() && over.points.empty()) return;
+  if (places.size() != over.points.size()) {
+    for (const Key& key : case_keys()) {
+      const GivenValue* value =
+          key.per == "friction points" ? given.find(key.section, key.name) : nullptr;
+      if (value == nullptr ||
+          std::get<std::vector<double>>(value->value).size() != over.points.size())
+        continue;
+      fail_at(given, key.path(), *value,
+              fmt::format("has {} entries, but {}", over.points.size(),
+                          places.empty() ? "nothing says where on the rail they apply"
+                                         : "there is one place"),
+              "lists as long as friction.inclination or friction.track_position, or one number",
+              "give the inclination of the rail at each, say "
+              "`inclination = [-1.2, -0.4, 0.0]` under [friction], or one number");
+    }
+  }
+  const char* name = along ? "track_position" : "inclination";
+  if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end())
+    fail_at(given, std::string("friction.") + name, *given.find("friction", name),
+            "does not ascend", "places in ascending order, each once",
+            "sort the points, and the lists of the law with them");
 }
 
 /// Below this part of the friction at rest what slides has next to no bound.
 constexpr double least_kinetic_part = 0.01;
 
-void check_fall(const GivenCase& given, const Case& input) {
-  const FrictionFall& fall = input.friction_fall;
-  const double mu = input.friction_coefficient;
-  if (fall.shape == FallShape::none || mu == 0.0) return;
+void check_fall_of(const GivenCase& given, double mu, const FrictionFall& fall) {
   const double kinetic =
       fall.polach_a ? *fall.polach_a * mu : fall.kinetic_coefficient.value_or(mu);
   const double least = least_kinetic_part * mu * (1.0 - 1e-12);
@@ -51,6 +90,14 @@ void check_fall(const GivenCase& given, const Case& input) {
     fail_at(given, "friction.second_part", *given.find("friction", "second_part"),
             fmt::format("is more than friction falls, {:g} from rest to sliding", mu - kinetic),
             fmt::format("0 to {:g}", mu - kinetic), "make it a part of that fall");
+}
+
+void check_fall(const GivenCase& given, const Case& input) {
+  if (input.friction_fall.shape == FallShape::none || input.friction_coefficient == 0.0) return;
+  if (input.friction_variation.points.empty())
+    check_fall_of(given, input.friction_coefficient, input.friction_fall);
+  for (const FrictionVariation::Point& point : input.friction_variation.points)
+    check_fall_of(given, point.coefficient, point.fall);
   if (input.rolling.problem == Problem::shift || input.rolling.problem == Problem::frictionless ||
       input.rolling.speed > 0.0)
     return;
@@ -217,15 +264,17 @@ void complete(const GivenCase& given, Case& input) {
                          given.find("rolling", "lateral_creepage") != nullptr,
                          given.find("rolling", "spin") != nullptr};
   Wheelset& wheelset = input.wheelset;
-  const std::size_t count =
-      std::max({wheelset.lateral_shift.size(), wheelset.yaw.size(), wheelset.roll.size()});
-  for (auto* list : {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll})
+  const std::size_t count = std::max({wheelset.lateral_shift.size(), wheelset.yaw.size(),
+                                      wheelset.roll.size(), wheelset.track_position.size()});
+  for (auto* list :
+       {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.track_position})
     if (!list->empty()) list->resize(count, list->front());
 }
 
 void check_values(const GivenCase& given, const Case& input) {
   check_rigid(given, input);
   check_friction(given, input);
+  check_friction_points(given, input);
   check_fall(given, input);
   check_friction_limit(given, input);
   check_inertia(given, input);

@@ -34,6 +34,15 @@ bool falls_in_one_part(const GivenCase& given) {
 bool no_memory(const GivenCase& given) {
   return !has_friction_key(given, "memory_distance");
 }
+bool no_profiles(const GivenCase& given) {
+  return !has_profiles(given);
+}
+bool varies_along_the_track(const GivenCase& given) {
+  return has_friction_key(given, "track_position");
+}
+bool same_along_the_track(const GivenCase& given) {
+  return !varies_along_the_track(given);
+}
 bool has_layer(const GivenCase& given) {
   return given.find("layer", "thickness") != nullptr ||
          given.find("layer", "shear_modulus") != nullptr;
@@ -63,7 +72,19 @@ const std::vector<Exclusion>& exclusions_of_friction() {
        {"friction.memory_velocity"},
        "is not used, because memory_distance is not given",
        "together with memory_distance",
-       "add memory_distance under [friction], or remove it"}};
+       "add memory_distance under [friction], or remove it"},
+      {no_profiles,
+       {"friction.inclination", "friction.track_position"},
+       "is of friction that varies over the rail, but this case has no profiles",
+       "with profiles of both bodies, or one number as friction.coefficient",
+       "give wheel.profile and rail.profile (\"arcs\" builds them from radii), or remove it",
+       true},
+      {same_along_the_track,
+       {"wheelset.track_position"},
+       "is not used, because friction.track_position is not given",
+       "together with friction.track_position",
+       "add track_position under [friction], or remove it",
+       true}};
   return all;
 }
 
@@ -89,6 +110,11 @@ const std::vector<Need>& needs_of_friction() {
        "is missing, and the friction depends on the slip velocity (friction.law)",
        "the rolling speed in mm/s",
        "add `speed = 10e3` under [rolling], or write `law = \"constant\"` under [friction]"},
+      {varies_along_the_track,
+       {"wheelset.track_position"},
+       "is missing, and the friction depends on it (friction.track_position)",
+       "one position along the track, mm, for each position of the wheelset",
+       "add `track_position = 0.0` under [wheelset]"},
       {has_layer,
        {"layer.thickness"},
        "is missing",

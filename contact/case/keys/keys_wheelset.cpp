@@ -32,6 +32,13 @@ void add_positions(WheelsetKeys& keys) {
           "Roll of the wheelset about x, positive when the right wheel is lower; each wheel is "
           "then lowered onto its rail separately.")
       .into(&Wheelset::roll);
+  keys.reals("track_position")
+      .unit("mm")
+      .within(largest)
+      .per("positions")
+      .otherwise("required with friction.track_position")
+      .says("Where along the track the wheelset is.")
+      .into(&Wheelset::track_position);
 }
 
 void add_motion(WheelsetKeys& keys) {

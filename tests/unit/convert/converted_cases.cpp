@@ -11,6 +11,7 @@
 #include "support/contact_inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -179,6 +180,24 @@ TEST(ConvertedCase, WheelAndRailHaveTheirOrderAndMotion) {
                    "rotation_change = 0.001 ", "lateral_velocity = 0.002 ", "yaw_velocity = 1e-05 ",
                    "inclination = 0.025", "profile = \"../profiles/wheel.csv\"",
                    "[wheel_profile]\nmirror = true\nflip = true\n", "cell_size = [0.25, 0.2]"));
+}
+
+TEST(ConvertedCase, FrictionOverTheRailHasPoints) {
+  const std::string points = " 2\n -30d 0.15 0.15\n 0.0 0.30 0.30\n";
+  std::string text =
+      replaced(replaced(left_wheel, " 0.25 0.25\n", points), " 0022033 ", " 1022033 ");
+  const Case over = only(text);
+  ASSERT_EQ(over.friction_variation.inclination.size(), 2U);
+  EXPECT_NEAR(over.friction_variation.inclination[0], -M_PI / 6.0, 1e-11);
+  EXPECT_EQ(over.friction_variation.points.at(0).coefficient, 0.15);
+  EXPECT_EQ(over.friction_coefficient, 0.3);
+  text = replaced(replaced(text, " -30d 0.15", " -200. 0.15"), " 1022033 ", " 2022033 ");
+  const Case along = only(replaced(text, " 0.0 1.5 45000.", " 125.0 1.5 45000."));
+  EXPECT_EQ(along.friction_variation.track_position, (std::vector<double>{-200.0, 0.0}));
+  EXPECT_EQ(along.wheelset.track_position, (std::vector<double>{125.0}));
+  text = replaced(replaced(left_wheel, " 0.25 0.25\n", " 1\n 0.0 0.25 0.25\n"), " 0022033 ",
+                  " 1022033 ");
+  EXPECT_TRUE(only(text).friction_variation.points.empty());
 }
 
 TEST(ConvertedCase, WhatHasNoEquivalentIsNamed) {

@@ -60,7 +60,7 @@ const std::vector<Wrong> wrong_values{
     {"NegativeFriction",
      with("0.55", "-0.1"),
      {"case.toml:4:15: friction.coefficient = -0.1: is out of bounds",
-      "allowed: a number from 0 to 1000"}},
+      "allowed: a number or a list of numbers from 0 to 1000"}},
     {"FrictionThatIsNone",
      with("0.55", "1e-300"),
      {"case.toml:4:15: friction.coefficient = 1e-300: is too small to differ from no friction",

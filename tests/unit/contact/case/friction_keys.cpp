@@ -9,6 +9,7 @@
 
 #include "support/case_examples.hpp"
 #include <string>
+#include <vector>
 
 namespace rollfem {
 namespace {
@@ -92,6 +93,74 @@ TEST(FrictionKeys, WhatIsRefused) {
   expect_error(plus("[layer]\nthickness = 0.02\n"), {"layer.shear_modulus: is missing"});
   expect_error(plus("[layer]\nthickness = 0.0\nshear_modulus = 1.0\n"),
                {"layer.thickness = 0.0: is out of bounds"});
+}
+
+/// A case of profiles with these keys of friction and of the wheelset.
+std::string over_rail(const std::string& friction, const std::string& wheelset = "") {
+  return "[load]\nnormal_force = 50e3\n[friction]\n" + friction +
+         "\n[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n"
+         "[track]\ninclination = \"1:40\"\n[wheelset]\n" +
+         wheelset + "\n[rolling]\nspeed = 10e3\n";
+}
+
+TEST(FrictionKeys, ListsBelongToPointsOverTheRail) {
+  const Case input =
+      parse_case(over_rail("coefficient = [0.1, 0.4, 0.2]\nlaw = \"linear\"\n"
+                           "kinetic_coefficient = [0.05, 0.2, 0.1]\nhalf_velocity = 500.0\n"
+                           "inclination = [-1.2, -0.4, 0.0]\n"),
+                 "case.toml");
+  const contact::FrictionVariation& over = input.friction_variation;
+  EXPECT_EQ(over.inclination, (std::vector<double>{-1.2, -0.4, 0.0}));
+  ASSERT_EQ(over.points.size(), 3U);
+  EXPECT_EQ(over.points[0].coefficient, 0.1);
+  EXPECT_EQ(over.points[2].fall.kinetic_coefficient, 0.1);
+  EXPECT_EQ(over.points[2].fall.half_velocity, 500.0);
+  EXPECT_EQ(input.friction_coefficient, 0.4);  // the scale
+  EXPECT_EQ(input.friction_fall.shape, FallShape::linear);
+}
+
+TEST(FrictionKeys, BetweenPointsTheNumbersAreLinearAndOutsideConstant) {
+  const Case input = parse_case(
+      over_rail("coefficient = [0.1, 0.4]\nlaw = \"linear\"\nkinetic_coefficient = [0.05, 0.2]\n"
+                "half_velocity = [500.0, 900.0]\ninclination = [-1.0, 0.0]\n"),
+      "case.toml");
+  const auto law_at = [&](double inclination) {
+    return contact::friction_of(input, 0, [=](double) { return inclination; })->of_row(0.0);
+  };
+  // mu_kin + mu_1 (1 - s/(2 s_h)) at s = 350 mm/s of 10 m/s; s_h = 700 mm/s in the middle.
+  EXPECT_NEAR(law_at(-0.5)->at(0.035).value, 0.125 + 0.125 * 0.75, 1e-15);
+  EXPECT_NEAR(law_at(-0.5)->coefficient(), 0.25, 1e-15);
+  EXPECT_NEAR(law_at(-1.4)->coefficient(), 0.1, 1e-15);
+  EXPECT_NEAR(law_at(0.3)->coefficient(), 0.4, 1e-15);
+  EXPECT_NEAR(contact::friction_of(input)->coefficient(), 0.4, 1e-15);
+}
+
+TEST(FrictionKeys, WhatIsRefusedOfFrictionOverTheRail) {
+  const std::string two = "coefficient = [0.1, 0.4]\n";
+  expect_error(over_rail(two),
+               {"friction.coefficient = [0.1, 0.4]: has 2 entries, but nothing says "
+                "where",
+                "friction.inclination"});
+  expect_error(over_rail(two + "inclination = -0.4"), {"has 2 entries, but there is one place"});
+  expect_error(over_rail(two + "inclination = [-1.2, -0.4, 0.0]"),
+               {"friction.inclination", "has 3 entries, but friction.coefficient", "has 2"});
+  expect_error(over_rail(two + "inclination = [0.0, -0.4]"),
+               {"friction.inclination = [0.0, -0.4]: does not ascend"});
+  expect_error(over_rail(two + "inclination = [-0.4, 0.0]\ntrack_position = [0.0, 1e3]",
+                         "track_position = 0.0"),
+               {"contradicts friction.inclination"});
+  expect_error(over_rail(two + "track_position = [0.0, 1e3]"),
+               {"wheelset.track_position: is missing"});
+  expect_error(over_rail("coefficient = 0.3", "track_position = 5.0"),
+               {"wheelset.track_position = 5.0: is not used"});
+  expect_error(over_rail("coefficient = [1e-5, 0.4]\ninclination = [-0.4, 0.0]"),
+               {"friction.coefficient = [1e-5, 0.4]: has next to no friction at a point"});
+  expect_error(over_rail("coefficient = [0.1, 0.4]\ninclination = [-0.4, 0.0]\nlaw = \"linear\"\n"
+                         "kinetic_coefficient = 0.2\nhalf_velocity = 500.0"),
+               {"kinetic_coefficient = 0.2: does not fit friction.coefficient = 0.1"});
+  expect_error(with("coefficient = 0.55", "coefficient = [0.1, 0.4]\ninclination = [-0.4, 0.0]"),
+               {"friction.inclination = [-0.4, 0.0]: is of friction that varies over the rail, but "
+                "this case has no profiles"});
 }
 
 }  // namespace

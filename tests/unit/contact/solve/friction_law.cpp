@@ -90,9 +90,10 @@ TEST(FrictionLaws, OfACaseTakeSpeedAndPolachsSpelling) {
 }
 
 TEST(FrictionLaws, CoulombsBoundIsThePressureTimesMu) {
+  const ContactGrid grid{5, 1, 0.1, 0.1, 0.0, 0.0};
   const Field pressure = Field::LinSpaced(5, 0.0, 1000.0);
-  EXPECT_EQ((traction_bound(coulomb(0.3), pressure) - 0.3 * pressure).norm(), 0.0);
-  EXPECT_EQ(traction_bound(nullptr, pressure).norm(), 0.0);
+  EXPECT_EQ((traction_bound(coulomb(0.3), grid, pressure) - 0.3 * pressure).norm(), 0.0);
+  EXPECT_EQ(traction_bound(nullptr, grid, pressure).norm(), 0.0);
   EXPECT_EQ(coulomb(0.3)->at(1e3).value, 0.3);
   EXPECT_EQ(coulomb(0.0), nullptr);
   EXPECT_EQ(coefficient_of(nullptr), 0.0);
