@@ -50,6 +50,7 @@ bool FrictionNewton::follow_bounds(double scale) {
   constexpr double near_round_trips = 3e-2;
   constexpr double round_tolerance = 1e-5, least_near = 1e-6;  // below, rounds go on alone
   double near = 1e-2;  // of the bound at rest of every element
+  int turns = 0;
   if (options_->least_friction) {
     slip_change_.setConstant(fast / problem_->slip_factor);
     state_.set_bound(slip_change_, point_->bound);
@@ -77,8 +78,12 @@ bool FrictionNewton::follow_bounds(double scale) {
     } else if (round % 20 == 19 && finish(scale, near_round_trips)) {
       return true;
     }
-    // Friction that is lost upstream can be gained downstream, and both go round.
-    const double share = round < 20 ? 1.0 : round < 60 ? 0.5 : round < 140 ? 0.25 : 0.1;
+    // In shifts all bounds move the same way; along a row friction that is lost upstream can be
+    // gained downstream, and both go round.
+    const Eigen::ArrayXd moved = (point_->bound - held).array() / bound_.array();
+    const double against = options_->least_friction ? -moved.minCoeff() : moved.maxCoeff();
+    if (against > 0.01 * change) ++turns;
+    const double share = turns < 20 ? 1.0 : turns < 60 ? 0.5 : turns < 140 ? 0.25 : 0.1;
     point_->bound = held + share * (point_->bound - held);
     trial_->bound = point_->bound;
   }
@@ -191,9 +196,9 @@ void FrictionNewton::fail(double scale) const {
                        : std::string();
   throw NoSteadyFriction(fmt::format(
       "friction falls so steeply with the slip velocity (steepness {:.2g}) that no state stays: "
-      "small changes leave each one that was found, most at x = {:.4g} mm, y = {:.4g} mm; without "
-      "a lag surfaces would chatter there; do: give friction.memory_distance, or a larger one, or "
-      "a larger half_velocity ({}{})",
+      "none was found that small changes do not leave, and bounds went up and down most at x = "
+      "{:.4g} mm, y = {:.4g} mm; without a lag such surfaces chatter; do: give "
+      "friction.memory_distance, or a larger one, or a larger half_velocity ({}{})",
       effort_.steepness, grid.x(static_cast<int>(k % grid.nx)),
       grid.y(static_cast<int>(k / grid.nx)), how, feedback));
 }

@@ -41,10 +41,10 @@ class Counted {
 
   const TransmittedForce& operator()(const Vector2d& creepage) {
     if (evaluations_ == most_)
-      fail(wanted_,
-           fmt::format("the search for its creepage did not converge in {} solutions; "
-                       "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}",
-                       most_, last_.force.x(), last_.force.y(), creepage_.x(), creepage_.y()));
+      fail(wanted_, fmt::format("the search for its creepage did not converge in {} solutions; "
+                                "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}{}",
+                                most_, last_.force.x(), last_.force.y(), creepage_.x(),
+                                creepage_.y(), most_found()));
     ++evaluations_;
     creepage_ = creepage;
     last_ = law_(creepage);
@@ -53,7 +53,16 @@ class Counted {
     return last_;
   }
   FoundCreepage found() const { return {creepage_, last_, evaluations_}; }
+  /// The largest force in the direction of the prescribed one.
   const FoundCreepage& largest() const { return largest_; }
+  std::string most_found() const {
+    const auto& [creepage, transmitted, evaluations] = largest_;
+    return fmt::format(
+        "; the most in its direction was F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, "
+        "{:.6g}; where friction falls with the slip velocity forces have a peak and may jump: "
+        "prescribe the creepage there",
+        transmitted.force.x(), transmitted.force.y(), creepage.x(), creepage.y());
+  }
   int evaluations() const { return evaluations_; }
 
  private:
@@ -248,7 +257,8 @@ class BroydenSearch {
       if (fresh)
         fail(all_, fmt::format("the search for its creepage is stuck at {:.6g}, {:.6g}, where "
                                "F_x = {:.6g} N, F_y = {:.6g} N",
-                               c_.x(), c_.y(), force_.x(), force_.y()));
+                               c_.x(), c_.y(), force_.x(), force_.y()) +
+                       law_.most_found());
       renew_jacobian();
       fresh = true;
     }
