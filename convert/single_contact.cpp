@@ -236,8 +236,8 @@ std::string lattice_text(const ContactCase& given, const Area& area, double sign
 }
 
 /// Least length of the elements of a single row over the length of the row. Their ends then change
-/// displacement differences within the row by at most 1e-4.
-constexpr double longest_row = 50.0;
+/// displacement differences within the row by at most 6e-4.
+constexpr double longest_row = 20.0;
 
 /// Of a line contact of rollers; 0: none.
 double roller_radius(const UndeformedDistance& distance) {
