@@ -237,8 +237,14 @@ ForceSearch ContactRun::search_for(std::size_t k) {
 
 void ContactRun::solve_given(std::size_t k, const Vector2d& unknowns) {
   const ContactState start = start_for(k);
-  state_ = problem_->solve(scene_.points[k].load, motion_->at(k, unknowns), &start,
-                           options_.accuracy, each_iteration(k));
+  try {
+    state_ = problem_->solve(scene_.points[k].load, motion_->at(k, unknowns), &start,
+                             options_.accuracy, each_iteration(k));
+  } catch (const NoSteadyFriction& error) {
+    throw NoSteadyFriction(fmt::format("{} {} of {}: {}",
+                                       scene_.is_history() ? "step" : "load point", k + 1,
+                                       scene_.points.size(), error.what()));
+  }
 }
 
 /// Solves the point with the prescribed force; returns the creepages (shifts) found.
