@@ -24,13 +24,15 @@ struct Tally {
   std::vector<int> steps, krylov;
   std::vector<int> outer;  ///< for unlike materials only
   int failed = 0;
-  int beyond = 0;  ///< contacts with more than many_steps
+  int chatter = 0;  ///< no state stays: no failure
+  int beyond = 0;   ///< contacts with more than many_steps
 
   void add(const testing::RandomOutcome& outcome) {
     steps.push_back(outcome.newton_steps);
     krylov.push_back(outcome.krylov_iterations);
     if (outcome.outer_iterations > 0) outer.push_back(outcome.outer_iterations);
-    failed += outcome.solved ? 0 : 1;
+    failed += outcome.solved || outcome.chatters ? 0 : 1;
+    chatter += outcome.chatters ? 1 : 0;
     beyond += outcome.newton_steps > many_steps ? 1 : 0;
   }
 };
@@ -46,8 +48,9 @@ std::string quantiles(std::vector<int> values) {
 }
 
 void print_row(const std::string& name, const Tally& tally) {
-  fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", name, tally.steps.size(), tally.failed,
-             quantiles(tally.steps), tally.beyond, quantiles(tally.krylov), quantiles(tally.outer));
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} |\n", name, tally.steps.size(), tally.failed,
+             tally.chatter, quantiles(tally.steps), tally.beyond, quantiles(tally.krylov),
+             quantiles(tally.outer));
   std::fflush(stdout);
 }
 
@@ -77,9 +80,10 @@ int main(int count, char** words) {
   fmt::print("seed {}, contacts from {} on, {}\n\n", words[1], number,
              start == testing::RandomStart::nested ? "on coarser grids first" : "from scratch");
   fmt::print(
-      "| across | contacts | failures | Newton steps: median / 99 % / largest | above {} | Krylov "
+      "| across | contacts | failures | no state stays | Newton steps: median / 99 % / largest | "
+      "above {} | Krylov "
       "iterations: median / 99 % / largest | outer iterations of unlike materials: median / 99 % / "
-      "largest |\n|---|---|---|---|---|---|---|\n",
+      "largest |\n|---|---|---|---|---|---|---|---|\n",
       many_steps);
   Tally all;
   for (int word = 3; word < count; ++word) {

@@ -236,16 +236,27 @@ std::string lattice_text(const ContactCase& given, const Area& area, double sign
 }
 
 /// Least length of the elements of a single row over the length of the row. Their ends then change
-/// displacement differences within the row by at most 1e-4.
-constexpr double longest_row = 50.0;
+/// displacement differences within the row by at most 6e-4.
+constexpr double longest_row = 20.0;
+
+/// Of a line contact of rollers; 0: none.
+double roller_radius(const UndeformedDistance& distance) {
+  const auto& B = distance.values;
+  const auto zeros_from = [&](std::ptrdiff_t first) {
+    return std::all_of(B.begin() + first, B.end(), [](double value) { return value == 0.0; });
+  };
+  if (distance.ibase == 1 && B[0] > 0.0 && zeros_from(1)) return 0.5 / B[0];
+  // NN, XM, RX1, Y1, DY1 and the heights across
+  return distance.ibase == 2 && B[1] == 0.0 && zeros_from(5) ? B[2] : 0.0;
+}
 
 void fill_line(const ContactCase& given, Area area, double modulus, double sign, Equivalent& made) {
-  const auto& B = given.distance.values;
   const auto refuse = [&](const std::string& what) { made.refuse(true, what); };
-  if (given.distance.ibase != 1 || !(B[0] > 0.0) ||
-      std::any_of(B.begin() + 1, B.end(), [](double value) { return value != 0.0; }))
+  const double radius = roller_radius(given.distance);
+  if (!(radius > 0.0))
     return refuse(
-        "MY = 1: a line contact of rollers needs IBASE = 1 with B1 > 0 and all other B = 0");
+        "MY = 1: a line contact of rollers needs IBASE = 1 with B1 > 0 and all other B = 0, or "
+        "IBASE = 2 with RX1 > 0, XM = 0 and no height across");
   if (given.digits.N == 0) return refuse("MY = 1, N = 0: a line contact with prescribed approach");
   if (given.kinematics[3] != 0.0) return refuse("MY = 1, CPHI: a line contact with spin");
   const double row = given.potential.mx * area.dx;
@@ -256,8 +267,9 @@ void fill_line(const ContactCase& given, Area area, double modulus, double sign,
                     area.dy, longest_row, row));
   made.set_word("geometry", "shape", "line");
   made.set("geometry", "width", area.dy, "mm, the width that forces refer to: DY");
-  const double radius = 0.5 / B[0];
-  made.set("geometry", "relative_radius", radius, fmt::format("mm, B1 = {:g} /mm", B[0]));
+  made.set("geometry", "relative_radius", radius,
+           given.distance.ibase == 2 ? std::string("mm, RX1")
+                                     : fmt::format("mm, B1 = {:g} /mm", given.distance.values[0]));
   made.set("geometry", "reference_distance", area.dy,
            "mm, so that the approach is that of elements of this length");
   area.y = -0.5 * area.dy;

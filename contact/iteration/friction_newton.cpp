@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/iteration/friction_newton.hpp"
 
-#include "contact/base/errors.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -25,15 +21,9 @@ constexpr double first_drag = 0.3;
 constexpr double least_drag = 3e-3;
 constexpr double largest_drag = 100.0;
 
-/// From this steepness of the law on (FrictionState::steepness) there may be several solutions.
-constexpr double steep = 0.5;
-
 /// A problem with drag only makes a better start, relative to the creepage load.
 constexpr double drag_tolerance = 1e-3;
 constexpr int patience_with_drag = 25;
-
-/// Length of a GMRES cycle before it restarts; bounds the memory.
-constexpr int krylov_restart = 80;
 
 void enlarge(Eigen::VectorXd& values, Eigen::Index n) {
   if (values.size() < n) values.resize(n);
@@ -70,8 +60,8 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
     // coefficient does not make anything look converged.
     const double scale = std::min(creepage_load, bound_.norm());
     if (feels_slip_) effort_.steepness = state_.steepness(compliance.diagonal());
-    const bool direct = effort_.steepness < steep && iterate(scale, options.tolerance);
-    if (!direct && !(feels_slip_ && come_from_rest(scale))) fail(scale);
+    const bool direct = !falls_steeply() && iterate(scale, options.tolerance);
+    if (!direct && !(feels_slip_ && follow_bounds(scale))) fail(scale);
     // The tolerance is of all elements together: one alone may be beyond its bound by more.
     project(point_->traction, point_->bound);
     evaluate_from_traction(*point_);
@@ -133,56 +123,6 @@ bool FrictionNewton::iterate(double scale, double tolerance) {
     set_drag(settled ? 0.25 * drag_ : std::max(4.0 * drag_, first_drag / r_));
     previous = infinity;
     with_this_drag = 0;
-  }
-  return false;
-}
-
-void FrictionNewton::fail(double scale) const {
-  throw SolveError(fmt::format(
-      "the tangential contact iteration did not converge: residual {:.3g} of the "
-      "creepage load after {} Newton steps and {} Krylov iterations, required {:.3g}{}",
-      point_->norm / scale, effort_.newton_steps, effort_.krylov_iterations, options_->tolerance,
-      feels_slip_ ? "; friction falls so steeply with the slip velocity that there is no steady "
-                    "state, or none that small changes do not leave; do: give "
-                    "friction.memory_distance, a larger one, or a larger half_velocity"
-                  : ""));
-}
-
-/// Where friction falls steeply there may be several solutions. That which grows out of small
-/// creepage has the largest bounds: they begin at rest and follow the slip of the solution with
-/// bounds held fixed, which has one. Rounds let more slip and lower bounds further, down to the
-/// first that stay; then Newton's method takes over, and must not leave them.
-bool FrictionNewton::come_from_rest(double scale) {
-  constexpr int most_rounds = 300;
-  constexpr double round_tolerance = 1e-5, least_near = 1e-6;  // below, rounds go on alone
-  double near = 1e-2;  // of the bound at rest of every element
-  const auto change = [&](const Eigen::VectorXd& before) {
-    return ((point_->bound - before).array() / bound_.array()).abs().maxCoeff();
-  };
-  for (Point& point : points_) point.bound = bound_;
-  for (int round = 0; round < most_rounds; ++round) {
-    frozen_ = true;
-    drag_ = 0.0;
-    fronts_.forget();
-    evaluate(*point_);
-    const bool solved = iterate(scale, near > 1e-3 ? round_tolerance : 0.1 * options_->tolerance);
-    frozen_ = false;
-    if (!solved) return false;
-    const Eigen::VectorXd held = point_->bound;
-    evaluate(*point_);
-    if (point_->norm <= options_->tolerance * scale) return true;
-    if (change(held) < near && near > least_near) {
-      fronts_.forget();
-      const Eigen::VectorXd traction = point_->traction, bound = point_->bound;
-      if (iterate(scale, options_->tolerance) && change(bound) < 10.0 * near) return true;
-      point_->traction = traction;
-      evaluate_from_traction(*point_);
-      near *= 0.1;
-    }
-    // Friction that is lost upstream can be gained downstream, and both go round.
-    const double share = round < 20 ? 1.0 : round < 80 ? 0.5 : 0.25;
-    point_->bound = held + share * (point_->bound - held);
-    trial_->bound = point_->bound;
   }
   return false;
 }

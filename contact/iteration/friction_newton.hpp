@@ -10,6 +10,7 @@
 #include "contact/iteration/tangential.hpp"
 
 #include <initializer_list>
+#include <optional>
 #include <vector>
 
 namespace rollfem::contact {
@@ -21,10 +22,12 @@ class FrictionNewton {
     int krylov_iterations = 0;
     double residual = 0.0;
     double steepness = 0.0;  ///< of the law (friction_state.hpp); 0 where it does not feel slip
+    std::optional<double> feedback;  ///< where several solutions are possible (feedback())
   };
 
   /// `places`: grid indices of the elements in contact. `start`: initial tractions, empty for the
-  /// projected full-stick solution. Throws SolveError when it does not converge.
+  /// projected full-stick solution. Throws SolveError when it does not converge, NoSteadyFriction
+  /// when there is no solution that small changes do not leave.
   Effort solve(ElementOperator& compliance, const FrictionProblem& problem,
                const std::vector<Eigen::Index>& places, const TangentialOptions& options,
                const TangentialField& start);
@@ -58,7 +61,12 @@ class FrictionNewton {
   void lay_out(Index count);
   void gather(const TangentialField& field, Vector& values) const;
   bool iterate(double scale, double tolerance);
-  bool come_from_rest(double scale);
+  // Choice of a solution where there are several (friction_branches.cpp).
+  bool falls_steeply();
+  bool follow_bounds(double scale);
+  bool finish(double scale, double near);
+  void feed_back(const Eigen::VectorXd& change);
+  bool stays();
   [[noreturn]] void fail(double scale) const;
   void project(Vector& traction, const Vector& bound) const;
   void set_drag(double drag);
@@ -74,6 +82,9 @@ class FrictionNewton {
   void find_direction(double tolerance);
   bool advance(double residual, double previous);
   bool step_along(double residual, double previous);
+
+  /// Length of a GMRES cycle before it restarts; bounds the memory.
+  static constexpr int krylov_restart = 80;
 
   ElementOperator* compliance_ = nullptr;
   const FrictionProblem* problem_ = nullptr;
@@ -98,6 +109,8 @@ class FrictionNewton {
   Gmres gmres_;
   Effort effort_;
   bool stood_still_ = false;  ///< the full preconditioner has failed once
+  bool steep_ = false;        ///< several solutions are possible
+  Index restless_ = 0;        ///< element whose bound changed most in the last round
 };
 
 }  // namespace rollfem::contact

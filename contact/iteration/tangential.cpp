@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/iteration/tangential.hpp"
 
-#include "contact/base/errors.hpp"
 #include "contact/iteration/friction_newton.hpp"
 
 #include <optional>
@@ -81,6 +80,7 @@ TangentialSolution solve_tangential(const TangentialOperator& compliance,
   result.krylov_iterations = effort.krylov_iterations;
   result.residual = effort.residual;
   result.steepness = effort.steepness;
+  result.feedback = effort.feedback;
   return result;
 }
 

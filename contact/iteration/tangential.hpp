@@ -6,11 +6,21 @@
 // rolling towards the steady state.
 #pragma once
 
+#include "contact/base/errors.hpp"
 #include "contact/iteration/compliance.hpp"
 #include "contact/iteration/friction_state.hpp"
 #include "contact/result/result.hpp"
 
+#include <optional>
+
 namespace rollfem::contact {
+
+/// Friction falls so steeply that every state found is one that small changes leave. The text says
+/// where and what helps.
+class NoSteadyFriction : public SolveError {
+ public:
+  using SolveError::SolveError;
+};
 
 struct TangentialProblem {
   Field pressure;              ///< p_n >= 0, MPa; 0 outside the contact area
@@ -26,6 +36,9 @@ struct TangentialOptions {
   int patience = 25;              ///< Newton steps without drag before drag is tried
   double krylov_tolerance = 0.1;  ///< loosest; tightened as Newton's method converges
   int max_krylov_iterations = 400;
+  /// Where a falling law has several solutions, the one with the least friction, to which the
+  /// contact comes from fast sliding, in place of the one with the most.
+  bool least_friction = false;
 };
 
 struct TangentialSolution {
@@ -37,6 +50,10 @@ struct TangentialSolution {
   int krylov_iterations = 0;
   double residual = 0.0;
   double steepness = 0.0;  ///< of the friction law (friction_state.hpp)
+  /// How much of a small change of all bounds comes back through the slip, below 1; empty where the
+  /// law does not fall steeply enough for several solutions.
+  std::optional<double> feedback;
+  int states = 1;  ///< that were looked for and found (ContactProblem::count_states)
 };
 
 /// Throws SolveError when Newton's method does not converge. `start`: initial tractions, empty for

@@ -133,6 +133,25 @@ ContactState ContactProblem::solve_for_force(const NormalLoad& load, const Motio
   return state;
 }
 
+int ContactProblem::count_states(const ContactState& state, const TangentialMotion& motion) {
+  constexpr double apart = 1e-3;  // of the largest bound
+  const TangentialSolution& known = state.tangential;
+  if (!known.feedback || coupled()) return 1;
+  const Field& pressure = state.normal.pressure;
+  TangentialOptions options;
+  options.least_friction = true;
+  try {
+    const TangentialSolution other = solve_tangential(
+        tangential_operator(motion.motion, pressure),
+        {pressure, motion.rigid_slip, conditions_.friction, motion.slip_factor, motion.past},
+        options);
+    const double difference = (other.bound - known.bound).cwiseAbs().maxCoeff();
+    return difference > apart * known.bound.maxCoeff() ? 2 : 1;
+  } catch (const SolveError&) {  // none that stays
+    return 1;
+  }
+}
+
 ContactState ContactProblem::solve_frictionless(const NormalLoad& load,
                                                 const ContactAccuracy& accuracy) {
   return solve_coupled(load, {}, nullptr, accuracy, {}, false);

@@ -42,14 +42,20 @@ SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape
 
 }  // namespace
 
-std::string steep_friction_note(double steepness) {
-  if (steepness <= 1.0) return {};
+std::string steep_friction_note(const LevelResult& level) {
+  if (level.steepness <= 1.0 && level.several == 0) return {};
+  const std::string found =
+      level.several == 0
+          ? std::string("several states are possible")
+          : fmt::format(
+                "there are several states at {} of {} load points (a second one that small "
+                "changes do not leave was found, with less friction)",
+                level.several, level.points.size());
   return fmt::format(
       "friction falls so steeply with the slip velocity ({:.2g} times what one element withstands) "
-      "that several states are possible, which depend on the grid: given is the one that grows out "
-      "of small creepage, with the most friction; a larger friction.memory_distance leaves one "
-      "(docs/friction.md)",
-      steepness);
+      "that {}, which depend on the grid: given is the one that grows out of small creepage, with "
+      "the most friction; a larger friction.memory_distance leaves one (docs/friction.md)",
+      level.steepness, found);
 }
 
 ContactRun::ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
@@ -80,6 +86,7 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   result_.grid = grid;
   result_.points.clear();
   result_.relative_traction.clear();
+  result_.several = 0;
   shape_ = geometry_.shape(grid);
   problem_.reset();
   elasticity_.reset();
@@ -231,8 +238,14 @@ ForceSearch ContactRun::search_for(std::size_t k) {
 
 void ContactRun::solve_given(std::size_t k, const Vector2d& unknowns) {
   const ContactState start = start_for(k);
-  state_ = problem_->solve(scene_.points[k].load, motion_->at(k, unknowns), &start,
-                           options_.accuracy, each_iteration(k));
+  try {
+    state_ = problem_->solve(scene_.points[k].load, motion_->at(k, unknowns), &start,
+                             options_.accuracy, each_iteration(k));
+  } catch (const NoSteadyFriction& error) {
+    throw NoSteadyFriction(fmt::format("{} {} of {}: {}",
+                                       scene_.is_history() ? "step" : "load point", k + 1,
+                                       scene_.points.size(), error.what()));
+  }
 }
 
 /// Solves the point with the prescribed force; returns the creepages (shifts) found.
@@ -280,6 +293,7 @@ void ContactRun::solve_point(std::size_t k) {
     unknowns = find_force(k);
   else
     solve_given(k, unknowns);
+  state_.tangential.states = problem_->count_states(state_, motion_->at(k, unknowns));
   PointResult point = point_result(k, unknowns);
   remember(k);
   if (!touches_border(result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);
@@ -302,6 +316,7 @@ void ContactRun::solve_point(std::size_t k) {
 void ContactRun::remember(std::size_t k) {
   motion_->advance(k, state_);
   result_.steepness = std::max(result_.steepness, state_.tangential.steepness);
+  if (state_.tangential.states > 1) ++result_.several;
   if (scene_.is_history()) return;
   result_.relative_traction.push_back(relative_to_bound(
       state_.tangential.traction, traction_bound(friction_, result_.grid, state_.normal.pressure)));

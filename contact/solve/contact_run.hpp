@@ -65,10 +65,11 @@ struct LevelResult {
   double normal_seconds = 0.0;
   double tangential_seconds = 0.0;
   double steepness = 0.0;  ///< gain of the friction law, the largest of all load points
+  int several = 0;         ///< load points with more than one state (ContactProblem::count_states)
 };
 
 /// Warning about a law that falls this steeply; may be empty.
-std::string steep_friction_note(double steepness);
+std::string steep_friction_note(const LevelResult& level);
 
 struct RunOptions {
   std::string model;         ///< in progress events

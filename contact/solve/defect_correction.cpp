@@ -247,10 +247,17 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
     }
     defect = unstacked(steps.next(stacked(defect), stacked(solution.defect)));
   }
-  throw SolveError("the outer contact iteration did not converge: relative residual " +
-                   std::to_string(solution.residual) + " after " +
-                   std::to_string(solution.outer_iterations) + " iterations, required " +
-                   std::to_string(options.tolerance));
+  const std::string how = "the outer contact iteration did not converge: relative residual " +
+                          std::to_string(solution.residual) + " after " +
+                          std::to_string(solution.outer_iterations) + " iterations, required " +
+                          std::to_string(options.tolerance);
+  if (solution.tangential.feedback)
+    throw NoSteadyFriction(
+        "friction falls so steeply with the slip velocity that no state stays: it jumps to another "
+        "one whenever pressure and slip are corrected for each other; do: give "
+        "friction.memory_distance, or a larger one, or a larger half_velocity (" +
+        how + ")");
+  throw SolveError(how);
 }
 
 Eigen::VectorXd Anderson::next(const Eigen::VectorXd& iterate, const Eigen::VectorXd& image) {

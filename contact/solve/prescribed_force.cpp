@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -40,26 +41,44 @@ class Counted {
 
   const TransmittedForce& operator()(const Vector2d& creepage) {
     if (evaluations_ == most_)
-      fail(wanted_,
-           fmt::format("the search for its creepage did not converge in {} solutions; "
-                       "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}",
-                       most_, last_.force.x(), last_.force.y(), creepage_.x(), creepage_.y()));
+      fail(wanted_, fmt::format("the search for its creepage did not converge in {} solutions; "
+                                "last F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, {:.6g}{}",
+                                most_, last_.force.x(), last_.force.y(), creepage_.x(),
+                                creepage_.y(), most_found()));
     ++evaluations_;
     creepage_ = creepage;
     last_ = law_(creepage);
     refuse_force_beyond_friction(wanted_, last_.bound);
+    if (along(last_) > along(largest_.transmitted) || evaluations_ == 1) largest_ = found();
     return last_;
   }
   FoundCreepage found() const { return {creepage_, last_, evaluations_}; }
+  /// The largest force in the direction of the prescribed one.
+  const FoundCreepage& largest() const { return largest_; }
+  std::string most_found() const {
+    const auto& [creepage, transmitted, evaluations] = largest_;
+    return fmt::format(
+        "; the most in its direction was F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, "
+        "{:.6g}; where friction falls with the slip velocity forces have a peak and may jump: "
+        "prescribe the creepage there",
+        transmitted.force.x(), transmitted.force.y(), creepage.x(), creepage.y());
+  }
   int evaluations() const { return evaluations_; }
 
  private:
+  /// In the direction of the prescribed force.
+  double along(const TransmittedForce& got) const {
+    return wanted_.longitudinal.value_or(0.0) * got.force.x() +
+           wanted_.lateral.value_or(0.0) * got.force.y();
+  }
+
   const ForceLaw& law_;
   const PrescribedForce& wanted_;
   int most_;
   int evaluations_ = 0;
   Vector2d creepage_ = Vector2d::Zero();
   TransmittedForce last_{Vector2d::Zero(), 0.0};
+  FoundCreepage largest_{Vector2d::Zero(), {Vector2d::Zero(), 0.0}, 0};
 };
 
 /// One unknown component k: g(c) = tau(F_wanted) - tau(F(c)) grows with c.
@@ -73,7 +92,12 @@ class BracketedSearch {
     double c = at_[k_];
     for (;;) {
       if (evaluated(c)) return law_.found();
-      c = low_ && high_ ? between() : beyond();
+      if (low_ && high_)
+        c = between();
+      else if (passed_peak())
+        return climb();
+      else
+        c = beyond();
     }
   }
 
@@ -81,6 +105,7 @@ class BracketedSearch {
   struct Sample {
     double c;
     double g;
+    double f;  ///< force over the bound
   };
 
   /// True when the force at c is the prescribed one; otherwise c becomes an end of the bracket.
@@ -88,16 +113,73 @@ class BracketedSearch {
     at_[k_] = c;
     const TransmittedForce& got = law_(at_);
     if (std::abs(got.force[k_] - wanted_) <= search_.tolerance * got.bound) return true;
+    bound_ = got.bound;
     unit_ = got.bound / search_.stiffness[k_];
     const double g =
         creepage_of_force(wanted_ / got.bound) - creepage_of_force(got.force[k_] / got.bound);
     before_ = last_;
-    last_ = Sample{c, g};
+    last_ = Sample{c, g, got.force[k_] / got.bound};
     (g < 0.0 ? low_ : high_) = last_;
     weight_low_ = weight_high_ = 1.0;
     // Illinois: an end retained for the second time gets half weight, so that it moves, too.
     if (before_ && (before_->g < 0.0) == (g < 0.0)) (g < 0.0 ? weight_high_ : weight_low_) = 0.5;
     return false;
+  }
+
+  /// The force is too small, and more creepage has made it smaller.
+  bool passed_peak() const {
+    const double least = std::max(search_.tolerance, 1e-6);
+    if (!before_ || wanted_ * (last_->c - before_->c) > 0.0) return false;
+    return std::abs(last_->c) > std::abs(before_->c) &&
+           (before_->f - last_->f) * std::copysign(1.0, wanted_) > least;
+  }
+
+  /// Golden sections between no creepage and the last one, to the peak of a force that falls beyond
+  /// it, or to the first creepage where it suffices: the rest is the rising branch below.
+  FoundCreepage climb() {
+    constexpr double golden = 0.6180339887498949, width = 1e-3;
+    const double sign = std::copysign(1.0, wanted_);
+    double low = 0.0, high = last_->c;
+    std::array<double, 2> at{}, force{};
+    const auto place = [&](std::size_t i) {
+      at[i] = i == 0 ? high - golden * (high - low) : low + golden * (high - low);
+    };
+    const auto suffices = [&](std::size_t i) {
+      const bool found = evaluated(at[i]);
+      force[i] = sign * last_->f;
+      return found || force[i] * bound_ > std::abs(wanted_);
+    };
+    for (const std::size_t i : {0U, 1U}) {
+      place(i);
+      if (suffices(i)) return on_rising_branch();
+    }
+    while (std::abs(high - low) > width * std::abs(high)) {
+      const std::size_t better = force[0] > force[1] ? 0 : 1;
+      (better == 0 ? high : low) = at[1 - better];
+      at[1 - better] = at[better];
+      force[1 - better] = force[better];
+      place(better);
+      if (suffices(better)) return on_rising_branch();
+    }
+    const FoundCreepage& most = law_.largest();
+    fail(all_,
+         fmt::format("friction that falls with the slip velocity transmits at most about {:.6g} N, "
+                     "at creepage {:.4g}, and less beyond; do: prescribe a smaller force, or the "
+                     "creepage, to go beyond the peak",
+                     most.transmitted.force[k_], most.creepage[k_]));
+  }
+
+  /// From a creepage at which the force suffices.
+  FoundCreepage on_rising_branch() {
+    if (std::abs(last_->f * bound_ - wanted_) <= search_.tolerance * bound_) return law_.found();
+    const Sample enough = *last_;
+    low_.reset();
+    high_.reset();
+    if (evaluated(0.0)) return law_.found();
+    (enough.g < 0.0 ? low_ : high_) = enough;
+    while (!evaluated(between())) {
+    }
+    return law_.found();
   }
 
   /// Without a bracket: a secant step where it makes progress, growing steps where the force does
@@ -140,6 +222,7 @@ class BracketedSearch {
   const ForceSearch& search_;
   Vector2d at_;
   double unit_ = 0.0;
+  double bound_ = 0.0;  ///< of the last force, N
   std::optional<Sample> low_, high_, last_, before_;
   double weight_low_ = 1.0;
   double weight_high_ = 1.0;
@@ -174,7 +257,8 @@ class BroydenSearch {
       if (fresh)
         fail(all_, fmt::format("the search for its creepage is stuck at {:.6g}, {:.6g}, where "
                                "F_x = {:.6g} N, F_y = {:.6g} N",
-                               c_.x(), c_.y(), force_.x(), force_.y()));
+                               c_.x(), c_.y(), force_.x(), force_.y()) +
+                       law_.most_found());
       renew_jacobian();
       fresh = true;
     }

@@ -16,7 +16,7 @@ inline void exchange(Record& record, ContactState& state) {
                 n.residual);
   TangentialSolution& t = state.tangential;
   record.values(t.traction, t.slip, t.bound, t.state, t.newton_steps, t.krylov_iterations,
-                t.residual);
+                t.residual, t.steepness, t.states);
   record.values(state.displacement, state.defect, state.iterations, state.residual);
 }
 

@@ -324,11 +324,11 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   result.grid = fine.grid;
   result.contact_elements = fine.contact_elements;
   result.unknowns = 3L * fine.contact_elements;
+  std::string steep = contact::steep_friction_note(fine);
   result.points = std::move(fine.points);
   add_notes(scene, result);
   if (!warning.empty()) result.notes.push_back(std::move(warning));
-  if (std::string note = contact::steep_friction_note(fine.steepness); !note.empty())
-    result.notes.push_back(std::move(note));
+  if (!steep.empty()) result.notes.push_back(std::move(steep));
   result.seconds["total"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

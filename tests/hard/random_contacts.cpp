@@ -54,7 +54,22 @@ TEST(RandomContacts, FallingFrictionAndLayersAreAllSolved) {
     }
     std::sort(steps.begin(), steps.end());
     EXPECT_LE(steps[50], 4);
+    EXPECT_LE(steps.back(), 100);
   }
+  // Bounds that all move one way, through several hundred Newton steps.
+  const RandomOutcome shift =
+      testing::run_random(contacts.falling_contact(112, 20, false), testing::RandomStart::nested);
+  EXPECT_TRUE(shift.solved) << shift.message;
+}
+
+TEST(RandomContacts, WhereNoStateStaysTheMessageSaysWhatToDo) {
+  const RandomOutcome outcome = testing::run_random(
+      RandomContacts(1).falling_contact(30, 20, false), testing::RandomStart::nested);
+  EXPECT_FALSE(outcome.solved);
+  EXPECT_TRUE(outcome.chatters) << outcome.message;
+  EXPECT_NE(outcome.message.find("no state stays"), std::string::npos) << outcome.message;
+  EXPECT_NE(outcome.message.find("do: give friction.memory_distance"), std::string::npos)
+      << outcome.message;
 }
 
 /// Pressure and friction feed each other by mu K/(1 - nu).

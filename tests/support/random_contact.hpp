@@ -64,7 +64,8 @@ struct RandomContact {
 /// Effort of the solver for a contact on one grid: the largest numbers of any of its problems.
 struct RandomOutcome {
   bool solved = true;
-  std::string message;  ///< why it is not
+  bool chatters = false;  ///< there is no state that small changes do not leave
+  std::string message;    ///< why it is not
   int problems = 0;
   int newton_steps = 0;
   int krylov_iterations = 0;
@@ -215,6 +216,10 @@ class RandomLevel {
         solve(motion(contact_.creepage), first_state());
     } catch (const contact::UnfitGrid&) {
       unfit_ = true;
+    } catch (const contact::NoSteadyFriction& error) {
+      outcome_.solved = false;
+      outcome_.chatters = true;
+      outcome_.message = error.what();
     } catch (const std::exception& error) {
       outcome_.solved = false;
       outcome_.message = error.what();

@@ -83,6 +83,14 @@ TEST(ConvertedCase, OneRowOfLongElementsIsALineContact) {
   EXPECT_NEAR(*made.rolling.forces[0].longitudinal, -0.4 * 0.25 * 30000.0, 1e-9);  // CHI = 180
   EXPECT_TRUE(says(refusal(replaced(driven_roller, "0.04 250.", "0.04 5.")),
                    "too short for a line contact"));
+  // The same roller as a circle without height across: NN, XM, RX1, Y1, DY1 and two heights.
+  const std::string circle = " 2 1\n 2 0.0 300.0 -125. 250.\n";
+  const std::string parabola = " 1 1\n 0.0016666666666667 0.0 0.0 0.0 0.0 0.0";
+  EXPECT_NEAR(
+      *only(replaced(driven_roller, parabola, circle + " 0.0 0.0")).geometry.relative_radius, 300.0,
+      1e-9);
+  EXPECT_TRUE(
+      says(refusal(replaced(driven_roller, parabola, circle + " 0.0 0.1")), "no height across"));
   EXPECT_TRUE(says(refusal(replaced(driven_roller, "667 0.0 0.0", "667 0.0 0.001")), "MY = 1"));
 }
 
@@ -214,7 +222,8 @@ TEST(ConvertedCase, WhatHasNoEquivalentIsNamed) {
        Row{rolling_ellipse, " 0.0 0.5 20000.", " 90d 0.5 20000.",
            "CHI = 90 degrees: rolling is along x only; allowed: 0 and 180"},
        Row{pushed_ball, " 36 36 ", " 36 1 ",
-           "MY = 1: a line contact of rollers needs IBASE = 1 with B1 > 0 and all other B = 0"},
+           "MY = 1: a line contact of rollers needs IBASE = 1 with B1 > 0 and all other B = 0, or "
+           "IBASE = 2 with RX1 > 0, XM = 0 and no height across"},
        Row{left_wheel, " 0203100 ", " 0203000 ",
            "digit N = 0: a prescribed height of the wheelset instead of its load"},
        Row{left_wheel, " 14.5 0 ", " 0.0 0 ",

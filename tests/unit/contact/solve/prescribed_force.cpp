@@ -78,6 +78,37 @@ TEST(PrescribedForce, TwoComponentsNearSaturation) {
   }
 }
 
+/// 3/4 of the bound at most, at |c| = 1, and less beyond: 3 c/(2 (1 + c^2)).
+TransmittedForce falling(const Vector2d& c) {
+  return {Vector2d(-1.5 * bound / (1.0 + c.squaredNorm()) * c), bound};
+}
+
+TEST(PrescribedForce, NearThePeakOfAFallingCurveIsOnTheRisingBranch) {
+  for (const double part : {0.1, 0.6, 0.74, 0.7499})
+    for (const double sign : {1.0, -1.0})
+      for (const double start : {0.0, 0.3, 5.0}) {
+        ForceSearch from = search();
+        from.start = {-sign * start, 0.0};
+        const FoundCreepage found = find_creepage(falling, {sign * part * bound, {}}, from);
+        EXPECT_NEAR(found.transmitted.force.x(), sign * part * bound, 1e-6 * bound);
+        const double root = 0.75 / part;  // part (1 + c^2) = 3/2 c
+        EXPECT_NEAR(found.creepage.x(), -sign * (root - std::sqrt(root * root - 1.0)), 1e-3)
+            << part << ", from " << start;
+      }
+}
+
+TEST(PrescribedForce, AboveThePeakTheMessageNamesThePeak) {
+  for (const double start : {0.0, -0.3, -5.0}) {
+    ForceSearch from = search();
+    from.start = {start, 0.0};
+    const std::string message = refusal<SolveError>([&] {
+      find_creepage(falling, {0.8 * bound, {}}, from);
+    });
+    EXPECT_TRUE(says(message, "at most about 750 N, at creepage -")) << message;
+    EXPECT_TRUE(says(message, "beyond the peak")) << message;
+  }
+}
+
 TEST(PrescribedForce, BeyondFrictionIsAnErrorThatSaysSo) {
   EXPECT_TRUE(says(refusal<SolveError>([] {
                      find_creepage(carter_law(), {1.001 * bound, {}}, search());
