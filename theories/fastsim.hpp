@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // FASTSIM, Kalker's algorithm for the simplified theory on Hertz's ellipse (Kalker 1982, Vehicle
-// System Dynamics 11, 1-13), and the model "fastsim".
+// System Dynamics 11, 1-13), and FaStrip, which takes its adhesion area from strip theory (Sichani,
+// Enblom and Berg 2016, Vehicle System Dynamics 54, 748-764): the models "fastsim" and "fastrip".
 #pragma once
 
 #include "theories/brush.hpp"
@@ -28,6 +29,13 @@ BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepag
 /// traction bound is the parabola of the theory, which exceeds mu p_n by a third in the middle.
 /// error_estimate covers the resolution only, not the theory (10 to 15 % in the forces).
 contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress,
+                                 const FastsimOptions& options = {});
+
+/// The model "fastrip", on the strips and elements of `options`, under Hertz's pressure. In the
+/// adhesion area tractions are those of strip theory; in the slip area they have the bound's size
+/// and the direction that FASTSIM gives them, and slip is FASTSIM's, with one flexibility: with
+/// three, tractions in full sliding are not opposite to the slip.
+contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Progress& progress,
                                  const FastsimOptions& options = {});
 
 }  // namespace rollfem::theories

@@ -72,6 +72,10 @@ ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
   return run_fastsim(scene, progress, scene.options.fastsim);
 }
 
+ModelResult run_fastrip_of_case(const Scene& scene, const Progress& progress) {
+  return run_fastrip(scene, progress, scene.options.fastsim);
+}
+
 ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& progress,
                                            contact::Checkpoint* checkpoint) {
   if (scene.options.halfspace.model_error) halfspace::check_bodies_known(scene);
@@ -177,7 +181,9 @@ void add_theories(contact::ModelRegistry& models) {
   vermeulen.run = theory(elliptic(run_vermeulen_johnson, {true, true}));
   vermeulen.bars = closed_form;
   models.add(vermeulen);
+}
 
+void add_theories_of_strips(contact::ModelRegistry& models) {
   ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
   carter.takes = of_ellipse({Demand::line_contact, Demand::extra_slip});
   carter.run = theory(
@@ -195,6 +201,15 @@ void add_theories(contact::ModelRegistry& models) {
   fastsim.in_compare = true;
   models.add(fastsim);
 
+  ModelInfo fastrip{"fastrip", "FaStrip",
+                    "FASTSIM's direction of slip with the adhesion area of strip theory"};
+  fastrip.takes =
+      of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip});
+  fastrip.run = theory(elliptic(run_fastrip_of_case));
+  fastrip.bars = strips_on_ellipse;
+  fastrip.refinements = {strips_of(fastsim_level)};
+  models.add(fastrip);
+
   ModelInfo strip{"strip", "strip",
                   "strips along rolling, each with Hertzian pressure and brushes"};
   strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
@@ -209,6 +224,7 @@ void add_theories(contact::ModelRegistry& models) {
 contact::ModelRegistry make_models() {
   contact::ModelRegistry models;
   add_theories(models);
+  add_theories_of_strips(models);
   ModelInfo halfspace{"halfspace", "half-space",
                       "Kalker's problem for elastic half-spaces, solved on a grid"};
   halfspace.takes = contact::all_demands_but(

@@ -124,7 +124,8 @@ def friction_law(result):
     panel.text(0.01, rest, f"at rest: {rest:.3g}", shift=(0, -5), share=(True, False))
     if rigid > 0:
         panel.level(rigid, upright=True)
-        panel.text(rigid, 0, "rigid slip at the largest creepage", "end", shift=(-4, -5))
+        left = rigid > 0.5 * end
+        panel.text(rigid, 0, "rigid slip at the largest creepage", "end" if left else "start", shift=(-4 if left else 4, -5))
     memory = result.case["memory_distance"]
     panel.text(0.99, rest, f"memory: {1000 * memory:.3g} µm slid" if memory else "no memory", "end", shift=(0, -5),
                share=(True, False))

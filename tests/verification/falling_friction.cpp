@@ -251,10 +251,10 @@ TEST(Fastsim, TakesALayerInSeriesAndFallingFriction) {
     const double expected = 0.14 + 0.19 * std::exp2(-s / 1250.0);
     EXPECT_NEAR(sliding[k] / force, expected, 0.01 * expected);
   }
-  for (const char* name : {"linear", "vermeulen-johnson", "carter", "strip"})
+  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastrip", "strip"})
     EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
   input.layer.reset();
-  for (const char* name : {"linear", "vermeulen-johnson", "carter", "strip"})
+  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastrip", "strip"})
     EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
 }
 

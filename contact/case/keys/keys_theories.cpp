@@ -26,7 +26,10 @@ void add_strip_elements(Keys<Options>& keys) {
 
 SectionWithKeys fastsim_section() {
   Keys<FastsimOptions> keys(
-      "fastsim", "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse", &Case::fastsim);
+      "fastsim",
+      "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse; `fastrip` takes strips and "
+      "elements",
+      &Case::fastsim);
   keys.choice("bound")
       .says(
           "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; "

@@ -54,7 +54,8 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
     EXPECT_EQ(refusal(force, model), "");
     EXPECT_EQ(refusal(pressure, model) == "", std::string(model) != "hybrid") << model;
   }
-  for (const char* model : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
+  for (const char* model :
+       {"linear", "vermeulen-johnson", "carter", "fastsim", "fastrip", "strip"}) {
     expect_refusal(shift, model,
                    "allowed: hertz, halfspace, hybrid, fem; do: run with --model halfspace");
     expect_refusal(force, model, "prescribed tangential force");

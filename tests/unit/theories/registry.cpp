@@ -92,7 +92,8 @@ TEST(GivenPressure, TheoriesOfTheEllipseAreTheSameByEitherWay) {
   Case given = bodies;
   given.given_pressure =
       contact::GivenPressure{hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure};
-  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
+  for (const char* name :
+       {"linear", "vermeulen-johnson", "carter", "fastsim", "fastrip", "strip"}) {
     const auto a = theories::models().run(name, bodies, {}).points[1];
     const auto b = theories::models().run(name, given, {}).points[1];
     EXPECT_NEAR(b.longitudinal_force / a.longitudinal_force, 1.0, 1e-9) << name;
