@@ -5,7 +5,7 @@ import pathlib
 import re
 from dataclasses import dataclass, field
 
-THEORIES = ["hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "fastrip", "strip"]
+THEORIES = ["hertz", "linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"]
 CREEP = "[0.0, 0.001, 0.003]"
 NO_SLIP = {"rolling.extra_slip": '"none"'}
 # Slip of the rolling radius across: its key has had two values.

@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/iteration/compliance.hpp"
+#include "theories/polach.hpp"
 
 #include <fmt/format.h>
 
@@ -21,19 +22,6 @@ StripAt strips_of(const EllipticPatch& patch, BoundShape shape) {
     strip.law = patch.falling.get();
     return strip;
   };
-}
-
-BrushFlexibilities flexibilities_of(const EllipticPatch& patch, const contact::Creepage& creepage,
-                                    Flexibilities kind) {
-  const double a = patch.hertz.semi_axis_x;
-  const double b = patch.hertz.semi_axis_y;
-  BrushFlexibilities three =
-      kalker_flexibilities(a, b, patch.material.shear_modulus, patch.material.poisson_ratio);
-  // A layer between the bodies is one more bed of brushes.
-  for (double* flexibility : {&three.longitudinal, &three.lateral, &three.spin})
-    *flexibility += patch.material.layer;
-  return kind == Flexibilities::three ? three
-                                      : single_flexibility(three, creepage, std::sqrt(a * b));
 }
 
 BrushTotals sum_grid_strips(const BrushProblem& problem, const halfspace::HertzContact& ellipse,
@@ -70,6 +58,36 @@ int convergence_order(const FastsimOptions& options, const contact::Creepage& cr
 
 }  // namespace
 
+double slope_factor(const EllipticPatch& patch, const contact::Creepage& creepage,
+                    const std::array<double, 3>& reduction) {
+  const auto& [start, end, decay] = reduction;
+  if (patch.friction == 0.0) return start;
+  const halfspace::CreepForces linear = halfspace::linear_creep_forces(
+      patch.hertz.semi_axis_x, patch.hertz.semi_axis_y, patch.material.shear_modulus,
+      patch.material.poisson_ratio, creepage);
+  const double slip = std::hypot(creepage.longitudinal, creepage.lateral);
+  const double friction = patch.falling ? patch.falling->at(slip).value : patch.friction;
+  const double gradient = start * polach_gradient(std::hypot(linear.longitudinal, linear.lateral),
+                                                  friction * patch.hertz.normal_force);
+  return start * (end + (1.0 - end) / (1.0 + decay * gradient));
+}
+
+BrushFlexibilities fastsim_flexibilities(const EllipticPatch& patch,
+                                         const contact::Creepage& creepage,
+                                         const FastsimOptions& options) {
+  const double a = patch.hertz.semi_axis_x;
+  const double b = patch.hertz.semi_axis_y;
+  const double factor = slope_factor(patch, creepage, options.slope_reduction);
+  BrushFlexibilities three =
+      kalker_flexibilities(a, b, patch.material.shear_modulus, patch.material.poisson_ratio);
+  // A layer between the bodies is one more bed of brushes.
+  for (double* flexibility : {&three.longitudinal, &three.lateral, &three.spin})
+    *flexibility = *flexibility / factor + patch.material.layer;
+  return options.flexibilities == Flexibilities::three
+             ? three
+             : single_flexibility(three, creepage, std::sqrt(a * b));
+}
+
 StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count) {
   const double step = 2.0 * semi_axis_x / count;
   StripElements elements{0.0, step, step, 0,
@@ -84,8 +102,7 @@ StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int cou
 
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const FastsimOptions& options) {
-  return fastsim(patch, creepage, flexibilities_of(patch, creepage, options.flexibilities),
-                 options);
+  return fastsim(patch, creepage, fastsim_flexibilities(patch, creepage, options), options);
 }
 
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
@@ -112,8 +129,7 @@ contact::ModelResult run_brushes(const BrushModel& model, const contact::Scene& 
   long unknowns = 0;
   const auto fill = [&](contact::PointResult& point) {
     const contact::Creepage& creepage = point.creepage;
-    const BrushFlexibilities flexibilities =
-        flexibilities_of(patch, creepage, options.flexibilities);
+    const BrushFlexibilities flexibilities = fastsim_flexibilities(patch, creepage, options);
     const StripAt strip_at = model.strips(patch, creepage);
     const BrushProblem problem{patch.geometry, creepage, flexibilities, options.strip_elements};
     fill_brush_fields(patch.grid, problem, strip_at, point);
@@ -164,6 +180,7 @@ contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Pro
   const auto first = [](const EllipticPatch&, const contact::Creepage&) { return 1; };
   FastsimOptions one = options;
   one.flexibilities = Flexibilities::one;
+  one.slope_reduction = FastsimOptions().slope_reduction;
   return run_brushes({"fastrip", "FaStrip", strips_with_theory, first}, scene, progress, one);
 }
 

@@ -11,6 +11,7 @@
 #include "theories/elliptic_patch.hpp"
 #include "theories/equivalent_ellipse.hpp"
 #include "theories/fastsim.hpp"
+#include "theories/polach.hpp"
 #include "theories/strip.hpp"
 #include "theories/vermeulen_johnson.hpp"
 
@@ -99,10 +100,10 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
   const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   const double largest = contact::largest_extra_slip(scene.geometry, patch.y_lower, patch.y_upper);
   if (largest > smallest_slip_worth_a_note)
-    result.notes.push_back(
-        fmt::format("the slip from the different rolling radii of the wheel's surface, up to "
-                    "{:.3g}, is neglected by this theory; fastsim, strip and halfspace include it",
-                    largest));
+    result.notes.push_back(fmt::format(
+        "the slip from the different rolling radii of the wheel's surface, up to "
+        "{:.3g}, is neglected by this theory; fastsim, fastrip, strip and halfspace include it",
+        largest));
   return result;
 }
 
@@ -181,6 +182,13 @@ void add_theories(contact::ModelRegistry& models) {
   vermeulen.run = theory(elliptic(run_vermeulen_johnson, {true, true}));
   vermeulen.bars = closed_form;
   models.add(vermeulen);
+
+  ModelInfo polach{"polach", "Polach",
+                   "Polach's closed form of the creep force, without spin, for comparison"};
+  polach.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::falling_friction});
+  polach.run = theory(elliptic(run_polach, {true, true}));
+  polach.bars = closed_form;
+  models.add(polach);
 }
 
 void add_theories_of_strips(contact::ModelRegistry& models) {
