@@ -16,7 +16,7 @@ from pathlib import Path
 
 import scene_sets
 
-THEORIES = ["hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip"]
+THEORIES = ["hertz", "linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"]
 QUANTITIES = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_area", "approach", "traction_coefficient",
               "lateral_force", "spin_moment", "max_traction", "elastic_energy"]
 

@@ -5,7 +5,7 @@ import pathlib
 import re
 from dataclasses import dataclass, field
 
-THEORIES = ["hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip"]
+THEORIES = ["hertz", "linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"]
 CREEP = "[0.0, 0.001, 0.003]"
 NO_SLIP = {"rolling.extra_slip": '"none"'}
 # Slip of the rolling radius across: its key has had two values.
@@ -93,7 +93,7 @@ def coarse(across, **keys):
 
 
 def creep_curves():
-    for letter, models in zip("abcdef", [THEORIES] * 3 + [["hertz", "carter", "fastsim", "strip"]] * 3):
+    for letter, models in zip("abcdef", [THEORIES] * 3 + [["hertz", "carter", "fastsim", "fastrip", "strip"]] * 3):
         yield Case(f"{letter}", thesis(letter), "creep curve in the tangent plane, no slip of the surface",
                    [*models, "halfspace"], coarse(24, rolling__longitudinal_creepage=CREEP, **NO_SLIP))
     for letter in "ad":

@@ -145,12 +145,6 @@ class Judgement {
     made_.refuse(
         B != 2 && B != 3,
         fmt::format("digits M = 3, B = {}: FASTSIM with a pressure other than Hertz's", B));
-    const auto& k = given_.bodies.slope_reduction;
-    made_.refuse(
-        std::any_of(k.begin(), k.end(), [](double factor) { return factor != 1.0; }),
-        fmt::format(
-            "K0_MF, ALFAMF, BETAMF = {:g}, {:g}, {:g}: a reduced initial slope of the creep curve",
-            k[0], k[1], k[2]));
     refuse(digits_.F != 0, "F", digits_.F, "prescribed forces in FASTSIM");
   }
 
@@ -215,10 +209,10 @@ void Equivalent::set(const std::string& section, const std::string& key, double 
   fixed[section].push_back(with_comment(fmt::format("{} = {:.12g}", key, value), comment));
 }
 
-void Equivalent::set_pair(const std::string& section, const std::string& key, double first,
-                          double second, const std::string& comment) {
+void Equivalent::set_list(const std::string& section, const std::string& key,
+                          const std::vector<double>& values, const std::string& comment) {
   fixed[section].push_back(
-      with_comment(fmt::format("{} = [{:.12g}, {:.12g}]", key, first, second), comment));
+      with_comment(fmt::format("{} = [{:.12g}]", key, fmt::join(values, ", ")), comment));
 }
 
 void Equivalent::set_word(const std::string& section, const std::string& key,

@@ -42,8 +42,8 @@ struct Equivalent {
   }
   void set(const std::string& section, const std::string& key, double value,
            const std::string& comment = {});
-  void set_pair(const std::string& section, const std::string& key, double first, double second,
-                const std::string& comment = {});
+  void set_list(const std::string& section, const std::string& key,
+                const std::vector<double>& values, const std::string& comment = {});
   void set_word(const std::string& section, const std::string& key, const std::string& word);
 };
 

@@ -98,14 +98,14 @@ using Area = ElementPlaces;
 
 void set_grid(const ContactCase& given, const Area& area, double sign, Equivalent& made) {
   const double length = area.dx * given.potential.mx, width = area.dy * given.potential.my;
-  made.set_pair("contact_grid", "cell_size", area.dx, area.dy, "mm");
-  made.set_pair("contact_grid", "extent", length, width,
+  made.set_list("contact_grid", "cell_size", {area.dx, area.dy}, "mm");
+  made.set_list("contact_grid", "extent", {length, width},
                 fmt::format("mm, {} by {} elements", given.potential.mx, given.potential.my));
   const double x = in_mm(sign * (area.x + 0.5 * length));
   const double y = in_mm(sign * (area.y + 0.5 * width));
   const double rounding = 1e-9 * (length + width);
   if (std::abs(x) > rounding || std::abs(y) > rounding)
-    made.set_pair("contact_grid", "middle", x, y, "mm");
+    made.set_list("contact_grid", "middle", {x, y}, "mm");
   if (given.potential.my > 1)
     fill_stresses(given, area, sign, made);
   else if (given.digits.S > 0)
@@ -185,7 +185,7 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
     made.set("given_pressure", "semi_axis_x", a, "mm");
     made.set("given_pressure", "semi_axis_y", b, "mm");
   } else {
-    made.set_pair("undeformed_distance", "quadratic", ellipse.curvatures.A, ellipse.curvatures.B,
+    made.set_list("undeformed_distance", "quadratic", {ellipse.curvatures.A, ellipse.curvatures.B},
                   "1/mm, h = A x^2 + B y^2");
   }
   const Area area{-scale * a, -scale * b, 2.0 * scale * a / potential.mx,
@@ -198,6 +198,9 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   made.set_word("fastsim", "elements", "grid");
   made.set("fastsim", "strips", std::round(potential.my / scale), "MY / SCALE");
   made.set("fastsim", "strip_elements", std::round(potential.mx / scale), "MX / SCALE");
+  const auto& slope = given.bodies.slope_reduction;
+  made.set_list("fastsim", "slope_reduction", {slope.begin(), slope.end()},
+                "K0_MF, ALFAMF, BETAMF");
 }
 
 /// Undeformed distance of circles along x and a polyline across, whose outer segments are
@@ -301,7 +304,7 @@ void fill_distance(const ContactCase& given, double modulus, double sign, Equiva
     return refuse("the curvatures differ so much that this is a line contact");
   set_grid(given, area, sign, made);
   if (plain) {
-    made.set_pair("undeformed_distance", "quadratic", B[0], B[2], "1/mm, h = A x^2 + B y^2");
+    made.set_list("undeformed_distance", "quadratic", {B[0], B[2]}, "1/mm, h = A x^2 + B y^2");
     judge_resolution(hertz_of(given, B[0], B[2], modulus), area.dx, area.dy, made);
     return;
   }

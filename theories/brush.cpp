@@ -135,6 +135,28 @@ class FallingBound {
   double rest_, coefficient_;
 };
 
+/// FaStrip: tractions of strip theory where it adheres, those of brushes brought to the bound where
+/// it does not.
+void take_adhesion(const BrushStrip& strip, StripTractions& brushes) {
+  const StripElements& elements = brushes.elements;
+  for (int k = 0; k < elements.count; ++k) {
+    const double x = elements.x_first - k * elements.step;
+    double& px = brushes.traction_x[k];
+    double& py = brushes.traction_y[k];
+    const bool adheres = strip.theory->adheres(x);
+    brushes.state[k] = adheres ? contact::ElementState::adhesion : contact::ElementState::slip;
+    if (adheres) {
+      const StripTheory::Traction traction = strip.theory->traction(x, elements.step);
+      px = traction.x;
+      py = traction.y;
+      brushes.slip_x[k] = brushes.slip_y[k] = 0.0;
+    } else if (const double size = std::hypot(px, py); size > 0.0) {
+      px *= strip.bound_at(x) / size;
+      py *= strip.bound_at(x) / size;
+    }
+  }
+}
+
 }  // namespace
 
 StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& flexibilities,
@@ -172,6 +194,7 @@ StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& fl
     result.traction_x[k] = px;
     result.traction_y[k] = py;
   }
+  if (strip.theory) take_adhesion(strip, result);
   return result;
 }
 

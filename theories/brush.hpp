@@ -7,8 +7,10 @@
 #include "contact/result/result.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
+#include "theories/strip_theory.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace rollfem::theories {
@@ -40,6 +42,8 @@ struct BrushStrip {
   double middle = 0.0;  ///< mm, x halfway between its ends; off 0 where the wheel has a yaw
   /// By which the bound, that at rest, falls with the rigid slip; null: it does not.
   const contact::FrictionLaw* law = nullptr;
+  /// FaStrip: adhesion by this theory; brushes give the direction of the traction where it slips.
+  std::optional<StripTheory> theory{};
   double bound_at(double x) const;
 };
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // FASTSIM, Kalker's algorithm for the simplified theory on Hertz's ellipse (Kalker 1982, Vehicle
-// System Dynamics 11, 1-13), and the model "fastsim".
+// System Dynamics 11, 1-13), and FaStrip, which takes its adhesion area from strip theory (Sichani,
+// Enblom and Berg 2016, Vehicle System Dynamics 54, 748-764): the models "fastsim" and "fastrip".
 #pragma once
 
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"
+
+#include <array>
 
 namespace rollfem::theories {
 
@@ -15,6 +18,18 @@ using FastsimOptions = contact::FastsimOptions;
 /// FastsimElements::grid: elements of a box with `count` over 2 a whose centres lie in the strip,
 /// with the spin taken at CONTACT's position.
 StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count);
+
+/// Flexibilities of a patch at given creepages: the linear theory's over the case's reduction of
+/// the slope, and a layer in series.
+BrushFlexibilities fastsim_flexibilities(const EllipticPatch& patch,
+                                         const contact::Creepage& creepage,
+                                         const FastsimOptions& options);
+
+/// k_0 (alpha_inf + (1 - alpha_inf)/(1 + beta eps)), by which the slope of a creep curve is reduced
+/// (Spiryagin, Polach and Cole 2013, Vehicle System Dynamics 51, 1765-1783). eps is Polach's
+/// gradient for the slope reduced by k_0, with the friction of the rigid slip in the middle.
+double slope_factor(const EllipticPatch& patch, const contact::Creepage& creepage,
+                    const std::array<double, 3>& reduction);
 
 /// Forces and areas of one load point of the case; the extra rigid slip of the case is included.
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
@@ -28,6 +43,13 @@ BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepag
 /// traction bound is the parabola of the theory, which exceeds mu p_n by a third in the middle.
 /// error_estimate covers the resolution only, not the theory (10 to 15 % in the forces).
 contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress,
+                                 const FastsimOptions& options = {});
+
+/// The model "fastrip", on the strips and elements of `options`, under Hertz's pressure. In the
+/// adhesion area tractions are those of strip theory; in the slip area they have the bound's size
+/// and the direction that FASTSIM gives them, and slip is FASTSIM's, with one flexibility: with
+/// three, tractions in full sliding are not opposite to the slip.
+contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Progress& progress,
                                  const FastsimOptions& options = {});
 
 }  // namespace rollfem::theories

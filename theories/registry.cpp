@@ -11,6 +11,7 @@
 #include "theories/elliptic_patch.hpp"
 #include "theories/equivalent_ellipse.hpp"
 #include "theories/fastsim.hpp"
+#include "theories/polach.hpp"
 #include "theories/strip.hpp"
 #include "theories/vermeulen_johnson.hpp"
 
@@ -72,6 +73,10 @@ ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
   return run_fastsim(scene, progress, scene.options.fastsim);
 }
 
+ModelResult run_fastrip_of_case(const Scene& scene, const Progress& progress) {
+  return run_fastrip(scene, progress, scene.options.fastsim);
+}
+
 ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& progress,
                                            contact::Checkpoint* checkpoint) {
   if (scene.options.halfspace.model_error) halfspace::check_bodies_known(scene);
@@ -95,10 +100,10 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
   const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   const double largest = contact::largest_extra_slip(scene.geometry, patch.y_lower, patch.y_upper);
   if (largest > smallest_slip_worth_a_note)
-    result.notes.push_back(
-        fmt::format("the slip from the different rolling radii of the wheel's surface, up to "
-                    "{:.3g}, is neglected by this theory; fastsim, strip and halfspace include it",
-                    largest));
+    result.notes.push_back(fmt::format(
+        "the slip from the different rolling radii of the wheel's surface, up to "
+        "{:.3g}, is neglected by this theory; fastsim, fastrip, strip and halfspace include it",
+        largest));
   return result;
 }
 
@@ -178,6 +183,15 @@ void add_theories(contact::ModelRegistry& models) {
   vermeulen.bars = closed_form;
   models.add(vermeulen);
 
+  ModelInfo polach{"polach", "Polach",
+                   "Polach's closed form of the creep force, without spin, for comparison"};
+  polach.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::falling_friction});
+  polach.run = theory(elliptic(run_polach, {true, true}));
+  polach.bars = closed_form;
+  models.add(polach);
+}
+
+void add_theories_of_strips(contact::ModelRegistry& models) {
   ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
   carter.takes = of_ellipse({Demand::line_contact, Demand::extra_slip});
   carter.run = theory(
@@ -195,6 +209,15 @@ void add_theories(contact::ModelRegistry& models) {
   fastsim.in_compare = true;
   models.add(fastsim);
 
+  ModelInfo fastrip{"fastrip", "FaStrip",
+                    "FASTSIM's direction of slip with the adhesion area of strip theory"};
+  fastrip.takes =
+      of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip});
+  fastrip.run = theory(elliptic(run_fastrip_of_case));
+  fastrip.bars = strips_on_ellipse;
+  fastrip.refinements = {strips_of(fastsim_level)};
+  models.add(fastrip);
+
   ModelInfo strip{"strip", "strip",
                   "strips along rolling, each with Hertzian pressure and brushes"};
   strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
@@ -209,6 +232,7 @@ void add_theories(contact::ModelRegistry& models) {
 contact::ModelRegistry make_models() {
   contact::ModelRegistry models;
   add_theories(models);
+  add_theories_of_strips(models);
   ModelInfo halfspace{"halfspace", "half-space",
                       "Kalker's problem for elastic half-spaces, solved on a grid"};
   halfspace.takes = contact::all_demands_but(

@@ -6,7 +6,8 @@
 
 namespace rollfem::theories {
 
-/// From the simplest: hertz, linear, vermeulen-johnson, carter, fastsim, strip, halfspace.
+/// From the simplest: hertz, linear, vermeulen-johnson, polach, carter, fastsim, fastrip, strip,
+/// halfspace.
 const contact::ModelRegistry& models();
 
 }  // namespace rollfem::theories

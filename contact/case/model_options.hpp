@@ -4,6 +4,7 @@
 
 #include "contact/base/choices.hpp"
 
+#include <array>
 #include <optional>
 
 namespace rollfem::contact {
@@ -14,6 +15,9 @@ struct FastsimOptions {
   FastsimElements elements = FastsimElements::chord;
   int strips = 100;          ///< across the patch
   int strip_elements = 100;  ///< along each strip, for `grid` along the longest
+  /// k_0, alpha_inf, beta of the initial slope, which is reduced by 1/k (Spiryagin, Polach and
+  /// Cole).
+  std::array<double, 3> slope_reduction{1.0, 1.0, 1.0};
 };
 
 /// Position of the elements of the model halfspace: in the tangent plane, along the common surface
@@ -34,6 +38,11 @@ struct StripOptions {
 
 struct CarterOptions {
   int strips = 200;
+};
+
+struct PolachOptions {
+  double adhesion_reduction = 1.0;  ///< k_A
+  double slip_reduction = 1.0;      ///< k_S
 };
 
 enum class LinearSolver { automatic, factorisation, multigrid, algebraic };
@@ -65,6 +74,7 @@ struct ModelOptions {
   FastsimOptions fastsim;
   StripOptions strip;
   CarterOptions carter;
+  PolachOptions polach;
   FemOptions fem;
 };
 

@@ -20,10 +20,6 @@ def _draw_published(panel, result, models):
                     marker="s^*"[number % 3], size=5.5, hollow="open", order=4, name=row["name"])
 
 
-def _coefficient(point, force):
-    return -point[force] / point["normal_force"] if point["normal_force"] else math.nan
-
-
 def _error(point, force):
     """The error bar of the coefficient."""
     if force == "lateral_force":
@@ -49,7 +45,9 @@ def creep_curve(result):
     top.y.see([0.0, friction])
     top.y.margin, top.y.least = 0.08, 0.02 * friction
     top.level(friction)
-    top.text(0.01, friction, f"full slip: $\\mu$ = {friction:.3g}", shift=(0, -4), share=(True, False))
+    law = result.case.get("friction_law")
+    if law is None:
+        top.text(0.01, friction, f"full slip: $\\mu$ = {friction:.3g}", shift=(0, -4), share=(True, False))
     beside = None
     if len(models) > 1 and reference in models:
         beside = figure.add(400, 270, f"difference from {styles.label(reference)}", axis_label, "[% of $\\mu$]")
@@ -58,7 +56,7 @@ def creep_curve(result):
     for model in models:
         points = model.points if by_step else sorted(model.points, key=lambda p: p[scalar])
         at = np.array([factor * p[scalar] for p in points])
-        values, errors = (np.array([of(p, force) for p in points]) for of in (_coefficient, _error))
+        values, errors = (np.array([of(p, force) for p in points]) for of in (load_points.coefficient, _error))
         # The straight line of a theory without traction bound leaves the frame.
         look = {"see": model.has_bound, **styles.line(model, True)}
         top.line(at, values, **look)
@@ -66,10 +64,71 @@ def creep_curve(result):
             top.bars(at, values, errors if model.has_bound else 0 * errors, look["colour"])
         top.x.see(at)
         if beside and model is not reference:
-            beside.spots([(a, 100 * (v - _coefficient(r, force)) / friction) for a, v, p in zip(at, values, points)
+            beside.spots([(a, 100 * (v - load_points.coefficient(r, force)) / friction) for a, v, p in zip(at, values, points)
                           if (r := reference.at(p.key))], True, **look)
     if force == "longitudinal_force":
         _draw_published(top, result, models)
+    if law is not None:
+        _draw_fall(figure, result, models)
+    return figure
+
+
+def _draw_fall(figure, result, models):
+    """The friction of full sliding under a creep curve, and a panel of its rise with initial slope and peak."""
+    found = {model.key: load_points.branch(model) for model in models}
+    tops = {key: load_points.peak(*both) for key, both in found.items()}
+    top, friction = figure.panels[0], result.case["friction_coefficient"]
+    sign = math.copysign(1, sum(sum(p.creepages[:2]) for m in models for p in m.points))
+    at = np.linspace(0, max((both[0][-1] for both in found.values() if len(both[0])), default=0.0), 300)
+    sliding = np.interp(result.case["speed"] * at, *result.case["friction_law"].T)
+    look = {"colour": "soft", "width": 1.2, "dash": (1.5, 2.2), "see": False, "name": "full sliding"}
+    top.line(sign * 100 * at, sign * sliding, **look)
+    top.text(0.99, friction, f"at rest: $\\mu$ = {friction:.3g}", "end", shift=(0, -4), share=(True, False))
+    reach = 2.5 * max((peak[0] for peak in tops.values() if peak), default=0.0)
+    if not reach:
+        return
+    of = "" if sign > 0 else "minus "
+    rise = figure.add(400, 270, "the rise", of + top.x.label, of + top.y.label)
+    rise.x.limits, rise.y.limits = (0.0, 100 * reach), (0.0, 1.12 * friction)
+    rise.level(friction)
+    rise.line(100 * at, sliding, **look)
+    for model in models:
+        (creepages, values), peak = found[model.key], tops[model.key]
+        rise.line(100 * creepages, values, **styles.line(model, True))
+        if slope := load_points.initial_slope(creepages, values):
+            rise.line([0.0, 100 * friction / slope], [0.0, friction], styles.of_model(model)[0], 0.8, opacity=0.75)
+            figure.entry("initial slope", "soft", width=0.8)
+        if peak:
+            rise.spots([(100 * peak[0], peak[1])], colour="ink", marker="o", size=7, hollow="open", name="peak")
+        if peak and model is load_points.reference_for_forces(result):
+            rise.text(100 * peak[0], peak[1], f"{styles.label(model)}: {peak[1]:.3g} at {100 * peak[0]:.3g} %", "middle", "ink",
+                      (0, 26))
+
+
+def friction_law(result):
+    """The coefficient of friction over the slip velocity. None for a constant one."""
+    law = result.case.get("friction_law")
+    if law is None:
+        return None
+    rest, kinetic = law[0, 1], law[-1, 1]
+    rigid = max((result.case["speed"] * math.hypot(*p.creepages[:2]) for m in result.models for p in m.points), default=0.0)
+    end = max(rigid, law[np.argmax(law[:, 1] <= kinetic + 0.06 * (rest - kinetic)), 0])
+    shown = law[law[:, 0] <= 1.2 * end]
+    figure = Figure(1)
+    panel = figure.add(400, 190, f"friction law ({result.case['law']})", "slip velocity $s$ [mm/s]",
+                       "coefficient of friction $\\mu$ [-]")
+    panel.line(shown[:, 0], shown[:, 1], "blue", 1.8)
+    panel.x.limits, panel.y.limits = (0.0, 1.05 * end), (0.0, 1.18 * rest)
+    panel.level(kinetic)
+    panel.text(0.01, kinetic, f"kinetic: {kinetic:.3g}", shift=(0, 13), share=(True, False))
+    panel.text(0.01, rest, f"at rest: {rest:.3g}", shift=(0, -5), share=(True, False))
+    if rigid > 0:
+        panel.level(rigid, upright=True)
+        left = rigid > 0.5 * end
+        panel.text(rigid, 0, "rigid slip at the largest creepage", "end" if left else "start", shift=(-4 if left else 4, -5))
+    memory = result.case["memory_distance"]
+    panel.text(0.99, rest, f"memory: {1000 * memory:.3g} µm slid" if memory else "no memory", "end", shift=(0, -5),
+               share=(True, False))
     return figure
 
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Load points: their distinguishing values in words, the selection for drawings, and the reference model."""
+import math
+
+import numpy as np
 
 # For the parts of a key (xi, eta, spin): the scalar, the symbol in figures and on pages, the factor, the unit, and the
 # axis label.
@@ -110,3 +113,46 @@ def typical_key(models):
         return min((abs(p["adhesion_area"] / p["contact_area"] - 0.5) for p in points), default=1.0)
 
     return min(chosen_keys(models, 10 ** 6), key=imbalance, default=None)
+
+
+def coefficient(point, force):
+    """-F/F_z of a force; nan without load."""
+    return -point[force] / point["normal_force"] if point["normal_force"] else math.nan
+
+
+def branch(model):
+    """(creepages, traction coefficients) of a steady creep curve over creepage along or across alone, from 0 upwards; of
+    the sign with more points. Empty for other load points."""
+    points = [p for p in model.points if not p.by_number]
+    told = varying([p.creepages for p in points])
+    if len(told) != 1 or told[0] > 1 or any(c for p in points for k, c in enumerate(p.creepages) if k != told[0]):
+        return np.zeros(0), np.zeros(0)
+    force = ("longitudinal_force", "lateral_force")[told[0]]
+    pairs = [(p.creepages[told[0]], coefficient(p, force)) for p in points]
+    sign = math.copysign(1, sum(math.copysign(1, at) for at, _ in pairs if at))
+    return np.array(sorted((sign * at, sign * value) for at, value in pairs if sign * at > 0)).reshape(-1, 2).T
+
+
+def peak(creepages, values):
+    """(creepage, value) at the summit of the parabola through the highest point and its neighbours; None where the
+    highest point is the first or the last."""
+    top = int(np.argmax(values)) if len(values) else 0
+    if not 0 < top < len(values) - 1:
+        return None
+    at, middle = creepages[top - 1:top + 2] - creepages[top], values[top]
+    bend, slope, _ = np.polyfit(at, values[top - 1:top + 2] - middle, 2)
+    return creepages[top] - slope / (2 * bend), middle - slope ** 2 / (4 * bend)
+
+
+# Extrapolations of the initial slope from two and from three points differ by less than this part.
+SURE_SLOPE = 0.05
+
+
+def initial_slope(creepages, values):
+    """d(-F/F_z)/d(creepage) at 0 as the parabola through the slopes to the three smallest creepages extrapolates it,
+    which is exact for Vermeulen and Johnson's law; None where the points are too far apart for it."""
+    if len(values) < 3:
+        return None
+    at, slopes = creepages[:3], values[:3] / creepages[:3]
+    two, three = (np.polynomial.Polynomial.fit(at[:n], slopes[:n], n - 1)(0.0) for n in (2, 3))
+    return float(three) if abs(three - two) < SURE_SLOPE * abs(three) else None

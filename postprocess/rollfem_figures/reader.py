@@ -284,6 +284,8 @@ def _read_file(path, directory):
         if about.get("complete") != 1:
             raise ResultError(f"{path} is incomplete, because writing it was interrupted; run the case again")
         case = _attributes(file["case"])
+        if "friction_law" in file["case"]:  # [n, 2]: slip velocity, mm/s, and coefficient of friction
+            case["friction_law"] = file["case/friction_law"][()]
         by_number = bool(case.get("problem", "steady") in ("shift", "transient") or case.get("prescribed_forces", ""))
         models = [_read_model(name, group, by_number) for name, group in
                   sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))]

@@ -21,7 +21,8 @@ BARS = ("±: error bar for grid and solver, estimated by the model, in the unit 
 # Figures of a patch: file name, caption, and the function of the result that draws it or returns None.
 OF_PATCH = (
     ("creep_curve", "Creep curve: traction coefficient of every model with friction, and beside it the difference from "
-     "the reference model if there are several. Bars: error estimates.", curves.creep_curve),
+     "the reference model if there are several. Bars: error estimates. Where friction falls with the slip velocity: its "
+     "friction in full sliding (dotted), and the rise up to the peak.", curves.creep_curve),
     *((f"path_{axis}", f"Along the centre line {across} = 0: contact pressure, and tangential traction under its bound "
        "(thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two coincide the surfaces slip.",
        lambda result, axis=axis: curves.path(result, axis)) for axis, across in ("xy", "yx")),
@@ -80,6 +81,9 @@ def all_captions(result):
     """The same for a whole run: the places of the patches, then the figures of each patch, whose names begin with s1_,
     s2_, ... if there are several."""
     scenes = result.scenes()
+    yield ("friction_law.svg", "Friction over the slip velocity of an element, from rest to what is left of it at high "
+           "velocities (dotted). Upright: the slip velocity of rigid bodies at the largest creepage. With memory, friction "
+           "follows over the sliding distance given.", lambda: curves.friction_law(result))
     if result.models and result.models[0].place:
         yield from place_captions(result)
     for number, (label, scene) in enumerate(scenes, 1):
@@ -114,7 +118,7 @@ def asked(result):
             words[name] = "flat" if abs(case[name]) == float("inf") else f"{words[name]} mm"
     said = "".join(next(text for name, text in rows if name in case).format_map(words) for rows in (SHAPES, LOADS))
     law = "without friction" if case.get("problem") == "frictionless" else (
-        f"friction coefficient {words['friction_coefficient']}")
+        f"friction coefficient {words['friction_coefficient']}") + tables.law_words(result.case)
     what = PROBLEMS.get(case.get("problem"), "")
     if case.get("prescribed_forces"):
         what += "Tangential forces are prescribed; creepages are results. "
@@ -151,7 +155,8 @@ def _forces(result, creep_curve):
     largest = max(abs(p["normal_force"]) for p in points)
     lateral = any(abs(p["lateral_force"]) > 1e-4 * largest for p in points)
     return "".join(section(heading, tables.creepage_table(result, quantity), *more) for heading, quantity, *more in (
-        ("Traction coefficient −F<sub>x</sub>/F<sub>z</sub>", "traction_coefficient", hint(said), creep_curve),
+        ("Traction coefficient −F<sub>x</sub>/F<sub>z</sub>", "traction_coefficient", hint(said), creep_curve,
+         tables.fall_table(result)),
         ("Largest tangential traction |p<sub>x</sub>| [MPa]", "max_traction_x"),
         ("Lateral force F<sub>y</sub> [N]", "lateral_force"))[:3 if lateral else 2])
 
@@ -256,7 +261,8 @@ def build(directory, reference=""):
                       f"{tables.points_table(result, m)}</details>" for m in result.models if m.points)
     write_page(os.path.join(result.directory, "report.html"),
                escape(result.title or result.case_file or "rollfem result"), made_by(made, made), [
-        asked(result), touching(result, figures), patches(result, figures), section("Cost", tables.cost_table(result)),
+        asked(result), figures("friction_law"), touching(result, figures), patches(result, figures),
+        section("Cost", tables.cost_table(result)),
         notes(result), CONVENTIONS, f"<div class=screen><h2>Every load point</h2>{details}</div>"],
         "Also in this folder: results.h5 (all fields), summary.json, creep_curve.csv, contacts.csv (with profiles), "
         "wheelset.csv (for a lateral sweep), path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "

@@ -19,6 +19,8 @@ MODELS = {
     "hybrid": ("green", (6, 1.5, 1.5, 1.5), "^"),
     "fem": ("red", (9, 2.3), "s"),
     "fastsim": ("pink", (4.5, 1.5), "v"),
+    "fastrip": ("violet", (4.5, 1.5, 1.5, 1.5), "<"),
+    "polach": ("wine", (1.5, 1.5, 4.5, 1.5), "h"),
     "strip": ("amber", (3, 1.5), "D"),
     "carter": ("sky", (1.5, 1.5), "P"),
     "vermeulen-johnson": ("brown", (1.5, 3), "*"),

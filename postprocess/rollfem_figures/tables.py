@@ -6,6 +6,7 @@ from html import escape
 
 from . import load_points, styles
 from .published import published
+from .page import hint
 from .reader import full_sliding, place_label
 
 
@@ -219,6 +220,36 @@ def creepage_table(result, quantity):
 
     return _compared(head, models, reference, [(words(key), lambda model, key=key: cell(model, key))
                                     for key in load_points.shown_keys(models)])
+
+
+def law_words(case):
+    """The falling part of the friction law and the layer of a case; empty without them."""
+    said = ""
+    if "friction_law" in case:
+        rest, kinetic = case["friction_law"][[0, -1], 1]
+        said += (f" at rest, falling ({escape(case['law'])}) by {plain(rest - kinetic)} to {plain(kinetic)} with the slip "
+                 f"velocity" + f", memory {plain(case['memory_distance'])} mm" * bool(case["memory_distance"]))
+    if "layer_thickness" in case:
+        said += (f"; a layer of {plain(case['layer_thickness'])} mm with shear modulus "
+                 f"{plain(case['layer_shear_modulus'])} MPa")
+    return said
+
+
+def fall_table(result):
+    """Initial slope, peak and last value of creep curves under friction that falls; empty without such curves."""
+    rows = []
+    for model in load_points.friction_models(result) if "friction_law" in result.case else []:
+        creepages, values = load_points.branch(model)
+        if len(values) < 3:
+            continue
+        top, slope = load_points.peak(creepages, values), load_points.initial_slope(creepages, values)
+        ends = [top and (number(100 * top[0], 3), top[1]), (plain(100 * creepages[-1]), values[-1])]
+        rows.append([escape(styles.label(model)), number(slope, 3)] + [cell for end in ends for cell in (
+            (number(end[1], 3), f"{100 * end[1] / result.case['friction_coefficient']:.1f} %", end[0]) if end else "–––")])
+    return rows and table(["rise and fall", "initial slope dT/dξ", "peak T", "of μ at rest", "at ξ [%]", "last T",
+                           "of μ at rest", "at ξ [%]"], rows) + hint(
+        "T: traction coefficient. Initial slope: extrapolated from the three smallest creepages. Peak: of the parabola "
+        "through the highest point and its neighbours; –: too few points there, or no fall.") or ""
 
 
 def grouped(count):

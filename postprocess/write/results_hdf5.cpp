@@ -3,11 +3,14 @@
 
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
+#include "contact/scene/friction_law.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/write/point_table.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 
 #include <fmt/core.h>
+
+#include <cmath>
 
 namespace rollfem::postprocess {
 namespace {
@@ -30,6 +33,25 @@ std::string prescribed_forces(const contact::Case& input) {
   return std::string(first.longitudinal ? "x" : "") + (first.lateral ? "y" : "");
 }
 
+/// A law that falls with the slip velocity, tabulated for figures and reports.
+void write_friction_law(hid_t group, const contact::Case& input) {
+  const contact::Friction law = contact::friction_of(input);
+  if (!law || !law->feels_slip()) return;
+  const double speed = input.rolling.problem == contact::Problem::shift ? 1.0 : input.rolling.speed;
+  static const char* const laws[] = {"constant", "linear", "rational", "exponential"};
+  write_attribute(group, "law", std::string(laws[static_cast<int>(input.friction_fall.shape)]));
+  write_attribute(group, "speed", speed);
+  write_attribute(group, "memory_distance", input.friction_fall.memory_distance);
+  constexpr int per_decade = 30;
+  std::vector<double> rows{0.0, law->coefficient()};
+  for (int k = -3 * per_decade; k <= 9 * per_decade; ++k) {
+    const double velocity = std::pow(10.0, static_cast<double>(k) / per_decade);
+    rows.insert(rows.end(), {velocity, law->at(velocity / speed).value});
+  }
+  const Handle table = write_dataset(group, "friction_law", {rows.size() / 2, 2}, rows.data());
+  write_comment(table, "Slip velocity, mm/s (in a shift: slip in mm), and coefficient of friction");
+}
+
 void write_case(hid_t file, const contact::Case& input) {
   const Handle group = create_group(
       file, "case",
@@ -37,6 +59,11 @@ void write_case(hid_t file, const contact::Case& input) {
   write_attribute(group, "title", input.title);
   write_attribute(group, "file", input.file);
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
+  write_friction_law(group, input);
+  if (input.layer) {
+    write_attribute(group, "layer_thickness", input.layer->thickness);
+    write_attribute(group, "layer_shear_modulus", input.layer->shear_modulus);
+  }
   if (input.load.normal_force) write_attribute(group, "normal_force", *input.load.normal_force);
   if (input.load.vertical_force)
     write_attribute(group, "vertical_force", *input.load.vertical_force);

@@ -67,8 +67,9 @@ const json& model_of(const json& summary, const std::string& name) {
   throw std::runtime_error("no model " + name);
 }
 
-const std::vector<std::string> theories{"hertz",   "linear", "vermeulen-johnson", "carter",
-                                        "fastsim", "strip",  "halfspace"};
+const std::vector<std::string> theories{"hertz",   "linear", "vermeulen-johnson",
+                                        "polach",  "carter", "fastsim",
+                                        "fastrip", "strip",  "halfspace"};
 const std::string rolling = small_case +
                             "[contact_grid]\nelements_across = 20\n"
                             "[rolling]\nlongitudinal_creepage = [0.0, 0.001, 0.02]\n";
@@ -98,7 +99,8 @@ TEST(Bars, ModelErrorsCoverWhatTheoriesAreOff) {
           "[contact_grid]\nelements_across = 80\n[rolling]\nlongitudinal_creepage = 0.001\n",
       theories);
   const json& half = model_of(summary, "halfspace")["points"][0];
-  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
+  for (const char* name :
+       {"linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"}) {
     const json& theory = model_of(summary, name)["points"][0];
     for (const char* quantity : {"longitudinal_force", "traction_coefficient", "max_pressure"}) {
       const double off = std::abs(theory[quantity].get<double>() - half[quantity].get<double>());

@@ -151,15 +151,17 @@ TEST(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
 
 TEST(Run, AllTheoriesAreModelsWithTheirCurvesAndFigures) {
   const Folder folder;
-  const std::vector<std::string> models{"hertz",   "linear", "vermeulen-johnson", "carter",
-                                        "fastsim", "strip",  "halfspace"};
+  const std::vector<std::string> models{"hertz",   "linear", "vermeulen-johnson",
+                                        "polach",  "carter", "fastsim",
+                                        "fastrip", "strip",  "halfspace"};
   done(folder, joined({"run", folder.file("q.toml", quick_run), "-m"}, models));
   const auto summary = folder.json("results/q/summary.json");
   ASSERT_EQ(summary.at("models").size(), models.size());
   for (std::size_t k = 0; k < models.size(); ++k)
     EXPECT_EQ(summary.at("models")[k].at("name"), models[k]);
   const std::string report = folder.text("results/q/report.html");
-  EXPECT_TRUE(says(report, "FASTSIM", "Vermeulen-Johnson", "Carter", "linear theory", "strip"));
+  EXPECT_TRUE(says(report, "FASTSIM", "FaStrip", "Vermeulen-Johnson", "Carter", "Polach",
+                   "linear theory", "strip"));
 }
 
 TEST(Run, AModelThatCannotTakeTheCaseIsRefusedBeforeAnyIsRun) {

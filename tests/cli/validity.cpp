@@ -24,8 +24,8 @@ TEST(Gate, CellsLargerThanThePatchAreRefusedInEveryModel) {
       folder.file("cell.toml", text_of(fifty_kilonewtons,
                                        "[rolling]\nlongitudinal_creepage = 0.001\n"
                                        "[contact_grid]\ncell_size = [1000.0, 1000.0]\n"));
-  for (const char* model :
-       {"hertz", "linear", "vermeulen-johnson", "carter", "fastsim", "strip", "halfspace"}) {
+  for (const char* model : {"hertz", "linear", "vermeulen-johnson", "polach", "carter", "fastsim",
+                            "fastrip", "strip", "halfspace"}) {
     const Outcome outcome = call(folder, {"run", "-q", "--no-report", "--model", model, file});
     EXPECT_EQ(outcome.status, 1) << model << outcome.err;
     EXPECT_TRUE(says(

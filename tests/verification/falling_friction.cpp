@@ -251,11 +251,38 @@ TEST(Fastsim, TakesALayerInSeriesAndFallingFriction) {
     const double expected = 0.14 + 0.19 * std::exp2(-s / 1250.0);
     EXPECT_NEAR(sliding[k] / force, expected, 0.01 * expected);
   }
-  for (const char* name : {"linear", "vermeulen-johnson", "carter", "strip"})
+  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastrip", "strip"})
     EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
   input.layer.reset();
-  for (const char* name : {"linear", "vermeulen-johnson", "carter", "strip"})
+  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastrip", "strip"})
     EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
+}
+
+/// CONTACT's modified FASTSIM (tractcurv, 91 to 120), on its elements: -F_x/(mu F_n). 0.003 leaves
+/// room for its flexibilities, from Kalker's printed table.
+TEST(Fastsim, ReducedSlopeIsThatOfContact) {
+  const std::vector<std::pair<double, double>> curve{
+      {1e-5, 0.003526}, {0.001, 0.2721}, {0.002, 0.4388}, {0.003, 0.5477}, {0.005, 0.6757},
+      {0.007, 0.7441},  {0.010, 0.7979}, {0.014, 0.8298}, {0.018, 0.8420}, {0.022, 0.8451},
+      {0.030, 0.8390},  {0.040, 0.8215}, {0.065, 0.7654}, {0.100, 0.6874}, {0.150, 0.5970},
+      {0.200, 0.5329},  {0.250, 0.4877}};
+  Case input = locomotive({});
+  for (const auto& row : curve) input.rolling.creepages.push_back({row.first, 0.0, 0.0});
+  input.friction_coefficient = 0.36;
+  add_falling_friction(input);
+  input.friction_fall.kinetic_coefficient = 0.1368;
+  input.friction_fall.half_velocity = 990.0;
+  input.fastsim.elements = contact::FastsimElements::grid;
+  input.fastsim.strips = 40;
+  input.fastsim.strip_elements = 44;
+  input.fastsim.slope_reduction = {0.54, 0.02, 0.62};
+  const ModelResult result = theories::models().run("fastsim", contact::Scene(input), {});
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    const double coefficient = result.points[k].traction_coefficient / 0.36;
+    EXPECT_NEAR(coefficient, curve[k].second, 0.003) << curve[k].first;
+    rollfem::testing::record(fmt::format("reduced_{:g}", curve[k].first), coefficient);
+  }
+  EXPECT_NEAR(result.points[0].traction_coefficient / 0.36, 0.003526, 0.01 * 0.003526);
 }
 
 /// Full adhesion of a line contact with a layer: f of p = -s a f/c satisfies

@@ -38,6 +38,7 @@ Declarations gather() {
                         &fastsim_section,
                         &strip_section,
                         &carter_section,
+                        &polach_section,
                         &fem_section,
                         &output_section,
                         &table_section,

@@ -310,6 +310,7 @@ SectionWithKeys halfspace_section();
 SectionWithKeys fastsim_section();
 SectionWithKeys strip_section();
 SectionWithKeys carter_section();
+SectionWithKeys polach_section();
 SectionWithKeys fem_section();
 SectionWithKeys output_section();
 SectionWithKeys table_section();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Theories with options, one section each: [fastsim], [strip], [carter].
+// Theories with options, one section each: [fastsim], [strip], [carter], [polach].
 #include "contact/case/keys/key_builder.hpp"
 
 namespace rollfem::contact {
@@ -26,7 +26,10 @@ void add_strip_elements(Keys<Options>& keys) {
 
 SectionWithKeys fastsim_section() {
   Keys<FastsimOptions> keys(
-      "fastsim", "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse", &Case::fastsim);
+      "fastsim",
+      "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse; `fastrip` takes strips and "
+      "elements",
+      &Case::fastsim);
   keys.choice("bound")
       .says(
           "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; "
@@ -47,6 +50,14 @@ SectionWithKeys fastsim_section() {
             {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}});
   add_strips(keys, 8);
   add_strip_elements(keys);
+  keys.triple("slope_reduction")
+      .symbol("k_0, alpha_inf, beta")
+      .between(1e-6, 100.0)
+      .says(
+          "Factors of the brushes' stiffness on surfaces that are not clean, k_0 (alpha_inf + "
+          "(1 - alpha_inf)/(1 + beta eps)), eps = (pi/4) k_0 F_linear/(mu F_n); all 1: Kalker's "
+          "slope. Not for `fastrip`.")
+      .into(&FastsimOptions::slope_reduction);
   return keys;
 }
 
@@ -70,6 +81,22 @@ SectionWithKeys carter_section() {
   Keys<CarterOptions> keys("carter", "Model `carter`: strips along rolling, each a line contact",
                            &Case::carter);
   add_strips(keys, 8);
+  return keys;
+}
+
+SectionWithKeys polach_section() {
+  Keys<PolachOptions> keys("polach", "Model `polach`: Polach's closed form of the creep force",
+                           &Case::polach);
+  keys.real("adhesion_reduction")
+      .symbol("k_A")
+      .between(1e-6, 1.0)
+      .says("Reduction of the initial slope in the adhesion area; below 1 where rails are wet.")
+      .into(&PolachOptions::adhesion_reduction);
+  keys.real("slip_reduction")
+      .symbol("k_S")
+      .between(1e-6, 1.0)
+      .says("Reduction in the slip area; Polach has it at most k_A.")
+      .into(&PolachOptions::slip_reduction);
   return keys;
 }
 

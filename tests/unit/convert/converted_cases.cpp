@@ -52,6 +52,29 @@ TEST(ConvertedCase, PushedBallHasForcesInNewtonsAndTheGridOfItsFile) {
   EXPECT_DOUBLE_EQ((*made.undeformed_distance.quadratic)[1], 0.02);
 }
 
+TEST(ConvertedCase, ModifiedFastsimKeepsItsLawAndItsReducedSlope) {
+  const Case made = only(R"( 3 module
+ 233100   P-B-T-N-F-S
+ 422320   L-D-C-M-Z-E
+ 0100341  H-G-I-A-O-W-R
+ 100e3 0.001 0.0 0.0              FN CKSI CETA CPHI
+ 0.13 0.22 900. 0.0 0.0           FKIN FEXP1 SABSH1 FEXP2 SABSH2
+ 0.002 1.5                        MEMDST MEM_S0
+ 0.0 0.5 10000.                   CHI DQ VELOC
+ 0.28 0.28 82000. 82000.
+ 0.5 0.02 0.6                     K0_MF ALFAMF BETAMF
+  -2
+ 44 22 0.0008 0.5 1.1             MX MY A1 AOB SCALE
+ 0
+)");
+  EXPECT_EQ(made.models, std::vector<std::string>{"fastsim"});
+  EXPECT_EQ(made.fastsim.slope_reduction, (std::array<double, 3>{0.5, 0.02, 0.6}));
+  EXPECT_EQ(made.fastsim.strip_elements, 40);
+  EXPECT_NEAR(made.friction_coefficient, 0.35, 1e-12);
+  EXPECT_EQ(made.friction_fall.half_velocity, 900.0);
+  EXPECT_EQ(made.friction_fall.memory_distance, 0.002);
+}
+
 TEST(ConvertedCase, CasesThatDifferInCreepageAreLoadPoints) {
   const Conversion made = converted(rolling_ellipse);
   ASSERT_EQ(made.files.size(), 1U);

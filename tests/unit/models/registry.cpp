@@ -54,7 +54,8 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
     EXPECT_EQ(refusal(force, model), "");
     EXPECT_EQ(refusal(pressure, model) == "", std::string(model) != "hybrid") << model;
   }
-  for (const char* model : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"}) {
+  for (const char* model :
+       {"linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"}) {
     expect_refusal(shift, model,
                    "allowed: hertz, halfspace, hybrid, fem; do: run with --model halfspace");
     expect_refusal(force, model, "prescribed tangential force");
@@ -82,13 +83,14 @@ TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
 TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
   const std::string spin = plus("[rolling]\nspin = 1e-4\n");
   expect_refusal(spin, "vermeulen-johnson",
-                 "rolling.spin: it cannot handle spin; allowed: hertz, linear, fastsim, strip, "
-                 "halfspace, hybrid, fem; do: run with --model halfspace");
+                 "rolling.spin: it cannot handle spin; allowed: hertz, linear, fastsim, "
+                 "fastrip, strip, halfspace, hybrid, fem; do: run with --model halfspace");
   expect_refusal(spin, "carter", "rolling.spin");
   EXPECT_EQ(refusal(spin, "linear"), "");
-  expect_refusal(plus("[rolling]\nlateral_creepage = 1e-4\n"), "carter",
-                 "rolling.lateral_creepage: it cannot handle lateral creepage; allowed: hertz, "
-                 "linear, vermeulen-johnson, fastsim, strip, halfspace, hybrid, fem");
+  expect_refusal(
+      plus("[rolling]\nlateral_creepage = 1e-4\n"), "carter",
+      "rolling.lateral_creepage: it cannot handle lateral creepage; allowed: hertz, "
+      "linear, vermeulen-johnson, polach, fastsim, fastrip, strip, halfspace, hybrid, fem");
 }
 
 TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
@@ -97,10 +99,10 @@ TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
   scene.geometry.extra_slip = contact::ExtraSlip::file;
   scene.geometry.extra_slip_values = contact::Lattice{};
   scene.geometry.extra_slip_values->file = "slip.csv";
-  EXPECT_TRUE(
-      says(refusal(scene, "linear"),
-           "rolling.extra_slip: it cannot handle extra slip from a file; allowed: hertz, "
-           "carter, fastsim, strip, halfspace, hybrid, fem; do: run with --model halfspace"));
+  EXPECT_TRUE(says(refusal(scene, "linear"),
+                   "rolling.extra_slip: it cannot handle extra slip from a file; allowed: hertz, "
+                   "carter, fastsim, fastrip, strip, halfspace, hybrid, fem; do: run with --model "
+                   "halfspace"));
 }
 
 TEST(ProgramModels, AreNamedOnlyWhereTheyTakeAllThatTheCaseAsksFor) {

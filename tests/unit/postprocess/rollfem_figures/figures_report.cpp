@@ -144,6 +144,39 @@ TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
   EXPECT_FALSE(says(report, "<b>markup"));
 }
 
+/// The rise is Vermeulen and Johnson's with the slope 0.55 * 300, the summit a parabola's.
+TEST_F(FiguresTest, AFallingLawIsDrawnWithInitialSlopeAndPeakOfTheCreepCurve) {
+  RunRecord run = testing::synthetic_run();
+  run.models.pop_back();
+  run.input.friction_fall.shape = contact::FallShape::exponential;
+  run.input.friction_fall.kinetic_coefficient = 0.2;
+  run.input.friction_fall.half_velocity = 1000.0;
+  run.input.friction_fall.memory_distance = 0.003;
+  run.input.rolling.speed = 10e3;
+  for (contact::PointResult& point : run.models[1].points) {
+    const double xi = point.creepage.longitudinal;
+    const double tau = 300.0 * xi;
+    point.traction_coefficient = xi < 0.0025
+                                     ? 0.55 * (tau - tau * tau / 3.0 + tau * tau * tau / 27.0)
+                                     : 0.5 - 2000.0 * (xi - 0.0042) * (xi - 0.0042);
+    point.longitudinal_force = -point.traction_coefficient * point.normal_force;
+  }
+  const fs::path folder = draw(run);
+  EXPECT_TRUE(says(contents(folder / "figures/friction_law.svg"), "at rest: 0.55", "kinetic: 0.2",
+                   "memory: 3 µm"));
+  EXPECT_TRUE(says(contents(folder / "figures/creep_curve.svg"), "0.5 at 0.42 %"));
+  EXPECT_TRUE(says(contents(folder / "report.html"),
+                   "0.55 at rest, falling (exponential) by 0.35 to 0.2", "memory 0.003 mm",
+                   "<td>165</td><td>0.500</td><td>90.9 %</td><td>0.420</td>"));
+  EXPECT_EQ(said(R"(
+from rollfem_figures import read_result
+law = read_result(sys.argv[1]).case['friction_law']
+assert np.allclose(np.interp([0, 1000, 1e9], *law.T), [0.55, 0.375, 0.2], rtol=1e-12)
+)",
+                 folder.string()),
+            "");
+}
+
 TEST_F(FiguresTest, AModelThatDidNotConvergeIsNamed) {
   RunRecord run = testing::synthetic_run();
   run.models[1].points[3].converged = false;
