@@ -142,10 +142,12 @@ void FrictionNewton::fail(double scale) const {
       "the tangential contact iteration did not converge: residual {:.3g} of the "
       "creepage load after {} Newton steps and {} Krylov iterations, required {:.3g}{}",
       point_->norm / scale, effort_.newton_steps, effort_.krylov_iterations, options_->tolerance,
-      feels_slip_ ? "; friction falls so steeply with the slip velocity that there is no steady "
-                    "state, or none that small changes do not leave; do: give "
-                    "friction.memory_distance, a larger one, or a larger half_velocity"
-                  : ""));
+      state_.softens() ? "; the layer softens so fast that there is no state, or none that small "
+                         "changes do not leave; do: give a layer.hardening nearer to 0"
+      : feels_slip_ ? "; friction falls so steeply with the slip velocity that there is no steady "
+                      "state, or none that small changes do not leave; do: give "
+                      "friction.memory_distance, a larger one, or a larger half_velocity"
+                    : ""));
 }
 
 /// Where friction falls steeply there may be several solutions. That which grows out of small

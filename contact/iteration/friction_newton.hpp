@@ -40,6 +40,7 @@ class FrictionNewton {
   const Eigen::Map<Eigen::VectorXd>& traction() const { return point_->traction; }
   const Eigen::Map<Eigen::VectorXd>& bound() const { return point_->bound; }
   const std::vector<char>& adheres() const { return at_.adheres; }
+  const FrictionState& state() const { return state_; }
 
  private:
   using Vector = Eigen::Map<Eigen::VectorXd>;

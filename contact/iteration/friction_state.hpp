@@ -4,6 +4,7 @@
 // from element to element of a row, from that at rest at the leading edge; in a step of a history
 // from what the particle had before. Both are implicit in the slip, so that Newton's method sees
 // how slip upstream changes the bounds downstream: the derivative is a bidiagonal system per row.
+// The plastic displacement of a layer that hardens or softens (Plasticity) is carried likewise.
 #pragma once
 
 #include "contact/base/grid.hpp"
@@ -14,10 +15,11 @@
 
 namespace rollfem::contact {
 
-/// mu of the particles before a step of a history.
+/// mu and u* of the particles before a step of a history.
 struct FrictionPast {
   Field coefficient;    ///< of the particle that comes to each element; empty: steady rolling
   double length = 0.0;  ///< mm rolled in the step, 1 in a shift
+  Field plastic{};      ///< u*, mm; may be empty where no yield stress changes
 };
 
 /// The problem of friction on a known pressure (tangential.hpp).
@@ -37,6 +39,7 @@ double steepness(const FrictionLaw& law, double pressure, double compliance, dou
 
 class FrictionState {
  public:
+  using Index = Eigen::Index;
   using Given = Eigen::Ref<const Eigen::VectorXd>;
   using Vector = Eigen::Ref<Eigen::VectorXd>;
 
@@ -44,13 +47,24 @@ class FrictionState {
   /// outlive the state.
   void begin(const FrictionProblem& problem, const std::vector<Eigen::Index>& places);
 
-  bool feels_slip() const { return problem_->law.feels_slip(); }
+  bool feels_slip() const { return problem_->law.feels_slip() || hardens(); }
 
   /// That of the elements; `compliance`: slip of the problem per own traction.
   double steepness(double compliance) const;
 
   /// g at rest.
   void set_rest(Vector bound) const;
+
+  /// Whether yielding bounds the element, rather than friction; at the slip of the last call.
+  bool yields(Index e) const;
+  /// mu and u* that the particles have there: what the next step begins with.
+  double coefficient(Index e) const { return coefficient_[e]; }
+  double plastic(Index e) const { return yield_[static_cast<std::size_t>(e)].plastic; }
+  bool has_memory() const { return feels_slip() && memory_.has_value(); }
+  /// Whether the yield stress depends on u*.
+  bool hardens() const { return plasticity_ && plasticity_->hardening != 0.0; }
+  bool softens() const { return plasticity_ && plasticity_->hardening < 0.0; }
+
   /// g under a slip of the problem, its x components before its y components.
   void set_bound(const Given& slip, Vector bound);
   /// Prepares `change` at a slip.
@@ -59,21 +73,42 @@ class FrictionState {
   void change(const Given& slip_change, Vector bound_change) const;
 
  private:
-  using Index = Eigen::Index;
+  /// What the element behind depends on.
+  struct Ahead {
+    FrictionLaw::Coefficient law;
+    double rate = 0.0, rate_by_slip = 0.0;
+  };
+  /// An element under the yield stress, with derivatives of u*.
+  struct Yield {
+    bool yields = false;
+    double plastic = 0.0, by_own = 0.0, by_ahead = 0.0, carried = 0.0, by_coefficient = 0.0;
+    double stress = 0.0, stress_by_plastic = 0.0;
+  };
 
+  double pressure(Index e) const {
+    return problem_->pressure[(*places_)[static_cast<std::size_t>(e)]];
+  }
   double slip_at(const Given& slip, Index e) const;
   void find_ways();
+  /// u* with which the particle comes.
+  double plastic_before(Index e) const;
+  /// tau_c, MPa; at least a sliver of `friction`, so that the traction keeps a direction.
+  double yield_stress(double plastic, double friction) const;
   /// Of all elements with derivatives.
   void follow(const Given& slip);
+  Ahead follow_friction(Index e, double size, const Ahead& ahead);
+  void follow_yield(Index e, double size, double size_ahead);
 
   const FrictionProblem* problem_ = nullptr;
   const std::vector<Index>* places_ = nullptr;
   Index count_ = 0;
   std::optional<FrictionMemory> memory_;
+  std::optional<Plasticity> plasticity_;
   Eigen::VectorXd ways_;     ///< mm from the element ahead or the leading edge, or of the step
   std::vector<char> leads_;  ///< nothing of the row is ahead, or the particle brings its own mu
   Eigen::VectorXd coefficient_;
   Eigen::VectorXd by_own_, by_ahead_, carried_;  ///< dmu/d|w|, dmu/d|w ahead|, dmu/dmu ahead
+  std::vector<Yield> yield_;                     ///< empty: no plasticity
   Eigen::VectorXd direction_;                    ///< w/|w| times slip_factor
 };
 

@@ -44,10 +44,13 @@ Friction coulomb(double coefficient) {
   return coefficient == 0.0 ? nullptr : std::make_shared<CoulombFriction>(coefficient);
 }
 
-Friction friction_of(const Case& input) {
+namespace {
+
+std::shared_ptr<FrictionLaw> law_of(const Case& input) {
   const double mu = input.friction_coefficient;
   const FrictionFall& fall = input.friction_fall;
-  if (mu == 0.0 || fall.shape == FallShape::none) return coulomb(mu);
+  if (mu == 0.0) return nullptr;
+  if (fall.shape == FallShape::none) return std::make_shared<CoulombFriction>(mu);
   // A shift has no speed: its slip in mm is taken as that of one second.
   const double speed = input.rolling.problem == Problem::shift ? 1.0 : input.rolling.speed;
   double kinetic = fall.kinetic_coefficient.value_or(mu);
@@ -65,6 +68,15 @@ Friction friction_of(const Case& input) {
       std::array<FallingFriction::Part, 2>{
           {{mu - kinetic - second, half / speed}, {second, fall.second_half_velocity / speed}}},
       memory);
+}
+
+}  // namespace
+
+Friction friction_of(const Case& input) {
+  const std::shared_ptr<FrictionLaw> law = law_of(input);
+  if (law && input.layer && input.layer->yield_stress)
+    law->plasticity = Plasticity{*input.layer->yield_stress, input.layer->hardening.value_or(0.0)};
+  return law;
 }
 
 double coefficient_of(const Friction& friction) {

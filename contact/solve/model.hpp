@@ -45,6 +45,7 @@ enum class Demand {
   stress_in_rigid_body,
   falling_friction,   ///< that falls with the slip velocity
   layer,              ///< between wheel and rail
+  plastic_layer,      ///< that yields
   inertia,            ///< of wheel and rail
   beyond_half_space,  ///< stress where a concave body extends beyond z = 0
 };
