@@ -50,12 +50,13 @@ class GridElements : public ElementOperator {
 };
 
 /// Bounds and states of the elements, and what their particles carry on.
-void set_states(const FrictionNewton& newton, const ContactElements& elements, Index size,
+void set_states(const FrictionNewton& newton, const ContactElements& elements, double rest,
                 TangentialSolution& result) {
+  const Index size = result.traction.x.size();
   const FrictionState& friction = newton.state();
   result.bound = Field::Zero(size);
   result.state.assign(static_cast<std::size_t>(size), ElementState::exterior);
-  if (friction.has_memory()) result.coefficient = Field::Zero(size);
+  if (friction.has_memory()) result.coefficient = Field::Constant(size, rest);
   if (friction.hardens()) result.plastic = Field::Zero(size);
   for (Index e = 0; e < elements.count(); ++e) {
     const Index k = elements[e];
@@ -90,7 +91,7 @@ TangentialSolution solve_tangential(const TangentialOperator& compliance,
   result.traction = elements.scattered(newton.traction());
   const TangentialField displacement = compliance.apply(result.traction);
   result.slip = {problem.rigid_slip.x + displacement.x, problem.rigid_slip.y + displacement.y};
-  set_states(newton, elements, problem.pressure.size(), result);
+  set_states(newton, elements, law.coefficient(), result);
   result.newton_steps = effort.newton_steps;
   result.krylov_iterations = effort.krylov_iterations;
   result.residual = effort.residual;

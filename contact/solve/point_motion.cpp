@@ -29,11 +29,8 @@ FrictionPast PointMotion::friction_after(const ContactState& state) const {
   FrictionPast after{Field::Constant(grid_.size(), friction_->coefficient()), 0.0,
                      Field::Zero(grid_.size())};
   const TangentialSolution& last = state.tangential;
-  for (Eigen::Index k = 0; k < state.normal.pressure.size(); ++k) {
-    if (!(state.normal.pressure[k] > 0.0)) continue;
-    if (last.coefficient.size() != 0) after.coefficient[k] = last.coefficient[k];
-    if (last.plastic.size() != 0) after.plastic[k] = last.plastic[k];
-  }
+  if (last.coefficient.size() != 0) after.coefficient = last.coefficient;
+  if (last.plastic.size() != 0) after.plastic = last.plastic;
   return after;
 }
 

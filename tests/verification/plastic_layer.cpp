@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "support/recorded.hpp"
+#include "support/temporary_folder.hpp"
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -280,6 +281,21 @@ TEST(PlasticLayer, IsKeptInCheckpoints) {
   contact::read_point(contact::point_record({}, state), point, read);
   EXPECT_EQ(read.tangential.coefficient, state.tangential.coefficient);
   EXPECT_EQ(read.tangential.plastic, state.tangential.plastic);
+}
+
+TEST(PlasticLayer, TransmitsNoMoreThanItsYieldStress) {
+  // 60 MPa on the ellipse, less where friction is lower, carry some 7 kN of the 40 kN of friction.
+  Case input = wheel_on_rail({0.0}, 20);
+  input.layer = contact::Layer{};
+  input.layer->yield_stress = 60.0;
+  input.rolling.forces = {{-5e3, {}}};
+  const PointResult point = halfspace::run_halfspace(input, {}).points[0];
+  EXPECT_NEAR(point.longitudinal_force, -5e3, 5.0);
+  input.rolling.forces = {{-1.05 * 60.0 * point.contact_area, {}}};
+  const std::string message =
+      testing::refusal<contact::SolveError>([&] { halfspace::run_halfspace(input, {}); });
+  EXPECT_NE(message.find("the most that a layer with a yield stress of 60 MPa"), std::string::npos)
+      << message;
 }
 
 TEST(PlasticLayer, IsRefusedByTheoriesWithoutIt) {
