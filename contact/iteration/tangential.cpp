@@ -81,12 +81,12 @@ TangentialSolution solve_tangential(const TangentialOperator& compliance,
   GridElements on_elements(compliance, elements);
   const CoulombFriction none(0.0);
   const FrictionLaw& law = problem.friction ? *problem.friction : none;
+  const FrictionProblem on_pressure{compliance.grid(),   problem.pressure,
+                                    problem.rigid_slip,  law,
+                                    problem.slip_factor, problem.past ? &*problem.past : nullptr};
   FrictionNewton newton;
   const FrictionNewton::Effort effort =
-      newton.solve(on_elements,
-                   {compliance.grid(), problem.pressure, problem.rigid_slip, law,
-                    problem.slip_factor, problem.past ? &*problem.past : nullptr},
-                   elements.grid_indices(), options, start);
+      newton.solve(on_elements, on_pressure, elements.grid_indices(), options, start);
   TangentialSolution result;
   result.traction = elements.scattered(newton.traction());
   const TangentialField displacement = compliance.apply(result.traction);
