@@ -91,6 +91,7 @@ class FrictionNewton {
   Vector bound_{nullptr, 0};         ///< g at rest
   Vector dragged_from_{nullptr, 0};  ///< p'
   Vector direction_{nullptr, 0}, slip_change_{nullptr, 0}, right_{nullptr, 0};
+  Vector trial_change_{nullptr, 0};  ///< r times that of q
   Vector bound_change_{nullptr, 0};  ///< where the law feels slip
   Point points_[2];
   Point *point_ = &points_[0], *trial_ = &points_[1];

@@ -25,8 +25,10 @@ Decay decay(double t) {
 
 }  // namespace
 
-void FrictionState::begin(const FrictionProblem& problem, const std::vector<Index>& places) {
+void FrictionState::begin(const FrictionProblem& problem, const std::vector<Index>& places,
+                          double r) {
   problem_ = &problem;
+  r_ = r;
   places_ = &places;
   count_ = static_cast<Index>(places.size());
   plasticity_ = problem.law.plasticity;
@@ -36,6 +38,7 @@ void FrictionState::begin(const FrictionProblem& problem, const std::vector<Inde
     values->resize(count_);
   direction_.resize(2 * count_);
   yield_.assign(plasticity_ ? places.size() : 0, {});
+  trial_direction_.resize(plasticity_ ? 2 * count_ : 0);
   if (memory_ || plasticity_) find_ways();
 }
 
@@ -96,8 +99,8 @@ void FrictionState::set_rest(Vector bound) const {
   }
 }
 
-void FrictionState::set_bound(const Given& slip, Vector bound) {
-  follow(slip);
+void FrictionState::set_bound(const Given& slip, const Given& trial, Vector bound) {
+  follow(slip, trial);
   for (Index e = 0; e < count_; ++e)
     bound[e] =
         yields(e) ? yield_[static_cast<std::size_t>(e)].stress : coefficient_[e] * pressure(e);
@@ -121,13 +124,13 @@ double FrictionState::yield_stress(double plastic, double friction) const {
   return std::max(least * friction, plasticity_->yield_stress + plasticity_->hardening * plastic);
 }
 
-void FrictionState::follow(const Given& slip) {
+void FrictionState::follow(const Given& slip, const Given& trial) {
   Ahead ahead;
   double size_ahead = 0.0;
   for (Index e = count_; e-- > 0;) {
     const double size = slip_at(slip, e);
     Ahead own = follow_friction(e, size, ahead);
-    if (plasticity_) follow_yield(e, size, size_ahead);
+    if (plasticity_) follow_yield(e, size, size_ahead, std::hypot(trial[e], trial[count_ + e]));
     if (yields(e)) {  // without slip
       own = follow_friction(e, 0.0, ahead);
       by_own_[e] = own.law.by_slip = 0.0;
@@ -171,61 +174,86 @@ FrictionState::Ahead FrictionState::follow_friction(Index e, double size, const 
 
 /// Where friction is the lower bound, a layer that hardens has yielded until its stress reached
 /// friction, and any other has not yielded on the way.
-void FrictionState::follow_yield(Index e, double size, double size_ahead) {
+void FrictionState::follow_yield(Index e, double size, double size_ahead, double trial) {
   const Plasticity& layer = *plasticity_;
   const double mu = problem_->law.coefficient();
   const bool leads = leads_[static_cast<std::size_t>(e)];
+  const double k = layer.hardening;
   YieldStep step{plastic_before(e),         ways_[e],         size,
                  leads ? size : size_ahead, mu * pressure(e), 0.0};
   if (problem_->past != nullptr)
     step.friction_ahead = step.friction;
   else if (!leads)
     step.friction_ahead = mu * pressure(e + 1);
-  PlasticDisplacement end = yielding(layer, step);
   Yield& own = yield_[static_cast<std::size_t>(e)];
+  own.by_trial = 0.0;
+  double upstream = 1.0;  // part of what comes from upstream that the own slip leaves
+  if (k > 0.0 && r_ > 0.0) {
+    step.slip = 0.0;
+    if (leads) step.slip_ahead = 0.0;
+    const PlasticDisplacement still = yielding(layer, step);
+    const double by_slip = still.by_slip + (leads ? still.by_slip_ahead : 0.0);
+    const double softness = problem_->slip_factor / (r_ + k * by_slip * problem_->slip_factor);
+    const double excess = trial - layer.yield_stress - k * still.value;
+    if (excess > 0.0) {
+      step.slip = softness * excess;
+      if (leads) step.slip_ahead = step.slip;
+      own.by_trial = by_slip * softness;
+      upstream = 1.0 - k * own.by_trial;
+    }
+  }
+  PlasticDisplacement end = yielding(layer, step);
   own.stress = yield_stress(end.value, step.friction);
-  own.stress_by_plastic =
-      own.stress > layer.yield_stress + layer.hardening * end.value ? 0.0 : layer.hardening;
+  own.stress_by_plastic = own.stress > layer.yield_stress + k * end.value ? 0.0 : k;
   const double friction = coefficient_[e] * pressure(e);
   own.yields = own.stress < friction;
   own.by_coefficient = 0.0;
   if (!own.yields) {
     end = {step.before};
-    const double until =
-        layer.hardening > 0.0 ? (friction - layer.yield_stress) / layer.hardening : 0.0;
+    upstream = 1.0;
+    own.by_trial = 0.0;
+    const double until = k > 0.0 ? (friction - layer.yield_stress) / k : 0.0;
     if (until > step.before) {
       end = {until, 0.0, 0.0, 0.0};
-      own.by_coefficient = pressure(e) / layer.hardening;
+      own.by_coefficient = pressure(e) / k;
     }
   }
   own.plastic = end.value;
-  own.by_own = leads ? end.by_slip + end.by_slip_ahead : end.by_slip;
-  own.by_ahead = leads ? 0.0 : end.by_slip_ahead;
-  own.carried = leads ? 0.0 : end.by_before;
+  own.by_own = k > 0.0 && r_ > 0.0 ? 0.0 : end.by_slip + (leads ? end.by_slip_ahead : 0.0);
+  own.by_ahead = leads ? 0.0 : upstream * end.by_slip_ahead;
+  own.carried = leads ? 0.0 : upstream * end.by_before;
 }
 
-void FrictionState::linearise(const Given& slip) {
-  follow(slip);
+void FrictionState::linearise(const Given& slip, const Given& trial) {
+  follow(slip, trial);
   for (Index e = 0; e < count_; ++e) {
     const double size = std::hypot(slip[e], slip[count_ + e]);
     const double factor = size > 0.0 ? problem_->slip_factor / size : 0.0;
     direction_[e] = factor * slip[e];
     direction_[count_ + e] = factor * slip[count_ + e];
+    if (!plasticity_) continue;
+    const double trial_size = std::hypot(trial[e], trial[count_ + e]);
+    const double inverse = trial_size > 0.0 ? 1.0 / trial_size : 0.0;
+    trial_direction_[e] = inverse * trial[e];
+    trial_direction_[count_ + e] = inverse * trial[count_ + e];
   }
 }
 
-void FrictionState::change(const Given& slip_change, Vector bound_change) const {
+void FrictionState::change(const Given& slip_change, const Given& trial_change,
+                           Vector bound_change) const {
   double ahead = 0.0, coefficient_ahead = 0.0, plastic_ahead = 0.0;
   for (Index e = count_; e-- > 0;) {
-    const double size =
-        direction_[e] * slip_change[e] + direction_[count_ + e] * slip_change[count_ + e];
+    const Index f = count_ + e;
+    const double size = direction_[e] * slip_change[e] + direction_[f] * slip_change[f];
     const double coefficient =
         by_own_[e] * size + by_ahead_[e] * ahead + carried_[e] * coefficient_ahead;
     bound_change[e] = coefficient * pressure(e);
     if (plasticity_) {
       const Yield& own = yield_[static_cast<std::size_t>(e)];
+      const double trial =
+          trial_direction_[e] * trial_change[e] + trial_direction_[f] * trial_change[f];
       plastic_ahead = own.by_own * size + own.by_ahead * ahead + own.carried * plastic_ahead +
-                      own.by_coefficient * coefficient;
+                      own.by_coefficient * coefficient + own.by_trial * trial;
       if (own.yields) bound_change[e] = own.stress_by_plastic * plastic_ahead;
     }
     ahead = size;

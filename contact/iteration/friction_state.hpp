@@ -44,8 +44,9 @@ class FrictionState {
   using Vector = Eigen::Ref<Eigen::VectorXd>;
 
   /// `places`: grid indices of the elements in contact, ascending. The problem and they must
-  /// outlive the state.
-  void begin(const FrictionProblem& problem, const std::vector<Eigen::Index>& places);
+  /// outlive the state. `r`: of q = p - r w below; 0: bounds follow the slip alone.
+  void begin(const FrictionProblem& problem, const std::vector<Eigen::Index>& places,
+             double r = 0.0);
 
   bool feels_slip() const { return problem_->law.feels_slip() || hardens(); }
 
@@ -65,12 +66,19 @@ class FrictionState {
   bool hardens() const { return plasticity_ && plasticity_->hardening != 0.0; }
   bool softens() const { return plasticity_ && plasticity_->hardening < 0.0; }
 
-  /// g under a slip of the problem, its x components before its y components.
-  void set_bound(const Given& slip, Vector bound);
+  /// g under a slip of the problem, its x components before its y components, and q likewise: where
+  /// a layer hardens, g + k h |w|, the element's own slip follows from |q| = g + r |w|, which is
+  /// well scaled however large k is, and the same in a solution.
+  void set_bound(const Given& slip, const Given& trial, Vector bound);
+  void set_bound(const Given& slip, Vector bound) { set_bound(slip, slip, bound); }
   /// Prepares `change` at a slip.
-  void linearise(const Given& slip);
-  /// Change of g with that of the slip.
-  void change(const Given& slip_change, Vector bound_change) const;
+  void linearise(const Given& slip, const Given& trial);
+  void linearise(const Given& slip) { linearise(slip, slip); }
+  /// Change of g with that of the slip and of q.
+  void change(const Given& slip_change, const Given& trial_change, Vector bound_change) const;
+  void change(const Given& slip_change, Vector bound_change) const {
+    change(slip_change, slip_change, bound_change);
+  }
 
  private:
   /// What the element behind depends on.
@@ -82,6 +90,7 @@ class FrictionState {
   struct Yield {
     bool yields = false;
     double plastic = 0.0, by_own = 0.0, by_ahead = 0.0, carried = 0.0, by_coefficient = 0.0;
+    double by_trial = 0.0;
     double stress = 0.0, stress_by_plastic = 0.0;
   };
 
@@ -95,13 +104,14 @@ class FrictionState {
   /// tau_c, MPa; at least a sliver of `friction`, so that the traction keeps a direction.
   double yield_stress(double plastic, double friction) const;
   /// Of all elements with derivatives.
-  void follow(const Given& slip);
+  void follow(const Given& slip, const Given& trial);
   Ahead follow_friction(Index e, double size, const Ahead& ahead);
-  void follow_yield(Index e, double size, double size_ahead);
+  void follow_yield(Index e, double size, double size_ahead, double trial);
 
   const FrictionProblem* problem_ = nullptr;
   const std::vector<Index>* places_ = nullptr;
   Index count_ = 0;
+  double r_ = 0.0;
   std::optional<FrictionMemory> memory_;
   std::optional<Plasticity> plasticity_;
   Eigen::VectorXd ways_;     ///< mm from the element ahead or the leading edge, or of the step
@@ -110,6 +120,7 @@ class FrictionState {
   Eigen::VectorXd by_own_, by_ahead_, carried_;  ///< dmu/d|w|, dmu/d|w ahead|, dmu/dmu ahead
   std::vector<Yield> yield_;                     ///< empty: no plasticity
   Eigen::VectorXd direction_;                    ///< w/|w| times slip_factor
+  Eigen::VectorXd trial_direction_;              ///< q/|q|; empty: no plasticity
 };
 
 }  // namespace rollfem::contact

@@ -170,19 +170,51 @@ TEST(Yielding, PerfectPlasticityBoundsWithoutSlip) {
   }
 }
 
+TEST(Yielding, OwnSlipFromTheTrialTractionIsThatOfASolution) {
+  // In a solution |q| = g + r |w|.
+  const YieldRow row(25);
+  constexpr double r = 4e3;
+  for (const double hardening : {100.0, 1e4, 1e7}) {
+    const CoulombFriction law = yielding_at(150.0, hardening);
+    const FrictionProblem problem{row.grid, row.pressure, row.none, law, 0.5};
+    FrictionState by_slip, by_trial;
+    by_slip.begin(problem, row.places);
+    by_trial.begin(problem, row.places, r);
+    const VectorXd slip = row.slip(growing_slip);
+    VectorXd expected(row.count()), bound(row.count()), trial = -slip;
+    by_slip.set_bound(slip, expected);
+    for (Eigen::Index e = 0; e < row.count(); ++e) {
+      const double size = growing_slip(row.x(e));
+      trial[e] *= (expected[e] + r * size) / size;
+      trial[row.count() + e] *= (expected[e] + r * size) / size;
+    }
+    by_trial.set_bound(slip, trial, bound);
+    for (Eigen::Index e = 0; e < row.count(); ++e) {
+      EXPECT_NEAR(bound[e], expected[e], 1e-9 * expected[e]);
+      EXPECT_EQ(by_trial.yields(e), by_slip.yields(e));
+      EXPECT_NEAR(by_trial.plastic(e), by_slip.plastic(e), 1e-12);
+    }
+  }
+}
+
 /// Change of g by differences and as Newton's method has it.
-void expect_derivative_of_yielding(const FrictionProblem& problem, const YieldRow& row) {
+void expect_derivative_of_yielding(const FrictionProblem& problem, const YieldRow& row,
+                                   double r = 0.0) {
   FrictionState state;
-  state.begin(problem, row.places);
+  state.begin(problem, row.places, r);
   const VectorXd slip = row.slip(growing_slip);
-  VectorXd change(slip.size());
-  for (Eigen::Index e = 0; e < change.size(); ++e) change[e] = std::sin(1.7 * e + 0.3);
+  const VectorXd trial = row.slip([](double x) { return 150.0 + 300.0 * (1.0 - x); });
+  VectorXd change(slip.size()), trial_change(slip.size());
+  for (Eigen::Index e = 0; e < change.size(); ++e) {
+    change[e] = std::sin(1.7 * e + 0.3);
+    trial_change[e] = 3e3 * std::cos(1.3 * e);
+  }
   const double h = 1e-9;
   VectorXd above(row.count()), below(row.count()), linear(row.count());
-  state.set_bound(slip + h * change, above);
-  state.set_bound(slip - h * change, below);
-  state.linearise(slip);
-  state.change(change, linear);
+  state.set_bound(slip + h * change, trial + h * trial_change, above);
+  state.set_bound(slip - h * change, trial - h * trial_change, below);
+  state.linearise(slip, trial);
+  state.change(change, trial_change, linear);
   EXPECT_GT(linear.norm(), 0.0);
   EXPECT_LT(((above - below) / (2.0 * h) - linear).norm(), 1e-5 * linear.norm());
 }
@@ -194,12 +226,15 @@ TEST(Yielding, DerivativesAreThoseOfTheBounds) {
   for (const double hardening : {3000.0, 50e3, -3000.0}) {
     const CoulombFriction law = yielding_at(180.0, hardening);
     expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5}, row, 4e3);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5, &past}, row, 4e3);
     expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5, &past}, row);
     FallingFriction falling{
         FallShape::exponential, 0.3, {{{0.2, 0.02}, {}}}, FrictionMemory{2e-3, 1e-3}};
     falling.plasticity = law.plasticity;
     expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5}, row);
     expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5, &past}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5}, row, 4e3);
   }
 }
 
