@@ -143,17 +143,20 @@ TEST(PlasticLayer, ThatHardensFastIsElastic) {
   input.layer = contact::Layer{0.02, 800.0};
   const std::vector<double> elastic = forces(input);
   input.layer->yield_stress = 50.0;
-  double before = 1.0;
+  std::vector<double> before{1.0, 1.0};
   for (const double hardening : {1e5, 1e6, 1e7, 1e8}) {
     input.layer->hardening = hardening;
     const std::vector<double> plastic = forces(input);
-    const double missing = 1.0 - plastic[0] / elastic[0];
-    testing::record("missing_force_at_" + std::to_string(static_cast<long>(hardening)), missing);
-    EXPECT_GT(missing, 0.0);
-    EXPECT_LT(missing, 0.25 * before);
-    before = missing;
-    EXPECT_NEAR(plastic[1] / elastic[1], 1.0, 5e3 / hardening);
+    for (std::size_t k = 0; k < elastic.size(); ++k) {
+      const double missing = 1.0 - plastic[k] / elastic[k];
+      testing::record(fmt::format("missing_force_{}_at_{}", k, hardening), missing);
+      if (hardening > 1e6) {
+        EXPECT_NEAR(missing / before[k], 0.1, 0.015);
+      }
+      before[k] = missing;
+    }
   }
+  EXPECT_LT(before[0], 1e-4);
 }
 
 TEST(PlasticLayer, PerfectlyPlasticCarriesItsYieldStressOnTheWholePatch) {
@@ -167,12 +170,12 @@ TEST(PlasticLayer, PerfectlyPlasticCarriesItsYieldStressOnTheWholePatch) {
     for (const PointResult& point : result.points)
       EXPECT_LE(point.max_traction, 150.0 * (1.0 + 1e-6));
     const PointResult& last = result.points.back();
-    const auto& state = last.fields.state;
     EXPECT_EQ(last.adhesion_area, 0.0);
-    EXPECT_EQ(std::count(state.begin(), state.end(), ElementState::slip), 0);
-    const auto yielding = std::count(state.begin(), state.end(), ElementState::plastic);
-    EXPECT_NEAR(-last.longitudinal_force / (150.0 * yielding * result.grid.element_area()), 1.0,
-                1e-6);
+    const double of_elements =
+        (100.0 * last.fields.traction.n.array()).min(150.0).sum() * result.grid.element_area();
+    EXPECT_NEAR(-last.longitudinal_force / of_elements, 1.0, 1e-6);
+    const auto& state = last.fields.state;
+    EXPECT_GT(std::count(state.begin(), state.end(), ElementState::plastic), 800);
     const double exact = 150.0 * M_PI * last.semi_axis_x * last.semi_axis_y;
     testing::record("plateau_over_yield_stress_times_area_at_" + std::to_string(across),
                     -last.longitudinal_force / exact);
@@ -188,7 +191,8 @@ double brush(double creepage, double compliance, const contact::Plasticity& laye
   const double elastic = layer.yield_stress * compliance / creepage;
   if (d < elastic) return creepage * d / compliance;
   if (layer.hardening == 0.0) return layer.yield_stress;
-  return layer.yield_stress + creepage * (d - elastic) / (compliance + 1.0 / layer.hardening);
+  return std::max(
+      0.0, layer.yield_stress + creepage * (d - elastic) / (compliance + 1.0 / layer.hardening));
 }
 
 /// Largest deviation of a soft layer from its brush, over the yield stress.
@@ -213,7 +217,7 @@ double deviation_from_brush(double hardening, int across) {
 }
 
 TEST(PlasticLayer, SoftIsABrushInClosedForm) {
-  for (const double hardening : {0.0, 0.0082, 0.1, -0.001, -0.004}) {
+  for (const double hardening : {0.0, 0.0082, 0.1, -0.001, -0.002}) {
     const double coarse = deviation_from_brush(hardening, 40);
     const double fine = deviation_from_brush(hardening, 80);
     testing::record(fmt::format("largest_deviation_of_{}_at_40", hardening), coarse);
@@ -245,7 +249,7 @@ TEST(PlasticLayer, ForcesConvergeWithSecondOrder) {
 }
 
 TEST(PlasticLayer, TransientRollingSettlesToTheSteadyState) {
-  Case input = wheel_on_rail({0.004}, 24);
+  Case input = wheel_on_rail({0.004}, 48);
   input.layer = contact::Layer{0.02, 800.0, 100.0, 2e3};
   const double steady = forces(input)[0];
   input.rolling.problem = contact::Problem::transient;
@@ -259,8 +263,10 @@ TEST(PlasticLayer, TransientRollingSettlesToTheSteadyState) {
     testing::record(fmt::format("settled_over_steady_in_steps_of_{}", length), settled / steady);
     return std::abs(settled / steady - 1.0);
   };
-  EXPECT_LT(error(0.5), 0.02);
-  EXPECT_LT(error(0.25), 0.01);
+  // Steps are not fitted to the leading edge, and of first order.
+  const double coarse = error(0.5), fine = error(0.25);
+  EXPECT_LT(fine, coarse);
+  EXPECT_LT(fine, 0.01);
 }
 
 TEST(PlasticLayer, OfCurvedBodiesHoldsTheYieldStressAtEveryElement) {
