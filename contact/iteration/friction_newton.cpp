@@ -317,7 +317,7 @@ bool FrictionNewton::respond(const Eigen::Ref<const Eigen::VectorXd>& slip_chang
                              Eigen::Ref<Eigen::VectorXd> change) {
   constexpr double tolerance = 1e-6;
   constexpr int most_iterations = 400;
-  compliance_->linearise(at_, r_, 0.0);
+  compliance_->linearise(preconditioned(), r_, 0.0);
   right_ = r_ * slip_change;
   slip_change_.setZero();  // tractions that stay
   change_value(slip_change_, right_);
@@ -342,7 +342,7 @@ double FrictionNewton::forcing(double residual, double previous) const {
 /// J dp = -F. Where the bodies nearly slide, the preconditioner's block across the slip may stall
 /// the iteration; replaced by the identity it converges more slowly, but it converges.
 void FrictionNewton::find_direction(double tolerance) {
-  compliance_->linearise(at_, r_, r_ * drag_);
+  compliance_->linearise(preconditioned(), r_, r_ * drag_);
   right_ = -point_->value;
   const auto solved = [&](const auto& preconditioner) {
     const GmresResult solution = gmres_.solve(

@@ -239,6 +239,11 @@ void FrictionState::linearise(const Given& slip, const Given& trial) {
   }
 }
 
+void FrictionState::add_stiff(std::vector<char>& adheres) const {
+  for (std::size_t e = 0; e < yield_.size(); ++e)
+    if (yield_[e].yields && plasticity_->hardening * yield_[e].by_trial > 0.5) adheres[e] = 1;
+}
+
 void FrictionState::change(const Given& slip_change, const Given& trial_change,
                            Vector bound_change) const {
   double ahead = 0.0, coefficient_ahead = 0.0, plastic_ahead = 0.0;

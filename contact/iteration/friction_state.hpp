@@ -74,6 +74,8 @@ class FrictionState {
   /// Prepares `change` at a slip.
   void linearise(const Given& slip, const Given& trial);
   void linearise(const Given& slip) { linearise(slip, slip); }
+  /// Adds elements whose layer hardens so fast that they nearly adhere.
+  void add_stiff(std::vector<char>& adheres) const;
   /// Change of g with that of the slip and of q.
   void change(const Given& slip_change, const Given& trial_change, Vector bound_change) const;
   void change(const Given& slip_change, Vector bound_change) const {
