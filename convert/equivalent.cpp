@@ -60,6 +60,10 @@ void fill_friction(const ContactCase& given, Equivalent& made) {
     made.set("layer", "thickness", layer[1], "mm");
     made.set("layer", "shear_modulus", layer[0], "MPa");
   }
+  if (given.digits.M == 4 && layer[2] > 0.0) {
+    made.set("layer", "yield_stress", layer[2], "MPa");
+    if (layer[3] != 0.0) made.set("layer", "hardening", layer[3], "MPa/mm");
+  }
   if (!falls(given) || given.digits.T == 0) return;
   constexpr std::array<const char*, 3> laws{"linear", "rational", "exponential"};
   made.set_word("friction", "law", laws.at(static_cast<std::size_t>(given.friction_law - 2)));
@@ -107,9 +111,6 @@ class Judgement {
     const bool full = M == 0 || M == 4;
     refuse(!full && M != 3, "M", M, material_words);
     if (M == 3) fastsim();
-    made_.refuse(M == 4 && given_.bodies.layer[2] > 0.0,
-                 fmt::format("digit M = 4, TAU_C0 = {:g}: a plastic interface layer",
-                             given_.bodies.layer[2]));
     refuse(full && B != 0 && B != 2, "B", B, bound_words);
     made_.refuse(full && B == 2 && digits_.N == 0,
                  "digits B = 2 and N = 0: Hertz's pressure needs the normal force");

@@ -164,7 +164,8 @@ py::dict fields() {
   py::dict found;
   for (const postprocess::PointField& field : postprocess::point_fields())
     found[field.name] = py::make_tuple(field.unit, field.description, field.sign);
-  found["state"] = py::make_tuple("-", "state of the element", "0 exterior, 1 adhesion, 2 slip");
+  found["state"] =
+      py::make_tuple("-", "state of the element", "0 exterior, 1 adhesion, 2 slip, 3 plastic");
   return found;
 }
 

@@ -80,9 +80,12 @@ struct FrictionVariation {
 
 /// A layer between the bodies that gives way to shear alone.
 struct Layer {
-  double thickness = 0.0;                                          ///< mm
-  double shear_modulus = 0.0;                                      ///< MPa
-  double compliance() const { return thickness / shear_modulus; }  ///< mm/MPa
+  std::optional<double> thickness{};      ///< mm; not given: it is stiff until it yields
+  std::optional<double> shear_modulus{};  ///< MPa
+  std::optional<double> yield_stress{};   ///< MPa; not given: it is elastic
+  std::optional<double> hardening{};      ///< MPa per mm of plastic displacement; not given: 0
+  /// mm/MPa.
+  double compliance() const { return thickness.value_or(0.0) / shear_modulus.value_or(1.0); }
 };
 
 /// The shape of the contact; the other members are for line contact.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -132,7 +133,8 @@ void FrictionNewton::feed_back(const Eigen::VectorXd& change) {
           .iterations;
   frozen_ = false;
   compliance_->apply(direction_, slip_change_);
-  state_.change(slip_change_, bound_change_);
+  trial_change_ = direction_ - r_ * slip_change_;
+  state_.change(slip_change_, trial_change_, bound_change_);
   for (Index e = 0; e < count_; ++e)
     if (at_.adheres[static_cast<std::size_t>(e)]) bound_change_[e] = 0.0;
 }
@@ -194,13 +196,17 @@ void FrictionNewton::fail(double scale) const {
       effort_.feedback ? fmt::format("; {:.2g} of a small change of friction came back in the last",
                                      *effort_.feedback)
                        : std::string();
+  const auto [cause, cure] =
+      state_.softens()
+          ? std::pair("the layer softens so fast", "give a layer.hardening nearer to 0")
+          : std::pair("friction falls so steeply with the slip velocity",
+                      "give friction.memory_distance, or a larger one, or a larger half_velocity");
   throw NoSteadyFriction(fmt::format(
-      "friction falls so steeply with the slip velocity (steepness {:.2g}) that no state stays: "
-      "none was found that small changes do not leave, and bounds went up and down most at x = "
-      "{:.4g} mm, y = {:.4g} mm; without a lag such surfaces chatter; do: give "
-      "friction.memory_distance, or a larger one, or a larger half_velocity ({}{})",
-      effort_.steepness, grid.x(static_cast<int>(k % grid.nx)),
-      grid.y(static_cast<int>(k / grid.nx)), how, feedback));
+      "{} (steepness {:.2g}) that no state stays: none was found that small changes do not leave, "
+      "and bounds went up and down most at x = {:.4g} mm, y = {:.4g} mm; without a lag such "
+      "surfaces chatter; do: {} ({}{})",
+      cause, effort_.steepness, grid.x(static_cast<int>(k % grid.nx)),
+      grid.y(static_cast<int>(k / grid.nx)), cure, how, feedback));
 }
 
 }  // namespace rollfem::contact

@@ -41,7 +41,7 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
   places_ = &places;
   options_ = &options;
   r_ = 1.0 / compliance.diagonal();
-  state_.begin(problem, places);
+  state_.begin(problem, places, r_);
   feels_slip_ = state_.feels_slip();
   drag_ = 0.0;
   frozen_ = false;
@@ -72,14 +72,15 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
 
 void FrictionNewton::lay_out(Index count) {
   count_ = count;
-  constexpr Index vectors = 30;
+  constexpr Index vectors = 32;
   enlarge(memory_, vectors * count);
   double* next = memory_.data();
   const auto place = [&](Vector& vector, Index size) {
     new (&vector) Vector(next, size);
     next += size;
   };
-  for (Vector* vector : {&rigid_slip_, &dragged_from_, &direction_, &slip_change_, &right_})
+  for (Vector* vector :
+       {&rigid_slip_, &dragged_from_, &direction_, &slip_change_, &right_, &trial_change_})
     place(*vector, 2 * count);
   place(bound_, count);
   place(bound_change_, count);
@@ -148,7 +149,7 @@ void FrictionNewton::set_drag(double drag) {
 void FrictionNewton::evaluate(Point& point) {
   point.trial = point.traction - r_ * point.slip;
   if (drag_ > 0.0) point.trial -= r_ * drag_ * (point.traction - dragged_from_);
-  if (feels_slip_ && !frozen_) state_.set_bound(point.slip, point.bound);
+  if (feels_slip_ && !frozen_) state_.set_bound(point.slip, point.trial, point.bound);
   point.value = point.trial;
   project(point.value, point.bound);
   point.value = point.traction - point.value;
@@ -218,7 +219,7 @@ void FrictionNewton::linearise(const Point& point) {
     at_.left[e] = point.traction[e] / reached;
     at_.left[f] = point.traction[f] / reached;
   }
-  if (feels_slip_ && !frozen_) state_.linearise(point.slip);
+  if (feels_slip_ && !frozen_) state_.linearise(point.slip, point.trial);
 }
 
 void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result) {
@@ -230,7 +231,10 @@ void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result)
 /// Turns r times a change of slip into the change of F, for tractions that change by `p`.
 void FrictionNewton::change_value(const Gmres::Given& p, Gmres::Vector change) {
   const bool falls = feels_slip_ && !frozen_;
-  if (falls) state_.change(change, bound_change_);
+  if (falls) {
+    trial_change_ = r_ * ((1.0 - r_ * drag_) * p - change);
+    state_.change(change, trial_change_, bound_change_);
+  }
   for (Index e = 0; e < count_; ++e) {
     const Index f = count_ + e;
     change[e] += r_ * drag_ * p[e];
@@ -251,7 +255,7 @@ bool FrictionNewton::respond(const Eigen::Ref<const Eigen::VectorXd>& slip_chang
                              Eigen::Ref<Eigen::VectorXd> change) {
   constexpr double tolerance = 1e-6;
   constexpr int most_iterations = 400;
-  compliance_->linearise(at_, r_, 0.0);
+  compliance_->linearise(preconditioned(), r_, 0.0);
   right_ = r_ * slip_change;
   slip_change_.setZero();  // tractions that stay
   change_value(slip_change_, right_);
@@ -276,7 +280,7 @@ double FrictionNewton::forcing(double residual, double previous) const {
 /// J dp = -F. Where the bodies nearly slide, the preconditioner's block across the slip may stall
 /// the iteration; replaced by the identity it converges more slowly, but it converges.
 void FrictionNewton::find_direction(double tolerance) {
-  compliance_->linearise(at_, r_, r_ * drag_);
+  compliance_->linearise(preconditioned(), r_, r_ * drag_);
   right_ = -point_->value;
   const auto solved = [&](const auto& preconditioner) {
     const GmresResult solution = gmres_.solve(

@@ -43,6 +43,7 @@ class FrictionNewton {
   const Eigen::Map<Eigen::VectorXd>& traction() const { return point_->traction; }
   const Eigen::Map<Eigen::VectorXd>& bound() const { return point_->bound; }
   const std::vector<char>& adheres() const { return at_.adheres; }
+  const FrictionState& state() const { return state_; }
 
  private:
   using Vector = Eigen::Map<Eigen::VectorXd>;
@@ -76,6 +77,13 @@ class FrictionNewton {
   void find_first_point(const TangentialField& start);
   void stick_fully(Point& point);
   void linearise(const Point& point);
+  /// What the preconditioner takes for the Jacobian.
+  const Linearisation& preconditioned() {
+    if (!feels_slip_ || frozen_ || !state_.hardens()) return at_;
+    nearly_ = at_;
+    state_.add_stiff(nearly_.adheres);
+    return nearly_;
+  }
   void apply_jacobian(const Gmres::Given& p, Gmres::Vector result);
   void change_value(const Gmres::Given& p, Gmres::Vector change);
   double forcing(double residual, double previous) const;
@@ -101,10 +109,11 @@ class FrictionNewton {
   Vector bound_{nullptr, 0};         ///< g at rest
   Vector dragged_from_{nullptr, 0};  ///< p'
   Vector direction_{nullptr, 0}, slip_change_{nullptr, 0}, right_{nullptr, 0};
+  Vector trial_change_{nullptr, 0};  ///< r times that of q
   Vector bound_change_{nullptr, 0};  ///< where the law feels slip
   Point points_[2];
   Point *point_ = &points_[0], *trial_ = &points_[1];
-  Linearisation at_;
+  Linearisation at_, nearly_;
   AdhesionFronts fronts_;
   Gmres gmres_;
   Effort effort_;

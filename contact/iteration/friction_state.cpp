@@ -2,6 +2,7 @@
 #include "contact/iteration/friction_state.hpp"
 
 #include "contact/iteration/leading_edge.hpp"
+#include "contact/iteration/yielding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,20 +25,25 @@ Decay decay(double t) {
 
 }  // namespace
 
-void FrictionState::begin(const FrictionProblem& problem, const std::vector<Index>& places) {
+void FrictionState::begin(const FrictionProblem& problem, const std::vector<Index>& places,
+                          double r) {
   problem_ = &problem;
+  r_ = r;
   places_ = &places;
   count_ = static_cast<Index>(places.size());
   rows_.clear();
   if (problem.law.varies())
     for (int j = 0; j < problem.grid.ny; ++j)
       rows_.push_back(problem.law.of_row(problem.grid.y(j)));
+  plasticity_ = problem.law.plasticity;
   if (!feels_slip()) return;
   memory_ = problem.law.memory();
   for (Eigen::VectorXd* values : {&coefficient_, &by_own_, &by_ahead_, &carried_})
     values->resize(count_);
   direction_.resize(2 * count_);
-  if (memory_) find_ways();
+  yield_.assign(plasticity_ ? places.size() : 0, {});
+  trial_direction_.resize(plasticity_ ? 2 * count_ : 0);
+  if (memory_ || plasticity_) find_ways();
 }
 
 void FrictionState::find_ways() {
@@ -76,88 +82,190 @@ double steepness(const FrictionLaw& law, double pressure, double compliance, dou
 }
 
 double FrictionState::steepness(double compliance) const {
-  const auto of = [&](const FrictionLaw& one) {
-    return contact::steepness(
-        one, problem_->pressure.maxCoeff(), problem_->slip_factor * compliance,
-        problem_->past != nullptr ? problem_->past->length : problem_->grid.dx);
-  };
-  if (rows_.empty()) return of(problem_->law);
+  const bool steps = problem_->past != nullptr;
+  const double way = steps ? problem_->past->length : problem_->grid.dx;
   double largest = 0.0;
   for (Index e = 0; e < count_; ++e)
-    if (e == 0 || &law(e) != &law(e - 1)) largest = std::max(largest, of(law(e)));
-  return largest;
+    if (e == 0 || &law(e) != &law(e - 1))
+      largest = std::max(largest, contact::steepness(law(e), problem_->pressure.maxCoeff(),
+                                                     problem_->slip_factor * compliance, way));
+  if (!hardens()) return largest;
+  // A layer that softens loses -k |w| h, in steady rolling half of it by the element's own slip.
+  return std::max(largest, -plasticity_->hardening * (steps ? way : 0.5 * way) *
+                               problem_->slip_factor * compliance);
 }
 
 void FrictionState::set_rest(Vector bound) const {
-  const double mu = problem_->law.coefficient();
-  for (Index e = 0; e < count_; ++e)
-    bound[e] = (rows_.empty() ? mu : law(e).coefficient()) *
-               problem_->pressure[(*places_)[static_cast<std::size_t>(e)]];
+  for (Index e = 0; e < count_; ++e) {
+    const double friction = friction_at_rest(e);
+    bound[e] = friction;
+    if (!plasticity_) continue;
+    const double before = problem_->past != nullptr ? plastic_before(e) : 0.0;
+    bound[e] = std::min(friction, yield_stress(before, friction));
+  }
 }
 
-void FrictionState::set_bound(const Given& slip, Vector bound) {
-  follow(slip);
+void FrictionState::set_bound(const Given& slip, const Given& trial, Vector bound) {
+  follow(slip, trial);
   for (Index e = 0; e < count_; ++e)
-    bound[e] = coefficient_[e] * problem_->pressure[(*places_)[static_cast<std::size_t>(e)]];
+    bound[e] =
+        yields(e) ? yield_[static_cast<std::size_t>(e)].stress : coefficient_[e] * pressure(e);
+}
+
+bool FrictionState::yields(Index e) const {
+  if (!plasticity_) return false;
+  if (feels_slip()) return yield_[static_cast<std::size_t>(e)].yields;
+  return plasticity_->yield_stress < friction_at_rest(e);
+}
+
+double FrictionState::plastic_before(Index e) const {
+  if (!hardens()) return 0.0;
+  if (problem_->past != nullptr)
+    return problem_->past->plastic[(*places_)[static_cast<std::size_t>(e)]];
+  return leads_[static_cast<std::size_t>(e)] ? 0.0 : plastic(e + 1);
+}
+
+double FrictionState::yield_stress(double plastic, double friction) const {
+  constexpr double least = 1e-6;
+  return std::max(least * friction, plasticity_->yield_stress + plasticity_->hardening * plastic);
+}
+
+void FrictionState::follow(const Given& slip, const Given& trial) {
+  Ahead ahead;
+  double size_ahead = 0.0;
+  for (Index e = count_; e-- > 0;) {
+    const double size = slip_at(slip, e);
+    Ahead own = follow_friction(e, size, ahead);
+    if (plasticity_) follow_yield(e, size, size_ahead, std::hypot(trial[e], trial[count_ + e]));
+    if (yields(e)) {  // without slip
+      own = follow_friction(e, 0.0, ahead);
+      by_own_[e] = own.law.by_slip = 0.0;
+    }
+    ahead = own;
+    size_ahead = size;
+  }
 }
 
 /// With dt = h (r + r')/2, r the rate max(|w|, s_0)/d_c here and r' that of the element ahead, and
 /// mu_s linear in t between both, dmu/dt = mu_s - mu has the solution
 /// mu = e^-dt mu' + (1 - m) mu_s + (m - e^-dt) mu_s', m = (1 - e^-dt)/dt:
 /// second order, a mean with positive weights however long the step, and mu_s for dt to infinity.
-void FrictionState::follow(const Given& slip) {
-  FrictionLaw::Coefficient ahead;
-  double rate_ahead = 0.0, rate_ahead_by_slip = 0.0;
-  for (Index e = count_; e-- > 0;) {
-    const double size = slip_at(slip, e);
-    const FrictionLaw::Coefficient own = law(e).at(size);
-    coefficient_[e] = own.value;
-    by_own_[e] = own.by_slip;
-    by_ahead_[e] = carried_[e] = 0.0;
-    if (!memory_) continue;
-    const double rate = std::max(size, memory_->least_slip) / memory_->distance;
-    const double rate_by_slip = size > memory_->least_slip ? 1.0 / memory_->distance : 0.0;
-    if (leads_[static_cast<std::size_t>(e)]) {
-      const Index k = (*places_)[static_cast<std::size_t>(e)];
-      const double before =
-          problem_->past != nullptr ? problem_->past->coefficient[k] : law(e).coefficient();
-      const double left = std::exp(-ways_[e] * rate);
-      coefficient_[e] = own.value + left * (before - own.value);
-      by_own_[e] =
-          (1.0 - left) * own.by_slip - left * (before - own.value) * ways_[e] * rate_by_slip;
-    } else {
-      const auto [left, mean, mean_by_t] = decay(0.5 * ways_[e] * (rate + rate_ahead));
-      const double before = coefficient_[e + 1];
-      coefficient_[e] = left * before + (1.0 - mean) * own.value + (mean - left) * ahead.value;
-      const double by_t = left * (ahead.value - before) + mean_by_t * (ahead.value - own.value);
-      by_own_[e] = (1.0 - mean) * own.by_slip + 0.5 * ways_[e] * rate_by_slip * by_t;
-      by_ahead_[e] = (mean - left) * ahead.by_slip + 0.5 * ways_[e] * rate_ahead_by_slip * by_t;
-      carried_[e] = left;
-    }
-    ahead = own;
-    rate_ahead = rate;
-    rate_ahead_by_slip = rate_by_slip;
+FrictionState::Ahead FrictionState::follow_friction(Index e, double size, const Ahead& ahead) {
+  const FrictionLaw::Coefficient own = law(e).at(size);
+  coefficient_[e] = own.value;
+  by_own_[e] = own.by_slip;
+  by_ahead_[e] = carried_[e] = 0.0;
+  if (!memory_) return {own};
+  const double rate = std::max(size, memory_->least_slip) / memory_->distance;
+  const double rate_by_slip = size > memory_->least_slip ? 1.0 / memory_->distance : 0.0;
+  if (leads_[static_cast<std::size_t>(e)]) {
+    const Index k = (*places_)[static_cast<std::size_t>(e)];
+    const double before =
+        problem_->past != nullptr ? problem_->past->coefficient[k] : law(e).coefficient();
+    const double left = std::exp(-ways_[e] * rate);
+    coefficient_[e] = own.value + left * (before - own.value);
+    by_own_[e] = (1.0 - left) * own.by_slip - left * (before - own.value) * ways_[e] * rate_by_slip;
+  } else {
+    const auto [left, mean, mean_by_t] = decay(0.5 * ways_[e] * (rate + ahead.rate));
+    const double before = coefficient_[e + 1];
+    coefficient_[e] = left * before + (1.0 - mean) * own.value + (mean - left) * ahead.law.value;
+    const double by_t =
+        left * (ahead.law.value - before) + mean_by_t * (ahead.law.value - own.value);
+    by_own_[e] = (1.0 - mean) * own.by_slip + 0.5 * ways_[e] * rate_by_slip * by_t;
+    by_ahead_[e] = (mean - left) * ahead.law.by_slip + 0.5 * ways_[e] * ahead.rate_by_slip * by_t;
+    carried_[e] = left;
   }
+  return {own, rate, rate_by_slip};
 }
 
-void FrictionState::linearise(const Given& slip) {
-  follow(slip);
+/// Where friction is the lower bound, a layer that hardens has yielded until its stress reached
+/// friction, and any other has not yielded on the way.
+void FrictionState::follow_yield(Index e, double size, double size_ahead, double trial) {
+  const Plasticity& layer = *plasticity_;
+  const bool leads = leads_[static_cast<std::size_t>(e)];
+  const double k = layer.hardening;
+  YieldStep step{plastic_before(e),         ways_[e],         size,
+                 leads ? size : size_ahead, friction_at_rest(e), 0.0};
+  if (problem_->past != nullptr)
+    step.friction_ahead = step.friction;
+  else if (!leads)
+    step.friction_ahead = friction_at_rest(e + 1);
+  Yield& own = yield_[static_cast<std::size_t>(e)];
+  own.by_trial = 0.0;
+  double upstream = 1.0;  // part of what comes from upstream that the own slip leaves
+  if (k > 0.0 && r_ > 0.0) {
+    step.slip = 0.0;
+    if (leads) step.slip_ahead = 0.0;
+    const PlasticDisplacement still = yielding(layer, step);
+    const double by_slip = still.by_slip + (leads ? still.by_slip_ahead : 0.0);
+    const double softness = problem_->slip_factor / (r_ + k * by_slip * problem_->slip_factor);
+    const double excess = trial - layer.yield_stress - k * still.value;
+    if (excess > 0.0) {
+      step.slip = softness * excess;
+      if (leads) step.slip_ahead = step.slip;
+      own.by_trial = by_slip * softness;
+      upstream = 1.0 - k * own.by_trial;
+    }
+  }
+  PlasticDisplacement end = yielding(layer, step);
+  own.stress = yield_stress(end.value, step.friction);
+  own.stress_by_plastic = own.stress > layer.yield_stress + k * end.value ? 0.0 : k;
+  const double friction = coefficient_[e] * pressure(e);
+  own.yields = own.stress < friction;
+  own.by_coefficient = 0.0;
+  if (!own.yields) {
+    end = {step.before};
+    upstream = 1.0;
+    own.by_trial = 0.0;
+    const double until = k > 0.0 ? (friction - layer.yield_stress) / k : 0.0;
+    if (until > step.before) {
+      end = {until, 0.0, 0.0, 0.0};
+      own.by_coefficient = pressure(e) / k;
+    }
+  }
+  own.plastic = end.value;
+  own.by_own = k > 0.0 && r_ > 0.0 ? 0.0 : end.by_slip + (leads ? end.by_slip_ahead : 0.0);
+  own.by_ahead = leads ? 0.0 : upstream * end.by_slip_ahead;
+  own.carried = leads ? 0.0 : upstream * end.by_before;
+}
+
+void FrictionState::linearise(const Given& slip, const Given& trial) {
+  follow(slip, trial);
   for (Index e = 0; e < count_; ++e) {
     const double size = std::hypot(slip[e], slip[count_ + e]);
     const double factor = size > 0.0 ? problem_->slip_factor / size : 0.0;
     direction_[e] = factor * slip[e];
     direction_[count_ + e] = factor * slip[count_ + e];
+    if (!plasticity_) continue;
+    const double trial_size = std::hypot(trial[e], trial[count_ + e]);
+    const double inverse = trial_size > 0.0 ? 1.0 / trial_size : 0.0;
+    trial_direction_[e] = inverse * trial[e];
+    trial_direction_[count_ + e] = inverse * trial[count_ + e];
   }
 }
 
-void FrictionState::change(const Given& slip_change, Vector bound_change) const {
-  double ahead = 0.0, coefficient_ahead = 0.0;
+void FrictionState::add_stiff(std::vector<char>& adheres) const {
+  for (std::size_t e = 0; e < yield_.size(); ++e)
+    if (yield_[e].yields && plasticity_->hardening * yield_[e].by_trial > 0.5) adheres[e] = 1;
+}
+
+void FrictionState::change(const Given& slip_change, const Given& trial_change,
+                           Vector bound_change) const {
+  double ahead = 0.0, coefficient_ahead = 0.0, plastic_ahead = 0.0;
   for (Index e = count_; e-- > 0;) {
-    const double size =
-        direction_[e] * slip_change[e] + direction_[count_ + e] * slip_change[count_ + e];
+    const Index f = count_ + e;
+    const double size = direction_[e] * slip_change[e] + direction_[f] * slip_change[f];
     const double coefficient =
         by_own_[e] * size + by_ahead_[e] * ahead + carried_[e] * coefficient_ahead;
-    bound_change[e] = coefficient * problem_->pressure[(*places_)[static_cast<std::size_t>(e)]];
+    bound_change[e] = coefficient * pressure(e);
+    if (plasticity_) {
+      const Yield& own = yield_[static_cast<std::size_t>(e)];
+      const double trial =
+          trial_direction_[e] * trial_change[e] + trial_direction_[f] * trial_change[f];
+      plastic_ahead = own.by_own * size + own.by_ahead * ahead + own.carried * plastic_ahead +
+                      own.by_coefficient * coefficient + own.by_trial * trial;
+      if (own.yields) bound_change[e] = own.stress_by_plastic * plastic_ahead;
+    }
     ahead = size;
     coefficient_ahead = coefficient;
   }

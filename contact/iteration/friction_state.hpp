@@ -4,6 +4,7 @@
 // from element to element of a row, from that at rest at the leading edge; in a step of a history
 // from what the particle had before. Both are implicit in the slip, so that Newton's method sees
 // how slip upstream changes the bounds downstream: the derivative is a bidiagonal system per row.
+// The plastic displacement of a layer that hardens or softens (Plasticity) is carried likewise.
 #pragma once
 
 #include "contact/base/grid.hpp"
@@ -14,10 +15,11 @@
 
 namespace rollfem::contact {
 
-/// mu of the particles before a step of a history.
+/// mu and u* of the particles before a step of a history.
 struct FrictionPast {
   Field coefficient;    ///< of the particle that comes to each element; empty: steady rolling
   double length = 0.0;  ///< mm rolled in the step, 1 in a shift
+  Field plastic{};      ///< u*, mm; may be empty where no yield stress changes
 };
 
 /// The problem of friction on a known pressure (tangential.hpp).
@@ -37,30 +39,66 @@ double steepness(const FrictionLaw& law, double pressure, double compliance, dou
 
 class FrictionState {
  public:
+  using Index = Eigen::Index;
   using Given = Eigen::Ref<const Eigen::VectorXd>;
   using Vector = Eigen::Ref<Eigen::VectorXd>;
 
   /// `places`: grid indices of the elements in contact, ascending. The problem and they must
-  /// outlive the state.
-  void begin(const FrictionProblem& problem, const std::vector<Eigen::Index>& places);
+  /// outlive the state. `r`: of q = p - r w below; 0: bounds follow the slip alone.
+  void begin(const FrictionProblem& problem, const std::vector<Eigen::Index>& places,
+             double r = 0.0);
 
-  bool feels_slip() const { return problem_->law.feels_slip(); }
+  bool feels_slip() const { return problem_->law.feels_slip() || hardens(); }
 
   /// That of the elements; `compliance`: slip of the problem per own traction.
   double steepness(double compliance) const;
 
   /// g at rest.
   void set_rest(Vector bound) const;
-  /// g under a slip of the problem, its x components before its y components.
-  void set_bound(const Given& slip, Vector bound);
+
+  /// Whether yielding bounds the element, rather than friction; at the slip of the last call.
+  bool yields(Index e) const;
+  /// mu and u* that the particles have there: what the next step begins with.
+  double coefficient(Index e) const { return coefficient_[e]; }
+  double plastic(Index e) const { return yield_[static_cast<std::size_t>(e)].plastic; }
+  bool has_memory() const { return feels_slip() && memory_.has_value(); }
+  /// Whether the yield stress depends on u*.
+  bool hardens() const { return plasticity_ && plasticity_->hardening != 0.0; }
+  bool softens() const { return plasticity_ && plasticity_->hardening < 0.0; }
+
+  /// g under a slip of the problem, its x components before its y components, and q likewise: where
+  /// a layer hardens, g + k h |w|, the element's own slip follows from |q| = g + r |w|, which is
+  /// well scaled however large k is, and the same in a solution.
+  void set_bound(const Given& slip, const Given& trial, Vector bound);
+  void set_bound(const Given& slip, Vector bound) { set_bound(slip, slip, bound); }
   /// Prepares `change` at a slip.
-  void linearise(const Given& slip);
-  /// Change of g with that of the slip.
-  void change(const Given& slip_change, Vector bound_change) const;
+  void linearise(const Given& slip, const Given& trial);
+  void linearise(const Given& slip) { linearise(slip, slip); }
+  /// Adds elements whose layer hardens so fast that they nearly adhere.
+  void add_stiff(std::vector<char>& adheres) const;
+  /// Change of g with that of the slip and of q.
+  void change(const Given& slip_change, const Given& trial_change, Vector bound_change) const;
+  void change(const Given& slip_change, Vector bound_change) const {
+    change(slip_change, slip_change, bound_change);
+  }
 
  private:
-  using Index = Eigen::Index;
+  /// What the element behind depends on.
+  struct Ahead {
+    FrictionLaw::Coefficient law;
+    double rate = 0.0, rate_by_slip = 0.0;
+  };
+  /// An element under the yield stress, with derivatives of u*.
+  struct Yield {
+    bool yields = false;
+    double plastic = 0.0, by_own = 0.0, by_ahead = 0.0, carried = 0.0, by_coefficient = 0.0;
+    double by_trial = 0.0;
+    double stress = 0.0, stress_by_plastic = 0.0;
+  };
 
+  double pressure(Index e) const {
+    return problem_->pressure[(*places_)[static_cast<std::size_t>(e)]];
+  }
   double slip_at(const Given& slip, Index e) const;
   /// The law of the element.
   const FrictionLaw& law(Index e) const {
@@ -68,20 +106,31 @@ class FrictionState {
     return *rows_[static_cast<std::size_t>((*places_)[static_cast<std::size_t>(e)] /
                                            problem_->grid.nx)];
   }
+  double friction_at_rest(Index e) const { return law(e).coefficient() * pressure(e); }
   void find_ways();
+  /// u* with which the particle comes.
+  double plastic_before(Index e) const;
+  /// tau_c, MPa; at least a sliver of `friction`, so that the traction keeps a direction.
+  double yield_stress(double plastic, double friction) const;
   /// Of all elements with derivatives.
-  void follow(const Given& slip);
+  void follow(const Given& slip, const Given& trial);
+  Ahead follow_friction(Index e, double size, const Ahead& ahead);
+  void follow_yield(Index e, double size, double size_ahead, double trial);
 
   const FrictionProblem* problem_ = nullptr;
   const std::vector<Index>* places_ = nullptr;
   Index count_ = 0;
+  double r_ = 0.0;
   std::vector<Friction> rows_;  ///< the law of each row of the grid; empty: one law
   std::optional<FrictionMemory> memory_;
+  std::optional<Plasticity> plasticity_;
   Eigen::VectorXd ways_;     ///< mm from the element ahead or the leading edge, or of the step
   std::vector<char> leads_;  ///< nothing of the row is ahead, or the particle brings its own mu
   Eigen::VectorXd coefficient_;
   Eigen::VectorXd by_own_, by_ahead_, carried_;  ///< dmu/d|w|, dmu/d|w ahead|, dmu/dmu ahead
+  std::vector<Yield> yield_;                     ///< empty: no plasticity
   Eigen::VectorXd direction_;                    ///< w/|w| times slip_factor
+  Eigen::VectorXd trial_direction_;              ///< q/|q|; empty: no plasticity
 };
 
 }  // namespace rollfem::contact

@@ -48,6 +48,27 @@ class GridElements : public ElementOperator {
   std::optional<JacobianInverse> inverse_;
 };
 
+/// Bounds and states of the elements, and what their particles carry on.
+void set_states(const FrictionNewton& newton, const ContactElements& elements,
+                const Friction& law, const ContactGrid& grid, TangentialSolution& result) {
+  const Index size = result.traction.x.size();
+  const FrictionState& friction = newton.state();
+  result.bound = Field::Zero(size);
+  result.state.assign(static_cast<std::size_t>(size), ElementState::exterior);
+  if (friction.has_memory()) result.coefficient = coefficients_of(law, grid);
+  if (friction.hardens()) result.plastic = Field::Zero(size);
+  for (Index e = 0; e < elements.count(); ++e) {
+    const Index k = elements[e];
+    const bool adheres = newton.adheres()[static_cast<std::size_t>(e)];
+    result.bound[k] = newton.bound()[e];
+    result.state[static_cast<std::size_t>(k)] = adheres              ? ElementState::adhesion
+                                                : friction.yields(e) ? ElementState::plastic
+                                                                     : ElementState::slip;
+    if (friction.has_memory()) result.coefficient[k] = friction.coefficient(e);
+    if (friction.hardens()) result.plastic[k] = friction.plastic(e);
+  }
+}
+
 }  // namespace
 
 TangentialSolution solve_tangential(const TangentialOperator& compliance,
@@ -60,22 +81,17 @@ TangentialSolution solve_tangential(const TangentialOperator& compliance,
   GridElements on_elements(compliance, elements);
   const CoulombFriction none(0.0);
   const FrictionLaw& law = problem.friction ? *problem.friction : none;
+  const FrictionProblem on_pressure{compliance.grid(),   problem.pressure,
+                                    problem.rigid_slip,  law,
+                                    problem.slip_factor, problem.past ? &*problem.past : nullptr};
   FrictionNewton newton;
   const FrictionNewton::Effort effort =
-      newton.solve(on_elements,
-                   {compliance.grid(), problem.pressure, problem.rigid_slip, law,
-                    problem.slip_factor, problem.past ? &*problem.past : nullptr},
-                   elements.grid_indices(), options, start);
+      newton.solve(on_elements, on_pressure, elements.grid_indices(), options, start);
   TangentialSolution result;
   result.traction = elements.scattered(newton.traction());
   const TangentialField displacement = compliance.apply(result.traction);
   result.slip = {problem.rigid_slip.x + displacement.x, problem.rigid_slip.y + displacement.y};
-  result.bound = Field::Zero(problem.pressure.size());
-  for (Index e = 0; e < elements.count(); ++e) result.bound[elements[e]] = newton.bound()[e];
-  result.state.assign(static_cast<std::size_t>(problem.pressure.size()), ElementState::exterior);
-  for (Index e = 0; e < elements.count(); ++e)
-    result.state[static_cast<std::size_t>(elements[e])] =
-        newton.adheres()[static_cast<std::size_t>(e)] ? ElementState::adhesion : ElementState::slip;
+  set_states(newton, elements, problem.friction, compliance.grid(), result);
   result.newton_steps = effort.newton_steps;
   result.krylov_iterations = effort.krylov_iterations;
   result.residual = effort.residual;

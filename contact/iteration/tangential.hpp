@@ -46,6 +46,8 @@ struct TangentialSolution {
   TangentialField slip;             ///< w
   Field bound;                      ///< g, MPa
   std::vector<ElementState> state;  ///< exterior where g = 0 at rest
+  Field coefficient;                ///< mu that particles carry on; at rest outside; empty: mu(w)
+  Field plastic;                    ///< u* likewise, mm; empty where no yield stress changes
   int newton_steps = 0;
   int krylov_iterations = 0;
   double residual = 0.0;

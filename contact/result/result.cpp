@@ -130,7 +130,7 @@ void integrate_tractions(const ContactGrid& grid, PointResult& point, const Patc
         std::count(point.fields.state.begin(), point.fields.state.end(), state));
   };
   const double adhesion = count(ElementState::adhesion);
-  const double contact = adhesion + count(ElementState::slip);
+  const double contact = adhesion + count(ElementState::slip) + count(ElementState::plastic);
   point.adhesion_area = contact > 0.0 ? point.contact_area * adhesion / contact : 0.0;
 }
 

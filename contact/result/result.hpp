@@ -14,14 +14,14 @@
 
 namespace rollfem::contact {
 
-/// State of a contact element.
-enum class ElementState : unsigned char { exterior = 0, adhesion = 1, slip = 2 };
+/// State of a contact element; plastic: the layer between the bodies yields.
+enum class ElementState : unsigned char { exterior = 0, adhesion = 1, slip = 2, plastic = 3 };
 
 /// Everything known per contact element at one load point.
 struct ContactFields {
   SurfaceField traction;      ///< MPa, on the wheel
-  TangentialField slip;       ///< w = s + D u, relative to the rolling speed
-  Field traction_bound;       ///< g = mu p_n, MPa
+  TangentialField slip;       ///< w = s + D u, relative to the rolling speed; also while yielding
+  Field traction_bound;       ///< g = mu p_n, or the yield stress below it, MPa
   Field gap;                  ///< computed h + u_n - approach, mm: >= 0 to the tolerance; or empty
   SurfaceField displacement;  ///< u_wheel - u_rail, mm; empty for theories without it
   std::vector<ElementState> state;

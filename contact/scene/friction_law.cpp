@@ -61,7 +61,7 @@ LawNumbers numbers_of(double mu, const FrictionFall& fall) {
   return made;
 }
 
-Friction law_of(const Case& input, const LawNumbers& at) {
+std::shared_ptr<FrictionLaw> law_of(const Case& input, const LawNumbers& at) {
   const FrictionFall& fall = input.friction_fall;
   if (fall.shape == FallShape::none) return std::make_shared<CoulombFriction>(at.rest);
   // A shift has no speed: its slip in mm is taken as that of one second.
@@ -94,12 +94,9 @@ LawNumbers numbers_at(const std::vector<double>& places,
           between(from.second_half_velocity, to.second_half_velocity)};
 }
 
-}  // namespace
-
-Friction friction_of(const Case& input, std::size_t position,
-                     const std::function<double(double y)>& inclination) {
+std::shared_ptr<FrictionLaw> without_layer(const Case& input, std::size_t position,
+                                           const std::function<double(double y)>& inclination) {
   const double mu = input.friction_coefficient;
-  if (mu == 0.0) return nullptr;
   const auto& [points, inclinations, track_positions] = input.friction_variation;
   if (points.empty()) return law_of(input, numbers_of(mu, input.friction_fall));
   if (inclinations.empty())
@@ -114,6 +111,17 @@ Friction friction_of(const Case& input, std::size_t position,
         const double place = inclination ? inclination(y) : 0.0;
         return law_of(input, numbers_at(over.inclination, over.points, place));
       });
+}
+
+}  // namespace
+
+Friction friction_of(const Case& input, std::size_t position,
+                     const std::function<double(double y)>& inclination) {
+  if (input.friction_coefficient == 0.0) return nullptr;
+  const std::shared_ptr<FrictionLaw> law = without_layer(input, position, inclination);
+  if (input.layer && input.layer->yield_stress)
+    law->plasticity = Plasticity{*input.layer->yield_stress, input.layer->hardening.value_or(0.0)};
+  return law;
 }
 
 double coefficient_of(const Friction& friction) {

@@ -21,6 +21,14 @@ struct FrictionMemory {
   double least_slip = 0.0;  ///< s_0 in the unit of the slip
 };
 
+/// A layer between the bodies that yields: tractions are at most tau_c = max(0, tau_c0 + k u*), u*
+/// the way by which the particle has yielded since it entered the patch. What moves where tau_c is
+/// below mu p_n is u* and no slip.
+struct Plasticity {
+  double yield_stress = 0.0;  ///< tau_c0, MPa
+  double hardening = 0.0;     ///< k, MPa/mm; below 0 it softens
+};
+
 class FrictionLaw {
  public:
   struct Coefficient {
@@ -48,6 +56,8 @@ class FrictionLaw {
   /// mu without slip, the largest where it varies: what forces are scaled with, and all that the
   /// theories take which know no other law than Coulomb's.
   double coefficient() const { return at(0.0).value; }
+
+  std::optional<Plasticity> plasticity;  ///< of a layer that yields beside the law; empty: none
 };
 
 /// Null: no friction.

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rollfem::contact {
@@ -31,6 +32,20 @@ const char* stage_of(Problem problem) {
 
 bool rolls(Problem problem) {
   return problem == Problem::steady || problem == Problem::transient;
+}
+
+/// Refuses more than a layer transmits that yields and does not harden.
+void refuse_force_beyond_yielding(const PrescribedForce& wanted, const FrictionLaw& law,
+                                  const Field& pressure, double element_area) {
+  if (!law.plasticity || law.plasticity->hardening > 0.0) return;
+  const double stress = law.plasticity->yield_stress;
+  const double most = (law.coefficient() * pressure.array()).min(stress).sum() * element_area;
+  const double size = std::hypot(wanted.longitudinal.value_or(0.0), wanted.lateral.value_or(0.0));
+  if (size < most) return;
+  throw SolveError(fmt::format(
+      "prescribed force: {:.6g} N is not below {:.6g} N, the most that a layer with a yield stress "
+      "of {:g} MPa can transmit; do: prescribe a smaller force, or the creepage instead",
+      size, most, stress));
 }
 
 /// Tractions per unit of area of the grid.
@@ -258,6 +273,7 @@ Vector2d ContactRun::find_force(std::size_t k) {
   const NormalSolution& pressed = problem_->press(scene_.points[k].load);
   refuse_force_beyond_friction(
       wanted, mean_coefficient(friction_, result_.grid, pressed.pressure) * pressed.normal_force);
+  refuse_force_beyond_yielding(wanted, *friction_, pressed.pressure, result_.grid.element_area());
   state_ = problem_->solve_for_force(
       scene_.points[k].load, [&](const Vector2d& unknowns) { return motion_->at(k, unknowns); },
       wanted, search_for(k), start_for(k), options_.force_accuracy, each_iteration(k));

@@ -106,6 +106,8 @@ const std::vector<DemandRow>& rows() {
        [](const Scene& c) { return c.friction() && c.friction()->varies(); }},
       {Demand::layer, "layer", "a layer between wheel and rail",
        [](const Scene& c) { return c.material.layer > 0.0; }},
+      {Demand::plastic_layer, "layer.yield_stress", "a layer that yields",
+       [](const Scene& c) { return c.friction() && c.friction()->plasticity; }},
       {Demand::inertia, "fem.inertia", "the inertia of moving bodies",
        [](const Scene& c) { return c.feels_inertia(); }},
       {Demand::beyond_half_space, "subsurface",

@@ -46,6 +46,7 @@ enum class Demand {
   falling_friction,   ///< that falls with the slip velocity
   varying_friction,   ///< over the inclination of the rail
   layer,              ///< between wheel and rail
+  plastic_layer,      ///< that yields
   inertia,            ///< of wheel and rail
   beyond_half_space,  ///< stress where a concave body extends beyond z = 0
 };

@@ -18,27 +18,31 @@ using Eigen::Vector2d;
 Friction friction_on(const Scene& scene, const ChartedGeometry& geometry) {
   const Friction friction = scene.friction();
   if (!friction || !friction->varies() || !geometry.curved()) return friction;
-  return std::make_shared<VaryingFriction>(friction, [friction, &geometry](double grid_y) {
-    return friction->of_row(geometry.lateral_place(grid_y));
-  });
+  const auto on_arc =
+      std::make_shared<VaryingFriction>(friction, [friction, &geometry](double grid_y) {
+        return friction->of_row(geometry.lateral_place(grid_y));
+      });
+  on_arc->plasticity = friction->plasticity;
+  return on_arc;
 }
 
 PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
                          const ContactGrid& grid)
     : scene_(scene), geometry_(geometry), grid_(grid), history_(grid, scene.upwind_order) {
-  if (!scene.is_history() || !scene.friction() || !scene.friction()->memory()) return;
+  const Friction& law = scene.friction();
+  if (!scene.is_history() || !law || !(law->memory() || law->plasticity)) return;
   friction_ = friction_on(scene, geometry);
-  const TangentialField rest{Field::Zero(grid.size()), Field::Zero(grid.size())};
-  history_.advance(rest, 0.0, coefficients_of(friction_, grid));
+  const Field none = Field::Zero(grid.size());
+  history_.advance({none, none}, 0.0, friction_after({}));
 }
 
-/// mu of the elements after a step; outside the contact, the value at rest.
-Field PointMotion::coefficient_after(const ContactState& state) const {
-  Field coefficient = coefficients_of(friction_, grid_);
-  for (Eigen::Index k = 0; k < coefficient.size(); ++k)
-    if (state.normal.pressure[k] > 0.0)
-      coefficient[k] = state.tangential.bound[k] / state.normal.pressure[k];
-  return coefficient;
+/// mu and u* of the elements after a step; that at rest and 0 where there is no contact.
+FrictionPast PointMotion::friction_after(const ContactState& state) const {
+  FrictionPast after{coefficients_of(friction_, grid_), 0.0, Field::Zero(grid_.size())};
+  const TangentialSolution& last = state.tangential;
+  if (last.coefficient.size() != 0) after.coefficient = last.coefficient;
+  if (last.plastic.size() != 0) after.plastic = last.plastic;
+  return after;
 }
 
 Vector2d PointMotion::given_unknowns(std::size_t k) const {
@@ -102,7 +106,7 @@ void PointMotion::advance(std::size_t k, const ContactState& state) {
   const bool rolls = scene_.problem == Problem::transient;
   history_.advance({state.displacement.x, state.displacement.y},
                    rolls ? scene_.points[k].step_length : 0.0,
-                   friction_ ? coefficient_after(state) : Field());
+                   friction_ ? friction_after(state) : FrictionPast());
 }
 
 void PointMotion::take_up(const PointResult& point) {
@@ -171,27 +175,30 @@ StepProblem History::rolling_step(const TangentialField& rigid_slip, double step
           1.5 / step_length};
 }
 
-void History::advance(const TangentialField& displacement, double step_length, Field coefficient) {
+void History::advance(const TangentialField& displacement, double step_length, FrictionPast after) {
   before_last_ = last_;
   last_ = displacement;
   before_last_step_ = last_step_;
   last_step_ = step_length;
-  coefficient_ = std::move(coefficient);
+  after_ = std::move(after);
 }
 
 /// Linear between elements: a cubic could leave the values between which mu lies.
 FrictionPast History::past(double step_length) const {
-  if (step_length == 0.0) return {coefficient_, 1.0};
+  if (step_length == 0.0) return {after_.coefficient, 1.0, after_.plastic};
   const double elements = std::min(step_length / grid_.dx, grid_.nx + 2.0);
   const int ahead = static_cast<int>(elements);
   const double part = elements - ahead;
-  FrictionPast past{Field(grid_.size()), step_length};
+  FrictionPast past{Field(grid_.size()), step_length, Field(grid_.size())};
   for (int j = 0; j < grid_.ny; ++j)
     for (int i = 0; i < grid_.nx; ++i) {
-      const auto at = [&](int column) {
-        return coefficient_[grid_.index(std::min(column, grid_.nx - 1), j)];
+      const auto at = [&](const Field& values) {
+        const int column = std::min(i + ahead, grid_.nx - 1);
+        const int next = std::min(i + ahead + 1, grid_.nx - 1);
+        return (1.0 - part) * values[grid_.index(column, j)] + part * values[grid_.index(next, j)];
       };
-      past.coefficient[grid_.index(i, j)] = (1.0 - part) * at(i + ahead) + part * at(i + ahead + 1);
+      past.coefficient[grid_.index(i, j)] = at(after_.coefficient);
+      past.plastic[grid_.index(i, j)] = at(after_.plastic);
     }
   return past;
 }

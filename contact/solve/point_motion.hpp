@@ -44,11 +44,11 @@ class History {
   /// InputError unless the step is positive.
   StepProblem rolling_step(const TangentialField& rigid_slip, double step_length) const;
 
-  /// The step is solved: u = A p with all that caused it, and mu of the elements where friction
-  /// remembers. `step_length` 0 for a shift.
-  void advance(const TangentialField& displacement, double step_length, Field coefficient = {});
+  /// The step is solved: u = A p with all that caused it, and mu and u* of the elements where
+  /// friction remembers. `step_length` 0 for a shift.
+  void advance(const TangentialField& displacement, double step_length, FrictionPast after = {});
 
-  /// mu of the particles that the next step brings to the elements: in a shift they stay.
+  /// mu and u* of the particles that the next step brings to the elements: in a shift they stay.
   FrictionPast past(double step_length) const;
 
  private:
@@ -56,7 +56,7 @@ class History {
   UpwindOrder order_;
   TangentialField last_;
   TangentialField before_last_;
-  Field coefficient_;              ///< mu after the last step
+  FrictionPast after_;             ///< mu and u* after the last step
   double last_step_ = 0.0;         ///< mm rolled in the last step
   double before_last_step_ = 0.0;  ///< mm rolled in the step before
 };
@@ -98,7 +98,7 @@ class PointMotion {
     double longitudinal = 0.0, lateral = 0.0, spin = 0.0, distance = 0.0;
   };
 
-  Field coefficient_after(const ContactState& state) const;
+  FrictionPast friction_after(const ContactState& state) const;
   /// `step`: length in mm of the corresponding difference.
   TangentialField rigid_slip(const Creepage& creepage, double step) const;
 

@@ -15,8 +15,8 @@ inline void exchange(Record& record, ContactState& state) {
   record.values(n.pressure, n.gap, n.approach, n.normal_force, n.contact_elements, n.iterations,
                 n.residual);
   TangentialSolution& t = state.tangential;
-  record.values(t.traction, t.slip, t.bound, t.state, t.newton_steps, t.krylov_iterations,
-                t.residual, t.steepness, t.states);
+  record.values(t.traction, t.slip, t.bound, t.state, t.coefficient, t.plastic, t.newton_steps,
+                t.krylov_iterations, t.residual, t.steepness, t.states);
   record.values(state.displacement, state.defect, state.iterations, state.residual);
 }
 

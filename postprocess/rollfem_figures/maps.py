@@ -6,7 +6,7 @@ from . import load_points, styles
 from .figure import Figure
 from .outline import ALONG, adhering, extent, patch_panel, zones
 from .panel import even_marks, nice_step
-from .reader import ADHESION
+from .reader import ADHESION, PLASTIC
 
 
 def _zoned(result):
@@ -26,7 +26,7 @@ def contact_area(result):
     # Tall patches: a row for each model with all its creepages side by side; otherwise transposed.
     by_model = half[0] <= 1.3 * half[1] or len(zoned) == 1
     figure = Figure(len(chosen) if by_model else len(zoned), in_rows=True)
-    said = []
+    said, yields = [], False
     for model, key in [(m, k) for m in zoned for k in chosen] if by_model else [(m, k) for k in chosen for m in zoned]:
         point = model.at(key)
         found = zones(model, point) if point else None
@@ -35,11 +35,15 @@ def contact_area(result):
         panel = patch_panel(figure, f"{styles.label(model)}\n{texts[key]}", ("$x$ [mm]", "$y$ [mm]"), half,
                             min(95 / half[0], 130 / half[1]), 105)
         panel.area(found.outline, "slip")
+        panel.area(found.plastic, "plastic")
         panel.area(found.adhesion, "adhesion")
         panel.paths(found.outline, "ink", 1.2)
+        yields = yields or bool(found.plastic)
         said.append(f"{styles.label(model)} {adhering(point)} at {texts[key]}")
     figure.entry("adhesion", fill="adhesion")
     figure.entry("slip", fill="slip")
+    if yields:
+        figure.entry("yielding layer", fill="plastic")
     figure.entry("rolling to the right" + (f", {shared}" if shared else ""))
     return figure.tell("Zones of adhesion (leading side) and slip: ", said)
 
@@ -128,12 +132,12 @@ def _strips(panel, view, model, values, state, count=24):
         base = view(model.x[columns[[0, -1]]], model.y[j])
         panel.area([np.concatenate([ends, base[::-1]])], "ground", order=2 + depth)
         if state is None:
-            kinds = np.where(values[j, columns][:-1] + values[j, columns][1:] > 0, 3, 0)
+            kinds = np.where(values[j, columns][:-1] + values[j, columns][1:] > 0, 4, 0)
         else:
             kinds = np.maximum(state[j, columns][:-1], state[j, columns][1:])
         starts = np.flatnonzero(np.concatenate([[True], kinds[1:] != kinds[:-1]]))
         for a, b in zip(starts, [*starts[1:], len(kinds)]):  # segments of equal colour form one line
-            panel.paths([ends[a:b + 1]], ("grey", "adhesion", "slip", "ink")[int(kinds[a])],
+            panel.paths([ends[a:b + 1]], ("grey", "adhesion", "slip", "plastic", "ink")[int(kinds[a])],
                         opacity=0.6 if kinds[a] == 0 else 1, order=2 + depth)
 
 
@@ -199,6 +203,8 @@ def oblique(result, model):
         _view(figure, model, traction, point.fields.get("state"), f"tangential traction, {text}", "$-p_x$ [MPa]")
         figure.entry("adhesion", "adhesion", width=2)
         figure.entry("slip", "slip", width=2)
+        if (np.asarray(point.fields.get("state")) == PLASTIC).any():
+            figure.entry("yielding layer", "plastic", width=2)
         said.append(f"traction −p_x at {text} between {traction.min():.4g} and {traction.max():.4g} MPa; "
                     f"it {adhering(point)}")
     return figure.tell(f"Pressure of {styles.label(model)} over the patch, ", said)

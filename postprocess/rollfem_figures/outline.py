@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .reader import ADHESION, SLIP
+from .reader import ADHESION, PLASTIC
 
 # Labels of the axes of the patch.
 ALONG = {"x": "$x$ [mm], rolling $\\rightarrow$", "y": "$y$ [mm], lateral"}
@@ -152,10 +152,10 @@ def _blurred(values):
     return values
 
 
-def spread(state):
-    """1 in adhesion, 0 in slip, averaged over neighbours so that the border between the zones runs
+def spread(state, kind=ADHESION):
+    """1 in adhesion, 0 in slip (1 in elements of `kind`, 0 in others), averaged over neighbours so that the border between the zones runs
     through the steps of the elements, and continued beyond the edge of the patch."""
-    values, known = np.where(state == ADHESION, 1.0, 0.0), (state > 0).astype(float)
+    values, known = np.where(state == kind, 1.0, 0.0), (state > 0).astype(float)
     for _ in range(2):
         weight = _blurred(known)
         values, known = _blurred(values * known) / np.maximum(weight, 1e-9), (weight > 0).astype(float)
@@ -164,12 +164,13 @@ def spread(state):
 
 @dataclass
 class Zones:
-    """Lines [n, 2], mm: of the edge of the patch, around adhesion, and between adhesion and slip."""
+    """Lines [n, 2], mm: of the edge of the patch, around adhesion, between adhesion and slip, and around what yields."""
 
     outline: list
     adhesion: list
     borders: list
     has_state: bool
+    plastic: list
 
 
 def zones(model, point):
@@ -180,19 +181,25 @@ def zones(model, point):
     edge = edge_function(pressure)
     x, y, inside = padded(model, edge / pressure.max() ** 2, -1.0)
     outline = contour_lines(x, y, inside, 0.0)
+    plastic = []
+    if state is not None and (state == PLASTIC).any():
+        _, _, yielding = padded(model, spread(state, PLASTIC), 0.0)
+        plastic = contour_lines(x, y, np.minimum(inside, yielding - 0.5), 0.0)
     if state is None or not (state == ADHESION).any():
-        return Zones(outline, [], [], state is not None)
-    if not (state == SLIP).any():
-        return Zones(outline, outline, [], True)
+        return Zones(outline, [], [], state is not None, plastic)
+    if not (state > ADHESION).any():
+        return Zones(outline, outline, [], True, plastic)
     _, _, sticking = padded(model, spread(state), 0.0)
     borders = []
     for line in contour_lines(x, y, sticking, 0.5):
         known = np.flatnonzero(at_points(x, y, inside, line) > 0)
         borders += np.split(line[known], np.flatnonzero(np.diff(known) > 1) + 1)
-    return Zones(outline, contour_lines(x, y, np.minimum(inside, sticking - 0.5), 0.0), borders, True)
+    return Zones(outline, contour_lines(x, y, np.minimum(inside, sticking - 0.5), 0.0), borders, True, plastic)
 
 
 def adhering(point):
     """"sticks in 62 % of the patch"."""
     share = 100 * point["adhesion_area"] / point["contact_area"] if point["contact_area"] else 0.0
+    if share < 0.05 and (np.asarray(point.fields.get("state")) == PLASTIC).any():
+        return "slips or yields everywhere"
     return "slips everywhere" if share < 0.05 else f"sticks in {share:.0f} % of the patch"

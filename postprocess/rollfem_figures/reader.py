@@ -19,7 +19,7 @@ from .files import json_is_sound, results_are_sound
 FORMAT_VERSION = 2
 JSON_FORMATS = {"compare": ("comparison", 3), "study": ("study", 4)}
 STUDY_COLUMNS = {"values": "value", "bars": "error_estimate", "errors": "error [-]", "orders": "order [-]"}
-EXTERIOR, ADHESION, SLIP = 0, 1, 2
+EXTERIOR, ADHESION, SLIP, PLASTIC = 0, 1, 2, 3
 
 
 class ResultError(Exception):
@@ -72,7 +72,7 @@ class Point:
 
     `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in summary.json.
     `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y, gap (mm), state (0 exterior, 1
-    adhesion, 2 slip), ...; fields not given by the model are missing. By quantity: `error_estimate`, the error bar, in
+    adhesion, 2 slip, 3 plastic), ...; fields not given by the model are missing. By quantity: `error_estimate`, the error bar, in
     its unit; `no_bar`, why it has none ("exact", "given", ...);
     `model_error`, in its unit; `richardson`, the value extrapolated to element size 0.
     """

@@ -6,7 +6,7 @@ ground, and a marker and a dash for each model. Model labels come with the resul
 COLOURS = {
     "ink": ("#1a1a1a", "#e6e6e6"), "soft": ("#5c5c5c", "#a9a9a9"), "grid": ("#dddddd", "#3b3d40"),
     "ground": ("#ffffff", "#17191c"), "band": ("#e6e6e6", "#34373b"),
-    "adhesion": ("#56B4E9", "#3f97c9"), "slip": ("#E69F00", "#c98a00"),
+    "adhesion": ("#56B4E9", "#3f97c9"), "slip": ("#E69F00", "#c98a00"), "plastic": ("#CC79A7", "#a85f88"),
     "blue": ("#0072B2", "#4fa8e0"), "green": ("#009E73", "#2dc79a"), "red": ("#D55E00", "#ff8b45"),
     "pink": ("#CC79A7", "#e39bc4"), "amber": ("#C98A00", "#e6ac2e"), "sky": ("#3f9fd4", "#7cc8f2"),
     "brown": ("#8B5A2B", "#c08d5a"), "grey": ("#8c8c8c", "#9a9a9a"), "wine": ("#882255", "#cc6699"),

@@ -176,7 +176,7 @@ void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult&
   for (const contact::ElementState s : point.fields.state)
     state.push_back(static_cast<unsigned char>(s));
   describe(write_dataset(group, "state", shape, state.data()), "-",
-           "state of the element: 0 exterior, 1 adhesion, 2 slip", "");
+           "state of the element: 0 exterior, 1 adhesion, 2 slip, 3 plastic", "");
 }
 
 void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {

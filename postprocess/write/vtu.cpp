@@ -204,7 +204,7 @@ std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointRe
   if (!f.state.empty()) {
     std::vector<std::uint8_t> state;
     for (const contact::ElementState s : f.state) state.push_back(static_cast<std::uint8_t>(s));
-    data += numbers("state (0 exterior, 1 adhesion, 2 slip)", state);
+    data += numbers("state (0 exterior, 1 adhesion, 2 slip, 3 plastic)", state);
   }
   data += "</CellData>\n";
   return file_xml(points.size(), cells.size(),

@@ -72,6 +72,19 @@ TEST(RandomContacts, WhereNoStateStaysTheMessageSaysWhatToDo) {
       << outcome.message;
 }
 
+TEST(RandomContacts, LayersThatYieldAreAllSolved) {
+  RandomContacts contacts(41);
+  std::vector<int> steps;
+  for (unsigned k = 0; k < 200; ++k) {
+    const RandomOutcome outcome =
+        testing::run_random(contacts.yielding_contact(k, 20), testing::RandomStart::nested);
+    EXPECT_TRUE(outcome.solved) << "contact " << k << ": " << outcome.message;
+    steps.push_back(outcome.newton_steps);
+  }
+  std::sort(steps.begin(), steps.end());
+  EXPECT_LE(steps[100], 5);
+}
+
 /// Pressure and friction feed each other by mu K/(1 - nu).
 double gain(const RandomContact& contact) {
   const contact::CombinedMaterial material = contact.material();

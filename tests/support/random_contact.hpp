@@ -130,6 +130,22 @@ class RandomContacts : private RandomDraws {
     return c;
   }
 
+  /// The same with a layer that yields at 0.03 to 1.5 times mu p_0, elastic too in half of them:
+  /// perfectly plastic, hardening until it is stiff beside the bodies, softening up to 0.3 of them.
+  RandomContact yielding_contact(unsigned number, int across) {
+    RandomContact c = contact(number, across);
+    auto law = std::make_shared<contact::CoulombFriction>(c.friction);
+    const double unit = c.material().shear_modulus / std::sqrt(c.a * c.b);
+    const double kind = uniform(0.0, 3.0), stiff = unit * log_uniform(1e-3, 1e3);
+    const double soft = 0.3 * unit * log_uniform(1e-3, 1.0);
+    const double stress = c.friction * RandomContact::max_pressure * log_uniform(0.03, 1.5);
+    law->plasticity = contact::Plasticity{stress, kind < 1.0 ? 0.0 : kind < 2.0 ? stiff : -soft};
+    c.falling = law;
+    if (chance(0.5)) c.layer = log_uniform(1e-3, 1e2) / unit;
+    if (c.kind == RandomKind::force) c.kind = RandomKind::rolling;
+    return c;
+  }
+
  private:
   /// Creepages from 1e-5 of saturation to 30 times it; the pole of the spin in or near the patch in
   /// a third.
@@ -242,19 +258,25 @@ class RandomLevel {
     result.rigid_slip = rigid(c);
     if (contact_.kind != RandomKind::shift) return result;
     result.motion = contact::Motion::shift;
-    if (remembers()) result.past = contact::FrictionPast{rest(), 1.0};
+    if (remembers()) result.past = rest();
+    if (remembers()) result.past->length = 1.0;
     return result;
   }
 
-  bool remembers() const { return contact_.law()->memory().has_value(); }
-  contact::Field rest() const { return contact::Field::Constant(grid_.size(), contact_.friction); }
+  bool remembers() const {
+    return contact_.law()->memory().has_value() || contact_.law()->plasticity;
+  }
+  contact::FrictionPast rest() const {
+    return {contact::Field::Constant(grid_.size(), contact_.friction), 0.0,
+            contact::Field::Zero(grid_.size())};
+  }
 
-  /// mu of the elements after a step.
-  contact::Field coefficient() const {
-    contact::Field all = rest();
-    for (Eigen::Index k = 0; k < all.size(); ++k)
-      if (state_.normal.pressure[k] > 0.0)
-        all[k] = state_.tangential.bound[k] / state_.normal.pressure[k];
+  /// mu and u* of the elements after a step.
+  contact::FrictionPast after() const {
+    contact::FrictionPast all = rest();
+    const contact::TangentialSolution& last = state_.tangential;
+    if (last.coefficient.size() != 0) all.coefficient = last.coefficient;
+    if (last.plastic.size() != 0) all.plastic = last.plastic;
     return all;
   }
 
@@ -327,7 +349,7 @@ class RandomLevel {
       motion.slip_factor = problem.slip_factor;
       if (remembers()) motion.past = history.past(contact_.step);
       solve(motion, contact::ContactState(state_));
-      history.advance({state_.displacement.x, state_.displacement.y}, contact_.step, coefficient());
+      history.advance({state_.displacement.x, state_.displacement.y}, contact_.step, after());
     }
   }
 

@@ -47,6 +47,9 @@ bool has_layer(const GivenCase& given) {
   return given.find("layer", "thickness") != nullptr ||
          given.find("layer", "shear_modulus") != nullptr;
 }
+bool has_hardening(const GivenCase& given) {
+  return given.find("layer", "hardening") != nullptr;
+}
 
 }  // namespace
 
@@ -124,7 +127,12 @@ const std::vector<Need>& needs_of_friction() {
        {"layer.shear_modulus"},
        "is missing",
        "thickness and shear_modulus of the layer",
-       "add `shear_modulus = 800.0` under [layer]"}};
+       "add `shear_modulus = 800.0` under [layer]"},
+      {has_hardening,
+       {"layer.yield_stress"},
+       "is missing",
+       "the shear stress at which the layer yields, before it hardens or softens",
+       "add `yield_stress = 200.0` under [layer], or remove hardening"}};
   return all;
 }
 

@@ -214,16 +214,34 @@ SectionWithKeys layer_section() {
       .symbol("h_3")
       .unit("mm")
       .positive()
-      .otherwise("there is no layer")
+      .otherwise("no elastic layer")
       .says("Thickness of the layer of dirt, sand or wear particles, or of the roughness.")
       .into(&Layer::thickness);
   keys.real("shear_modulus")
       .symbol("G_3")
       .unit("MPa")
       .positive()
-      .otherwise("there is no layer")
+      .otherwise("no elastic layer")
       .says("Its shear modulus; tractions p_t move the surfaces by p_t h_3/G_3 against each other.")
       .into(&Layer::shear_modulus);
+  keys.real("yield_stress")
+      .symbol("tau_c0")
+      .unit("MPa")
+      .positive()
+      .otherwise("it does not yield")
+      .says(
+          "Shear stress at which the layer yields; tractions are at most the smaller of it and "
+          "mu p_n.")
+      .into(&Layer::yield_stress);
+  keys.real("hardening")
+      .symbol("k_tau")
+      .unit("MPa/mm")
+      .within(largest)
+      .otherwise("0, perfectly plastic")
+      .says(
+          "Rise of the yield stress per mm by which a particle has yielded since it entered the "
+          "patch; below 0 the layer softens.")
+      .into(&Layer::hardening);
   return keys;
 }
 

@@ -93,6 +93,21 @@ TEST(ConvertedCase, CasesThatDifferInCreepageAreLoadPoints) {
   EXPECT_NEAR((*input.contact_grid.cell_size)[0], 0.5, 1e-12);  // 2 SCALE AA / MX
 }
 
+TEST(ConvertedCase, LayersMayYield) {
+  const auto with_layer = [](const char* numbers) {
+    return only(replaced(replaced(rolling_ellipse, " 022020 ", " 022420 "), "82000. 82000.\n",
+                         std::string("82000. 82000.\n ") + numbers + "\n"));
+  };
+  const auto elastic = with_layer("176.63 0.02 0. 0.").layer;
+  EXPECT_EQ(elastic->thickness, 0.02);
+  EXPECT_EQ(elastic->shear_modulus, 176.63);
+  EXPECT_FALSE(elastic->yield_stress);  // TAU_C0 = 0: CONTACT's layer does not yield
+  const auto plastic = with_layer("0. 0. 400. -195.").layer;
+  EXPECT_FALSE(plastic->thickness);
+  EXPECT_EQ(plastic->yield_stress, 400.0);
+  EXPECT_EQ(plastic->hardening, -195.0);
+}
+
 TEST(ConvertedCase, OneRowOfLongElementsIsALineContact) {
   const Case made = only(driven_roller);
   EXPECT_EQ(made.geometry.shape, contact::ContactShape::line);

@@ -59,6 +59,19 @@ TEST(FrictionKeys, PolachsSpellingIsTheExponentialLaw) {
                 contact::friction_of(polach)->at(slip).value, 1e-12);
 }
 
+TEST(FrictionKeys, ALayerMayYieldWithoutBeingElastic) {
+  const Case input =
+      parse_case(plus("[layer]\nyield_stress = 200.0\nhardening = -40.0\n"), "case.toml");
+  EXPECT_EQ(contact::Scene(input).material.layer, 0.0);
+  const auto layer = contact::Scene(input).friction()->plasticity;
+  ASSERT_TRUE(layer);
+  EXPECT_EQ(layer->yield_stress, 200.0);
+  EXPECT_EQ(layer->hardening, -40.0);
+  expect_error(plus("[layer]\nhardening = 40.0\n"), {"layer.yield_stress: is missing"});
+  expect_error(plus("[layer]\nyield_stress = 0.0\n"),
+               {"layer.yield_stress = 0.0: is out of bounds"});
+}
+
 TEST(FrictionKeys, AShiftNeedsNoSpeed) {
   EXPECT_NO_THROW(parse_case(
       falling(exponential, "problem = \"shift\"\n", "[history]\nlongitudinal_shift = 1e-3\n"),

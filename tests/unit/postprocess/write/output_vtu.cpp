@@ -87,8 +87,8 @@ TEST(Vtu, IsReadByVtk) {
   EXPECT_TRUE(says(printed, "12 2 vtkHexahedron", "stress [MPa] 6", "volumes (1.0, 1.0)"));
   const contact::ModelResult model = testing::synthetic_model("halfspace", {}, 21, 31, {0.002});
   printed = python_on(vtk_reading, "contact.vtu", contact_vtu(model.grid, model.points[0]));
-  EXPECT_TRUE(
-      says(printed, "704 651 vtkQuad", "state (0 exterior, 1 adhesion, 2 slip) 1 (0.0, 2.0)"));
+  EXPECT_TRUE(says(printed, "704 651 vtkQuad",
+                   "state (0 exterior, 1 adhesion, 2 slip, 3 plastic) 1 (0.0, 2.0)"));
 }
 
 const char* const series_reading = R"(

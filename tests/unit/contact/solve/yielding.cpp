@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A layer that yields: the plastic displacement along a row against closed forms, where yielding
+// begins, friction that takes over, steps of a history, and the derivative.
+#include "contact/iteration/yielding.hpp"
+
+#include "contact/iteration/friction_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace rollfem::contact {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double mu = 0.5;
+
+CoulombFriction yielding_at(double stress, double hardening) {
+  CoulombFriction law(mu);
+  law.plasticity = Plasticity{stress, hardening};
+  return law;
+}
+
+/// A row in contact at x in (0, 1): its pressure rises as p_0 sqrt(1 - x) from the leading edge.
+struct YieldRow {
+  static constexpr double highest = 1000.0;
+
+  explicit YieldRow(int elements) {
+    grid.nx = elements + 4;
+    grid.ny = 1;
+    grid.dx = 1.0 / elements;
+    grid.dy = 1.0;
+    grid.x_first = -1.5 * grid.dx;
+    pressure = Field::Zero(grid.nx);
+    places.resize(static_cast<std::size_t>(elements));
+    std::iota(places.begin(), places.end(), 2);
+    for (const Eigen::Index k : places) pressure[k] = highest * std::sqrt(1.0 - x_at(k));
+    none = {Field::Zero(grid.nx), Field::Zero(grid.nx)};
+  }
+
+  double x_at(Eigen::Index k) const { return grid.x(static_cast<int>(k)); }
+  Eigen::Index count() const { return static_cast<Eigen::Index>(places.size()); }
+  double x(Eigen::Index e) const { return x_at(places[static_cast<std::size_t>(e)]); }
+
+  /// |w| = 0.6 and 0.8 of `size` along x and y.
+  template <class Size>
+  VectorXd slip(const Size& size) const {
+    VectorXd values(2 * count());
+    for (Eigen::Index e = 0; e < count(); ++e) {
+      values[e] = 0.6 * size(x(e));
+      values[count() + e] = -0.8 * size(x(e));
+    }
+    return values;
+  }
+
+  ContactGrid grid;
+  Field pressure;
+  std::vector<Eigen::Index> places;
+  TangentialField none;
+};
+
+double growing_slip(double x) {
+  return 0.02 * (1.0 - x) + 0.01 * (1.0 - x) * (1.0 - x);
+}
+
+/// Bounds where mu p_0 sqrt(1 - x) = 200 MPa begins to exceed the yield stress, at 1 - x = 0.16.
+double worst_of_bounds(int elements, double hardening) {
+  const YieldRow row(elements);
+  const CoulombFriction law = yielding_at(200.0, hardening);
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  FrictionState state;
+  state.begin(problem, row.places);
+  VectorXd bound(row.count());
+  state.set_bound(row.slip(growing_slip), bound);
+  const auto slipped = [](double d) { return 0.01 * d * d + 0.01 / 3.0 * d * d * d; };
+  double worst = 0.0;
+  for (Eigen::Index e = 0; e < row.count(); ++e) {
+    const double d = 1.0 - row.x(e);
+    const double plastic = d > 0.16 ? slipped(d) - slipped(0.16) : 0.0;
+    const double expected =
+        std::min(mu * YieldRow::highest * std::sqrt(d), 200.0 + hardening * plastic);
+    worst = std::max(worst, std::abs(bound[e] - expected));
+    EXPECT_EQ(state.yields(e), d > 0.16) << d;
+  }
+  return worst;
+}
+
+TEST(Yielding, PlasticDisplacementIsOfSecondOrderAlongTheRow) {
+  for (const double hardening : {4000.0, -4000.0}) {
+    const double coarse = worst_of_bounds(10, hardening), middle = worst_of_bounds(20, hardening),
+                 fine = worst_of_bounds(40, hardening);
+    EXPECT_GT(std::log2(coarse / middle), 1.8);
+    EXPECT_GT(std::log2(middle / fine), 1.8);
+    EXPECT_LT(fine, 0.05);
+  }
+}
+
+TEST(Yielding, ConstantSlipGathersFromWhereFrictionReachesTheYieldStress) {
+  const YieldRow row(25);
+  const CoulombFriction law = yielding_at(100.0, 2000.0);  // reached at 1 - x = 0.04
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law, 2.0};  // law's slip is twice
+  FrictionState state;
+  state.begin(problem, row.places);
+  VectorXd bound(row.count());
+  state.set_bound(row.slip([](double) { return 0.01; }), bound);
+  for (Eigen::Index e = 0; e < row.count() - 1; ++e) {
+    EXPECT_TRUE(state.yields(e));
+    EXPECT_NEAR(bound[e], 100.0 + 2000.0 * 0.02 * (1.0 - row.x(e) - 0.04), 1e-9);
+  }
+  EXPECT_FALSE(state.yields(row.count() - 1));
+}
+
+TEST(Yielding, FrictionTakesOverFromALayerThatHardens) {
+  YieldRow row(25);
+  row.pressure = (row.pressure.array() > 0.0).select(400.0, row.pressure).eval();
+  const CoulombFriction law = yielding_at(100.0, 2000.0);
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  FrictionState state;
+  state.begin(problem, row.places);
+  VectorXd bound(row.count());
+  state.set_bound(row.slip([](double) { return 0.1; }), bound);
+  for (Eigen::Index e = 0; e < row.count(); ++e) {
+    const double stress = 100.0 + 2000.0 * 0.1 * (1.0 - row.x(e));
+    // Constant pressure has no known edge: yielding begins within the first element.
+    EXPECT_NEAR(bound[e], std::min(200.0, stress), 0.5 * 2000.0 * 0.1 * row.grid.dx + 1e-9);
+    EXPECT_LE(state.plastic(e), 0.05 + 1e-12);
+  }
+  EXPECT_FALSE(state.yields(0));
+  EXPECT_NEAR(state.plastic(0), 0.05, 1e-12);  // its stress has reached friction
+  EXPECT_EQ(bound[0], 200.0);
+}
+
+TEST(Yielding, AStepOfAHistoryAddsToWhatTheParticleHas) {
+  const YieldRow row(25);
+  const CoulombFriction law = yielding_at(50.0, -300.0);
+  const FrictionPast past{Field(), 0.2, Field::LinSpaced(row.grid.nx, 0.0, 0.1)};
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law, 1.0, &past};
+  FrictionState state;
+  state.begin(problem, row.places);
+  VectorXd bound(row.count()), rest(row.count());
+  state.set_rest(rest);
+  state.set_bound(row.slip([](double) { return 0.3; }), bound);
+  for (Eigen::Index e = 0; e < row.count(); ++e) {
+    const double before = past.plastic[row.places[static_cast<std::size_t>(e)]];
+    const double friction = mu * row.pressure[row.places[static_cast<std::size_t>(e)]];
+    EXPECT_NEAR(rest[e], std::min(friction, 50.0 - 300.0 * before), 1e-12);
+    if (friction < 50.0) continue;
+    EXPECT_NEAR(bound[e], 50.0 - 300.0 * (before + 0.2 * 0.3), 1e-12);
+    EXPECT_NEAR(state.plastic(e), before + 0.06, 1e-12);
+  }
+}
+
+TEST(Yielding, PerfectPlasticityBoundsWithoutSlip) {
+  const YieldRow row(25);
+  const CoulombFriction law = yielding_at(100.0, 0.0);
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  FrictionState state;
+  state.begin(problem, row.places);
+  EXPECT_FALSE(state.feels_slip());
+  VectorXd bound(row.count());
+  state.set_rest(bound);
+  for (Eigen::Index e = 0; e < row.count(); ++e) {
+    const double friction = mu * row.pressure[row.places[static_cast<std::size_t>(e)]];
+    EXPECT_EQ(bound[e], std::min(friction, 100.0));
+    EXPECT_EQ(state.yields(e), friction > 100.0);
+  }
+}
+
+TEST(Yielding, OwnSlipFromTheTrialTractionIsThatOfASolution) {
+  // In a solution |q| = g + r |w|.
+  const YieldRow row(25);
+  constexpr double r = 4e3;
+  for (const double hardening : {100.0, 1e4, 1e7}) {
+    const CoulombFriction law = yielding_at(150.0, hardening);
+    const FrictionProblem problem{row.grid, row.pressure, row.none, law, 0.5};
+    FrictionState by_slip, by_trial;
+    by_slip.begin(problem, row.places);
+    by_trial.begin(problem, row.places, r);
+    const VectorXd slip = row.slip(growing_slip);
+    VectorXd expected(row.count()), bound(row.count()), trial = -slip;
+    by_slip.set_bound(slip, expected);
+    for (Eigen::Index e = 0; e < row.count(); ++e) {
+      const double size = growing_slip(row.x(e));
+      trial[e] *= (expected[e] + r * size) / size;
+      trial[row.count() + e] *= (expected[e] + r * size) / size;
+    }
+    by_trial.set_bound(slip, trial, bound);
+    for (Eigen::Index e = 0; e < row.count(); ++e) {
+      EXPECT_NEAR(bound[e], expected[e], 1e-9 * expected[e]);
+      EXPECT_EQ(by_trial.yields(e), by_slip.yields(e));
+      EXPECT_NEAR(by_trial.plastic(e), by_slip.plastic(e), 1e-12);
+    }
+  }
+}
+
+/// Change of g by differences and as Newton's method has it.
+void expect_derivative_of_yielding(const FrictionProblem& problem, const YieldRow& row,
+                                   double r = 0.0) {
+  FrictionState state;
+  state.begin(problem, row.places, r);
+  const VectorXd slip = row.slip(growing_slip);
+  const VectorXd trial = row.slip([](double x) { return 150.0 + 300.0 * (1.0 - x); });
+  VectorXd change(slip.size()), trial_change(slip.size());
+  for (Eigen::Index e = 0; e < change.size(); ++e) {
+    change[e] = std::sin(1.7 * e + 0.3);
+    trial_change[e] = 3e3 * std::cos(1.3 * e);
+  }
+  const double h = 1e-9;
+  VectorXd above(row.count()), below(row.count()), linear(row.count());
+  state.set_bound(slip + h * change, trial + h * trial_change, above);
+  state.set_bound(slip - h * change, trial - h * trial_change, below);
+  state.linearise(slip, trial);
+  state.change(change, trial_change, linear);
+  EXPECT_GT(linear.norm(), 0.0);
+  EXPECT_LT(((above - below) / (2.0 * h) - linear).norm(), 1e-5 * linear.norm());
+}
+
+TEST(Yielding, DerivativesAreThoseOfTheBounds) {
+  const YieldRow row(20);
+  const FrictionPast past{Field::LinSpaced(row.grid.nx, 0.4, 0.5), 0.3,
+                          Field::LinSpaced(row.grid.nx, 0.0, 0.01)};
+  for (const double hardening : {3000.0, 50e3, -3000.0}) {
+    const CoulombFriction law = yielding_at(180.0, hardening);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5}, row, 4e3);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5, &past}, row, 4e3);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5, &past}, row);
+    FallingFriction falling{
+        FallShape::exponential, 0.3, {{{0.2, 0.02}, {}}}, FrictionMemory{2e-3, 1e-3}};
+    falling.plasticity = law.plasticity;
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5, &past}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5}, row, 4e3);
+  }
+}
+
+TEST(Yielding, WhatYieldsDoesNotSlip) {
+  // The friction of particles that yield stays that at rest, however fast they move.
+  const YieldRow row(25);
+  FallingFriction law{FallShape::exponential, 0.3, {{{0.2, 0.02}, {}}}, FrictionMemory{2e-3, 1e-9}};
+  law.plasticity = Plasticity{1e-3, 1.0};
+  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  FrictionState state;
+  state.begin(problem, row.places);
+  VectorXd bound(row.count());
+  state.set_bound(row.slip([](double) { return 1.0; }), bound);
+  for (Eigen::Index e = 0; e < row.count(); ++e) {
+    EXPECT_TRUE(state.yields(e));
+    EXPECT_NEAR(state.coefficient(e), 0.5, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace rollfem::contact

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A layer between wheel and rail that yields: CONTACT's example plastic_3bl (E. A. H. Vollebregt,
+// user guide, section 5.12; open version r2707), the brush of a soft layer in closed form, the
+// limits of strong and perfectly plastic layers, and the order of convergence.
+#include "contact/base/errors.hpp"
+#include "contact/iteration/tangential.hpp"
+#include "contact/scene/scene.hpp"
+#include "contact/solve/point_motion.hpp"
+#include "contact/solve/state_record.hpp"
+#include "halfspace/curvature/curved_compliance.hpp"
+#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/preconditioned_elasticity.hpp"
+#include "halfspace/model/model.hpp"
+#include "theories/registry.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/recorded.hpp"
+#include "support/temporary_folder.hpp"
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rollfem {
+namespace {
+
+using contact::Case;
+using contact::ElementState;
+using contact::Field;
+using contact::ModelResult;
+using contact::PointResult;
+
+/// Steps of a shift of one element of 1 mm^2 under 900 N, and F_x after each as CONTACT prints it.
+struct ShiftSeries {
+  double shear_modulus, thickness;
+  contact::Plasticity plasticity;
+  std::vector<double> shifts, printed;
+};
+
+std::vector<double> with_steps(std::vector<double> first, std::size_t count, double step) {
+  first.resize(count, step);
+  return first;
+}
+
+const std::vector<ShiftSeries>& plastic_3bl() {
+  static const std::vector<ShiftSeries> all{
+      {176.63,
+       0.02,
+       {560.0, 0.0},
+       with_steps({0.035, 0.035, 0.03}, 13, 0.05),
+       with_steps({280.0}, 13, 560.0)},
+      {106.25,
+       0.02,
+       {200.0, 435.0},
+       with_steps({0.04, 0.04, 0.04, 0.04, 0.036, 0.0, -0.036, 0.0, 0.046, 0.044}, 17, 0.05),
+       {200.0, 216.0, 232.0, 248.0, 262.4, 262.4, 82.43, 82.43, 266.4, 284.0, 304.0, 324.1, 344.1,
+        364.1, 384.1, 404.1, 424.1}},
+      {176.63,
+       0.02,
+       {400.0, -195.0},
+       with_steps({0.025, 0.025}, 13, 0.05),
+       {200.0, 400.0, 390.0, 380.0, 370.0, 360.0, 350.0, 340.0, 330.0, 320.1, 310.1, 300.1, 290.1}},
+      {20.24,
+       0.02,
+       {20.0, 20.4},
+       with_steps({0.02, 0.04, 0.04}, 13, 0.05),
+       {20.0, 20.8, 21.6, 22.6, 23.6, 24.6, 25.6, 26.6, 27.6, 28.6, 29.6, 30.6, 31.6}}};
+  return all;
+}
+
+TEST(PlasticLayer, SeriesOfContactOnOneElement) {
+  const contact::Material steel{2.0 * 82000.0 * 1.28, 0.28};
+  contact::ContactGrid grid;
+  grid.nx = grid.ny = 3;  // the element and a border
+  grid.dx = grid.dy = 1.0;
+  grid.x_first = grid.y_first = -1.0;
+  const Eigen::Index middle = 4;
+  Field pressure = Field::Zero(9);
+  pressure[middle] = 900.0;
+  double worst = 0.0;
+  for (const ShiftSeries& series : plastic_3bl()) {
+    contact::CombinedMaterial material = contact::combine(steel, steel);
+    material.layer = series.thickness / series.shear_modulus;
+    const halfspace::HalfspaceCompliance bodies(grid, material);
+    auto law = std::make_shared<contact::CoulombFriction>(0.7);
+    law->plasticity = series.plasticity;
+    contact::History history(grid, contact::UpwindOrder::first);
+    contact::FrictionPast past{Field::Constant(9, 0.7), 1.0, Field::Zero(9)};
+    for (std::size_t k = 0; k < series.shifts.size(); ++k) {
+      const contact::StepProblem step =
+          history.shift_step({Field::Constant(9, -series.shifts[k]), Field::Zero(9)});
+      const contact::TangentialSolution s =
+          solve_tangential(bodies.shift(), {pressure, step.rigid_slip, law, 1.0, past});
+      EXPECT_NEAR(s.traction.x[middle], series.printed[k], 2.5e-4 * series.printed[k]) << k;
+      worst = std::max(worst, std::abs(s.traction.x[middle] / series.printed[k] - 1.0));
+      if (s.plastic.size() != 0) past.plastic = s.plastic;
+      history.advance(bodies.shift().apply(s.traction), 0.0);
+    }
+  }
+  testing::record("largest_deviation_from_contact", worst);
+}
+
+/// 100 kN on a wheel of 460 mm on a flat rail head of 300 mm.
+Case wheel_on_rail(const std::vector<double>& creepages, int across) {
+  Case input;
+  input.file = "test.toml";
+  input.load.normal_force = 100e3;
+  input.wheel.rolling_radius = 460.0;
+  input.rail.transverse_radius = 300.0;
+  input.friction_coefficient = 0.4;
+  input.contact_grid.elements_across = across;
+  input.rolling.creepages.clear();
+  for (const double creepage : creepages) input.rolling.creepages.push_back({creepage, 0.0, 0.0});
+  return input;
+}
+
+std::vector<double> forces(const Case& input) {
+  std::vector<double> all;
+  for (const PointResult& point : halfspace::run_halfspace(input, {}).points)
+    all.push_back(-point.longitudinal_force);
+  return all;
+}
+
+TEST(PlasticLayer, ThatIsStrongIsElastic) {
+  Case input = wheel_on_rail({0.001, 0.004, 0.02}, 20);
+  input.layer = contact::Layer{0.02, 800.0};
+  const std::vector<double> elastic = forces(input);
+  for (const double hardening : {0.0, 1e3, -1e3}) {
+    input.layer->yield_stress = 1e6;
+    input.layer->hardening = hardening;
+    const std::vector<double> plastic = forces(input);
+    for (std::size_t k = 0; k < elastic.size(); ++k)
+      EXPECT_NEAR(plastic[k] / elastic[k], 1.0, 1e-6);
+  }
+}
+
+TEST(PlasticLayer, ThatHardensFastIsElastic) {
+  // What the layer gives way falls as 1/k.
+  Case input = wheel_on_rail({0.001, 0.004}, 20);
+  input.layer = contact::Layer{0.02, 800.0};
+  const std::vector<double> elastic = forces(input);
+  input.layer->yield_stress = 50.0;
+  std::vector<double> before{1.0, 1.0};
+  for (const double hardening : {1e5, 1e6, 1e7, 1e8}) {
+    input.layer->hardening = hardening;
+    const std::vector<double> plastic = forces(input);
+    for (std::size_t k = 0; k < elastic.size(); ++k) {
+      const double missing = 1.0 - plastic[k] / elastic[k];
+      testing::record(fmt::format("missing_force_{}_at_{}", k, hardening), missing);
+      if (hardening > 1e6) {
+        EXPECT_NEAR(missing / before[k], 0.1, 0.015);
+      }
+      before[k] = missing;
+    }
+  }
+  EXPECT_LT(before[0], 1e-4);
+}
+
+TEST(PlasticLayer, PerfectlyPlasticCarriesItsYieldStressOnTheWholePatch) {
+  // Friction is lower than 150 MPa only where the pressure is below 1.5 MPa.
+  const auto plateau = [](int across) {
+    Case input = wheel_on_rail({0.001, 0.01, 1.0}, across);
+    input.friction_coefficient = 100.0;
+    input.layer = contact::Layer{};
+    input.layer->yield_stress = 150.0;
+    const ModelResult result = halfspace::run_halfspace(input, {});
+    for (const PointResult& point : result.points)
+      EXPECT_LE(point.max_traction, 150.0 * (1.0 + 1e-6));
+    const PointResult& last = result.points.back();
+    EXPECT_EQ(last.adhesion_area, 0.0);
+    const double of_elements =
+        (100.0 * last.fields.traction.n.array()).min(150.0).sum() * result.grid.element_area();
+    EXPECT_NEAR(-last.longitudinal_force / of_elements, 1.0, 1e-6);
+    const auto& state = last.fields.state;
+    EXPECT_GT(std::count(state.begin(), state.end(), ElementState::plastic), 800);
+    const double exact = 150.0 * M_PI * last.semi_axis_x * last.semi_axis_y;
+    testing::record("plateau_over_yield_stress_times_area_at_" + std::to_string(across),
+                    -last.longitudinal_force / exact);
+    return -last.longitudinal_force / exact;
+  };
+  // Elements are in contact or not.
+  EXPECT_NEAR(plateau(40), 1.0, 0.02);
+  EXPECT_NEAR(plateau(160), 1.0, 5e-3);
+}
+
+/// Traction of the brush of a layer alone, d behind the leading edge of a row.
+double brush(double creepage, double compliance, const contact::Plasticity& layer, double d) {
+  const double elastic = layer.yield_stress * compliance / creepage;
+  if (d < elastic) return creepage * d / compliance;
+  if (layer.hardening == 0.0) return layer.yield_stress;
+  return std::max(
+      0.0, layer.yield_stress + creepage * (d - elastic) / (compliance + 1.0 / layer.hardening));
+}
+
+/// Largest deviation of a soft layer from its brush, over the yield stress.
+double deviation_from_brush(double hardening, int across) {
+  Case input = wheel_on_rail({1.0}, across);
+  input.layer = contact::Layer{1000.0, 8.2, 0.02, hardening};
+  const double compliance = 1000.0 / 8.2;
+  const ModelResult result = halfspace::run_halfspace(input, {});
+  const PointResult& point = result.points[0];
+  double worst = 0.0;
+  for (int j = 0; j < result.grid.ny; ++j)
+    for (int i = 0; i < result.grid.nx; ++i) {
+      const double x = result.grid.x(i), y = result.grid.y(j);
+      const double u = x / point.semi_axis_x, v = y / point.semi_axis_y;
+      if (std::abs(v) > 0.5 || u * u + v * v > 0.81) continue;
+      const double d = point.semi_axis_x * std::sqrt(1.0 - v * v) - x;
+      const double exact = brush(1.0, compliance, {0.02, hardening}, d);
+      worst = std::max(worst,
+                       std::abs(-point.fields.traction.x[result.grid.index(i, j)] - exact) / 0.02);
+    }
+  return worst;
+}
+
+TEST(PlasticLayer, SoftIsABrushInClosedForm) {
+  for (const double hardening : {0.0, 0.0082, 0.1, -0.001, -0.002}) {
+    const double coarse = deviation_from_brush(hardening, 40);
+    const double fine = deviation_from_brush(hardening, 80);
+    testing::record(fmt::format("largest_deviation_of_{}_at_40", hardening), coarse);
+    testing::record(fmt::format("largest_deviation_of_{}_at_80", hardening), fine);
+    EXPECT_LT(coarse, 0.04) << hardening;
+    EXPECT_LT(fine, 0.02) << hardening;
+  }
+}
+
+TEST(PlasticLayer, ForcesConvergeWithSecondOrder) {
+  for (const double hardening : {2e3, -400.0}) {
+    std::vector<double> at, bars;
+    for (const int across : {12, 24, 48, 96}) {
+      Case input = wheel_on_rail({0.004}, across);
+      input.layer = contact::Layer{0.02, 800.0, 100.0, hardening};
+      const PointResult point = halfspace::run_halfspace(input, {}).points[0];
+      at.push_back(-point.longitudinal_force);
+      bars.push_back(point.error_estimate.at("longitudinal_force"));
+      testing::record("force_of_" + std::to_string(static_cast<int>(hardening)) + "_at_" +
+                          std::to_string(across),
+                      at.back());
+    }
+    const double order = std::log2((at[1] - at[0]) / (at[2] - at[1]));
+    testing::record("order_of_" + std::to_string(static_cast<int>(hardening)), order);
+    EXPECT_GT(order, 1.5);
+    const double limit = at[3] + (at[3] - at[2]) / 3.0;
+    for (std::size_t k = 1; k < at.size(); ++k) EXPECT_NEAR(at[k], limit, bars[k]) << k;
+  }
+}
+
+TEST(PlasticLayer, TransientRollingSettlesToTheSteadyState) {
+  Case input = wheel_on_rail({0.004}, 48);
+  input.layer = contact::Layer{0.02, 800.0, 100.0, 2e3};
+  const double steady = forces(input)[0];
+  input.rolling.problem = contact::Problem::transient;
+  const auto error = [&](double length) {
+    const auto steps = static_cast<std::size_t>(20.0 / length);
+    input.rolling.creepages.assign(steps, {0.004, 0.0, 0.0});
+    contact::HistoryStep each;
+    each.step_length = length;
+    input.history.assign(steps, each);
+    const double settled = forces(input).back();
+    testing::record(fmt::format("settled_over_steady_in_steps_of_{}", length), settled / steady);
+    return std::abs(settled / steady - 1.0);
+  };
+  // Steps are not fitted to the leading edge, and of first order.
+  const double coarse = error(0.5), fine = error(0.25);
+  EXPECT_LT(fine, coarse);
+  EXPECT_LT(fine, 0.01);
+}
+
+TEST(PlasticLayer, OfCurvedBodiesHoldsTheYieldStressAtEveryElement) {
+  // Any elasticity beyond the half-space goes through the correction of its defect.
+  Case input = wheel_on_rail({0.002, 0.01}, 20);
+  input.layer = contact::Layer{0.02, 800.0, 200.0, 0.0};
+  const ModelResult half = halfspace::run_halfspace(input, {});
+  halfspace::GridElasticity curved;
+  curved.model = "curved";
+  curved.make = [](const contact::Scene& scene, const contact::ChartedGeometry&,
+                   const contact::ContactGrid& grid) -> std::unique_ptr<contact::Elasticity> {
+    return std::make_unique<halfspace::PreconditionedElasticity>(
+        scene, grid, std::make_unique<halfspace::CurvedCompliance>(scene, grid));
+  };
+  const ModelResult result = halfspace::run_halfspace(input, {}, nullptr, curved);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const PointResult& point = result.points[k];
+    EXPECT_NEAR(point.longitudinal_force / half.points[k].longitudinal_force, 1.0, 0.02);
+    int yielding = 0;
+    for (int e = 0; e < result.grid.size(); ++e) {
+      const contact::ContactFields& f = point.fields;
+      const double size = std::hypot(f.traction.x[e], f.traction.y[e]);
+      EXPECT_LE(size, std::min(200.0, 0.4 * f.traction.n[e]) * (1.0 + 1e-6));
+      if (f.state[static_cast<std::size_t>(e)] != ElementState::plastic) continue;
+      ++yielding;
+      EXPECT_NEAR(size, 200.0, 1e-4);
+    }
+    EXPECT_GT(yielding, 20);
+  }
+}
+
+TEST(PlasticLayer, IsKeptInCheckpoints) {
+  contact::ContactState state, read;
+  state.tangential.coefficient = Field::LinSpaced(4, 0.1, 0.4);
+  state.tangential.plastic = Field::LinSpaced(4, 1.0, 2.0);
+  PointResult point;
+  contact::read_point(contact::point_record({}, state), point, read);
+  EXPECT_EQ(read.tangential.coefficient, state.tangential.coefficient);
+  EXPECT_EQ(read.tangential.plastic, state.tangential.plastic);
+}
+
+TEST(PlasticLayer, TransmitsNoMoreThanItsYieldStress) {
+  // 60 MPa on the ellipse, less where friction is lower, carry some 7 kN of the 40 kN of friction.
+  Case input = wheel_on_rail({0.0}, 20);
+  input.layer = contact::Layer{};
+  input.layer->yield_stress = 60.0;
+  input.rolling.forces = {{-5e3, {}}};
+  const PointResult point = halfspace::run_halfspace(input, {}).points[0];
+  EXPECT_NEAR(point.longitudinal_force, -5e3, 5.0);
+  input.rolling.forces = {{-1.05 * 60.0 * point.contact_area, {}}};
+  const std::string message =
+      testing::refusal<contact::SolveError>([&] { halfspace::run_halfspace(input, {}); });
+  EXPECT_NE(message.find("the most that a layer with a yield stress of 60 MPa"), std::string::npos)
+      << message;
+}
+
+TEST(PlasticLayer, IsRefusedByTheoriesWithoutIt) {
+  Case input = wheel_on_rail({0.001}, 20);
+  input.layer = contact::Layer{};
+  input.layer->yield_stress = 200.0;
+  for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"})
+    EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
+  theories::models().check(contact::Scene(input), "halfspace");
+}
+
+}  // namespace
+}  // namespace rollfem
