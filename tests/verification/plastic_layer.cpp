@@ -217,13 +217,16 @@ double deviation_from_brush(double hardening, int across) {
 }
 
 TEST(PlasticLayer, SoftIsABrushInClosedForm) {
-  for (const double hardening : {0.0, 0.0082, 0.1, -0.001, -0.002}) {
+  for (const double hardening : {0.0, 0.0082, 0.1, -0.001, -0.004}) {
     const double coarse = deviation_from_brush(hardening, 40);
     const double fine = deviation_from_brush(hardening, 80);
     testing::record(fmt::format("largest_deviation_of_{}_at_40", hardening), coarse);
     testing::record(fmt::format("largest_deviation_of_{}_at_80", hardening), fine);
-    EXPECT_LT(coarse, 0.04) << hardening;
-    EXPECT_LT(fine, 0.02) << hardening;
+    // Elements are coarser than the kinks of the brush, the second where it has lost all stress.
+    const double kinks = hardening == -0.004 ? 2.0 : 1.0;
+    EXPECT_LT(coarse, 0.04 * kinks) << hardening;
+    EXPECT_LT(fine, 0.02 * kinks) << hardening;
+    EXPECT_LT(fine, 0.7 * coarse) << hardening;
   }
 }
 
