@@ -60,10 +60,11 @@ void write_case(hid_t file, const contact::Case& input) {
   write_attribute(group, "file", input.file);
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
   write_friction_law(group, input);
-  if (input.layer) {
-    write_attribute(group, "layer_thickness", input.layer->thickness);
-    write_attribute(group, "layer_shear_modulus", input.layer->shear_modulus);
-  }
+  const contact::Layer layer = input.layer.value_or(contact::Layer{});
+  if (layer.thickness) write_attribute(group, "layer_thickness", *layer.thickness);
+  if (layer.shear_modulus) write_attribute(group, "layer_shear_modulus", *layer.shear_modulus);
+  if (layer.yield_stress) write_attribute(group, "layer_yield_stress", *layer.yield_stress);
+  if (layer.hardening) write_attribute(group, "layer_hardening", *layer.hardening);
   if (input.load.normal_force) write_attribute(group, "normal_force", *input.load.normal_force);
   if (input.load.vertical_force)
     write_attribute(group, "vertical_force", *input.load.vertical_force);

@@ -142,9 +142,14 @@ std::string only_for(const contact::Case& input) {
   const std::string friction =
       falls ? fmt::format("falling friction at a speed of {:g} mm/s", input.rolling.speed)
             : fmt::format("a coefficient of friction of {:g}", input.friction_coefficient);
-  return friction + (input.layer ? fmt::format(" and a layer of {:g} mm and {:g} MPa",
-                                               input.layer->thickness, input.layer->shear_modulus)
-                                 : std::string());
+  std::string layer;
+  if (input.layer) layer = " and a layer";
+  if (input.layer && input.layer->thickness)
+    layer += fmt::format(" of {:g} mm and {:g} MPa", *input.layer->thickness,
+                         input.layer->shear_modulus.value_or(0.0));
+  if (input.layer && input.layer->yield_stress)
+    layer += fmt::format(" that yields at {:g} MPa", *input.layer->yield_stress);
+  return friction + layer;
 }
 
 }  // namespace

@@ -7,25 +7,11 @@ GoogleTest; the others follow only where these find nothing. Mutations that chan
 that enters squared, say) do not belong here.
 """
 
-from dataclasses import dataclass
-
-
-@dataclass(frozen=True)
-class Mutation:
-    name: str
-    file: str
-    find: str
-    put: str
-    breaks: str
-    suspects: tuple
-
-    @property
-    def fem(self):
-        """Whether only finite elements run this line."""
-        return self.name.startswith("fem_")
-
+from friction import FRICTION
+from mutation import Mutation
 
 MUTATIONS = [
+    *FRICTION,
     # capi/
     Mutation("c_moment_arm", "contact/scene/patch_geometry.hpp",
              "a[2] * b[0] - a[0] * b[2]", "a[0] * b[2] - a[2] * b[0]",
@@ -63,49 +49,6 @@ MUTATIONS = [
              "+= layer * share[upstream - place];", "+= 0.9 * layer * share[upstream - place];",
              "the operator of few elements has too stiff a layer",
              ("unit_few_elements",)),
-    # contact/: friction
-    Mutation("fall_of_friction", "contact/scene/friction_law.cpp",
-             "return {left, -rate * left};", "return {left, -left};",
-             "Newton's method takes another slope than the exponential law has",
-             ("unit_friction_law",)),
-    Mutation("memory_of_friction", "contact/iteration/friction_state.cpp",
-             "const double rate = std::max(size, memory_->least_slip) / memory_->distance;",
-             "const double rate = memory_->least_slip / memory_->distance;",
-             "friction follows the time that passes, not the distance slid",
-             ("unit_friction_state",)),
-    Mutation("inclination_of_the_right_rail", "contact/scene/patch_geometry.cpp",
-             "return (place.left ? -rise : rise) - place.contact_angle;",
-             "return -rise - place.contact_angle;",
-             "the right rail has the friction of its gauge face on the field side",
-             ("verification_friction_over_rail",)),
-    Mutation("friction_on_the_arc", "contact/solve/point_motion.cpp",
-             "friction->of_row(geometry.lateral_place(grid_y))", "friction->of_row(grid_y)",
-             "on a curved surface friction is that of the rail at the arc length",
-             ("verification_friction_over_rail",)),
-    Mutation("friction_between_points", "contact/scene/friction_law.cpp",
-             "(place - places[k - 1]) / (places[k] - places[k - 1])",
-             "(place - places[k - 1]) / (places[k] - places[0])",
-             "friction is not linear between points over the rail",
-             ("verification_friction_over_rail",)),
-    Mutation("branch_of_friction", "contact/iteration/friction_branches.cpp",
-             "    point_->bound = bound_;\n", "    state_.set_bound(rigid_slip_, point_->bound);\n",
-             "of several states the one that comes from fast sliding is given",
-             ("verification_several_states:SeveralStates.*",)),
-    Mutation("layer_between", "halfspace/elasticity/circulant.cpp",
-             "coefficients_.front().xx += material.layer;",
-             "coefficients_.front().xx += 0.5 * material.layer;",
-             "a layer is half as soft along rolling",
-             ("verification_falling_friction:Layer.*",)),
-    Mutation("yield_along_the_way", "contact/iteration/yielding.cpp",
-             "const double ahead = step.way * 0.5 * part * part;",
-             "const double ahead = 0.0;",
-             "plastic displacement is half of the way's short",
-             ("unit_yielding", "verification_plastic_layer")),
-    Mutation("softening_sign", "contact/iteration/friction_state.cpp",
-             "plasticity_->yield_stress + plasticity_->hardening * plastic);",
-             "plasticity_->yield_stress - plasticity_->hardening * plastic);",
-             "a layer that hardens softens",
-             ("unit_yielding", "verification_plastic_layer")),
     # contact/: scene
     Mutation("line_coupling_sign", "halfspace/elasticity/influence.cpp",
              "result.xn = -material.difference / material.shear_modulus",

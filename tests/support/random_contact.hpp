@@ -177,16 +177,13 @@ class RandomContacts : private RandomDraws {
 
 /// Undeformed distance whose Hertz contact has these semi-axes and this pressure (Johnson 4.26).
 inline contact::Field hertz_distance(const RandomContact& c, const contact::ContactGrid& grid) {
-  const double large = std::max(c.a, c.b);
-  const double small = std::min(c.a, c.b);
+  const double large = std::max(c.a, c.b), small = std::min(c.a, c.b);
   const double e2 = 1.0 - small * small / (large * large);
   const double scale = RandomContact::max_pressure / c.material().contact_modulus;
-  double along_large = M_PI * scale / (4.0 * large);
-  double along_small = along_large;
+  double along_large = M_PI * scale / (4.0 * large), along_small = along_large;
   if (e2 > 1e-8) {
     const double e = std::sqrt(e2);
-    const double first = std::comp_ellint_1(e);
-    const double second = std::comp_ellint_2(e);
+    const double first = std::comp_ellint_1(e), second = std::comp_ellint_2(e);
     const double factor = scale * small / (e2 * large * large);
     along_large = factor * (first - second);
     along_small = factor * (large * large / (small * small) * second - first);

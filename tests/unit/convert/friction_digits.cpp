@@ -82,8 +82,8 @@ TEST(FrictionDigits, TheLawsAreContactsInTheirUnits) {
 TEST(FrictionDigits, M4IsTheLayer) {
   const contact::Case made = case_with(0, constant_line, 4, " 8200. 1.25 0.0 0.0\n");
   ASSERT_TRUE(made.layer);
-  EXPECT_DOUBLE_EQ(made.layer->thickness, 1.25);
-  EXPECT_DOUBLE_EQ(made.layer->shear_modulus, 8200.0);
+  EXPECT_EQ(made.layer->thickness, 1.25);
+  EXPECT_EQ(made.layer->shear_modulus, 8200.0);
   EXPECT_FALSE(case_with(0, constant_line, 4, " 8200. 0.0 0.0 0.0\n").layer);
 }
 
