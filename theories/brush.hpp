@@ -39,7 +39,7 @@ struct BrushStrip {
   double half_length = 0.0;  ///< mm, 0 outside of the patch
   double bound = 0.0;        ///< MPa, largest traction bound of the strip; may be infinite
   BoundShape shape = BoundShape::parabolic;
-  double middle = 0.0;  ///< mm, x halfway between its ends; off 0 where the wheel has a yaw
+  double middle = 0.0;  ///< mm, x halfway between its ends; nonzero when the wheel is yawed
   /// By which the bound, that at rest, falls with the rigid slip; null: it does not.
   const contact::FrictionLaw* law = nullptr;
   /// FaStrip: adhesion by this theory; brushes give the direction of the traction where it slips.

@@ -48,7 +48,8 @@ BrushTotals sum_ellipse(const EllipticPatch& patch, const contact::Creepage& cre
   return sum_strips(problem, strip_at, patch.hertz.semi_axis_y, options.strips);
 }
 
-/// Measured: 2; 1.5 with the elliptic bound, taken as 1; 1 where spin turns the direction of slip.
+/// Order of convergence, measured: 2; 1.5 with the elliptic bound, taken as 1; 1 where spin turns
+/// the direction of slip.
 int convergence_order(const FastsimOptions& options, const contact::Creepage& creepage,
                       bool falling) {
   const bool second = !falling && options.elements == FastsimElements::chord &&

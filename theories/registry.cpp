@@ -155,11 +155,10 @@ Demands of_ellipse(const Demands& more) {
 void add_theories(contact::ModelRegistry& models) {
   ModelInfo hertz{"hertz", "Hertz", "elliptic patch and pressure in closed form, without friction"};
   // Frictionless: accepts any problem and gives only the patch.
-  hertz.takes = of_ellipse({Demand::line_contact, Demand::history, Demand::tangential_force,
-                            Demand::profiles, Demand::lateral_creepage, Demand::spin,
-                            Demand::extra_slip, Demand::extra_slip_on_profiles,
-                            Demand::falling_friction, Demand::varying_friction, Demand::layer,
-                            Demand::plastic_layer});
+  hertz.takes = of_ellipse(
+      {Demand::line_contact, Demand::history, Demand::tangential_force, Demand::profiles,
+       Demand::lateral_creepage, Demand::spin, Demand::extra_slip, Demand::extra_slip_on_profiles,
+       Demand::falling_friction, Demand::varying_friction, Demand::layer, Demand::plastic_layer});
   hertz.run = theory(
       [](const Scene& c, const Progress& p) {
         return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);

@@ -21,7 +21,8 @@ constexpr double first_drag = 0.3;
 constexpr double least_drag = 3e-3;
 constexpr double largest_drag = 100.0;
 
-/// A problem with drag only makes a better start, relative to the creepage load.
+/// Tolerance of problems with drag, which only provide a better start; relative to the creepage
+/// load.
 constexpr double drag_tolerance = 1e-3;
 constexpr int patience_with_drag = 25;
 
@@ -56,13 +57,13 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
   } else {
     find_first_point(start);
     fronts_.begin(problem.grid, places);
-    // Relative to the creepage load; to the bound where that is smaller, so that a low friction
-    // coefficient does not make anything look converged.
+    // Relative to the creepage load, or to the bound if that is smaller, so that a low friction
+    // coefficient does not simulate convergence.
     const double scale = std::min(creepage_load, bound_.norm());
     if (feels_slip_) effort_.steepness = state_.steepness(compliance.diagonal());
     const bool direct = !falls_steeply() && iterate(scale, options.tolerance);
     if (!direct && !(feels_slip_ && follow_bounds(scale))) fail(scale);
-    // The tolerance is of all elements together: one alone may be beyond its bound by more.
+    // The tolerance applies to all elements together: a single one may exceed its bound by more.
     project(point_->traction, point_->bound);
     evaluate_from_traction(*point_);
   }
@@ -137,7 +138,7 @@ void FrictionNewton::project(Vector& traction, const Vector& bound) const {
   }
 }
 
-/// Goes on from the point with this drag, with none where it is small.
+/// Continues from the point with this drag, or without drag if it is small.
 void FrictionNewton::set_drag(double drag) {
   drag_ = r_ * drag < least_drag ? 0.0 : drag;
   dragged_from_ = point_->traction;

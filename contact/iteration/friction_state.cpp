@@ -184,8 +184,8 @@ void FrictionState::follow_yield(Index e, double size, double size_ahead, double
   const Plasticity& layer = *plasticity_;
   const bool leads = leads_[static_cast<std::size_t>(e)];
   const double k = layer.hardening;
-  YieldStep step{plastic_before(e),         ways_[e],         size,
-                 leads ? size : size_ahead, friction_at_rest(e), 0.0};
+  YieldStep step{plastic_before(e),   ways_[e], size, leads ? size : size_ahead,
+                 friction_at_rest(e), 0.0};
   if (problem_->past != nullptr)
     step.friction_ahead = step.friction;
   else if (!leads)

@@ -49,8 +49,8 @@ class GridElements : public ElementOperator {
 };
 
 /// Bounds and states of the elements, and what their particles carry on.
-void set_states(const FrictionNewton& newton, const ContactElements& elements,
-                const Friction& law, const ContactGrid& grid, TangentialSolution& result) {
+void set_states(const FrictionNewton& newton, const ContactElements& elements, const Friction& law,
+                const ContactGrid& grid, TangentialSolution& result) {
   const Index size = result.traction.x.size();
   const FrictionState& friction = newton.state();
   result.bound = Field::Zero(size);

@@ -38,8 +38,8 @@ class FrictionLaw {
 
   virtual ~FrictionLaw() = default;
 
-  /// `slip` = |w| >= 0 as results give it: relative to the speed of rolling, mm in a shift.
-  /// Positive and continuous.
+  /// `slip` = |w| >= 0 as in results: relative to the rolling speed, mm in a shift. Positive and
+  /// continuous.
   virtual Coefficient at(double slip) const = 0;
 
   /// Whether by_slip may be nonzero: bounds are then re-evaluated at every slip.
@@ -115,7 +115,7 @@ class VaryingFriction : public FrictionLaw {
   OfRow of_row_;
 };
 
-/// Coulomb's law; null for the coefficient 0.
+/// Coulomb's law; null for coefficient 0.
 Friction coulomb(double coefficient);
 
 /// The law of a case at a position of the wheelset; null for the coefficient 0. `inclination`: of
