@@ -235,6 +235,7 @@ ForceSearch ContactRun::search_for(std::size_t k) {
     if (point.force.lateral) search.start.y() = found.lateral;
   };
   if (scene_.problem == Problem::steady) {
+    search.has_peak = friction_->feels_slip();
     search.stiffness = elasticity_->rolling_stiffness(patch);
     search.start = first_creepage(
         point.force, motion_->given_unknowns(k), search.stiffness,

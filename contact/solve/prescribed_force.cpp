@@ -129,7 +129,7 @@ class BracketedSearch {
   /// The force is too small, and more creepage has made it smaller.
   bool passed_peak() const {
     const double least = std::max(search_.tolerance, 1e-6);
-    if (!before_ || wanted_ * (last_->c - before_->c) > 0.0) return false;
+    if (!search_.has_peak || !before_ || wanted_ * (last_->c - before_->c) > 0.0) return false;
     return std::abs(last_->c) > std::abs(before_->c) &&
            (before_->f - last_->f) * std::copysign(1.0, wanted_) > least;
   }

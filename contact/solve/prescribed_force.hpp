@@ -25,6 +25,8 @@ struct ForceSearch {
   Eigen::Vector2d stiffness;  ///< -dF_x/dxi, -dF_y/deta without slip, N: the scale of the steps
   double tolerance = 1e-6;    ///< on the force, relative to mu F_z
   int max_evaluations = 100;
+  bool has_peak =
+      false;  ///< beyond some creepage the force may fall: steady rolling, falling friction
 };
 
 struct FoundCreepage {

@@ -223,15 +223,20 @@ def creepage_table(result, quantity):
 
 
 def law_words(case):
-    """The falling part of the friction law and the layer of a case; empty without them."""
+    """What a case has beside the coefficient: the fall of the law, places, the layer; may be empty."""
     said = ""
     if "friction_law" in case:
         rest, kinetic = case["friction_law"][[0, -1], 1]
         said += (f" at rest, falling ({escape(case['law'])}) by {plain(rest - kinetic)} to {plain(kinetic)} with the slip "
                  f"velocity" + f", memory {plain(case['memory_distance'])} mm" * bool(case["memory_distance"]))
+    if "friction_varies" in case:
+        said += f", varying {case['friction_varies']} (this is the largest)"
     if "layer_thickness" in case:
         said += (f"; a layer of {plain(case['layer_thickness'])} mm with shear modulus "
                  f"{plain(case['layer_shear_modulus'])} MPa")
+    if "layer_yield_stress" in case:
+        said += (f"; a layer that yields at {plain(case['layer_yield_stress'])} MPa, hardening "
+                 f"{plain(case.get('layer_hardening', 0.0))} MPa/mm")
     return said
 
 

@@ -45,7 +45,7 @@ TEST(Shell, BashCompletesCommandsOptionsAndModels) {
   const Folder folder;
   EXPECT_EQ(completed(folder, "rollfem st"), "study stress\n");
   EXPECT_EQ(completed(folder, "rollfem study --to"), "--together\n");
-  EXPECT_EQ(completed(folder, "rollfem run --model fas"), "fastsim\n");
+  EXPECT_EQ(completed(folder, "rollfem run --model fasts"), "fastsim\n");
   done(folder, {"new-case", "-o", "mine.toml"});
   EXPECT_EQ(completed(folder, "rollfem run mi"), "mine.toml\n");
   std::filesystem::copy_file(folder.work() / "mine.toml", folder.work() / "mine.inp");

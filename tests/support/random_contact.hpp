@@ -312,10 +312,9 @@ class RandomLevel {
   void find_force() {
     state_ = first_state();
     const double bound = contact_.friction * state_.normal.normal_force;
-    contact::PrescribedForce wanted;
-    wanted.longitudinal = contact_.force.x() * bound;
-    wanted.lateral = contact_.force.y() * bound;
+    const contact::PrescribedForce wanted{contact_.force.x() * bound, contact_.force.y() * bound};
     contact::ForceSearch search;
+    search.has_peak = contact_.falling != nullptr;
     search.stiffness = halfspace::rolling_stiffness(
         contact::patch_size(grid_, state_.normal.pressure), contact_.material());
     search.start = coarser_ ? coarser_->found_

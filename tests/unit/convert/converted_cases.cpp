@@ -95,8 +95,12 @@ TEST(ConvertedCase, CasesThatDifferInCreepageAreLoadPoints) {
 
 TEST(ConvertedCase, LayersMayYield) {
   const auto with_layer = [](const char* numbers) {
-    return only(replaced(replaced(rolling_ellipse, " 022020 ", " 022420 "), "82000. 82000.\n",
-                         std::string("82000. 82000.\n ") + numbers + "\n"));
+    std::string text =
+        replaced(replaced(rolling_ellipse, " 022020 ", " 022420 "), "82000. 82000.\n",
+                 std::string("82000. 82000.\n ") + numbers + "\n");
+    // The later cases keep the layer, with its numbers.
+    for (int later = 0; later < 2; ++later) text = replaced(text, " 100000\n", " 100400\n");
+    return only(text);
   };
   const auto elastic = with_layer("176.63 0.02 0. 0.").layer;
   EXPECT_EQ(elastic->thickness, 0.02);

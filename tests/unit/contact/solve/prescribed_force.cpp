@@ -88,6 +88,7 @@ TEST(PrescribedForce, NearThePeakOfAFallingCurveIsOnTheRisingBranch) {
     for (const double sign : {1.0, -1.0})
       for (const double start : {0.0, 0.3, 5.0}) {
         ForceSearch from = search();
+        from.has_peak = true;
         from.start = {-sign * start, 0.0};
         const FoundCreepage found = find_creepage(falling, {sign * part * bound, {}}, from);
         EXPECT_NEAR(found.transmitted.force.x(), sign * part * bound, 1e-6 * bound);
@@ -100,6 +101,7 @@ TEST(PrescribedForce, NearThePeakOfAFallingCurveIsOnTheRisingBranch) {
 TEST(PrescribedForce, AboveThePeakTheMessageNamesThePeak) {
   for (const double start : {0.0, -0.3, -5.0}) {
     ForceSearch from = search();
+    from.has_peak = true;
     from.start = {start, 0.0};
     const std::string message = refusal<SolveError>([&] {
       find_creepage(falling, {0.8 * bound, {}}, from);
