@@ -54,9 +54,8 @@ SectionWithKeys fastsim_section() {
       .symbol("k_0, alpha_inf, beta")
       .between(1e-6, 100.0)
       .says(
-          "Factors of the brushes' stiffness on surfaces that are not clean, k_0 (alpha_inf + "
-          "(1 - alpha_inf)/(1 + beta eps)), eps = (pi/4) k_0 F_linear/(mu F_n); all 1: Kalker's "
-          "slope. Not for `fastrip`.")
+          "Reduce the brushes' stiffness on surfaces that are not clean (docs/theories.md); all "
+          "1: Kalker's slope. Not for `fastrip`.")
       .into(&FastsimOptions::slope_reduction);
   return keys;
 }
