@@ -89,8 +89,8 @@ void add_meshes(FemKeys& keys) {
   keys.choice("far_boundary")
       .otherwise("`point_load`; `clamped` with your own mesh or true sections")
       .says(
-          "Far boundary of the segments: `clamped`, or displaced like a half-space under the force "
-          "(`point_load`), so that the approach depends less on their size.")
+          "Far boundary of the segments: `clamped`, or displaced like a half-space under the "
+          "force (`point_load`).")
       .into(&FemOptions::far_boundary,
             {{"clamped", FarBoundary::clamped}, {"point_load", FarBoundary::point_load}});
 }

@@ -90,8 +90,8 @@ void add_mending(ProfileKeys& keys) {
       .unit("degrees")
       .between(0.1, 180.0)
       .says(
-          "Largest angle between two chords; a larger one, or a step that stands out from the "
-          "other points, is an error.")
+          "Largest angle between two chords; a larger one, or a step that stands out, is an "
+          "error.")
       .into(&Profile::largest_kink);
   keys.real("rounding")
       .unit("mm")

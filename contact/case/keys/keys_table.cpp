@@ -45,8 +45,8 @@ SectionWithKeys table_section() {
       .between(2, 200)
       .otherwise("16, 16, 31; over lateral shifts 8, 8, 15")
       .says(
-          "Number of grid points along xi', eta' (from 0; over lateral shifts mirrored to negative "
-          "values) and phi' (both signs; an odd number includes 0).")
+          "Grid points along xi', eta' (from 0; over lateral shifts mirrored to negative values) "
+          "and phi' (both signs; an odd number includes 0).")
       .into(&TableOptions::points);
   keys.triple("largest")
       .between(0.01, 1000.0)
@@ -66,9 +66,7 @@ SectionWithKeys table_section() {
            &TableOptions::spin);
   keys.integer("check_points")
       .between(0, 1e6)
-      .says(
-          "Number of random points between the grid points at which the interpolation error is "
-          "evaluated.")
+      .says("Random points between grid points at which the interpolation error is evaluated.")
       .into(&TableOptions::check_points);
   return keys;
 }

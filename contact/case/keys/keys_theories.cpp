@@ -71,7 +71,7 @@ SectionWithKeys strip_section() {
       .otherwise("from the Hertzian ellipse of equal depth and volume")
       .says(
           "Fraction of the approach by which the undeformed profiles penetrate to define the "
-          "patch; 0.55 after Kik and Piotrowski.")
+          "patch; Kik and Piotrowski: 0.55.")
       .into(&StripOptions::virtual_penetration);
   return keys;
 }
