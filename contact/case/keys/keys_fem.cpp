@@ -26,7 +26,7 @@ void add_elements(FemKeys& keys) {
       .unit("mm")
       .positive()
       .otherwise("chosen from the size of the patch")
-      .says("Distance to which wheel and rail are meshed from the middle of the patch.")
+      .says("Distance from the middle of the patch to which wheel and rail are meshed.")
       .into(&FemOptions::extent);
   keys.real("fine_extent")
       .symbol("c")

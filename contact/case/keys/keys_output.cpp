@@ -12,8 +12,8 @@ SectionWithKeys output_section() {
       .into(&OutputOptions::paths);
   keys.toggle("fields")
       .says(
-          "Write ParaView files: the contact surface at the load points of `grid_fields`, wheel "
-          "and rail (model fem) at those of `body_fields`.")
+          "Write ParaView files: the contact surface at `grid_fields`, wheel and rail (model fem) "
+          "at `body_fields`.")
       .into(&OutputOptions::fields);
   keys.choice("grid_fields")
       .says(
@@ -33,8 +33,8 @@ SectionWithKeys output_section() {
             {{"all", BodyFields::all}, {"last", BodyFields::last}, {"none", BodyFields::none}});
   keys.toggle("stress_maxima")
       .says(
-          "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail at "
-          "every load point, with positions (models halfspace, hybrid, fem).")
+          "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail, "
+          "with positions (models halfspace, hybrid, fem).")
       .into(&OutputOptions::stress_maxima);
   return keys;
 }

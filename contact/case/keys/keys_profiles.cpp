@@ -104,8 +104,8 @@ void add_mending(ProfileKeys& keys) {
       .unit("mm")
       .between(0.0, 1.0)
       .says(
-          "Standard deviation of measured points across the profile, which is smoothed away; 0: "
-          "the curve passes through the points.")
+          "Standard deviation of measured points across the profile; 0: the curve passes through "
+          "the points.")
       .into(&Profile::smoothing);
 }
 

@@ -32,8 +32,8 @@ SectionWithKeys fastsim_section() {
       &Case::fastsim);
   keys.choice("bound")
       .says(
-          "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; "
-          "`elliptic` mu p0 sqrt(1 - r^2), from Hertz's pressure.")
+          "Traction bound: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; `elliptic` mu p0 "
+          "sqrt(1 - r^2), Hertz's.")
       .into(&FastsimOptions::bound,
             {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}});
   keys.choice("flexibilities")
