@@ -26,7 +26,7 @@ void add_elements(FemKeys& keys) {
       .unit("mm")
       .positive()
       .otherwise("chosen from the size of the patch")
-      .says("Distance to which wheel and rail are meshed from the middle of the patch.")
+      .says("Distance from the middle of the patch to which wheel and rail are meshed.")
       .into(&FemOptions::extent);
   keys.real("fine_extent")
       .symbol("c")
@@ -89,8 +89,8 @@ void add_meshes(FemKeys& keys) {
   keys.choice("far_boundary")
       .otherwise("`point_load`; `clamped` with your own mesh or true sections")
       .says(
-          "Far boundary of the segments: `clamped`, or displaced like a half-space under the force "
-          "(`point_load`), so that the approach depends less on their size.")
+          "Far boundary of the segments: `clamped`, or displaced like a half-space under the "
+          "force (`point_load`).")
       .into(&FemOptions::far_boundary,
             {{"clamped", FarBoundary::clamped}, {"point_load", FarBoundary::point_load}});
 }

@@ -75,10 +75,8 @@ void into_fall(KeyBuilder<Case>& key, double FrictionFall::*member) {
 void add_fall(Keys<Case>& keys) {
   keys.choice("law")
       .says(
-          "How friction falls with the slip velocity s, speed times slip: `constant` not at all, "
-          "else "
-          "mu_kin + mu_1 f(s/s_h1) + mu_2 f(s/s_h2), f = max(0, 1 - r/2) for `linear`, 1/(1 + r) "
-          "and 1/(1 + r^2) for `rational`, 2^-r for `exponential`. Needs rolling.speed.")
+          "How friction falls with the slip velocity (formulas in docs/friction.md); all but "
+          "`constant` need rolling.speed, except in a shift.")
       .among(law_words())
       .by(
           [](const Case& c) -> KeyValue {
@@ -145,8 +143,7 @@ void add_parts(Keys<Case>& keys) {
                 .between(0.0, largest)
                 .otherwise("0")
                 .says("Sliding distance over which friction follows the slip velocity, some "
-                      "micrometres; 0: at "
-                      "once."),
+                      "micrometres; 0: at once."),
             &FrictionFall::memory_distance);
   into_fall(keys.real("memory_velocity")
                 .symbol("s_0")
@@ -169,14 +166,13 @@ void into_places(KeyBuilder<Case> key, std::vector<double> FrictionVariation::*m
 }
 
 void add_places(Keys<Case>& keys) {
-  into_places(
-      keys.reals("inclination")
-          .unit("rad")
-          .within(1.6)
-          .says("Inclinations of the rail's surface against the track plane, ascending, negative "
-                "on the gauge face (minus the contact angle), at which the numbers of the law "
-                "are given as lists: linear between, constant outside. Needs profiles."),
-      &FrictionVariation::inclination);
+  into_places(keys.reals("inclination")
+                  .unit("rad")
+                  .within(1.6)
+                  .says("Inclinations of the rail's surface against the track plane, ascending, "
+                        "negative on the gauge face (minus the contact angle), for lists of the "
+                        "law's numbers: linear between, constant outside. Needs profiles."),
+              &FrictionVariation::inclination);
   into_places(
       keys.reals("track_position")
           .unit("mm")
@@ -196,9 +192,9 @@ SectionWithKeys friction_section() {
           .symbol("mu")
           .between(0.0, 1000.0)
           .required("0.55")
-          .says("Coefficient of friction, with a falling law that at rest; 0 is "
-                "frictionless, otherwise at least 1e-12. A list, and lists of the law's "
-                "numbers, belong to the points of inclination or track_position."),
+          .says(
+              "Coefficient of friction, of a falling law at rest; 0 is frictionless, otherwise at "
+              "least 1e-12. Lists, here and below, belong to inclination or track_position."),
       [](Point & at) -> auto& { return at.coefficient; });
   add_fall(keys);
   add_parts(keys);

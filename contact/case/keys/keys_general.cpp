@@ -23,10 +23,10 @@ SectionWithKeys general_section() {
       .between(1e-5, 0.5)
       .otherwise("unset: no refinement")
       .says(
-          "Largest relative error, as estimated, of the quantities in `accuracy_of`. halfspace and "
-          "fem halve their cells until it is reached; if memory or the finest grid sets a limit "
-          "first, results are written and the status is 1. auto chooses model and grid, model "
-          "error included; its default is 0.01, and missing the default is only a warning.")
+          "Largest estimated relative error of the quantities in `accuracy_of`. halfspace and fem "
+          "halve their cells until it is reached; if memory or the finest grid ends this first, "
+          "the status is 1. auto chooses model and grid, model error included; its default is "
+          "0.01, and missing that only a warning.")
       .into(&Case::accuracy);
   keys.choices("accuracy_of")
       .among(accuracy_words())

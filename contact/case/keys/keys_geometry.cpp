@@ -34,8 +34,7 @@ SectionWithKeys geometry_section() {
       .otherwise("the relative radius")
       .says(
           "Line contact: displacements are relative to the surface at this distance from a line "
-          "load; approach, elastic energy, shifts and transients depend on it, steady rolling does "
-          "not.")
+          "load; approach, elastic energy, shifts and transients depend on it.")
       .into(&ContactShapeCase::reference_distance);
   return keys;
 }

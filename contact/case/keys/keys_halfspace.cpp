@@ -10,8 +10,8 @@ SectionWithKeys halfspace_section() {
           "`planar`: the tangent plane of the contact point; `curved` follows the common surface "
           "of wheel and rail across rolling, with local normals and rolling radii (steady or "
           "frictionless rolling of like materials, no subsurface stress). `auto`: planar unless "
-          "the normals of true profiles spread by more than 0.03 rad; the surface then follows "
-          "them, fully from 0.06 rad on (docs/track.md).")
+          "the normals of true profiles spread by more than 0.03 rad, fully curved from 0.06 rad "
+          "on (docs/track.md).")
       .into(&HalfspaceOptions::surface, {{"auto", SurfaceForm::automatic},
                                          {"planar", SurfaceForm::planar},
                                          {"curved", SurfaceForm::curved}});

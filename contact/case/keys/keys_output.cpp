@@ -12,30 +12,29 @@ SectionWithKeys output_section() {
       .into(&OutputOptions::paths);
   keys.toggle("fields")
       .says(
-          "Write ParaView files: the contact surface at the load points of `grid_fields`, wheel "
-          "and rail (model fem) at those of `body_fields`.")
+          "Write ParaView files: the contact surface at `grid_fields`, wheel and rail (model fem) "
+          "at `body_fields`.")
       .into(&OutputOptions::fields);
   keys.choice("grid_fields")
       .says(
-          "Load points that keep pressure, tractions, slip, gap and displacement on the contact "
-          "grid (results.h5, path_x.csv, path_y.csv, ParaView): `some` is 25 from the first to the "
-          "last; `auto` is all of up to 100 per model and patch, otherwise `some`. Figures, and "
-          "rollfem stress for half-spaces, need these fields; scalars are always stored.")
+          "Load points that keep fields on the contact grid (results.h5, path_x.csv, path_y.csv, "
+          "ParaView): `some` is 25 from the first to the last; `auto` is all of up to 100 per "
+          "model and patch, otherwise `some`. Figures, and rollfem stress for half-spaces, need "
+          "these fields.")
       .into(&OutputOptions::grid_fields, {{"auto", GridFields::automatic},
                                           {"all", GridFields::all},
                                           {"some", GridFields::some},
                                           {"none", GridFields::none}});
   keys.choice("body_fields")
       .says(
-          "Load points that keep displacement (mm) and stress (MPa) of wheel and rail (model fem; "
-          "ParaView, results.h5, where rollfem stress reads them); each takes some 12 MB and about "
-          "as long as solving it.")
+          "Load points that keep displacement and stress of wheel and rail (model fem; ParaView, "
+          "results.h5, rollfem stress); each takes some 12 MB and about as long as solving it.")
       .into(&OutputOptions::body_fields,
             {{"all", BodyFields::all}, {"last", BodyFields::last}, {"none", BodyFields::none}});
   keys.toggle("stress_maxima")
       .says(
-          "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail at "
-          "every load point, with positions (models halfspace, hybrid, fem).")
+          "Largest von Mises, Tresca, orthogonal shear and principal stress of wheel and rail, "
+          "with positions (models halfspace, hybrid, fem).")
       .into(&OutputOptions::stress_maxima);
   return keys;
 }

@@ -90,8 +90,8 @@ void add_mending(ProfileKeys& keys) {
       .unit("degrees")
       .between(0.1, 180.0)
       .says(
-          "Largest angle between two chords; a larger one, or a step that stands out from the "
-          "other points, is an error.")
+          "Largest angle between two chords; a larger one, or a step that stands out, is an "
+          "error.")
       .into(&Profile::largest_kink);
   keys.real("rounding")
       .unit("mm")
@@ -104,8 +104,8 @@ void add_mending(ProfileKeys& keys) {
       .unit("mm")
       .between(0.0, 1.0)
       .says(
-          "Standard deviation of measured points across the profile, which is smoothed away; 0: "
-          "the curve passes through the points.")
+          "Standard deviation of measured points across the profile; 0: the curve passes through "
+          "the points.")
       .into(&Profile::smoothing);
 }
 

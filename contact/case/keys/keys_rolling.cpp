@@ -41,8 +41,7 @@ void add_difference(RollingKeys& keys) {
   keys.choice("upwind_order")
       .says(
           "Order of the difference along the streamline; `first` reproduces CONTACT's numbers on "
-          "the same elements (spin a sixth of a step upstream) and needs some ten times finer "
-          "ones.")
+          "the same elements and needs some ten times finer ones.")
       .into(&Rolling::upwind_order,
             {{"first", UpwindOrder::first}, {"second", UpwindOrder::second}});
   keys.choice("leading_edge")
@@ -56,9 +55,9 @@ void add_difference(RollingKeys& keys) {
 void add_extra_slip(RollingKeys& keys) {
   keys.choice("extra_slip")
       .says(
-          "Rigid slip from the shape of the surface: `auto` from the wheel's true rolling radii "
-          "and, on a curved surface, its tangents; `none`: creepages and spin alone; `file` adds "
-          "that of extra_slip_file.")
+          "Rigid slip from the shape of the surface: `auto` from the wheel's rolling radii and, "
+          "on a curved surface, its tangents; `none`: creepages and spin alone; `file` adds "
+          "extra_slip_file.")
       .into(&Rolling::extra_slip,
             {{"auto", ExtraSlip::automatic}, {"none", ExtraSlip::none}, {"file", ExtraSlip::file}});
   keys.text("extra_slip_file")

@@ -32,8 +32,8 @@ SectionWithKeys table_section() {
       .within(1e3)
       .otherwise("none: the table is over axis_ratio")
       .says(
-          "Lateral shifts of the wheelset, positive to the right, in increasing order, for a table "
-          "of a wheel with profiles on its rail, under the load and friction of the case.")
+          "Lateral shifts of the wheelset, in increasing order, for a table of a wheel with "
+          "profiles, under the load and friction of the case.")
       .into(&TableOptions::lateral_shift);
   keys.real("lateral_shift_step")
       .unit("mm")
@@ -45,31 +45,28 @@ SectionWithKeys table_section() {
       .between(2, 200)
       .otherwise("16, 16, 31; over lateral shifts 8, 8, 15")
       .says(
-          "Number of grid points along xi', eta' (from 0; over lateral shifts mirrored to negative "
-          "values) and phi' (both signs; an odd number includes 0).")
+          "Grid points along xi', eta' (from 0; over lateral shifts mirrored to negative values) "
+          "and phi' (both signs; an odd number includes 0).")
       .into(&TableOptions::points);
   keys.triple("largest")
       .between(0.01, 1000.0)
-      .says("Largest xi', eta' and phi' of the grid; beyond it full sliding is assumed.")
+      .says(
+          "Largest xi', eta' and phi' of the grid; beyond it full sliding is assumed (refused "
+          "with a falling law or a layer).")
       .into(&TableOptions::largest);
-  add_list(
-      keys, "longitudinal_values", "xi'",
-      "Scaled longitudinal creepages xi' = xi G a b C11 / (3 mu F_n) from 0 on, instead of the "
-      "first entries of points and largest; over lateral shifts mirrored to negative values.",
-      &TableOptions::longitudinal);
+  add_list(keys, "longitudinal_values", "xi'",
+           "Scaled longitudinal creepages (docs/tables.md) from 0 on, instead of the first entries "
+           "of points and largest; over lateral shifts mirrored to negative values.",
+           &TableOptions::longitudinal);
   add_list(keys, "lateral_values", "eta'",
-           "Scaled lateral creepages eta' = eta G a b C22 / (3 mu F_n) from 0 on, instead of the "
-           "second entries.",
+           "Scaled lateral creepages from 0 on, instead of the second entries.",
            &TableOptions::lateral);
   add_list(keys, "spin_values", "phi'",
-           "Scaled spins phi' = phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n) from 0 on, "
-           "instead of the third entries; mirrored to negative values.",
+           "Scaled spins from 0 on, instead of the third entries; mirrored to negative values.",
            &TableOptions::spin);
   keys.integer("check_points")
       .between(0, 1e6)
-      .says(
-          "Number of random points between the grid points at which the interpolation error is "
-          "evaluated.")
+      .says("Random points between grid points at which the interpolation error is evaluated.")
       .into(&TableOptions::check_points);
   return keys;
 }

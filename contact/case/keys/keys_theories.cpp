@@ -32,8 +32,8 @@ SectionWithKeys fastsim_section() {
       &Case::fastsim);
   keys.choice("bound")
       .says(
-          "Traction bound over the ellipse: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; "
-          "`elliptic` mu p0 sqrt(1 - r^2), from Hertz's pressure.")
+          "Traction bound: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; `elliptic` mu p0 "
+          "sqrt(1 - r^2), Hertz's.")
       .into(&FastsimOptions::bound,
             {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}});
   keys.choice("flexibilities")
@@ -54,9 +54,8 @@ SectionWithKeys fastsim_section() {
       .symbol("k_0, alpha_inf, beta")
       .between(1e-6, 100.0)
       .says(
-          "Factors of the brushes' stiffness on surfaces that are not clean, k_0 (alpha_inf + "
-          "(1 - alpha_inf)/(1 + beta eps)), eps = (pi/4) k_0 F_linear/(mu F_n); all 1: Kalker's "
-          "slope. Not for `fastrip`.")
+          "Reduce the brushes' stiffness on surfaces that are not clean (docs/theories.md); all "
+          "1: Kalker's slope. Not for `fastrip`.")
       .into(&FastsimOptions::slope_reduction);
   return keys;
 }
@@ -72,7 +71,7 @@ SectionWithKeys strip_section() {
       .otherwise("from the Hertzian ellipse of equal depth and volume")
       .says(
           "Fraction of the approach by which the undeformed profiles penetrate to define the "
-          "patch; 0.55 after Kik and Piotrowski.")
+          "patch; Kik and Piotrowski: 0.55.")
       .into(&StripOptions::virtual_penetration);
   return keys;
 }

@@ -55,8 +55,8 @@ void add_shape_from_files(Keys<Body>& keys, const std::string& names, const std:
   keys.text("profile")
       .otherwise("transverse_radius applies")
       .says("The profile, instead of transverse_radius: " + names +
-            ", `arcs`, `polynomial`, or a file: two columns y, z (text or CSV), " + files +
-            ". Details: [" + keys.section().name + "_profile], docs/profiles.md.")
+            ", `arcs`, `polynomial`, or a file: columns y, z, " + files + ". Details: [" +
+            keys.section().name + "_profile], docs/profiles.md.")
       .into(&Body::profile, &ProfileSource::name);
   keys.text("mesh")
       .otherwise("meshed by the program")
