@@ -37,15 +37,14 @@ bool falls(const ContactCase& given) {
 void fill_coefficient(const ContactCase& given, Equivalent& made) {
   const auto& points = given.friction_points;
   if (points.size() < 2) return made.set("friction", "coefficient", given.fstat);
-  std::string places, coefficients;
+  std::vector<double> places, coefficients;
   for (const FrictionPoint& point : points) {
-    places += fmt::format("{}{:.12g}", places.empty() ? "" : ", ", point.place);
-    coefficients += fmt::format("{}{:.12g}", coefficients.empty() ? "" : ", ", point.fstat);
+    places.push_back(point.place);
+    coefficients.push_back(point.fstat);
   }
   const bool along = given.friction_over == 2;
-  auto& lines = made.fixed["friction"];
-  lines.push_back(fmt::format("coefficient = [{}]", coefficients));
-  lines.push_back(fmt::format("{} = [{}]", along ? "track_position" : "inclination", places));
+  made.set_list("friction", "coefficient", coefficients);
+  made.set_list("friction", along ? "track_position" : "inclination", places);
   if (along) made.varied["wheelset.track_position"] = given.wheel_rail.position[0];
   made.note(!along,
             "digit V = 1: every row of elements has the friction of its own inclination; CONTACT "
