@@ -2,6 +2,8 @@
 // Pairs and states for tests of rollfem.h: mm, N, mm/s, rad.
 #pragma once
 
+#include "contact/case/case_reader.hpp"
+
 #include <gtest/gtest.h>
 
 #include "rollfem/rollfem.h"
@@ -55,6 +57,36 @@ inline rollfem_state state_at(double shift, double yaw) {
   state.rotation_speed = 20e3 / 460.0 * 1.001;
   state.vertical_force = 50e3;
   return state;
+}
+
+/// The right wheel of state_at as a case, 32 elements across; `friction`: lines that follow
+/// the coefficient of friction.
+inline contact::Case case_at(double shift, double yaw, const std::string& friction = {}) {
+  contact::Case input = contact::parse_case(R"(
+    [load]
+    vertical_force = 50e3
+    [wheel]
+    rolling_radius = 460.0
+    profile = "S1002"
+    [rail]
+    profile = "60E1"
+    [track]
+    inclination = "1:40"
+    [wheelset]
+    side = "right"
+    roll = 0.0
+    lateral_velocity = 0.0015
+    yaw_velocity = 1e-6
+    rotation_change = 0.001
+    [contact_grid]
+    elements_across = 32
+    [friction]
+    coefficient = 0.3
+  )" + friction,
+                                            "case");
+  input.wheelset.lateral_shift = {shift};
+  input.wheelset.yaw = {yaw};
+  return input;
 }
 
 inline constexpr double sphere_radius = 300.0;

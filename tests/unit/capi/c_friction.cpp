@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Falling friction and a layer in rollfem.h against the law itself, the model halfspace on a finer
 // grid, and refusals.
-#include "contact/case/case_reader.hpp"
 #include "halfspace/model/model.hpp"
 #include "track/balance/balance.hpp"
 
@@ -46,11 +45,7 @@ TEST(CFriction, InFullSlidingIsThatOfTheSlipVelocity) {
 
 /// The wheel of state_at(3.0, 0.002).
 rollfem::contact::Case falling_case(double rotation_change, int across) {
-  rollfem::contact::Case input = rollfem::contact::parse_case(R"(
-    [load]
-    vertical_force = 50e3
-    [friction]
-    coefficient = 0.3
+  rollfem::contact::Case input = case_at(3.0, 0.002, R"(
     law = "exponential"
     kinetic_coefficient = 0.1
     half_velocity = 100.0
@@ -58,24 +53,9 @@ rollfem::contact::Case falling_case(double rotation_change, int across) {
     [layer]
     thickness = 1.0
     shear_modulus = 8200.0
-    [wheel]
-    rolling_radius = 460.0
-    profile = "S1002"
-    [rail]
-    profile = "60E1"
-    [track]
-    inclination = "1:40"
     [rolling]
     speed = 20e3
-    [wheelset]
-    side = "right"
-    lateral_shift = 3.0
-    yaw = 0.002
-    roll = 0.0
-    lateral_velocity = 0.0015
-    yaw_velocity = 1e-6
-  )",
-                                                              "case");
+  )");
   input.wheelset.rotation_change = {rotation_change};
   input.contact_grid.elements_across = across;
   return input;

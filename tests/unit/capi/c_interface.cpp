@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem.h against Hertz, full sliding, the model halfspace on a fine grid, and itself: units,
 // sides, threads, refusals.
-#include "contact/case/case_reader.hpp"
 #include "halfspace/model/model.hpp"
 #include "track/balance/balance.hpp"
 
@@ -41,35 +40,6 @@ TEST(CInterface, CrownedRailUnderACylindricalWheelIsHertz) {
   EXPECT_NEAR(result.moment[1] / (300.0 * result.force[0]), 1.0, 2e-3);
 }
 
-/// The problem of state_at for the model halfspace with 32 elements across.
-rollfem::contact::Case fine_case(double shift, double yaw) {
-  rollfem::contact::Case input = rollfem::contact::parse_case(R"(
-    [load]
-    vertical_force = 50e3
-    [friction]
-    coefficient = 0.3
-    [wheel]
-    rolling_radius = 460.0
-    profile = "S1002"
-    [rail]
-    profile = "60E1"
-    [track]
-    inclination = "1:40"
-    [wheelset]
-    side = "right"
-    roll = 0.0
-    lateral_velocity = 0.0015
-    yaw_velocity = 1e-6
-    rotation_change = 0.001
-    [contact_grid]
-    elements_across = 32
-  )",
-                                                              "case");
-  input.wheelset.lateral_shift = {shift};
-  input.wheelset.yaw = {yaw};
-  return input;
-}
-
 /// Of the forces from those of a patch by itself, over mu F_n.
 double difference(const rollfem_result& quick, const rollfem::contact::Case& input,
                   double of_pressure = 0.01) {
@@ -84,7 +54,7 @@ double difference(const rollfem_result& quick, const rollfem::contact::Case& inp
 
 double largest_difference(double shift, double yaw) {
   return difference(solve(make(defaults(ROLLFEM_RIGHT)), state_at(shift, yaw)),
-                    fine_case(shift, yaw));
+                    case_at(shift, yaw));
 }
 
 TEST(CInterface, ForcesAreWithinOnePercentOfTheModelHalfspace) {
@@ -113,7 +83,7 @@ TEST(CInterface, FrictionBoundsWhatThePressureDoesNotHaveOfTheLateralForce) {
 TEST(CInterface, APatchOfTwoRegionsIsAsCloseOnItsFinerGrid) {
   const rollfem_result quick = solve(make(defaults(ROLLFEM_RIGHT)), state_at(5.0, 0.004));
   // The peak of the pressure is narrower than the elements of both.
-  EXPECT_LT(difference(quick, fine_case(5.0, 0.004), 0.2), 0.01);
+  EXPECT_LT(difference(quick, case_at(5.0, 0.004), 0.2), 0.01);
 }
 
 TEST(CInterface, ContactsInPlanesOfTheirOwnShareTheLoadAsInTheModelHalfspace) {
@@ -121,7 +91,7 @@ TEST(CInterface, ContactsInPlanesOfTheirOwnShareTheLoadAsInTheModelHalfspace) {
   rollfem_state state = state_at(shift, yaw);
   state.roll = roll;
   const rollfem_result quick = solve(make(defaults(ROLLFEM_RIGHT)), state);
-  rollfem::contact::Case input = fine_case(shift, yaw);
+  rollfem::contact::Case input = case_at(shift, yaw);
   input.wheelset.roll = {roll};
   const auto scenes = rollfem::track::balance(input).scenes;
   ASSERT_EQ(scenes.size(), 2u);
@@ -143,7 +113,7 @@ TEST(CInterface, TheLargestPressureIsWithinItsBar) {
   // Where arcs of S1002 join, where the patch falls into two regions, and where it is smooth.
   const Pair pair = make(defaults(ROLLFEM_RIGHT));
   for (const double shift : {-2.0, -0.2, 0.0, 0.4, 0.8, 3.0, 4.8, 5.0}) {
-    rollfem::contact::Case input = fine_case(shift, 0.0);
+    rollfem::contact::Case input = case_at(shift, 0.0);
     input.contact_grid.elements_across = 64;
     const auto scenes = rollfem::track::balance(input).scenes;
     const auto fine = rollfem::halfspace::run_halfspace(scenes.front(), {}).points.front();
@@ -157,7 +127,7 @@ TEST(CInterface, TheLargestPressureIsWithinItsBar) {
 }
 
 TEST(CInterface, ContactsThatMeetAreOneOnACurvedSurface) {
-  rollfem::contact::Case input = fine_case(6.6, 0.005);
+  rollfem::contact::Case input = case_at(6.6, 0.005);
   input.halfspace.surface = rollfem::contact::SurfaceForm::curved;
   const rollfem_result quick = solve(make(defaults(ROLLFEM_RIGHT)), state_at(6.6, 0.005));
   EXPECT_NEAR(quick.force[2], -50e3, 5.0);
