@@ -153,8 +153,8 @@ def _blurred(values):
 
 
 def spread(state, kind=ADHESION):
-    """1 in adhesion, 0 in slip (1 in elements of `kind`, 0 in others), averaged over neighbours so that the border between the zones runs
-    through the steps of the elements, and continued beyond the edge of the patch."""
+    """1 in elements of `kind`, 0 in others, averaged over neighbours so that the border between the zones runs through
+    the steps of the elements, and continued beyond the edge of the patch."""
     values, known = np.where(state == kind, 1.0, 0.0), (state > 0).astype(float)
     for _ in range(2):
         weight = _blurred(known)
