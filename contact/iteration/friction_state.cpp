@@ -35,6 +35,9 @@ void FrictionState::begin(const FrictionProblem& problem, const std::vector<Inde
   if (problem.law.varies())
     for (int j = 0; j < problem.grid.ny; ++j)
       rows_.push_back(problem.law.of_row(problem.grid.y(j)));
+  rest_.setConstant(count_, problem.law.coefficient());
+  if (!rows_.empty())
+    for (Index e = 0; e < count_; ++e) rest_[e] = law(e).coefficient();
   plasticity_ = problem.law.plasticity;
   if (!feels_slip()) return;
   memory_ = problem.law.memory();
@@ -160,8 +163,7 @@ FrictionState::Ahead FrictionState::follow_friction(Index e, double size, const 
   const double rate_by_slip = size > memory_->least_slip ? 1.0 / memory_->distance : 0.0;
   if (leads_[static_cast<std::size_t>(e)]) {
     const Index k = (*places_)[static_cast<std::size_t>(e)];
-    const double before =
-        problem_->past != nullptr ? problem_->past->coefficient[k] : law(e).coefficient();
+    const double before = problem_->past != nullptr ? problem_->past->coefficient[k] : rest_[e];
     const double left = std::exp(-ways_[e] * rate);
     coefficient_[e] = own.value + left * (before - own.value);
     by_own_[e] = (1.0 - left) * own.by_slip - left * (before - own.value) * ways_[e] * rate_by_slip;

@@ -106,7 +106,7 @@ class FrictionState {
     return *rows_[static_cast<std::size_t>((*places_)[static_cast<std::size_t>(e)] /
                                            problem_->grid.nx)];
   }
-  double friction_at_rest(Index e) const { return law(e).coefficient() * pressure(e); }
+  double friction_at_rest(Index e) const { return rest_[e] * pressure(e); }
   void find_ways();
   /// u* with which the particle comes.
   double plastic_before(Index e) const;
@@ -122,6 +122,7 @@ class FrictionState {
   Index count_ = 0;
   double r_ = 0.0;
   std::vector<Friction> rows_;  ///< the law of each row of the grid; empty: one law
+  Eigen::VectorXd rest_;        ///< mu of the elements at rest
   std::optional<FrictionMemory> memory_;
   std::optional<Plasticity> plasticity_;
   Eigen::VectorXd ways_;     ///< mm from the element ahead or the leading edge, or of the step
