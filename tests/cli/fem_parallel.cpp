@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 std::string coarse_skew_case(const std::string& solver) {
   return "models = [\"fem\"]\n" + with("2000.0", "500.0") +
          "[rolling]\nlongitudinal_creepage = 0.001\nlateral_creepage = 0.0005\n"
-         "[fem]\ncell_size = 1.4\nlinear_solver = \"" +
+         "[fem]\ncell_size = 1.8\nextent = 20\nlinear_solver = \"" +
          solver + "\"\n";
 }
 
@@ -110,7 +110,7 @@ TEST(FemProgram, AnErrorOfTheContactProblemEndsAllProcessesWithOneMessage) {
   // How much friction can bear is known when the first process has solved the normal problem.
   const std::string input = folder.file(
       "force.toml", "models = [\"fem\"]\n" + with("normal_force = 50e3", "approach = 0.02") +
-                        "[rolling]\nlongitudinal_force = -1e6\n[fem]\ncell_size = 1.4\n"
+                        "[rolling]\nlongitudinal_force = -1e6\n[fem]\ncell_size = 1.8\n"
                         "extent = 20\nlinear_solver = \"multigrid\"\n");
   for (const int processes : {1, 2, 3}) {
     const Outcome outcome =

@@ -14,7 +14,7 @@ using namespace rollfem::testing;
 /// Small bodies of case a.
 std::string coarse_output_case(const std::string& creepages, const std::string& output) {
   return "models = [\"fem\"]\n" + small_case + "[rolling]\nlongitudinal_creepage = " + creepages +
-         "\n[fem]\ncell_size = 1.9\nextent = 25\nlinear_solver = \"factorisation\"\n" + output;
+         "\n[fem]\ncell_size = 1.9\nextent = 23\nlinear_solver = \"factorisation\"\n" + output;
 }
 
 class FemStress : public ::testing::Test {

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 // Load points are kept from half a second on: enough of them, and on a grid fine enough, for a
 // quick machine too.
 std::string slow_creepages(const std::string& rolling = "") {
-  std::string creepages = "0.0003";
-  for (int k = 2; k <= 20; ++k) creepages += ", " + std::to_string(0.0003 * k);
+  std::string creepages = "0.0005";
+  for (int k = 2; k <= 12; ++k) creepages += ", " + std::to_string(0.0005 * k);
   return "models = [\"halfspace\"]\n" + small_case + "[rolling]\n" +
          (rolling.empty() ? "longitudinal_creepage = [" + creepages + "]\nspin = 1e-4\n"
                           : rolling) +
@@ -62,7 +62,7 @@ TEST(Resume, AfterAKillTheResultIsTheSameToTheLastBit) {
 TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
   const Folder folder;
   std::string steps = "0.5";
-  for (int k = 1; k < 24; ++k) steps += ", 0.5";
+  for (int k = 1; k < 12; ++k) steps += ", 0.5";
   const std::string file = folder.file(
       "slow.toml",
       slow_creepages("problem = \"transient\"\nlongitudinal_creepage = 0.002\n[history]\n"
@@ -75,7 +75,7 @@ TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
 TEST(Resume, FrictionThatRemembersGoesOnFromThatOfTheParticles) {
   const Folder folder;
   std::string steps = "0.1";
-  for (int k = 1; k < 24; ++k) steps += ", 0.1";
+  for (int k = 1; k < 8; ++k) steps += ", 0.1";
   std::string text = slow_creepages(
       "problem = \"transient\"\nspeed = 1e4\nlongitudinal_creepage = 0.01\n"
       "[history]\nstep_length = [" +
@@ -115,7 +115,7 @@ TEST(Resume, LoadPointsOfAChangedCaseAreRefused) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   const int kept = leave_unfinished(folder, file, "out");
   std::string changed = slow_creepages();
-  changed.replace(changed.find("0.0003"), 6, "0.0004");
+  changed.replace(changed.find("0.0005"), 6, "0.0004");
   folder.file("slow.toml", changed);
   const Outcome outcome = call(folder, run(file, "out", {"--resume"}));
   EXPECT_EQ(outcome.status, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The error bars of the model halfspace hold in 100 random scenes, each against a grid four times
+// The error bars of the model halfspace hold in 75 random scenes, each against a grid four times
 // finer. benchmarks/bar_coverage.cpp does the same for 1000.
 #include "support/bar_coverage.hpp"
 
@@ -16,7 +16,7 @@ namespace rollfem {
 namespace {
 
 TEST(BarCoverage, HoldsForEveryQuantity) {
-  constexpr unsigned seed = 11, scenes = 100;
+  constexpr unsigned seed = 11, scenes = 75;
   testing::RandomScenes random(seed);
   testing::BarSamples samples;
   for (unsigned number = 0; number < scenes; ++number) {
