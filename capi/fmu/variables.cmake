@@ -15,7 +15,15 @@ set(fmu_reals
   "rolling_radius|parameter|0.46|m|of both wheels"
   "gauge|parameter|1.435|m|between the rails"
   "inclination|parameter|0.025|1|of the rails, as a tangent"
-  "friction|parameter|0.3|1|coefficient of friction"
+  "friction|parameter|0.3|1|coefficient of friction, at rest"
+  "kinetic_coefficient|parameter|0|1|where the surfaces slide fast, for a friction_law that falls, as the next five"
+  "half_velocity|parameter|0|m/s|at which the first part of the fall is halved"
+  "second_part|parameter|0|1|of the fall"
+  "second_half_velocity|parameter|0|m/s|at which it is halved"
+  "memory_distance|parameter|0|m|slid until friction has followed"
+  "memory_velocity|parameter|0|m/s|below which it follows as at this velocity (0: 0.001)"
+  "layer_thickness|parameter|0|m|of an elastic layer between wheel and rail (0: none)"
+  "layer_shear_modulus|parameter|0|Pa|of the layer"
   "largest_step|parameter|0.002|s|of the integration in a communication step"
   "start_shift|parameter|0|m|lateral shift at the start, to the right"
   "start_yaw|parameter|0|rad|yaw at the start, to the right"
@@ -33,4 +41,5 @@ set(fmu_reals
   "right_t_gamma|output||N|wear number of the right wheel")
 set(fmu_strings
   "wheel_profile|parameter|S1002||built in or a file"
-  "rail_profile|parameter|60E1||built in or a file")
+  "rail_profile|parameter|60E1||built in or a file"
+  "friction_law|parameter|constant||or linear, rational, exponential: how friction falls with the slip velocity")

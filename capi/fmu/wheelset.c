@@ -19,7 +19,7 @@ typedef struct { double value[V_COUNT]; } saved;
 
 typedef struct {
   saved now;
-  char profile[2][TEXT]; /* wheel, rail */
+  char text[3][TEXT]; /* profile of the wheel, of the rail, friction law */
   char name[TEXT], message[TEXT];
   rollfem_pair* wheel[2]; /* left, right */
   fmi2CallbackFunctions of_master;
@@ -166,8 +166,9 @@ EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t co
 EXPORT fmi2Status fmi2Reset(fmi2Component c) {
   slave* s = c;
   memcpy(s->now.value, start_values, sizeof start_values);
-  snprintf(s->profile[0], TEXT, "S1002");
-  snprintf(s->profile[1], TEXT, "60E1");
+  snprintf(s->text[0], TEXT, "S1002");
+  snprintf(s->text[1], TEXT, "60E1");
+  snprintf(s->text[2], TEXT, "constant");
   drop_wheels(s);
   return fmi2OK;
 }
@@ -206,17 +207,31 @@ EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
 EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
   slave* s = c;
   const double* v = s->now.value;
+  static const char* const laws[] = {"constant", "linear", "rational", "exponential"}; /* as in rollfem_law */
+  int law = 0;
+  while (law < 4 && strcmp(s->text[2], laws[law]) != 0) ++law;
+  if (law == 4)
+    return fail(s, fmi2Error, "friction_law; allowed: constant, linear, rational, exponential; do: name one of them");
   drop_wheels(s);
   for (int side = 0; side < 2; ++side) {
     rollfem_definition definition = {.struct_size = sizeof definition};
     rollfem_defaults(&definition, ROLLFEM_M_N);
     definition.side = side == 0 ? ROLLFEM_LEFT : ROLLFEM_RIGHT;
-    definition.wheel_profile = s->profile[0];
-    definition.rail_profile = s->profile[1];
+    definition.wheel_profile = s->text[0];
+    definition.rail_profile = s->text[1];
     definition.rolling_radius = v[V_rolling_radius];
     definition.gauge = v[V_gauge];
     definition.inclination = v[V_inclination];
     definition.friction_coefficient = v[V_friction];
+    definition.friction_law = (rollfem_law)law;
+    definition.kinetic_coefficient = v[V_kinetic_coefficient];
+    definition.half_velocity = v[V_half_velocity];
+    definition.second_part = v[V_second_part];
+    definition.second_half_velocity = v[V_second_half_velocity];
+    definition.memory_distance = v[V_memory_distance];
+    definition.memory_velocity = v[V_memory_velocity];
+    definition.layer_thickness = v[V_layer_thickness];
+    definition.layer_shear_modulus = v[V_layer_shear_modulus];
     s->wheel[side] = rollfem_create(&definition, s->message, TEXT);
     if (s->wheel[side] == NULL) return fail(s, fmi2Error, s->message);
   }
@@ -269,8 +284,8 @@ EXPORT fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference* which, 
 EXPORT fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference* which, size_t count, fmi2String* values) {
   slave* s = c;
   for (size_t k = 0; k < count; ++k) {
-    if (which[k] > 1) return fail(s, fmi2Error, "there is no String of this value reference");
-    values[k] = s->profile[which[k]];
+    if (which[k] > 2) return fail(s, fmi2Error, "there is no String of this value reference");
+    values[k] = s->text[which[k]];
   }
   return fmi2OK;
 }
@@ -278,9 +293,9 @@ EXPORT fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference* which
 EXPORT fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference* which, size_t count, const fmi2String* values) {
   slave* s = c;
   for (size_t k = 0; k < count; ++k) {
-    if (which[k] > 1 || values[k] == NULL || strlen(values[k]) >= TEXT)
+    if (which[k] > 2 || values[k] == NULL || strlen(values[k]) >= TEXT)
       return fail(s, fmi2Error, "there is no String of this value reference, or it is too long");
-    snprintf(s->profile[which[k]], TEXT, "%s", values[k]);
+    snprintf(s->text[which[k]], TEXT, "%s", values[k]);
   }
   return fmi2OK;
 }

@@ -87,6 +87,20 @@ def same_motion(fmu, example, header, library):
         assert abs(fmu.get(name) - series[k, -1]) <= 1e-6 * scale + 1e-12
 
 
+def fall_with_the_slip_velocity(fmu):
+    """A wheelset that slides at 0.4 m/s, by its yaw, has half of the fall: as with the coefficient 0.2."""
+    sliding = []
+    for friction in (dict(friction=0.2), dict(friction=0.3, friction_law="exponential", kinetic_coefficient=0.1,
+                                              half_velocity=0.4)):
+        fmu.call("fmi2Reset")
+        fmu.set(start_yaw=0.02, speed=20.0, **friction)
+        assert fmu.initialise() == 0, fmu.said
+        sliding.append(fmu.get("left_fy"))
+    print(f"left_fy: {sliding[1]:.6g}, with the coefficient there {sliding[0]:.6g}")
+    assert abs(sliding[1] / sliding[0] - 1.0) < 0.02
+    fmu.call("fmi2Reset")
+
+
 def main():
     path, examples, header, library = sys.argv[1:]
     fmu = Fmu(path)
@@ -101,6 +115,9 @@ def main():
     fmu.set(friction=-1.0)
     assert fmu.initialise() == 3 and "friction" in fmu.said[-1], fmu.said
     fmu.call("fmi2Reset")
+    fmu.set(friction_law="falls")
+    assert fmu.initialise() == 3 and "friction_law" in fmu.said[-1], fmu.said
+    fall_with_the_slip_velocity(fmu)
     fmu.set(start_shift=2e-3, wheel_profile="S1002", left_load=50e3)
     assert fmu.initialise() == 0, fmu.said
     assert fmu.get("shift") == 2e-3 and fmu.get("left_fx") * fmu.get("right_fx") < 0.0, "the larger wheel steers"
