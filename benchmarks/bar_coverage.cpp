@@ -2,9 +2,9 @@
 // How often the error bars of the model halfspace hold, compared with a grid four times finer.
 // Prints the tables of docs/accuracy.md, and to stderr every scene without a result.
 //
-// benchmark_bar_coverage [rows] [falling] SEED FIRST NUMBER [ACROSS ...]   e.g. 8 0 1000 12 16 20
+// benchmark_bar_coverage [rows] [FRICTION] SEED FIRST NUMBER [ACROSS ...]   e.g. 8 0 1000 12 16 20
 //   random scenes (tests/support/random_scenes.hpp) on 12 to 32 elements across the patch;
-//   `falling` with friction that falls, and a layer in half of them
+//   FRICTION: `falling`, a layer that is `yielding`, or `varying` across the patch
 // benchmark_bar_coverage [rows] worn SEED FIRST NUMBER [CELL ...]     e.g. worn 31 0 60 0.1 0.2
 //   worn wheels on worn rails (tests/support/worn_pairs.hpp) on cells of these sizes, mm
 // benchmark_bar_coverage [rows] case FILE CELL ...                    e.g. case pair.toml 0.2
@@ -18,8 +18,10 @@
 #include <fmt/format.h>
 
 #include "tests/support/worn_pairs.hpp"
+#include <cctype>
 #include <cstdlib>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -64,7 +66,13 @@ std::vector<Value> numbers_from(const std::vector<std::string>& words, std::size
   return values;
 }
 
-std::vector<Scene> random_scenes(const std::vector<std::string>& words, bool falling) {
+using Change = void (testing::RandomScenes::*)(testing::RandomScene&);
+const std::map<std::string, Change> changes{{"falling", &testing::RandomScenes::let_fall},
+                                            {"yielding", &testing::RandomScenes::let_yield},
+                                            {"varying", &testing::RandomScenes::let_vary}};
+
+/// `change`: of the friction; may be null.
+std::vector<Scene> random_scenes(const std::vector<std::string>& words, Change change) {
   std::vector<int> sizes = numbers_from<int>(words, 3);
   if (sizes.empty()) sizes = {12, 12, 16, 16, 20, 20, 24, 24, 32};
   std::vector<Scene> scenes;
@@ -72,7 +80,7 @@ std::vector<Scene> random_scenes(const std::vector<std::string>& words, bool fal
     scenes.push_back({std::to_string(number), [=](testing::BarSamples& samples) {
                         testing::RandomScenes all(whole(words[0]));
                         testing::RandomScene random = all.scene(number);
-                        if (falling) all.let_fall(random);
+                        if (change != nullptr) (all.*change)(random);
                         const int across = all.choose(sizes);
                         // Stresses on the finest grids take far longer than the contact.
                         testing::add_scene(random, across, number % 6 == 0 && across <= 20,
@@ -108,10 +116,10 @@ std::vector<Scene> patches_of_case(const std::vector<std::string>& words) {
 std::vector<Scene> scenes_of(const std::vector<std::string>& words) {
   if (words.size() >= 3 && words[0] == "case") return patches_of_case(words);
   if (words.size() >= 4 && words[0] == "worn") return worn_pairs(words);
-  if (words.size() >= 4 && words[0] == "falling")
-    return random_scenes({words.begin() + 1, words.end()}, true);
-  if (words.size() >= 3 && words[0] != "worn" && words[0] != "falling")
-    return random_scenes(words, false);
+  const auto change = words.empty() ? changes.end() : changes.find(words[0]);
+  if (words.size() >= 4 && change != changes.end())
+    return random_scenes({words.begin() + 1, words.end()}, change->second);
+  if (words.size() >= 3 && std::isdigit(words[0][0])) return random_scenes(words, nullptr);
   return {};
 }
 
@@ -123,9 +131,10 @@ int main(int count, char** arguments) {
   if (rows) words.erase(words.begin());
   const std::vector<Scene> scenes = scenes_of(words);
   if (scenes.empty()) {
-    fmt::print(stderr,
-               "call: benchmark_bar_coverage [rows] [falling] SEED FIRST NUMBER [ACROSS ...], "
-               "worn SEED FIRST NUMBER [CELL ...] or case FILE CELL ...\n");
+    fmt::print(
+        stderr,
+        "call: benchmark_bar_coverage [rows] [falling, yielding or varying] SEED FIRST NUMBER "
+        "[ACROSS ...], worn SEED FIRST NUMBER [CELL ...] or case FILE CELL ...\n");
     return 2;
   }
   testing::BarSamples samples;

@@ -34,6 +34,8 @@ struct Rule {
   /// Where friction falls with the slip, which is less accurate than the traction: fitted to seeds
   /// 13 and 41 of `benchmark_bar_coverage falling`.
   double falling = 1.0;
+  /// Where a layer yields or friction varies: fitted to seeds 61 of `yielding`, 62 of `varying`.
+  double uneven = 1.0;
 };
 
 /// Quantities as smooth as the pressure; besides the changes, `size` of the value over n^1.5, n
@@ -58,13 +60,13 @@ constexpr SmoothQuantity normal_force{
 /// of the other two forces, and of the disagreement between the works of friction and creepages,
 /// that grows with its own share.
 constexpr const char* forces[] = {"longitudinal_force", "lateral_force", "spin_moment"};
-constexpr Rule of_force{0.1, 0.90, 0.90, 1.5};
+constexpr Rule of_force{0.1, 0.90, 0.90, 1.5, 1.3};
 
 constexpr Rule of_extent{0.0, 0.58, 0.62};
 constexpr Rule of_adhesion{0.0, 0.64, 0.72};
 constexpr Rule of_largest_traction{0.0, 0.65, 0.70};
 constexpr Rule of_largest_traction_x{0.0, 0.74, 1.00};
-constexpr Rule of_friction_work{0.0, 0.82, 0.88};
+constexpr Rule of_friction_work{0.0, 0.82, 0.88, 1.0, 1.3};
 constexpr Rule of_creepage_work{0.15, 1.30, 1.35, 1.5};
 constexpr Rule of_creepage{0.4, 1.70, 2.50};
 constexpr Rule of_stress{0.3, 0.60, 0.75};
@@ -89,6 +91,8 @@ class Bars {
       : load_(scene.points[k]),
         friction_(scene.friction_coefficient()),
         falls_(scene.friction_law && scene.friction_law->feels_slip()),
+        layer_(scene.friction_law ? scene.friction_law->plasticity : std::nullopt),
+        uneven_(layer_ || (scene.friction_law && scene.friction_law->varies())),
         couples_(scene.material.couples()),
         grid_(grid),
         coarse_(coarse),
@@ -119,7 +123,7 @@ class Bars {
     return coarsest_ ? value(coarse_, name) - value(*coarsest_, name) : 0.0;
   }
   double combine(const Rule& rule, double change, double before, double rest) const {
-    return (falls_ ? rule.falling : 1.0) *
+    return std::max(falls_ ? rule.falling : 1.0, uneven_ ? rule.uneven : 1.0) *
            combined(rule, coarsest_ != nullptr, {change, rule.before * before, rest});
   }
   std::optional<double> of_waves(double WaveErrors::*member, double times = 1.0) const {
@@ -176,7 +180,9 @@ class Bars {
 
   const contact::LoadPoint& load_;
   double friction_;
-  bool falls_;    ///< friction, with the slip
+  bool falls_;  ///< friction, with the slip
+  std::optional<contact::Plasticity> layer_;
+  bool uneven_;
   bool couples_;  ///< pressure and friction
   const ContactGrid& grid_;
   const PointResult& coarse_;
@@ -286,18 +292,23 @@ void Bars::set_forces() const {
 }
 
 void Bars::set_tractions() const {
-  constexpr double along = 0.4, across = 0.2, of_fall = 3.0, of_pressure = 1.5;
+  constexpr double along = 0.4, across = 0.2, of_fall = 3.0, of_pressure = 1.5, of_missed = 1.6;
   const contact::SurfaceField& traction = fine_.fields.traction;
   if (traction.x.size() != grid_.size() || traction.y.size() != grid_.size()) return;
   // With slip almost everywhere, the largest traction is as smooth as the pressure; otherwise it is
   // at the end of adhesion and decreases on both sides.
   const double bound = friction_ * fine_.max_pressure;
+  // A layer that softens bears its yield stress where it begins to yield, perhaps between elements.
+  const auto& state = fine_.fields.state;
+  const bool softens = layer_ && layer_->hardening < 0.0 &&
+                       std::count(state.begin(), state.end(), contact::ElementState::plastic) > 0;
+  const double missed = softens ? std::max(0.0, layer_->yield_stress - fine_.max_traction) : 0.0;
   const auto largest = [&](const char* name, const Rule& rule, const Field& field) {
     const Peak peak = peak_of(grid_, field);
     const double part = bound > 0.0 ? std::min(1.0, std::abs(value(fine_, name)) / bound) : 1.0;
     set(name, rule,
-        root_of_squares(
-            {along * peak.sag_x, across * peak.sag_y, of_fall * (1.0 - part) * peak.fall}),
+        root_of_squares({along * peak.sag_x, across * peak.sag_y,
+                         of_fall * (1.0 - part) * peak.fall, of_missed * missed}),
         of_waves(&WaveErrors::max_pressure, of_pressure * part * friction_));
   };
   largest("max_traction", of_largest_traction,

@@ -21,11 +21,12 @@ namespace rollfem::testing {
 /// A scene without its contact grid.
 struct RandomScene {
   contact::Scene scene;
-  std::string shape;    ///< of the undeformed distance
-  std::string motion;   ///< "rolling", "spin", "force", "shift", "transient"
-  double length = 0.0;  ///< mm, of the patch without friction
-  double width = 0.0;   ///< mm
-  bool unlike = false;  ///< materials
+  std::string shape;          ///< of the undeformed distance
+  std::string motion;         ///< "rolling", "spin", "force", "shift", "transient"
+  double length = 0.0;        ///< mm, of the patch without friction
+  double width = 0.0;         ///< mm
+  double max_pressure = 0.0;  ///< MPa, likewise
+  bool unlike = false;        ///< materials
 
   /// With this many elements across both extents of the patch.
   contact::Scene across(int elements) const {
@@ -53,6 +54,7 @@ class RandomScenes : private RandomDraws {
     const contact::PointResult pressed = press(scene);
     random.length = pressed.contact_length;
     random.width = pressed.contact_width;
+    random.max_pressure = pressed.max_pressure;
     contact::LoadPoint point = scene.points.front();
     if (chance(0.5)) point.load = {pressed.normal_force, {}};
     random.motion = move(scene, point, pressed);
@@ -80,10 +82,40 @@ class RandomScenes : private RandomDraws {
         std::make_shared<contact::FallingFriction>(shape, part * mu, parts, memory);
     if (chance(0.5))
       scene.material.layer = log_uniform(0.03, 10.0) * reach / scene.material.shear_modulus;
-    // Below what slides at any velocity.
-    for (contact::LoadPoint& point : scene.points)
-      for (auto* force : {&point.force.longitudinal, &point.force.lateral})
-        if (*force) **force *= part;
+    limit_forces(scene, part);  // below what slides at any velocity
+  }
+
+  /// Adds a layer that yields at 0.1 to 1 of mu p_0, which is elastic too in half of them:
+  /// perfectly plastic, hardening, or softening by up to 0.3 G over the size of the patch. From the
+  /// same stream, after the scene.
+  void let_yield(RandomScene& random) {
+    contact::Scene& scene = random.scene;
+    const double unit = scene.material.shear_modulus / reach;
+    const double part = log_uniform(0.1, 1.0);
+    const double kind = uniform(0.0, 3.0), size = unit * log_uniform(1e-2, 1.0);
+    auto law = std::make_shared<contact::CoulombFriction>(scene.friction_coefficient());
+    law->plasticity = contact::Plasticity{part * scene.friction_coefficient() * random.max_pressure,
+                                          kind < 1.0   ? 0.0
+                                          : kind < 2.0 ? 10.0 * size
+                                                       : -0.3 * size};
+    scene.friction_law = law;
+    if (chance(0.5)) scene.material.layer = log_uniform(0.03, 10.0) / unit;
+    limit_forces(scene, 0.5 * part);
+  }
+
+  /// Friction that changes across the patch to 0.2 to 1 of the largest, linearly or within a tenth
+  /// of the width. From the same stream, after the scene.
+  void let_vary(RandomScene& random) {
+    contact::Scene& scene = random.scene;
+    const double most = scene.friction_coefficient(), part = uniform(0.2, 1.0);
+    const double width = random.width * (chance(0.5) ? 1.0 : 0.1);
+    const double middle = random.width * uniform(-0.3, 0.3), side = sign();
+    scene.friction_law =
+        std::make_shared<contact::VaryingFriction>(contact::coulomb(most), [=](double y) {
+          const double lies = std::clamp(0.5 + side * (y - middle) / width, 0.0, 1.0);
+          return contact::coulomb(most * (part + (1.0 - part) * lies));
+        });
+    limit_forces(scene, part);
   }
 
   /// An integer from the same stream, after the scene.
@@ -101,6 +133,12 @@ class RandomScenes : private RandomDraws {
       return u * u * (u2 + u4 * u * u) + v * (v1 + v * (v2 + v * (v3 + v * v4))) + uv * u * v;
     }
   };
+
+  static void limit_forces(contact::Scene& scene, double part) {
+    for (contact::LoadPoint& point : scene.points)
+      for (auto* force : {&point.force.longitudinal, &point.force.lateral})
+        if (*force) **force *= part;
+  }
 
   static constexpr double approach = 0.05;  ///< mm
   static constexpr double reach = 6.0;      ///< mm, sqrt(X Y)
