@@ -109,7 +109,7 @@ std::string models_markdown(const ModelRegistry& models) {
         fmt::format("\n| {} | {} |", contact::demand_words(demand), which_models(solving, takes));
   }
   text +=
-      fmt::format("\n| stress below the surface (the others leave it out) | {} |",
+      fmt::format("\n| stress below the surface (the others note its absence) | {} |",
                   which_models(solving, [](const ModelInfo& model) { return model.has_stress; }));
   return text + "\n";
 }

@@ -38,18 +38,6 @@ void check_before(const RunRequest& request, const contact::Case& input,
   postprocess::check_directory(output_directory(request).string());
   for (const contact::Scene& scene : modelling::unbalanced_scenes(input, placed))
     for (const std::string& name : input.models) models.check(scene, name);
-  const bool any_stress =
-      std::any_of(input.models.begin(), input.models.end(), [&](const std::string& name) {
-        return models.at(name).has_stress || models.at(name).chooses;
-      });
-  if (any_stress || request.quiet) return;
-  const auto warn = [&](const char* key) {
-    std::cerr << fmt::format(
-        "warning: {}: {} is computed only by the models {}, and none of them runs\n", input.file,
-        key, contact::listed(models.names(&contact::ModelInfo::has_stress)));
-  };
-  if (!input.subsurface.empty()) warn("[[subsurface]]");
-  if (input.output.stress_maxima) warn("[output] stress_maxima");
 }
 
 /// The model shown for each position: the one with most patches (not every theory can take all of

@@ -245,6 +245,9 @@ ModelResult ModelRegistry::run(const std::string& name, const ModelInput& input,
   check_validity(input, result, kind);
   for (std::string& warning : validity_warnings(input, result, kind))
     result.notes.push_back(std::move(warning));
+  if (input.asks_for_stress() && !model.has_stress)
+    result.notes.push_back(fmt::format("no stress below the surface; models that compute it: {}",
+                                       listed(names(&ModelInfo::has_stress))));
   explain_bars(input, model.bars, result);
   if (result.model_error_source.empty()) result.model_error_source = model.no_model_error;
   return result;

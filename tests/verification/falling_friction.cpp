@@ -258,6 +258,33 @@ TEST(Fastsim, TakesALayerInSeriesAndFallingFriction) {
     EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
 }
 
+TEST(Fastsim, RemembersFrictionAlongEveryRow) {
+  // Slip is the rigid one where everything slides: mu_s + (mu - mu_s) exp(-xi d/d_c), d behind the
+  // leading edge, under Hertz's pressure. Half-spaces slide a little less near that edge.
+  Case input = locomotive({0.1});
+  add_falling_friction(input);
+  input.friction_fall.half_velocity = 500.0;
+  input.friction_fall.memory_distance = 0.5;
+  input.fastsim.bound = contact::BoundShape::elliptic;
+  const double there = 0.14 + 0.19 * std::exp2(-10e3 * 0.1 / 500.0);
+  for (const char* model : {"fastsim", "halfspace"}) {
+    const PointResult point =
+        theories::models().run(model, contact::Scene(input), {}).points.front();
+    double sum = 0.0, all = 0.0;
+    for (double v = -0.995; v < 1.0; v += 0.01)
+      for (double u = -0.995; u < 1.0; u += 0.01) {
+        const double row = std::sqrt(1.0 - v * v);
+        const double pressure = row * std::sqrt(1.0 - u * u) * row;
+        const double slid = 0.1 * point.semi_axis_x * row * (1.0 - u);
+        sum += pressure * (there + (0.33 - there) * std::exp(-slid / 0.5));
+        all += pressure;
+      }
+    testing::record(std::string("remembered_") + model, -point.longitudinal_force / force);
+    EXPECT_NEAR(-point.longitudinal_force / force, sum / all, 0.01 * sum / all) << model;
+    EXPECT_GT(sum / all, 1.2 * there);
+  }
+}
+
 /// CONTACT's modified FASTSIM (tractcurv, 91 to 120), on its elements: -F_x/(mu F_n). 0.003 leaves
 /// room for its flexibilities, from Kalker's printed table.
 TEST(Fastsim, ReducedSlopeIsThatOfContact) {

@@ -72,6 +72,28 @@ TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   EXPECT_NE(with_spin("[fastsim]\nflexibilities = \"one\"\n"), with_spin(""));
 }
 
+TEST(TheoriesSay, WhatTheyLeaveOut) {
+  Case input = parse_case(plus(curve), "a.toml");
+  input.output.stress_maxima = true;
+  input.rolling.speed = 10e3;
+  input.friction_fall.shape = contact::FallShape::exponential;
+  input.friction_fall.kinetic_coefficient = 0.1;
+  input.friction_fall.half_velocity = 500.0;
+  input.friction_fall.memory_distance = 3e-3;
+  const auto says = [&](const char* name, const std::string& words) {
+    std::string all;
+    for (const std::string& note : theories::models().run(name, input, {}).notes) all += note;
+    return all.find(words) != std::string::npos;
+  };
+  for (const char* name : {"hertz", "polach", "fastsim"})
+    EXPECT_TRUE(says(name, "no stress below the surface; models that compute it: halfspace"));
+  EXPECT_FALSE(says("halfspace", "no stress below the surface"));
+  EXPECT_TRUE(says("polach", "memory_distance is neglected"));
+  EXPECT_FALSE(says("fastsim", "memory_distance"));
+  input.friction_fall.memory_distance = 0.0;
+  EXPECT_FALSE(says("polach", "memory_distance"));
+}
+
 TEST(GivenPressure, OfHertzsEllipseGivesHertzsContactBack) {
   const Case bodies = parse_case(rollfem::testing::small_case, "a.toml");
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(bodies);
