@@ -150,6 +150,29 @@ TEST(FemProblems, ARigidBodyRollsAsInTheHalfSpace) {
   }
 }
 
+TEST(FemProblems, ALayerThatYieldsTransmitsAsMuchAsBetweenHalfSpaces) {
+  Case input = case_b(1.8);
+  input.fem.extent = 18.0;
+  input.layer = contact::Layer{0.02, 800.0, 150.0, 500.0};
+  input.rolling.creepages = {{3e-3, 0.0, 0.0}};
+  const PointResult fem = finite_elements(input).points.front();
+  const PointResult half = half_space(input).points.front();
+  EXPECT_NEAR(fem.longitudinal_force, half.longitudinal_force, 0.03 * sliding(input, half));
+  const contact::ContactFields& fields = fem.fields;
+  int yielding = 0;
+  for (std::size_t e = 0; e < fields.state.size(); ++e) {
+    if (fields.state[e] != contact::ElementState::plastic) continue;
+    // The yield stress and what all creepage along the patch could harden, below friction.
+    ++yielding;
+    const auto k = static_cast<Eigen::Index>(e);
+    const double size = std::hypot(fields.traction.x[k], fields.traction.y[k]);
+    EXPECT_GE(size, 150.0 * (1.0 - 1e-6));
+    EXPECT_LE(size, 150.0 + 500.0 * 3e-3 * 12.0);
+    EXPECT_LE(size, 0.55 * fields.traction.n[k] * (1.0 + 1e-6));
+  }
+  EXPECT_GT(yielding, 5);
+}
+
 TEST(FemProblems, GivenPressureAndQuadraticDistance) {
   Case given = case_b();
   given.given_pressure = contact::GivenPressure{6.0, 6.0, 700.0};

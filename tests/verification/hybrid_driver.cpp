@@ -103,6 +103,13 @@ TEST(HybridDriver, TransientRolling) {
   expect_half_space(input);
 }
 
+TEST(HybridDriver, ALayerThatYields) {
+  contact::Case input = on_16_across("thesis_e");
+  input.rolling.creepages = {{0.002, 0.0, 0.0}, {0.004, 0.002, 1e-4}};
+  input.layer = contact::Layer{0.02, 800.0, 100.0, 500.0};
+  expect_half_space(input);
+}
+
 TEST(HybridDriver, PatchesOfProfilesInBalance) {
   for (const char* name : {"s1002_uic60_left", "s1002_uic60_right"}) {
     contact::Case input = on_16_across(name);
