@@ -76,10 +76,7 @@ std::size_t width_of(const ModelResult& model) {
 /// "0.21601 +- 0.0012", with the model error if known: "0.20970 +- 1.7e-05, model 0.0062". The
 /// quantity is divided by `scale`; never prints -0.00000.
 std::string barred(double value, const PointResult& point, const char* quantity, double scale) {
-  const auto bar = point.error_estimate.find(quantity);
-  std::string text = bar == point.error_estimate.end()
-                         ? contact::bar_text(point, quantity)
-                         : fmt::format("+- {:.2g}", bar->second / scale);
+  std::string text = contact::bar_text(point, quantity, scale);
   if (const auto error = point.model_error.find(quantity); error != point.model_error.end())
     text += fmt::format(", model {:.2g}", error->second / scale);
   return fmt::format("{:.5f} {:<10}", std::abs(value) < 5e-6 ? 0.0 : value, text);

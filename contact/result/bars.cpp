@@ -152,9 +152,9 @@ void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result
   }
 }
 
-std::string bar_text(const PointResult& point, const std::string& quantity) {
+std::string bar_text(const PointResult& point, const std::string& quantity, double scale) {
   const auto bar = point.error_estimate.find(quantity);
-  if (bar != point.error_estimate.end()) return fmt::format("+- {:.2g}", bar->second);
+  if (bar != point.error_estimate.end()) return fmt::format("+- {:.2g}", bar->second / scale);
   const auto word = point.no_bar.find(quantity);
   return word == point.no_bar.end() ? std::string() : word->second;
 }

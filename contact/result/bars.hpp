@@ -45,7 +45,7 @@ void derive_bars(PointResult& point);
 /// (a force along z, an approach) have no bar but the word "given".
 void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result);
 
-/// "+- 0.58", or the reason instead; empty if the point has neither.
-std::string bar_text(const PointResult& point, const std::string& quantity);
+/// "+- 0.58", over `scale`, or the reason instead; empty if the point has neither.
+std::string bar_text(const PointResult& point, const std::string& quantity, double scale = 1.0);
 
 }  // namespace rollfem::contact
