@@ -53,6 +53,12 @@ enum class FallShape {
   exponential,  ///< 2^(-s/s_hi)
 };
 
+/// Which state to find where a law that falls steeply has several.
+enum class FrictionBranch {
+  sticking,  ///< with the most friction, which grows out of small creepage
+  sliding,   ///< with the least, to which fast sliding slows down
+};
+
 /// Fall of friction, from its coefficient at rest, once the surfaces slide.
 struct FrictionFall {
   FallShape shape = FallShape::none;
@@ -64,6 +70,7 @@ struct FrictionFall {
   std::optional<double> polach_b;             ///< s/m, in place of s_h1
   double memory_distance = 0.0;               ///< d_c, mm; 0: mu follows the slip at once
   double memory_velocity = 1.0;               ///< s_0, mm/s
+  FrictionBranch branch = FrictionBranch::sticking;
 };
 
 /// Friction over the rail: its numbers at points, linear between them and constant outside.
@@ -73,9 +80,15 @@ struct FrictionVariation {
     double coefficient = 0.0;
     FrictionFall fall;
   };
-  std::vector<Point> points;           ///< empty: the same everywhere
-  std::vector<double> inclination;     ///< rad, ascending, of the points, or
-  std::vector<double> track_position;  ///< mm, ascending, of the points
+  std::vector<Point> points;             ///< empty: the same everywhere
+  std::vector<double> inclination;       ///< rad, ascending, of the points, or
+  std::vector<double> track_position;    ///< mm, ascending, of the points, or
+  std::vector<double> lateral_position;  ///< y in mm, ascending, of the points; without profiles
+  const std::vector<double>& places() const {
+    return !track_position.empty()     ? track_position
+           : !lateral_position.empty() ? lateral_position
+                                       : inclination;
+  }
 };
 
 /// A layer between the bodies that gives way to shear alone.
@@ -275,6 +288,9 @@ struct Case : ModelOptions {
   Rolling rolling;
   std::vector<HistoryStep>
       history;  ///< as long as rolling.creepages for shift and transient, else empty
+  /// The first step of a transient is steady rolling, which the others continue; false: at rest
+  /// before.
+  bool starts_steady = false;
   DistanceOptions undeformed_distance;
   std::optional<GivenPressure> given_pressure;
   GridOptions contact_grid;

@@ -52,7 +52,9 @@ bool FrictionNewton::follow_bounds(double scale) {
   constexpr double round_tolerance = 1e-5, least_near = 1e-6;  // below, rounds go on alone
   double near = 1e-2;  // of the bound at rest of every element
   int turns = 0;
-  if (options_->least_friction) {
+  const bool from_sliding =
+      (problem_->law.branch == FrictionBranch::sliding) != options_->other_branch;
+  if (from_sliding) {
     slip_change_.setConstant(fast / problem_->slip_factor);
     state_.set_bound(slip_change_, point_->bound);
   } else {
@@ -82,7 +84,7 @@ bool FrictionNewton::follow_bounds(double scale) {
     // In shifts all bounds move the same way; along a row friction that is lost upstream can be
     // gained downstream, and both go round.
     const Eigen::ArrayXd moved = (point_->bound - held).array() / bound_.array();
-    const double against = options_->least_friction ? -moved.minCoeff() : moved.maxCoeff();
+    const double against = from_sliding ? -moved.minCoeff() : moved.maxCoeff();
     if (against > 0.01 * change) ++turns;
     const double share = turns < 20 ? 1.0 : turns < 60 ? 0.5 : turns < 140 ? 0.25 : 0.1;
     point_->bound = held + share * (point_->bound - held);

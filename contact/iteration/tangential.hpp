@@ -36,9 +36,7 @@ struct TangentialOptions {
   int patience = 25;              ///< Newton steps without drag before drag is tried
   double krylov_tolerance = 0.1;  ///< loosest; tightened as Newton's method converges
   int max_krylov_iterations = 400;
-  /// Where a falling law has several solutions, the one with the least friction, to which the
-  /// contact comes from fast sliding, in place of the one with the most.
-  bool least_friction = false;
+  bool other_branch = false;  ///< than FrictionLaw::branch
 };
 
 struct TangentialSolution {

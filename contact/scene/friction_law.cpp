@@ -97,9 +97,9 @@ LawNumbers numbers_at(const std::vector<double>& places,
 std::shared_ptr<FrictionLaw> without_layer(const Case& input, std::size_t position,
                                            const std::function<double(double y)>& inclination) {
   const double mu = input.friction_coefficient;
-  const auto& [points, inclinations, track_positions] = input.friction_variation;
+  const auto& [points, inclinations, track_positions, lateral] = input.friction_variation;
   if (points.empty()) return law_of(input, numbers_of(mu, input.friction_fall));
-  if (inclinations.empty())
+  if (!track_positions.empty())
     return law_of(input,
                   numbers_at(track_positions, points, input.wheelset.track_position.at(position)));
   const auto most =
@@ -108,6 +108,8 @@ std::shared_ptr<FrictionLaw> without_layer(const Case& input, std::size_t positi
   return std::make_shared<VaryingFriction>(
       law_of(input, numbers_of(most->coefficient, most->fall)), [input, inclination](double y) {
         const FrictionVariation& over = input.friction_variation;
+        if (over.inclination.empty())
+          return law_of(input, numbers_at(over.lateral_position, over.points, y));
         const double place = inclination ? inclination(y) : 0.0;
         return law_of(input, numbers_at(over.inclination, over.points, place));
       });
@@ -119,6 +121,7 @@ Friction friction_of(const Case& input, std::size_t position,
                      const std::function<double(double y)>& inclination) {
   if (input.friction_coefficient == 0.0) return nullptr;
   const std::shared_ptr<FrictionLaw> law = without_layer(input, position, inclination);
+  law->branch = input.friction_fall.branch;
   if (input.layer && input.layer->yield_stress)
     law->plasticity = Plasticity{*input.layer->yield_stress, input.layer->hardening.value_or(0.0)};
   return law;

@@ -58,6 +58,7 @@ class FrictionLaw {
   double coefficient() const { return at(0.0).value; }
 
   std::optional<Plasticity> plasticity;  ///< of a layer that yields beside the law; empty: none
+  FrictionBranch branch = FrictionBranch::sticking;
 };
 
 /// Null: no friction.

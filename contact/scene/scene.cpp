@@ -43,6 +43,7 @@ Scene::Scene(const Case& input)
       material(combine(input.wheel.material, input.rail.material)),
       friction_law(friction_of(input)),
       problem(input.rolling.problem),
+      starts_steady(input.starts_steady),
       given_pressure(input.given_pressure),
       speed(input.rolling.speed),
       upwind_order(input.rolling.upwind_order),
@@ -66,6 +67,7 @@ bool Scene::load_changes() const {
 
 bool Scene::is_symmetric() const {
   return !has_profiles() && geometry.has_surfaces() && geometry.extra_slip != ExtraSlip::file &&
+         !(friction_law && friction_law->varies()) &&
          std::all_of(points.begin(), points.end(), [](const LoadPoint& point) {
            return point.creepage.lateral == 0.0 && point.creepage.spin == 0.0 &&
                   !point.force.lateral && point.lateral_shift == 0.0 && point.spin_shift == 0.0;
@@ -101,6 +103,7 @@ Field pressure_field(const GivenPressure& pressure, const ContactGrid& grid) {
 Scene at_point(const Scene& scene, std::size_t k) {
   Scene single = scene;
   single.points = {scene.points.at(k)};
+  single.starts_steady = scene.starts_steady && k == 0;
   return single;
 }
 

@@ -70,6 +70,7 @@ struct Scene {
   CombinedMaterial material;  ///< with the layer between the bodies
   Friction friction_law;      ///< as given in the case; null if mu is 0
   Problem problem = Problem::steady;
+  bool starts_steady = false;  ///< the first point of Problem::transient is steady rolling
   std::vector<LoadPoint> points;
   bool turns_freely = false;  ///< a wheelset's balance has found the rotation, and the creepages
   std::optional<GivenPressure> given_pressure;
@@ -86,6 +87,9 @@ struct Scene {
   OutputOptions output;
 
   bool is_history() const { return problem == Problem::shift || problem == Problem::transient; }
+  Problem problem_of(std::size_t k) const {
+    return starts_steady && k == 0 ? Problem::steady : problem;
+  }
   /// The active friction law; null without friction.
   Friction friction() const { return problem == Problem::frictionless ? nullptr : friction_law; }
   /// mu of the law, also for frictionless problems.

@@ -139,7 +139,7 @@ int ContactProblem::count_states(const ContactState& state, const TangentialMoti
   if (!known.feedback || coupled()) return 1;
   const Field& pressure = state.normal.pressure;
   TangentialOptions options;
-  options.least_friction = true;
+  options.other_branch = true;
   try {
     const TangentialSolution other = solve_tangential(
         tangential_operator(motion.motion, pressure),

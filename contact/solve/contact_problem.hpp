@@ -90,9 +90,9 @@ class ContactProblem {
                                const ContactState& start, const ContactAccuracy& accuracy,
                                const OuterCallback& each_iteration);
 
-  /// 2 where another state with less friction, to which the contact comes from fast sliding, was
-  /// found beside the solved `state` of this motion, otherwise 1. Searched for only where the law
-  /// falls steeply and the elasticity needs no correction, under the pressure of the state.
+  /// 2 where a state of the other branch (FrictionBranch) was found beside the solved `state` of
+  /// this motion, otherwise 1. Searched for only where the law falls steeply and the elasticity
+  /// needs no correction, under the pressure of the state.
   int count_states(const ContactState& state, const TangentialMotion& motion);
 
   /// The elasticity's response to pressure only: start of the first load point.

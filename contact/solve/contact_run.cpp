@@ -64,12 +64,12 @@ std::string steep_friction_note(const LevelResult& level) {
           ? std::string("several states are possible")
           : fmt::format(
                 "there are several states at {} of {} load points (a second one that small "
-                "changes do not leave was found, with less friction)",
+                "changes do not leave was found)",
                 level.several, level.points.size());
   return fmt::format(
       "friction falls so steeply with the slip velocity ({:.2g} times what one element withstands) "
-      "that {}, which depend on the grid: given is the one that grows out of small creepage, with "
-      "the most friction; a larger friction.memory_distance leaves one (docs/friction.md)",
+      "that {}, which depend on the grid: given is the one of friction.branch; a larger "
+      "friction.memory_distance leaves one (docs/friction.md)",
       level.steepness, found);
 }
 
@@ -220,7 +220,7 @@ OuterCallback ContactRun::each_iteration(std::size_t k) {
     event.residual = state.residual;
     event.contact_elements = state.normal.contact_elements;
     event.adhesion_elements = count_adhesion(state.tangential.state);
-    tell(event, stage_of(scene_.problem), false);
+    tell(event, stage_of(scene_.problem_of(k)), false);
   };
 }
 
@@ -234,7 +234,8 @@ ForceSearch ContactRun::search_for(std::size_t k) {
     if (point.force.longitudinal) search.start.x() = found.longitudinal;
     if (point.force.lateral) search.start.y() = found.lateral;
   };
-  if (scene_.problem == Problem::steady) {
+  const Problem problem = scene_.problem_of(k);
+  if (problem == Problem::steady) {
     search.has_peak = friction_->feels_slip();
     search.stiffness = elasticity_->rolling_stiffness(patch);
     search.start = first_creepage(
@@ -242,12 +243,12 @@ ForceSearch ContactRun::search_for(std::size_t k) {
         mean_coefficient(friction_, result_.grid, normal.pressure) * normal.normal_force);
   } else {
     search.stiffness = elasticity_->shift_stiffness(patch);
-    if (scene_.problem == Problem::transient) search.stiffness *= point.step_length;
+    if (problem == Problem::transient) search.stiffness *= point.step_length;
     search.start = motion_->given_unknowns(k);
-    if (scene_.problem == Problem::transient && !result_.points.empty())
+    if (problem == Problem::transient && !result_.points.empty())
       start_from(result_.points.back().creepage);
   }
-  if (options_.coarser && scene_.problem != Problem::shift)
+  if (options_.coarser && problem != Problem::shift)
     start_from(options_.coarser->points[k].creepage);
   return search;
 }
@@ -299,7 +300,7 @@ bool ContactRun::take_up(std::size_t k) {
 
 void ContactRun::solve_point(std::size_t k) {
   const Stopwatch watch;
-  const char* stage = stage_of(scene_.problem);
+  const char* stage = stage_of(scene_.problem_of(k));
   ProgressEvent event = event_of(k);
   if (elasticity_->same_normal_block()) {
     event.contact_elements = problem_->press(scene_.points[k].load).contact_elements;

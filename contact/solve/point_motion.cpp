@@ -23,6 +23,7 @@ Friction friction_on(const Scene& scene, const ChartedGeometry& geometry) {
         return friction->of_row(geometry.lateral_place(grid_y));
       });
   on_arc->plasticity = friction->plasticity;
+  on_arc->branch = friction->branch;
   return on_arc;
 }
 
@@ -70,7 +71,7 @@ TangentialMotion PointMotion::at(std::size_t k, const Vector2d& unknowns) const 
     if (friction_) motion.past = history_.past(0.0);
     return motion;
   }
-  const bool steps = scene_.problem == Problem::transient;
+  const bool steps = scene_.problem_of(k) == Problem::transient;
   const TangentialField slip = rigid_slip({unknowns.x(), unknowns.y(), point.creepage.spin},
                                           steps ? point.step_length : grid_.dx);
   if (!steps) return {slip, Motion::rolling, 1.0, 1.0};
@@ -94,7 +95,7 @@ void PointMotion::describe(std::size_t k, const Vector2d& unknowns, PointResult&
   }
   if (!scene_.is_history()) return;
   point.step = static_cast<int>(k) + 1;
-  if (scene_.problem == Problem::transient) sum_.distance += given.step_length;
+  if (scene_.problem_of(k) == Problem::transient) sum_.distance += given.step_length;
   point.longitudinal_shift = sum_.longitudinal;
   point.lateral_shift = sum_.lateral;
   point.spin_shift = sum_.spin;
@@ -103,10 +104,14 @@ void PointMotion::describe(std::size_t k, const Vector2d& unknowns, PointResult&
 
 void PointMotion::advance(std::size_t k, const ContactState& state) {
   if (!scene_.is_history()) return;
+  // Steady rolling is as if the next step had been made before, with the same displacements.
+  const bool steady = scene_.problem_of(k) == Problem::steady;
+  const std::size_t like = steady ? std::min(k + 1, scene_.points.size() - 1) : k;
   const bool rolls = scene_.problem == Problem::transient;
-  history_.advance({state.displacement.x, state.displacement.y},
-                   rolls ? scene_.points[k].step_length : 0.0,
-                   friction_ ? friction_after(state) : FrictionPast());
+  for (int times = steady ? 2 : 1; times > 0; --times)
+    history_.advance({state.displacement.x, state.displacement.y},
+                     rolls ? scene_.points[like].step_length : 0.0,
+                     friction_ ? friction_after(state) : FrictionPast());
 }
 
 void PointMotion::take_up(const PointResult& point) {

@@ -140,9 +140,9 @@ std::string discretisation_words(const Scene& scene) {
       return "with constant tractions; shift without rolling";
     case contact::Problem::transient:
       return fmt::format(
-          "with constant tractions; transient rolling, {}-order difference over the "
+          "with constant tractions; transient rolling{}, {}-order difference over the "
           "steps{}",
-          order, spin);
+          scene.starts_steady ? " from a steady state, the first step" : "", order, spin);
     case contact::Problem::steady:
       break;
   }

@@ -61,9 +61,10 @@ void write_case(hid_t file, const contact::Case& input) {
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
   if (!input.friction_variation.points.empty())
     write_attribute(group, "friction_varies",
-                    std::string(input.friction_variation.inclination.empty()
-                                    ? "along the track"
-                                    : "over the inclination of the rail"));
+                    std::string(!input.friction_variation.track_position.empty() ? "along the track"
+                                : !input.friction_variation.inclination.empty()
+                                    ? "over the inclination of the rail"
+                                    : "over the lateral position"));
   write_friction_law(group, input);
   const contact::Layer layer = input.layer.value_or(contact::Layer{});
   if (layer.thickness) write_attribute(group, "layer_thickness", *layer.thickness);

@@ -166,7 +166,7 @@ CreepTable empty_table(const contact::Case& input) {
   if (!input.friction_variation.points.empty())
     throw contact::InputError(fmt::format(
         "{}: friction.coefficient: has several values, which a table does not hold; allowed: one "
-        "number; do: remove friction.inclination and friction.track_position, or use rollfem run",
+        "number; do: give one, without the places of several, or use rollfem run",
         input.file));
   CreepTable table;
   table.only_for = only_for(input);

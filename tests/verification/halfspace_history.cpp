@@ -314,5 +314,78 @@ TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
               1.0, 1e-3);
 }
 
+/// Case b rolled on from steady rolling in steps of an element, with the same difference
+/// everywhere; the longitudinal creepage of the last `changed` steps is half as large.
+Case rolled_on(UpwindOrder order, std::size_t steps, std::size_t changed) {
+  Case input = rollfem::testing::thesis_case('b');
+  input.contact_grid.elements_across = 24;
+  input.rolling.upwind_order = order;
+  input.rolling.leading_edge = contact::LeadingEdge::plain;
+  input.rolling.problem = Problem::transient;
+  input.starts_steady = true;
+  HistoryStep each;
+  each.step_length = 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 24;
+  input.history.assign(steps, each);
+  input.rolling.creepages.assign(steps, {0.002, 0.001, 0.0});
+  for (std::size_t k = steps - changed; k < steps; ++k)
+    input.rolling.creepages[k].longitudinal = 0.001;
+  return input;
+}
+
+double apart(const PointResult& a, const PointResult& b) {
+  return std::hypot(a.longitudinal_force - b.longitudinal_force, a.lateral_force - b.lateral_force);
+}
+
+TEST(SteadyStart, StaysSteadyWhereNothingChanges) {
+  const double sliding = 0.55 * 50e3;
+  for (const UpwindOrder order : {UpwindOrder::first, UpwindOrder::second}) {
+    Case input = rolled_on(order, 8, 0);
+    const ModelResult result = halfspace::run_halfspace(input, {});
+    for (const PointResult& point : result.points)
+      EXPECT_LT(apart(point, result.points[0]), 5e-5 * sliding) << point.step;
+    EXPECT_EQ(result.points[0].distance, 0.0);
+    EXPECT_NEAR(result.points[7].distance, 7.0 * input.history[0].step_length, 1e-9);
+    input.rolling.problem = Problem::steady;
+    input.starts_steady = false;
+    input.history.clear();
+    input.rolling.creepages.resize(1);
+    EXPECT_LT(apart(halfspace::run_halfspace(input, {}).points[0], result.points[0]),
+              5e-5 * sliding);
+  }
+}
+
+TEST(SteadyStart, IsWhereALongWayFromRestEnds) {
+  constexpr std::size_t changed = 12, way = 4 * 24;
+  const ModelResult steady =
+      halfspace::run_halfspace(rolled_on(UpwindOrder::first, 1 + changed, changed), {});
+  Case input = rolled_on(UpwindOrder::first, way + changed, changed);
+  input.starts_steady = false;
+  const ModelResult from_rest = halfspace::run_halfspace(input, {});
+  const double fall = apart(steady.points.front(), steady.points.back());
+  EXPECT_GT(fall, 0.05 * 0.55 * 50e3);
+  for (std::size_t k = 1; k <= changed; ++k)
+    EXPECT_LT(apart(steady.points[k], from_rest.points[way + k - 1]), 1e-3 * fall) << k;
+}
+
+TEST(SteadyStart, KeepsCreepageUnderAForceAndFrictionThatRemembers) {
+  Case input = rolled_on(UpwindOrder::second, 6, 0);
+  input.rolling.creepages.assign(6, {});
+  input.rolling.forces.assign(6, {-12e3, {}});
+  const ModelResult forced = halfspace::run_halfspace(input, {});
+  for (const PointResult& point : forced.points)
+    EXPECT_NEAR(point.creepage.longitudinal / forced.points[0].creepage.longitudinal, 1.0, 1e-3);
+  // Friction follows the slip along the row with second order, over a step with first: 2 %.
+  input = rolled_on(UpwindOrder::first, 6, 0);
+  input.rolling.speed = 20e3;
+  input.friction_fall.shape = contact::FallShape::exponential;
+  input.friction_fall.kinetic_coefficient = 0.25;
+  input.friction_fall.half_velocity = 60.0;
+  input.friction_fall.memory_distance = 2e-3;
+  const ModelResult falling = halfspace::run_halfspace(input, {});
+  EXPECT_LT(-falling.points[0].longitudinal_force, 0.9 * 0.55 * 50e3);
+  for (const PointResult& point : falling.points)
+    EXPECT_LT(apart(point, falling.points[0]), 0.02 * 0.55 * 50e3) << point.step;
+}
+
 }  // namespace
 }  // namespace rollfem

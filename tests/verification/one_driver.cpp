@@ -145,6 +145,9 @@ TEST(OneDriver, ShiftAndTransientSteps) {
   input.history.assign(3, {});
   for (auto& step : input.history) step.step_length = 1.0;
   expect_alike(input);
+  input.starts_steady = true;
+  input.rolling.creepages[2].longitudinal = 0.0;
+  expect_alike(input);
 }
 
 TEST(OneDriver, AGivenPressure) {

@@ -48,8 +48,7 @@ void check_friction(const GivenCase& given, const Case& input) {
 /// The places of friction that varies: as many as points, ascending.
 void check_friction_points(const GivenCase& given, const Case& input) {
   const FrictionVariation& over = input.friction_variation;
-  const bool along = !over.track_position.empty();
-  const std::vector<double>& places = along ? over.track_position : over.inclination;
+  const std::vector<double>& places = over.places();
   if (places.empty() && over.points.empty()) return;
   if (places.size() != over.points.size()) {
     for (const Key& key : case_keys()) {
@@ -62,12 +61,15 @@ void check_friction_points(const GivenCase& given, const Case& input) {
               fmt::format("has {} entries, but {}", over.points.size(),
                           places.empty() ? "nothing says where on the rail they apply"
                                          : "there is one place"),
-              "lists as long as friction.inclination or friction.track_position, or one number",
+              "lists as long as friction.inclination, track_position or lateral_position, or one "
+              "number",
               "give the inclination of the rail at each, say "
               "`inclination = [-1.2, -0.4, 0.0]` under [friction], or one number");
     }
   }
-  const char* name = along ? "track_position" : "inclination";
+  const char* name = !over.track_position.empty()     ? "track_position"
+                     : !over.lateral_position.empty() ? "lateral_position"
+                                                      : "inclination";
   if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end())
     fail_at(given, std::string("friction.") + name, *given.find("friction", name),
             "does not ascend", "places in ascending order, each once",

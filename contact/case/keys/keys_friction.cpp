@@ -137,6 +137,21 @@ void add_parts(Keys<Case>& keys) {
           .otherwise("half_velocity is given")
           .says("Polach's B in 2^-r = exp(-B s), instead of half_velocity."),
       [](Point & at) -> auto& { return at.fall.polach_b; });
+  keys.choice("branch")
+      .otherwise("sticking")
+      .says(
+          "State where a steep law without memory has several: `sticking`, the one with the most "
+          "friction, or `sliding`, the least, to which fast sliding slows down.")
+      .among({"sticking", "sliding"})
+      .by(
+          [](const Case& c) {
+            const bool sliding = c.friction_fall.branch == FrictionBranch::sliding;
+            return sliding ? KeyValue(std::string("sliding")) : KeyValue();
+          },
+          [](Case& c, const KeyValue& value) {
+            const bool sliding = std::get<std::string>(value) == "sliding";
+            c.friction_fall.branch = sliding ? FrictionBranch::sliding : FrictionBranch::sticking;
+          });
   into_fall(keys.real("memory_distance")
                 .symbol("d_c")
                 .unit("mm")
@@ -180,6 +195,11 @@ void add_places(Keys<Case>& keys) {
           .says("The same over the position along the track, wheelset.track_position, instead of "
                 "inclination."),
       &FrictionVariation::track_position);
+  into_places(keys.reals("lateral_position")
+                  .unit("mm")
+                  .within(largest)
+                  .says("The same over y, for contacts without profiles."),
+              &FrictionVariation::lateral_position);
 }
 
 }  // namespace
@@ -194,7 +214,8 @@ SectionWithKeys friction_section() {
           .required("0.55")
           .says(
               "Coefficient of friction, of a falling law at rest; 0 is frictionless, otherwise at "
-              "least 1e-12. Lists, here and below, belong to inclination or track_position."),
+              "least 1e-12. Lists, here and below, belong to inclination, track_position or "
+              "lateral_position."),
       [](Point & at) -> auto& { return at.coefficient; });
   add_fall(keys);
   add_parts(keys);

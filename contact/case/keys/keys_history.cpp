@@ -34,6 +34,19 @@ SectionWithKeys history_section() {
             c.history.resize(c.rolling.creepages.size());
             grow_load_points(c, static_cast<std::size_t>(std::get<double>(value)));
           });
+  keys.choice("start")
+      .otherwise("rest")
+      .says(
+          "State before a transient: `rest`, or `steady`: the first entry of the lists is steady "
+          "rolling, which the others continue.")
+      .among({"rest", "steady"})
+      .by(
+          [](const Case& c) {
+            return c.starts_steady ? KeyValue(std::string("steady")) : KeyValue();
+          },
+          [](Case& c, const KeyValue& value) {
+            c.starts_steady = std::get<std::string>(value) == "steady";
+          });
   keys.reals("normal_force")
       .symbol("F_z")
       .unit("N")

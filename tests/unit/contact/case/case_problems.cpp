@@ -56,6 +56,7 @@ TEST(History, NumberOfStepsStretchesNumbers) {
   ASSERT_EQ(input.rolling.creepages.size(), 4u);
   ASSERT_EQ(input.rolling.forces.size(), 4u);
   EXPECT_EQ(input.history[3].step_length, 0.5);
+  EXPECT_FALSE(input.starts_steady);
   EXPECT_EQ(input.rolling.creepages[3].lateral, 0.002);
   EXPECT_EQ(input.rolling.forces[3].longitudinal, -1e3);
 }
@@ -80,6 +81,8 @@ TEST(History, ContradictionsAreNamed) {
                {"history.lateral_shift = 0.1: belongs to the problem shift"});
   expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nstep_length = 1.0\n"),
                {"history.step_length = 1.0: belongs to the problem transient"});
+  expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nstart = \"steady\"\n"),
+               {"history.start = \"steady\": belongs to the problem transient"});
   expect_error(plus("[rolling]\nproblem = \"shift\"\nspin = 0.1\n"),
                {"rolling.spin = 0.1: has no meaning without rolling"});
   expect_error(plus("[rolling]\nproblem = \"frictionless\"\nspin = 0.1\n"),

@@ -34,7 +34,7 @@ TEST(FrictionKeys, Arrive) {
   const Case input =
       parse_case(falling("law = \"rational\"\nkinetic_coefficient = 0.1\nhalf_velocity = 900.0\n"
                          "second_part = 0.05\nsecond_half_velocity = 5e3\nmemory_distance = 2e-3\n"
-                         "memory_velocity = 3.0",
+                         "memory_velocity = 3.0\nbranch = \"sliding\"",
                          "speed = 10e3\n", "[layer]\nthickness = 0.02\nshear_modulus = 800.0\n"),
                  "case.toml");
   const contact::FrictionFall& fall = input.friction_fall;
@@ -45,6 +45,7 @@ TEST(FrictionKeys, Arrive) {
   EXPECT_EQ(fall.second_half_velocity, 5e3);
   EXPECT_EQ(fall.memory_distance, 2e-3);
   EXPECT_EQ(fall.memory_velocity, 3.0);
+  EXPECT_EQ(contact::friction_of(input)->branch, contact::FrictionBranch::sliding);
   EXPECT_EQ(contact::Scene(input).material.layer, 0.02 / 800.0);
   EXPECT_EQ(contact::Scene(input).material.uncoupled().layer, 0.02 / 800.0);
   EXPECT_FALSE(contact::Scene(input).feels_inertia());  // a speed is not inertia
