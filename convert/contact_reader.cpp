@@ -50,8 +50,10 @@ void read_solver(InputLines& lines, ContactCase& next) {
   const auto limits = lines.numbers({"MAXGS", "MAXIN", "MAXNR", "MAXOUT", "EPS"});
   next.max_outer = lines.integer(limits[3], "MAXOUT", 1, 9999);
   const int G = next.digits.G;
-  if (G == 2 || G == 3) lines.numbers({"OMEGAH", "OMEGAS", "INISLP", "OMGSLP"});
-  if (G == 4) lines.numbers({"INISLP", "OMGSLP"});
+  const auto slip = [&](double value) { return lines.integer(value, "INISLP", -9999, 9999); };
+  if (G == 2 || G == 3)
+    next.initial_slip = slip(lines.numbers({"OMEGAH", "OMEGAS", "INISLP", "OMGSLP"})[2]);
+  if (G == 4) next.initial_slip = slip(lines.numbers({"INISLP", "OMGSLP"})[0]);
   // Six or eight numbers, depending on the version.
   if (G == 5) lines.numbers({"FDECAY", "BETATH", "KDOWFB", "D_IFC", "D_LIN", "D_CNS"}, 2);
 }
@@ -71,18 +73,19 @@ void read_friction(InputLines& lines, ContactCase& next, int sets) {
                "check for a missing line above it");
   std::vector<std::string> names = law->second;
   next.friction_over = next.digits.V;
-  next.friction_points.clear();
+  next.friction.clear();
   const bool placed = next.module == 1 && next.digits.V > 0;
   if (placed) names.insert(names.begin(), next.digits.V == 1 ? "ALPHVF" : "SVF");
   for (int set = 0; set < sets; ++set) {
     const auto values = lines.numbers(names);
-    if (L == 0) next.fstat = values[values.size() - 2], next.fkin = values.back();
+    FrictionSet& read = next.friction.emplace_back();
+    if (placed) read.place = values.front();
+    if (L == 0) read.fstat = values[values.size() - 2], read.fkin = values.back();
     if (L >= 2 && L <= 4) {
-      std::copy(values.end() - 4, values.end(), next.fall.begin());
-      next.fkin = values[values.size() - 5];
-      next.fstat = next.fkin + next.fall[0] + next.fall[2];
+      std::copy(values.end() - 4, values.end(), read.fall.begin());
+      read.fkin = values[values.size() - 5];
+      read.fstat = read.fkin + read.fall[0] + read.fall[2];
     }
-    if (placed) next.friction_points.push_back({values.front(), next.fstat, next.fkin});
   }
   if (L >= 2) lines.read(next.memory, {"MEMDST", "MEM_S0"});
   next.friction_law = L;
@@ -258,6 +261,7 @@ void read_wheel_rail(InputLines& lines, ContactCase& next) {
   if (digits.D >= 2) {
     const auto grid = lines.numbers({"DX", "DS", "DQREL", "A_SEP", "D_SEP", "D_COMB"}, 2);
     pair.cell = {grid[0], grid[1]};
+    pair.search = digits.D;
   }
   if (Z == 1 || Z == 3) lines.read(pair.track, {"GAUGHT", "GAUGSQ", "GAUGWD", "CANT"});
   if (Z == 3) pair.rail = read_profile(lines, "the file of the rail's profile");

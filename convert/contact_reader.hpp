@@ -50,6 +50,7 @@ struct ProfileFile {
 
 /// Module 1: track, wheelset and grid.
 struct WheelRail {
+  int search = 2;                 ///< digit D as last given anew
   std::array<double, 2> cell{};   ///< DX, DS
   std::array<double, 4> track{};  ///< GAUGHT, GAUGSQ, GAUGWD, CANT
   ProfileFile rail, wheel;
@@ -66,10 +67,11 @@ struct StressBlock {
   std::vector<double> x, y, z;  ///< z > 0 in the upper body
 };
 
-/// Friction at one point over the rail (module 1, V = 1, 2).
-struct FrictionPoint {
-  double place = 0.0;  ///< ALPHVF, rad, negative on the gauge face; SVF, mm
-  double fstat = 0.0, fkin = 0.0;
+/// A set of friction parameters.
+struct FrictionSet {
+  double place = 0.0;              ///< ALPHVF, rad, negative on the gauge face; SVF, mm; else 0
+  double fstat = 0.0, fkin = 0.0;  ///< at rest, sliding
+  std::array<double, 4> fall{};    ///< F1, SABSH1, F2, SABSH2 of L = 2 to 4
 };
 
 struct ContactCase {
@@ -78,12 +80,12 @@ struct ContactCase {
   std::size_t line = 0;  ///< line of the module number, or of the last one before it
   Digits digits;
   int max_outer = 1;                   ///< MAXOUT
+  int initial_slip = 0;                ///< INISLP
   std::array<double, 4> kinematics{};  ///< module 3: FN or PEN, CKSI or FX, CETA or FY, CPHI
   int friction_law = 0;                ///< digit L as it was last given anew
-  double fstat = 0.0, fkin = 0.0;      ///< at rest, sliding; of the last point
   int friction_over = 0;               ///< digit V as it was last given with friction
-  std::vector<FrictionPoint> friction_points;         ///< of module 1 with friction_over > 0
-  std::array<double, 4> fall{};                       ///< F1, SABSH1, F2, SABSH2 of L = 2 to 4
+  /// One; or with friction_over > 0 one per place over the rail (module 1), or per row of elements.
+  std::vector<FrictionSet> friction;
   std::array<double, 2> memory{};                     ///< MEMDST, MEM_S0
   std::array<double, 4> rolling{0, 0, 0, 1.0 / 6.0};  ///< CHI, DQ, VELOC, FACPHI
   BodyConstants bodies;

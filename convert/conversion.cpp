@@ -22,6 +22,7 @@ struct Group {
   std::vector<int> cases;
   std::vector<std::map<std::string, double>> points;
   std::vector<std::string> notes;
+  bool starts_steady = false;
 };
 
 /// Whether the keys are equal, and the values of load keys too.
@@ -50,14 +51,43 @@ void roll_first_step(Group& group, const Equivalent& next) {
 
 bool joins(const Group& group, const Equivalent& next) {
   const Equivalent& first = group.first;
-  return first.model == next.model && first.problem == next.problem && first.fixed == next.fixed &&
-         first.files == next.files && first.history() == next.continues &&
-         same_keys(group.points.front(), next.varied);
+  return first.from_sliding == next.from_sliding && first.model == next.model &&
+         first.problem == next.problem && first.fixed == next.fixed && first.files == next.files &&
+         first.history() == next.continues && same_keys(group.points.front(), next.varied);
 }
 
-/// Whether `next` may join the group; turns an initial shift into a step if needed.
-bool admits(Group& group, const Equivalent& next) {
-  if (joins(group, next)) return true;
+/// Makes the last steady case, in a group of its own, the first step of the transient that `next`
+/// continues it with; false where it cannot be.
+bool start_steadily(std::vector<Group>& groups, const Equivalent& next) {
+  Group& last = groups.back();
+  if (!next.continues || next.problem != "transient" || last.first.problem != "steady")
+    return false;
+  Group steps{last.first, {last.cases.back()}, {last.points.back()}, last.notes, true};
+  steps.first.problem = next.problem;
+  if (steps.first.from_sliding != next.from_sliding)
+    steps.notes.push_back(
+        fmt::format("INISLP of case {} is taken to be that of the steps", steps.cases.front()));
+  steps.first.from_sliding = next.from_sliding;
+  std::map<std::string, double>& point = steps.points.front();
+  for (const char* load : {"normal_force", "approach"})
+    if (auto found = point.extract(std::string("load.") + load)) {
+      found.key() = std::string("history.") + load;
+      point.insert(std::move(found));
+    }
+  point["history.step_length"] = next.varied.at("history.step_length");
+  if (!joins(steps, next)) return false;
+  last.cases.pop_back();
+  last.points.pop_back();
+  if (last.cases.empty()) groups.pop_back();
+  groups.push_back(steps);
+  return true;
+}
+
+/// Whether `next` may join the last group, of which an initial shift or steady case becomes a step
+/// if needed.
+bool admits(std::vector<Group>& groups, const Equivalent& next) {
+  Group& group = groups.back();
+  if (joins(group, next) || start_steadily(groups, next)) return true;
   const bool onset = next.continues && next.problem == "transient" &&
                      group.first.problem == "shift" && group.points.size() == 1;
   if (!onset) return false;
@@ -124,6 +154,8 @@ std::string section_text(const Group& group, const std::string& section, const s
     several = several || line.find('[') != std::string::npos;
     add(line);
   }
+  if (section == "friction" && group.first.from_sliding) add("branch = \"sliding\"");
+  if (section == "history" && group.starts_steady) add("start = \"steady\"");
   if (section == "history" && !several && group.points.size() > 1)
     add(fmt::format("steps = {}", group.points.size()));
   if (section == "undeformed_distance" && !group.first.files.empty())
@@ -201,7 +233,7 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
     coarse = made.too_coarse && (begins_late || !made.continues);
     open = open && follows_chosen;
     if (!is_chosen) continue;
-    const bool joined = made.impossible.empty() && open && admits(groups.back(), made);
+    const bool joined = made.impossible.empty() && open && admits(groups, made);
     if (made.impossible.empty() && begins_late)
       made.notes.push_back(
           "the history begins here: earlier cases have fewer than 4 elements across the patch");
@@ -219,7 +251,7 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
       conversion.refused.push_back({given.number, given.line, only_coarse, made.impossible});
       continue;
     }
-    if (!joined) groups.push_back({made, {}, {}, {}});
+    if (!joined) groups.push_back({made, {}, {}, {}, false});
     add(groups.back(), given.number, made);
   }
   const std::size_t digits =

@@ -22,38 +22,61 @@ std::string with_comment(const std::string& line, const std::string& comment) {
 using Words = std::map<int, const char*>;
 const Words friction_words{{6, "temperature-dependent friction"}};
 const Words material_words{{1, "viscoelastic bodies"},
-                           {2, "the simplified theory with a user-defined flexibility"},
-                           {5, "FaStrip"}};
+                           {2, "the simplified theory with a user-defined flexibility"}};
 const Words bound_words{{1, "a thin sheet instead of the half-space"},
                         {3, "a parabolic traction bound with the full theory"},
                         {4, "normal contact by SDEC"},
                         {5, "normal contact by KPEC"},
                         {6, "normal contact by ANALYN"}};
 
+/// FASTSIM and FaStrip.
+bool is_simplified(const Digits& digits) {
+  return digits.M == 3 || digits.M == 5;
+}
+
 bool falls(const ContactCase& given) {
   return given.friction_law >= 2 && given.friction_law <= 4;
 }
 
-void fill_coefficient(const ContactCase& given, Equivalent& made) {
-  const auto& points = given.friction_points;
-  if (points.size() < 2) return made.set("friction", "coefficient", given.fstat);
-  std::vector<double> places, coefficients;
-  for (const FrictionPoint& point : points) {
-    places.push_back(point.place);
-    coefficients.push_back(point.fstat);
+/// Friction in every row of elements of module 3, whose places fill_single_contact knows.
+bool by_rows(const ContactCase& given) {
+  return given.module == 3 && given.friction.size() > 1;
+}
+
+void fill_coefficients(const ContactCase& given, Equivalent& made) {
+  std::vector<FrictionSet> sets = given.friction;
+  if (by_rows(given) && rolls_backwards(given)) std::reverse(sets.begin(), sets.end());
+  const auto set = [&](const char* key, const char* unit, auto number) {
+    std::vector<double> values;
+    for (const FrictionSet& one : sets) values.push_back(number(one));
+    if (values.size() == 1) return made.set("friction", key, values.front(), unit);
+    made.set_list("friction", key, values, unit);
+  };
+  set("coefficient", "", [](const FrictionSet& one) { return one.fstat; });
+  if (given.module == 1 && sets.size() > 1) {
+    const bool along = given.friction_over == 2;
+    set(along ? "track_position" : "inclination", "",
+        [](const FrictionSet& one) { return one.place; });
+    if (along) made.varied["wheelset.track_position"] = given.wheel_rail.position[0];
+    made.note(!along,
+              "digit V = 1: every row of elements has the friction of its own inclination; CONTACT "
+              "takes one for a planar contact");
   }
-  const bool along = given.friction_over == 2;
-  made.set_list("friction", "coefficient", coefficients);
-  made.set_list("friction", along ? "track_position" : "inclination", places);
-  if (along) made.varied["wheelset.track_position"] = given.wheel_rail.position[0];
-  made.note(!along,
-            "digit V = 1: every row of elements has the friction of its own inclination; CONTACT "
-            "takes one for a planar contact");
+  if (!falls(given) || given.digits.T == 0) return;
+  constexpr std::array<const char*, 3> laws{"linear", "rational", "exponential"};
+  made.set_word("friction", "law", laws.at(static_cast<std::size_t>(given.friction_law - 2)));
+  set("kinetic_coefficient", "", [](const FrictionSet& one) { return one.fkin; });
+  set("half_velocity", "mm/s", [](const FrictionSet& one) { return one.fall[1]; });
+  const bool second = std::any_of(sets.begin(), sets.end(),
+                                  [](const FrictionSet& one) { return one.fall[2] != 0.0; });
+  if (!second) return;
+  set("second_part", "", [](const FrictionSet& one) { return one.fall[2]; });
+  set("second_half_velocity", "mm/s", [](const FrictionSet& one) { return one.fall[3]; });
 }
 
 /// The law, and the layer of M = 4; the speed is that of both.
 void fill_friction(const ContactCase& given, Equivalent& made) {
-  fill_coefficient(given, made);
+  fill_coefficients(given, made);
   const auto& layer = given.bodies.layer;
   if (given.digits.M == 4 && layer[1] > 0.0) {
     made.set("layer", "thickness", layer[1], "mm");
@@ -64,19 +87,20 @@ void fill_friction(const ContactCase& given, Equivalent& made) {
     if (layer[3] != 0.0) made.set("layer", "hardening", layer[3], "MPa/mm");
   }
   if (!falls(given) || given.digits.T == 0) return;
-  constexpr std::array<const char*, 3> laws{"linear", "rational", "exponential"};
-  made.set_word("friction", "law", laws.at(static_cast<std::size_t>(given.friction_law - 2)));
-  made.set("friction", "kinetic_coefficient", given.fkin);
-  made.set("friction", "half_velocity", given.fall[1], "mm/s");
-  if (given.fall[2] != 0.0) {
-    made.set("friction", "second_part", given.fall[2]);
-    made.set("friction", "second_half_velocity", given.fall[3], "mm/s");
-  }
   if (given.memory[0] > 0.0) {
+    constexpr double least_velocity = 1e-6;  // stands for 0
     made.set("friction", "memory_distance", given.memory[0], "mm");
-    made.set("friction", "memory_velocity", given.memory[1], "mm/s");
+    made.set("friction", "memory_velocity", std::max(given.memory[1], least_velocity), "mm/s");
   }
-  if (given.digits.T >= 2) made.set("rolling", "speed", given.rolling[2], "mm/s");
+  const bool simplified = is_simplified(given.digits);
+  made.from_sliding = given.initial_slip < 0 && !simplified;
+  made.note(given.initial_slip == 0 && given.memory[0] == 0.0 && !simplified,
+            "INISLP = 0: where friction falls so steeply that a case has several states, CONTACT "
+            "takes one near the case before, rollfem the one with the most friction");
+  if (given.module == 1)
+    made.set("rolling", "speed", given.wheel_rail.velocity[0], "mm/s, VS");
+  else if (given.digits.T >= 2)
+    made.set("rolling", "speed", given.rolling[2], "mm/s");
 }
 
 class Judgement {
@@ -86,31 +110,33 @@ class Judgement {
 
   void friction() {
     if (digits_.T == 0) return;
-    const int law = given_.friction_law;
-    refuse(given_.friction_over > (given_.module == 1 ? 2 : 0), "V", given_.friction_over,
-           "friction of its own in every row of elements");
+    const int law = given_.friction_law, over = given_.friction_over;
+    refuse(over > 2 && given_.module == 1, "V", over, "friction in rows of elements in module 1");
+    refuse(over == 1 && given_.module == 3, "V", over, "friction over the inclination in module 3");
+    made_.refuse(by_rows(given_) && digits_.F > 0,
+                 "digits V, F: forces relative to friction that varies");
+    refuse(by_rows(given_) && is_simplified(digits_), "V", over, "FASTSIM with friction in rows");
     refuse(law != 0 && !falls(given_), "L", law, friction_words);
-    made_.refuse(falls(given_) && given_.module == 1,
-                 fmt::format("digit L = {}: falling friction on wheel and rail profiles (write it "
-                             "into the case file)",
-                             law));
-    const auto one_coefficient = [&](double fstat, double fkin) {
-      made_.refuse(law == 0 && std::abs(fstat - fkin) > 1e-3 * fstat,
+    for (const FrictionSet& one : given_.friction) {
+      made_.refuse(law == 0 && std::abs(one.fstat - one.fkin) > 1e-3 * one.fstat,
                    fmt::format("FSTAT = {:g} and FKIN = {:g} differ: rollfem has one coefficient "
                                "for adhesion and slip",
-                               fstat, fkin));
-    };
-    one_coefficient(given_.fstat, given_.fkin);
-    for (const FrictionPoint& point : given_.friction_points)
-      one_coefficient(point.fstat, point.fkin);
+                               one.fstat, one.fkin));
+      made_.refuse(falls(given_) && one.fkin < 0.01 * one.fstat,
+                   fmt::format("FKIN = {:g} is below a hundredth of the friction at rest, {:g}",
+                               one.fkin, one.fstat));
+    }
   }
 
   void bodies() {
     const int M = digits_.M, B = digits_.B, C = given_.bodies.influence;
     const bool full = M == 0 || M == 4;
-    refuse(!full && M != 3, "M", M, material_words);
-    if (M == 3) fastsim();
+    refuse(!full && !is_simplified(digits_), "M", M, material_words);
+    if (is_simplified(digits_)) fastsim();
     refuse(full && B != 0 && B != 2, "B", B, bound_words);
+    made_.refuse(full && B == 2 && (given_.module == 1 || given_.potential.ipotcn >= 0),
+                 "digit B = 2: Hertz's pressure of a contact that is not given by IPOTCN = -1 to "
+                 "-3");
     made_.refuse(full && B == 2 && digits_.N == 0,
                  "digits B = 2 and N = 0: Hertz's pressure needs the normal force");
     refuse(digits_.M2 != 0, "M2", digits_.M2, "material damping");
@@ -138,14 +164,20 @@ class Judgement {
     refuse(refused, digit, value, (found == words.end() ? *words.rbegin() : *found).second);
   }
 
+  /// And FaStrip.
   void fastsim() {
-    const int B = digits_.B;
-    if (given_.module == 1) return refuse(true, "M", 3, "FASTSIM on the patches of profiles");
-    refuse(digits_.T != 3, "M", 3, "FASTSIM for anything but steady rolling");
+    const int B = digits_.B, M = digits_.M;
+    const auto& slope = given_.bodies.slope_reduction;
+    if (given_.module == 1) return refuse(true, "M", M, "FASTSIM on the patches of profiles");
+    refuse(digits_.T != 3, "M", M, "FASTSIM for anything but steady rolling");
     made_.refuse(
-        B != 2 && B != 3,
-        fmt::format("digits M = 3, B = {}: FASTSIM with a pressure other than Hertz's", B));
+        B != 2 && (B != 3 || M == 5),
+        fmt::format("digits M = {}, B = {}: FASTSIM with a pressure other than Hertz's, or FaStrip "
+                    "with a parabolic bound",
+                    M, B));
     refuse(digits_.F != 0, "F", digits_.F, "prescribed forces in FASTSIM");
+    refuse(M == 5 && (falls(given_) || slope[0] != 1.0), "M", M,
+           "FaStrip with falling friction or a reduced slope");
   }
 
   const ContactCase& given_;
@@ -165,8 +197,8 @@ void note_settings(const ContactCase& given, Equivalent& made) {
   const auto& nu = given.bodies.poisson;
   const auto& g = given.bodies.shear_modulus;
   made.note(true,
-            "digits G, I, A, O, W and MAXGS to EPS are ignored: the solvers need no settings, and "
-            "all fields are in results.h5");
+            "digits G, I, A, O, W, MAXGS to EPS and relaxation factors are ignored: the solvers "
+            "need no settings, and all fields are in results.h5");
   made.note(d.S > 0 && (given.module == 1 || d.M != 0),
             "stresses below the surface (digit S) are not converted: rollfem stress computes them "
             "after the run");
@@ -178,7 +210,10 @@ void note_settings(const ContactCase& given, Equivalent& made) {
   made.note(d.M == 3,
             "FASTSIM uses Kalker's three flexibilities at all creepages; CONTACT blends them into "
             "one as creepages grow");
-  made.note(d.M != 3 && (d.T == 2 || d.T == 3),
+  made.note(d.M == 5,
+            "CONTACT modifies FaStrip: its lateral force under spin is larger, by 4 % of mu F_n in "
+            "case 4 of its fastsim.inp");
+  made.note(!is_simplified(d) && (d.T == 2 || d.T == 3),
             "upwind_order = \"first\" is CONTACT's scheme and gives its numbers on its elements; "
             "delete the line for the more accurate second-order scheme");
   made.note(
@@ -190,6 +225,10 @@ void note_settings(const ContactCase& given, Equivalent& made) {
 }
 
 }  // namespace
+
+bool rolls_backwards(const ContactCase& given) {
+  return given.digits.T >= 2 && std::cos(given.rolling[0]) < 0.0;
+}
 
 double in_mm(double place) {
   return std::round(place * 1e10) / 1e10;

@@ -18,8 +18,9 @@ double in_mm(double place);
 
 struct Equivalent {
   std::string model = "halfspace";
-  std::string problem;     ///< a word of rolling.problem
-  bool continues = false;  ///< starts from the state of the previous case
+  std::string problem;        ///< a word of rolling.problem
+  bool continues = false;     ///< starts from the state of the previous case
+  bool from_sliding = false;  ///< friction.branch
   /// Lines `key = value` of each section, the same for all cases that share a file.
   std::map<std::string, std::vector<std::string>> fixed;
   /// Values that may differ between load points, by `section.key`.
@@ -50,6 +51,9 @@ struct Equivalent {
 /// `profile_folder`: path from the case file to the folder of the input file, to which its profiles
 /// are relative; empty: the same folder.
 Equivalent equivalent_of(const ContactCase& given, const std::string& profile_folder);
+
+/// Whether CHI turns the axes of module 3 by half a turn.
+bool rolls_backwards(const ContactCase& given);
 
 /// Parts of equivalent_of. Young's modulus and Poisson's ratio of the two bodies in these sections.
 void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,

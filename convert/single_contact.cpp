@@ -86,7 +86,7 @@ void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
     const double value = sign * k[1 + direction] + 0.0;  // no -0
     const std::string& name = names[direction];
     if (digits.F > static_cast<int>(direction))
-      made.varied["rolling." + name + "_force"] = value * given.fstat * k[0];
+      made.varied["rolling." + name + "_force"] = value * given.friction.front().fstat * k[0];
     else
       made.varied[shift ? "history." + name + "_shift" : "rolling." + name + "_creepage"] = value;
   }
@@ -106,6 +106,13 @@ void set_grid(const ContactCase& given, const Area& area, double sign, Equivalen
   const double rounding = 1e-9 * (length + width);
   if (std::abs(x) > rounding || std::abs(y) > rounding)
     made.set_list("contact_grid", "middle", {x, y}, "mm");
+  if (given.friction.size() > 1) {
+    std::vector<double> rows;
+    for (int j = 0; j < given.potential.my; ++j)
+      rows.push_back(in_mm(sign * (area.y + (j + 0.5) * area.dy)));
+    std::sort(rows.begin(), rows.end());
+    made.set_list("friction", "lateral_position", rows, "mm, of the rows");
+  }
   if (given.potential.my > 1)
     fill_stresses(given, area, sign, made);
   else if (given.digits.S > 0)
@@ -169,7 +176,8 @@ void judge_resolution(const HertzContact& hertz, double dx, double dy, Equivalen
   if (along >= 4.0 && across >= 4.0) return;
   made.too_coarse = made.impossible.empty();
   made.impossible.push_back(fmt::format(
-      "the patch is {:g} by {:g} elements; allowed: at least 4 in each direction", along, across));
+      "the patch is {:g} by {:g} elements; allowed: at least 4 in each direction; do: raise MX, MY",
+      along, across));
 }
 
 void fill_ellipse(const ContactCase& given, double modulus, double sign, Equivalent& made) {
@@ -181,7 +189,9 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   const Ellipse ellipse = ellipse_of(given, modulus);
   const double scale = potential.size[2];
   const double a = ellipse.hertz.semi_axis_x, b = ellipse.hertz.semi_axis_y;
-  if (given.digits.M != 3 && given.digits.B == 2) {
+  const int M = given.digits.M;
+  const bool simplified = M == 3 || M == 5;
+  if (!simplified && given.digits.B == 2) {
     made.set("given_pressure", "semi_axis_x", a, "mm");
     made.set("given_pressure", "semi_axis_y", b, "mm");
   } else {
@@ -192,8 +202,8 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
                   2.0 * scale * b / potential.my};
   set_grid(given, area, sign, made);
   judge_resolution(ellipse.hertz, area.dx, area.dy, made);
-  if (given.digits.M != 3) return;
-  made.model = "fastsim";
+  if (!simplified) return;
+  made.model = M == 5 ? "fastrip" : "fastsim";
   made.set_word("fastsim", "bound", given.digits.B == 3 ? "parabolic" : "elliptic");
   made.set_word("fastsim", "elements", "grid");
   made.set("fastsim", "strips", std::round(potential.my / scale), "MY / SCALE");

@@ -99,11 +99,14 @@ void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder
   fill_track(pair, profile_folder, made);
   fill_wheelset(given, made);
   made.set_list("contact_grid", "cell_size", {pair.cell[0], pair.cell[1]}, "mm, DX and DS");
-  made.set_word("halfspace", "surface", "planar");
+  const int D = pair.search;
+  made.set_word("halfspace", "surface", D == 4 ? "curved" : "planar");
   if (given.digits.T != 0) {
-    made.set_word("rolling", "extra_slip", "none");
+    // D = 3 and 4 take the slip of every place.
+    if (D != 3 && D != 4) made.set_word("rolling", "extra_slip", "none");
     made.set_word("rolling", "upwind_order", "first");
   }
+  made.note(D > 4, fmt::format("digit D = {}: contacts are searched for as with D = 2", D));
   made.note(true,
             "DQREL, A_SEP, D_SEP and D_COMB are ignored: contacts share a grid depending on their "
             "angles (docs/track.md)");

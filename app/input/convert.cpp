@@ -187,15 +187,14 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
   const fs::path directory =
       request.directory.empty() ? file.stem().string() + "_cases" : request.directory;
   const convert::Conversion conversion = conversion_of(request, cases, directory);
-  Refused refused;
+  Refused refused, coarse;
   std::vector<int> left_out;
-  for (const convert::Refusal& refusal : conversion.refused)
-    if (refusal.too_coarse) {
-      std::cerr << fmt::format("case {}: left out: {}\n", refusal.number, refusal.reasons.front());
-      left_out.push_back(refusal.number);
-    } else {
-      add(refused, refusal.reasons, {refusal.number});
-    }
+  for (const convert::Refusal& refusal : conversion.refused) {
+    add(refusal.too_coarse ? coarse : refused, refusal.reasons, {refusal.number});
+    if (refusal.too_coarse) left_out.push_back(refusal.number);
+  }
+  for (const auto& [reasons, numbers] : coarse)
+    std::cerr << fmt::format("{}: left out: {}\n", case_words(numbers), reasons.front());
   Written written(directory);
   const std::vector<convert::CaseFile> kept =
       written_cases(conversion, directory, models, written, refused);

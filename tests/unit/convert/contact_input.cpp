@@ -69,7 +69,7 @@ TEST(ContactInput, KeepsOfTheCaseBeforeWhatDigitsSay) {
   ASSERT_EQ(cases.size(), 3U);
   EXPECT_EQ(cases[2].kinematics[1], 0.0012);
   EXPECT_EQ(cases[2].friction_law, 0);
-  EXPECT_EQ(cases[2].fstat, 0.35);
+  EXPECT_EQ(cases[2].friction.at(0).fstat, 0.35);
   EXPECT_EQ(cases[2].potential.size[0], 5.0);
   EXPECT_EQ(cases[2].bodies.shear_modulus[1], 82000.0);
 }

@@ -305,8 +305,9 @@ TEST(ConvertedCase, HistoryBeginsWhereThePatchHasElementsEnough) {
   const Conversion made =
       converted(replaced(replaced(pushed_ball, "20.0  -0.5", "0.02  0.0 "), " 0 module", next));
   ASSERT_EQ(made.refused.size(), 1U);
-  EXPECT_EQ(made.refused[0].reasons.at(0),
-            "the patch is 3 by 3 elements; allowed: at least 4 in each direction");
+  EXPECT_EQ(
+      made.refused[0].reasons.at(0),
+      "the patch is 3 by 3 elements; allowed: at least 4 in each direction; do: raise MX, MY");
   ASSERT_EQ(made.files.size(), 1U);
   EXPECT_EQ(made.files[0].cases, (std::vector<int>{2}));
   EXPECT_TRUE(says(made.files[0].text, "# note: the history begins here"));

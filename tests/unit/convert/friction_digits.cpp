@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The digits L and M of CONTACT's input, which say how friction falls and what is between the
-// bodies: their numbers in the converted case, and what the digits without an equivalent answer.
+// The digits V, L and M of CONTACT's input, which say where and how friction varies and what is
+// between the bodies, and INISLP: their numbers in the converted case, and what the digits without
+// an equivalent answer.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/friction_law.hpp"
@@ -87,6 +88,96 @@ TEST(FrictionDigits, M4IsTheLayer) {
   EXPECT_FALSE(case_with(0, constant_line, 4, " 8200. 0.0 0.0 0.0\n").layer);
 }
 
+/// The ellipse's cases, of which a fourth continues the third in a step with this INISLP.
+std::string rolled_on(int initial_slip) {
+  return replaced(ellipse_with(4, falling_lines), " 0\n",
+                  " 3 module\n 002100\n 100000\n 0401341\n 200 100 30 1 1e-6\n " +
+                      std::to_string(initial_slip) + " 1.1\n 40000. 0.0014 -0.0002 0.0003\n 0\n");
+}
+
+TEST(FrictionDigits, AStepAfterASteadyCaseStartsWithIt) {
+  const convert::Conversion made = conversion_of(rolled_on(1));
+  ASSERT_EQ(made.files.size(), 2U);
+  EXPECT_TRUE(made.refused.empty());
+  EXPECT_EQ(made.files[0].cases, (std::vector<int>{1, 2}));
+  EXPECT_EQ(made.files[1].cases, (std::vector<int>{3, 4}));
+  const contact::Case steps = contact::parse_case(made.files[1].text, "made.toml");
+  EXPECT_EQ(steps.rolling.problem, contact::Problem::transient);
+  EXPECT_TRUE(steps.starts_steady);
+  ASSERT_EQ(steps.history.size(), 2U);
+  EXPECT_EQ(steps.history[1].normal_force, 40000.0);
+  EXPECT_EQ(steps.history[1].step_length, 0.5);
+  EXPECT_EQ(steps.rolling.creepages[0].longitudinal, 0.0012);
+  EXPECT_EQ(steps.rolling.creepages[1].longitudinal, 0.0014);
+  EXPECT_EQ(steps.friction_fall.branch, contact::FrictionBranch::sticking);
+  EXPECT_FALSE(contact::parse_case(made.files[0].text, "made.toml").starts_steady);
+}
+
+TEST(FrictionDigits, NegativeInislpComesFromFastSliding) {
+  const convert::Conversion made = conversion_of(rolled_on(-1));
+  ASSERT_EQ(made.files.size(), 2U);
+  EXPECT_EQ(contact::parse_case(made.files[1].text, "made.toml").friction_fall.branch,
+            contact::FrictionBranch::sliding);
+  EXPECT_NE(made.files[1].text.find("INISLP of case 3 is taken"), std::string::npos);
+}
+
+TEST(FrictionDigits, FallingFrictionOverTheRailOfAWheel) {
+  const std::string text =
+      replaced(left_wheel, " 0.25 0.25\n",
+               " 2\n -30d 0.10 0.05 900. 0.0 1.0\n 0.0 0.2 0.1 1200. 0.02 80.\n 0.002 0.0\n");
+  const contact::Case made = contact::parse_case(
+      conversion_of(replaced(text, " 0022033 ", " 1422033 ")).files.at(0).text, "made.toml");
+  EXPECT_EQ(made.friction_fall.shape, FallShape::exponential);
+  EXPECT_EQ(made.rolling.speed, 9000.0);  // VS
+  EXPECT_EQ(made.friction_fall.memory_distance, 0.002);
+  const auto& points = made.friction_variation.points;
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(points[0].coefficient, 0.15, 1e-12);
+  EXPECT_EQ(points[0].fall.half_velocity, 900.0);
+  EXPECT_NEAR(points[1].coefficient, 0.32, 1e-12);
+  EXPECT_EQ(points[1].fall.kinetic_coefficient, 0.2);
+  EXPECT_EQ(points[1].fall.second_part, 0.02);
+  EXPECT_EQ(points[1].fall.second_half_velocity, 80.0);
+}
+
+TEST(FrictionDigits, RowsOfElementsKeepTheirFriction) {
+  std::string rows = "1.1                MX MY AA BB SCALE\n";
+  for (int row = 0; row < 22; ++row)
+    rows += " 0." + std::to_string(20 + row) + " 0." + std::to_string(20 + row) + "\n";
+  std::string text = replaced(rolling_ellipse, " 0.35 0.35\n", "");
+  text = replaced(replaced(text, " 022020 ", " 3022020 "), "1.1                MX MY AA BB SCALE\n",
+                  rows);
+  const auto at = [](const std::string& given, double y) {
+    const auto made = contact::parse_case(conversion_of(given).files.at(0).text, "made.toml");
+    return contact::friction_of(made)->of_row(y)->coefficient();
+  };
+  // Rows of 0.3 mm from -3.3 mm on.
+  EXPECT_NEAR(at(text, -3.15), 0.20, 1e-12);
+  EXPECT_NEAR(at(text, 2.85), 0.40, 1e-12);
+  EXPECT_NEAR(at(replaced(text, " 0.0 0.5 20000.", " 180d 0.5 20000."), -3.15), 0.41, 1e-12);
+}
+
+TEST(FrictionDigits, M5IsFaStrip) {
+  const auto with = [](const char* slope) {
+    return replaced(ellipse_with(0, constant_line, 5, slope), " 203100 ", " 223100 ");
+  };
+  const convert::Conversion made = conversion_of(with(" 1.0 1.0 1.0\n"));
+  EXPECT_EQ(contact::parse_case(made.files.at(0).text, "made.toml").models,
+            std::vector<std::string>{"fastrip"});
+  EXPECT_EQ(reason_against(with(" 0.5 1.0 1.0\n")),
+            "digit M = 5: FaStrip with falling friction or a reduced slope");
+}
+
+TEST(FrictionDigits, D4IsTheCurvedSurface) {
+  const std::string planar = conversion_of(left_wheel).files.at(0).text;
+  EXPECT_NE(planar.find("surface = \"planar\""), std::string::npos);
+  EXPECT_NE(planar.find("extra_slip = \"none\""), std::string::npos);
+  const std::string curved =
+      conversion_of(replaced(left_wheel, " 0022033 ", " 0042033 ")).files.at(0).text;
+  EXPECT_NE(curved.find("surface = \"curved\""), std::string::npos);
+  EXPECT_EQ(curved.find("extra_slip"), std::string::npos);
+}
+
 TEST(FrictionDigits, WrongNumbersNameTheLineAndWhatIsWanted) {
   const auto message = [](const std::string& text) {
     return rollfem::testing::refusal<contact::InputError>(
@@ -110,6 +201,10 @@ TEST(FrictionDigits, WithoutAnEquivalentAreRefusedByTheirMeaning) {
             "digit M = 1: viscoelastic bodies");
   EXPECT_EQ(reason_against(ellipse_with(0, constant_line, 2, " 1e-4 1.0 1.0 1.0\n")),
             "digit M = 2: the simplified theory with a user-defined flexibility");
+  EXPECT_EQ(reason_against(ellipse_with(4, " 0.002 0.2 900. 0.1 90.\n 0.004 2.0\n")),
+            "FKIN = 0.002 is below a hundredth of the friction at rest, 0.302");
+  EXPECT_EQ(reason_against(replaced(pushed_ball, " 201120 ", " 221120 ")),
+            "digit B = 2: Hertz's pressure of a contact that is not given by IPOTCN = -1 to -3");
 }
 
 }  // namespace
