@@ -181,13 +181,35 @@ TEST(FrictionOverRail, IsLinearBetweenPlacesAlongTheTrack) {
   EXPECT_FALSE(scenes[1].scene.friction()->varies());
 }
 
+TEST(FrictionOverRail, OverYSlidingTurnsBySecondMomentOfThePressure) {
+  // mu = 0.3 + 0.02 y on a Hertzian ellipse, which holds F_n b^2/5 as its second moment.
+  Case input;
+  input.file = "over y";
+  input.load.normal_force = load;
+  input.wheel.rolling_radius = wheel_radius;
+  input.rail.transverse_radius = rail_radius;
+  input.contact_grid.elements_across = 24;
+  input.rolling.creepages = {{0.05, 0.0, 0.0}};
+  input.friction_variation.lateral_position = {-10.0, 10.0};
+  for (const double mu : {0.1, 0.5})
+    input.friction_variation.points.push_back({mu, input.friction_fall});
+  input.friction_coefficient = 0.5;
+  EXPECT_FALSE(contact::Scene(input).is_symmetric());
+  const PointResult point = halfspace::run_halfspace(input, {}).points.at(0);
+  const double b = halfspace::hertz_of_scene(input).semi_axis_y;
+  const double moment = 0.02 * load * b * b / 5.0;
+  EXPECT_NEAR(point.longitudinal_force, -0.3 * load, 0.005 * 0.3 * load);
+  EXPECT_NEAR(point.spin_moment, moment, 0.01 * moment);
+}
+
 TEST(FrictionOverRail, TheoriesOfOneCoefficientRefuseIt) {
   Case input = crowned(0.0, {0.001, 0.0, 0.0});
   set_points(input, {-0.04, 0.04}, {0.1, 0.5});
   const contact::Scene scene = track::make_scenes(input).at(0).scene;
   for (const char* name : {"fastsim", "strip", "linear", "vermeulen-johnson"})
     EXPECT_EQ(contact::first_beyond(theories::models().at(name).takes, scene),
-              "friction.inclination or lateral_position: it cannot handle friction that varies over the rail");
+              "friction.inclination or lateral_position: it cannot handle friction that varies "
+              "over the rail");
 }
 
 }  // namespace

@@ -318,13 +318,13 @@ TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
 /// everywhere; the longitudinal creepage of the last `changed` steps is half as large.
 Case rolled_on(UpwindOrder order, std::size_t steps, std::size_t changed) {
   Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 24;
+  input.contact_grid.elements_across = 12;
   input.rolling.upwind_order = order;
   input.rolling.leading_edge = contact::LeadingEdge::plain;
   input.rolling.problem = Problem::transient;
   input.starts_steady = true;
   HistoryStep each;
-  each.step_length = 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 24;
+  each.step_length = 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 12;
   input.history.assign(steps, each);
   input.rolling.creepages.assign(steps, {0.002, 0.001, 0.0});
   for (std::size_t k = steps - changed; k < steps; ++k)
@@ -355,7 +355,7 @@ TEST(SteadyStart, StaysSteadyWhereNothingChanges) {
 }
 
 TEST(SteadyStart, IsWhereALongWayFromRestEnds) {
-  constexpr std::size_t changed = 12, way = 4 * 24;
+  constexpr std::size_t changed = 8, way = 6 * 12;  // patch lengths
   const ModelResult steady =
       halfspace::run_halfspace(rolled_on(UpwindOrder::first, 1 + changed, changed), {});
   Case input = rolled_on(UpwindOrder::first, way + changed, changed);
@@ -368,23 +368,23 @@ TEST(SteadyStart, IsWhereALongWayFromRestEnds) {
 }
 
 TEST(SteadyStart, KeepsCreepageUnderAForceAndFrictionThatRemembers) {
-  Case input = rolled_on(UpwindOrder::second, 6, 0);
-  input.rolling.creepages.assign(6, {});
-  input.rolling.forces.assign(6, {-12e3, {}});
+  Case input = rolled_on(UpwindOrder::second, 4, 0);
+  input.rolling.creepages.assign(4, {});
+  input.rolling.forces.assign(4, {-12e3, {}});
   const ModelResult forced = halfspace::run_halfspace(input, {});
   for (const PointResult& point : forced.points)
     EXPECT_NEAR(point.creepage.longitudinal / forced.points[0].creepage.longitudinal, 1.0, 1e-3);
-  // Friction follows the slip along the row with second order, over a step with first: 2 %.
-  input = rolled_on(UpwindOrder::first, 6, 0);
+  // Friction that remembers is followed with second order along the row, over a step with first.
+  input = rolled_on(UpwindOrder::first, 5, 0);
   input.rolling.speed = 20e3;
   input.friction_fall.shape = contact::FallShape::exponential;
   input.friction_fall.kinetic_coefficient = 0.25;
   input.friction_fall.half_velocity = 60.0;
-  input.friction_fall.memory_distance = 2e-3;
+  input.friction_fall.memory_distance = 1e-2;
   const ModelResult falling = halfspace::run_halfspace(input, {});
-  EXPECT_LT(-falling.points[0].longitudinal_force, 0.9 * 0.55 * 50e3);
+  EXPECT_LT(-falling.points[0].longitudinal_force, 0.8 * 0.55 * 50e3);
   for (const PointResult& point : falling.points)
-    EXPECT_LT(apart(point, falling.points[0]), 0.02 * 0.55 * 50e3) << point.step;
+    EXPECT_LT(apart(point, falling.points[0]), 0.01 * 0.55 * 50e3) << point.step;
 }
 
 }  // namespace

@@ -163,6 +163,8 @@ TEST(FrictionKeys, WhatIsRefusedOfFrictionOverTheRail) {
   expect_error(over_rail(two + "inclination = [-0.4, 0.0]\ntrack_position = [0.0, 1e3]",
                          "track_position = 0.0"),
                {"contradicts friction.inclination"});
+  expect_error(over_rail(two + "lateral_position = [-5.0, 5.0]"),
+               {"friction.lateral_position = [-5.0, 5.0]: is of contacts without profiles"});
   expect_error(over_rail(two + "track_position = [0.0, 1e3]"),
                {"wheelset.track_position: is missing"});
   expect_error(over_rail("coefficient = 0.3", "track_position = 5.0"),
