@@ -35,7 +35,7 @@ static double of_ellipse(const rollfem_table* table, double ratio) {
   char message[512];
   const rollfem_ellipse ellipse = {
       sizeof ellipse, 5.0 * sqrt(ratio), 5.0 / sqrt(ratio),  80e3, 15e3, even(-0.01, 0.01),
-      even(-0.01, 0.01), even(-0.002, 0.002)};
+      even(-0.01, 0.01), even(-0.002, 0.002), 0.0};
   rollfem_creep_forces forces = {.struct_size = sizeof forces};
   if (rollfem_table_forces(table, &ellipse, &forces, message, sizeof message) != ROLLFEM_OK) {
     fprintf(stderr, "%s\n", message);
@@ -47,7 +47,7 @@ static double of_ellipse(const rollfem_table* table, double ratio) {
 static double of_wheel(const rollfem_table* table, double shift) {
   char message[512];
   const rollfem_shifted_wheel wheel = {
-      sizeof wheel, ROLLFEM_MM_N, shift, 0.0, even(-0.01, 0.01), even(-0.01, 0.01), even(-0.002, 0.002)};
+      sizeof wheel, ROLLFEM_MM_N, shift, 0.0, even(-0.01, 0.01), even(-0.01, 0.01), even(-0.002, 0.002), 0.0, 0.0};
   rollfem_wheel_forces forces = {.struct_size = sizeof forces};
   if (rollfem_table_wheel_forces(table, &wheel, &forces, message, sizeof message) != ROLLFEM_OK) {
     fprintf(stderr, "%s\n", message);

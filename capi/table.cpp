@@ -4,6 +4,7 @@
 #include "tables/files/table_files.hpp"
 
 #include "rollfem/rollfem.h"
+#include <cstddef>
 
 struct rollfem_table {
   rollfem::tables::CreepTableReader reader;
@@ -41,10 +42,11 @@ rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_el
   Given<rollfem_creep_forces> result(forces);
   return rollfem::capi::guarded(
       [&] {
-        const rollfem_ellipse of = taken(ellipse, "ellipse", "an ellipse");
+        const rollfem_ellipse of =
+            taken(ellipse, "ellipse", "an ellipse", offsetof(rollfem_ellipse, speed));
         const auto found = reader_of(table).physical(
             of.semi_axis_x, of.semi_axis_y, of.shear_modulus, of.friction_bound,
-            {of.longitudinal_creepage, of.lateral_creepage, of.spin});
+            {of.longitudinal_creepage, of.lateral_creepage, of.spin}, of.speed);
         result.check("forces", "a place for the forces");
         result.give({0, found.forces[0], found.forces[1], found.forces[2], found.force_bar,
                      found.moment_bar});
@@ -59,17 +61,19 @@ rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
   Given<rollfem_wheel_forces> result(forces);
   return rollfem::capi::guarded(
       [&] {
-        const rollfem_shifted_wheel of = taken(wheel, "wheel", "a wheel at a lateral shift");
+        const rollfem_shifted_wheel of = taken(wheel, "wheel", "a wheel at a lateral shift",
+                                               offsetof(rollfem_shifted_wheel, load));
         const auto& reader = reader_of(table);
         // The caller's units in mm and N.
         const double length = of.units == ROLLFEM_M_N ? 1e3 : 1.0;
         const double newtons = of.units == ROLLFEM_MM_KN ? 1e3 : 1.0;
-        const double shift = length * of.lateral_shift;
-        const auto place = reader.wheel_at(shift);
+        const rollfem::tables::TablePlace asked{length * of.lateral_shift, newtons * of.load,
+                                                length * of.speed};
+        const auto place = reader.wheel_at({asked.first, asked.load});
         const double own = reader.table().friction_coefficient * place.normal_force;
         const double bound = of.friction_bound == 0.0 ? own : newtons * of.friction_bound;
         const auto found = reader.of_wheel(
-            shift, bound, {of.longitudinal_creepage, of.lateral_creepage, of.spin / length});
+            asked, bound, {of.longitudinal_creepage, of.lateral_creepage, of.spin / length});
         const double moment = newtons * length;
         result.check("forces", "a place for the forces");
         result.give({0, found.forces[0] / newtons, found.forces[1] / newtons,

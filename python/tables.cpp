@@ -5,10 +5,10 @@
 #include "tables/filling/table_filling.hpp"
 #include "tables/filling/table_grid.hpp"
 
-#include <array>
 #include <map>
 #include <pybind11/stl.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rollfem::python {
@@ -55,8 +55,13 @@ std::map<std::string, Column> wheels_of(const tables::CreepTable& table) {
 /// Contents of the table as a dictionary.
 py::dict contents_of(const CreepTableReader& reader) {
   const tables::CreepTable& table = reader.table();
-  const std::array axes{table.first_axis(), table.creepage[0], table.creepage[1],
-                        table.creepage[2]};
+  std::vector<std::pair<std::string, Column>> axes;
+  if (table.load.size() > 1) axes.emplace_back("load", table.load);
+  if (table.speed.size() > 1) axes.emplace_back("speed", table.speed);
+  axes.emplace_back(table.over_shifts() ? "lateral_shift" : "axis_ratio", table.first_axis());
+  axes.emplace_back("longitudinal", table.creepage[0]);
+  axes.emplace_back("lateral", table.creepage[1]);
+  axes.emplace_back("spin", table.creepage[2]);
   return py::dict("title"_a = table.title, "case_text"_a = table.case_text,
                   "poisson_ratio"_a = table.poisson_ratio, "over_shifts"_a = table.over_shifts(),
                   "shear_modulus"_a = table.shear_modulus,
@@ -67,11 +72,12 @@ py::dict contents_of(const CreepTableReader& reader) {
                   "forces"_a = table.forces, "bars"_a = table.bars);
 }
 
-/// Values of the wheel at arbitrary shifts.
-std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Column& shifts) {
+/// Values of the wheel at arbitrary shifts and loads.
+std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Column& shifts,
+                                        const Column& loads) {
   std::map<std::string, Column> found;
-  for (const double shift : shifts) {
-    const tables::TableWheel wheel = reader.wheel_at(shift);
+  for (std::size_t k = 0; k < shifts.size(); ++k) {
+    const tables::TableWheel wheel = reader.wheel_at({shifts[k], loads[k]});
     for (const tables::WheelColumn& column : tables::wheel_columns())
       found[column.name].push_back(wheel.*column.member);
   }
@@ -108,25 +114,28 @@ void define_tables(py::module_& module) {
       .def("contents", &contents_of)
       .def("files", &files_of)
       .def("scaled",
-           [](const CreepTableReader& reader, const Column& ratio, const Column& xi,
-              const Column& eta, const Column& phi) {
-             return columns_of(ratio.size(), [&](std::size_t k) {
-               return reader.at(ratio[k], {xi[k], eta[k], phi[k]});
+           [](const CreepTableReader& reader, const Column& place, const Column& load,
+              const Column& speed, const Column& xi, const Column& eta, const Column& phi) {
+             return columns_of(place.size(), [&](std::size_t k) {
+               return reader.at({place[k], load[k], speed[k]}, {xi[k], eta[k], phi[k]});
              });
            })
       .def("wheels_at", &wheels_at)
       .def("of_wheel",
-           [](const CreepTableReader& reader, const Column& shift, const Column& bound,
-              const Column& xi, const Column& eta, const Column& phi) {
+           [](const CreepTableReader& reader, const Column& shift, const Column& load,
+              const Column& speed, const Column& bound, const Column& xi, const Column& eta,
+              const Column& phi) {
              return columns_of(shift.size(), [&](std::size_t k) {
-               return reader.of_wheel(shift[k], bound[k], {xi[k], eta[k], phi[k]});
+               return reader.of_wheel({shift[k], load[k], speed[k]}, bound[k],
+                                      {xi[k], eta[k], phi[k]});
              });
            })
       .def("physical", [](const CreepTableReader& reader, const Column& a, const Column& b,
-                          const Column& modulus, const Column& bound, const Column& xi,
-                          const Column& eta, const Column& phi) {
+                          const Column& modulus, const Column& bound, const Column& speed,
+                          const Column& xi, const Column& eta, const Column& phi) {
         return columns_of(a.size(), [&](std::size_t k) {
-          return reader.physical(a[k], b[k], modulus[k], bound[k], {xi[k], eta[k], phi[k]});
+          return reader.physical(a[k], b[k], modulus[k], bound[k], {xi[k], eta[k], phi[k]},
+                                 speed[k]);
         });
       });
 }

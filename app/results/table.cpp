@@ -39,10 +39,12 @@ std::string text_of_wheels(const CreepTable& table) {
   std::string text = "shift mm  angle mrad  radius mm  a mm   b mm   F_n N    p0 MPa  planes\n";
   for (std::size_t k = 0; k < table.wheels.size(); ++k) {
     const tables::TableWheel& wheel = table.wheels[k];
+    if (table.load.size() > 1 && k % table.lateral_shift.size() == 0)
+      text += fmt::format("load {:g} N\n", table.load[k / table.lateral_shift.size()]);
     text += fmt::format("{:8.3g} {:11.2f} {:10.4f} {:6.3f} {:6.3f} {:8.0f} {:8.1f} {:5.0f}\n",
-                        table.lateral_shift[k], 1e3 * wheel.contact_angle, wheel.rolling_radius,
-                        wheel.semi_axis_x, wheel.semi_axis_y, wheel.normal_force,
-                        wheel.max_pressure, wheel.contacts);
+                        table.lateral_shift[k % table.lateral_shift.size()],
+                        1e3 * wheel.contact_angle, wheel.rolling_radius, wheel.semi_axis_x,
+                        wheel.semi_axis_y, wheel.normal_force, wheel.max_pressure, wheel.contacts);
     if (wheel.jump_after != 0.0)
       text += "         contact jumps here: no interpolation up to the next shift\n";
   }
@@ -54,11 +56,16 @@ std::string text_of_wheels(const CreepTable& table) {
 std::string advice_of(const CreepTable& table, double largest_bar, double seconds) {
   const tables::InterpolationError& error = table.interpolation;
   const bool shifts = table.over_shifts();
-  const char* const names[] = {shifts ? "shift" : "a/b", "xi'", "eta'", "phi'"};
+  const char* const names[] = {shifts ? "shift" : "a/b", "xi'", "eta'", "phi'", "load", "speed"};
   const char* const keys[] = {shifts ? "table.lateral_shift_step" : "table.axis_ratio",
                               "table.points or table.longitudinal_values",
                               "table.points or table.lateral_values",
-                              "table.points or table.spin_values"};
+                              "table.points or table.spin_values",
+                              "table.load",
+                              "table.speed"};
+  const std::vector<double>* const axes[] = {&table.first_axis(), &table.creepage[0],
+                                             &table.creepage[1],  &table.creepage[2],
+                                             &table.load,         &table.speed};
   std::string text;
   for (std::size_t axis = 0; axis < error.by_axis.size(); ++axis)
     if (error.by_axis[axis] > 0.0)
@@ -69,7 +76,7 @@ std::string advice_of(const CreepTable& table, double largest_bar, double second
   if (std::max(error.force_95, error.moment_95) <= largest_bar) return text;
   const auto most = static_cast<std::size_t>(
       std::max_element(error.by_axis.begin(), error.by_axis.end()) - error.by_axis.begin());
-  const std::size_t values = (most == 0 ? table.first_axis() : table.creepage[most - 1]).size();
+  const std::size_t values = axes[most]->size();
   const double more = static_cast<double>(2 * values - 1) / static_cast<double>(values);
   return text + fmt::format(
                     "interpolation limits this table: refine {} first ({}); {} values "
@@ -84,6 +91,9 @@ std::string summary_of(const CreepTable& table, double seconds) {
       table.title, table.size(), seconds,
       table.over_shifts() ? range_of("lateral shift", table.lateral_shift) + " mm"
                           : range_of("a/b", table.axis_ratio));
+  for (const auto& [name, values] :
+       {std::pair{"load in N", &table.load}, {"speed in mm/s", &table.speed}})
+    if (values->size() > 1) text += fmt::format("  {}\n", range_of(name, *values));
   if (!table.only_for.empty()) text += fmt::format("  only for {}\n", table.only_for);
   if (table.over_shifts()) text += text_of_wheels(table);
   const char* const names[] = {"xi'", "eta'", "phi'"};

@@ -202,7 +202,8 @@ void rollfem_destroy(rollfem_pair* pair);
    its wheelset (docs/tables.md). */
 typedef struct rollfem_table rollfem_table;
 
-/* Hertzian contact, in consistent units: mm, N, MPa or m, N, Pa. */
+/* Hertzian contact, in consistent units: mm, N, MPa or m, N, Pa; mm, N, MPa for a table of friction that depends on speed
+   or load, whose load is friction_bound over its coefficient. */
 typedef struct {
   size_t struct_size;
   double semi_axis_x;    /* of the ellipse, along rolling */
@@ -210,7 +211,8 @@ typedef struct {
   double shear_modulus;  /* combined: 1/G = (1/G1 + 1/G2)/2 */
   double friction_bound; /* coefficient of friction times normal force */
   double longitudinal_creepage, lateral_creepage;
-  double spin; /* 1/length */
+  double spin;  /* 1/length */
+  double speed; /* length per s, of a table with several; 0: its only one */
 } rollfem_ellipse;
 
 /* Forces on the wheel. Bars: errors of the force vector and of the moment, from the table and its interpolation. */
@@ -234,7 +236,9 @@ typedef struct {
   double lateral_shift;  /* of the wheelset, positive to the right */
   double friction_bound; /* coefficient of friction times normal force of all contacts; 0: value of the table */
   double longitudinal_creepage, lateral_creepage;
-  double spin; /* 1/length */
+  double spin;  /* 1/length */
+  double load;  /* force under [load], of a table with several; 0: its only one */
+  double speed; /* length per s, likewise */
 } rollfem_shifted_wheel;
 
 /* Friction on the wheel, summed over all contacts, in the frame of the main contact. */

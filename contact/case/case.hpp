@@ -261,6 +261,7 @@ struct TableOptions {
   std::vector<double> lateral_shift;  ///< mm, with profiles; empty: over ratios
   /// mm; lateral_shift then holds the first and the last shift.
   std::optional<double> lateral_shift_step;
+  std::vector<double> load, speed;  ///< N, mm/s, each with forces of its own; empty: the case's
   std::optional<std::array<int, 3>> points;         ///< of xi', eta', phi'
   std::array<double, 3> largest{3.0, 3.0, 5.0};     ///< xi', eta', phi'
   std::vector<double> longitudinal, lateral, spin;  ///< instead of both; >= 0

@@ -39,6 +39,9 @@ Scene scaled_scene(const EllipseShape& shape, const std::vector<ScaledCreepage>&
   input.given_pressure = contact::GivenPressure{a, 1.0 / a, 1.5 / contact::pi};
   input.load.normal_force = 1.0;
   input.friction_coefficient = 1.0;
+  input.friction_fall = shape.friction.fall;
+  input.rolling.speed = shape.friction.speed;
+  input.layer = shape.friction.layer;
   input.wheel.material = {2.0 * (1.0 + shape.poisson_ratio), shape.poisson_ratio};
   input.rail.material = input.wheel.material;
   input.rolling.creepages.clear();

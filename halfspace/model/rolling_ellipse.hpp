@@ -3,14 +3,26 @@
 // Everything is scaled, so that one value covers contacts of any size, load and stiffness.
 #pragma once
 
+#include "contact/case/case.hpp"
+
+#include <optional>
 #include <vector>
 
 namespace rollfem::halfspace {
+
+/// Friction at mu = G = F_n = c = 1: lengths along the surface over c, displacement, slip times c
+/// and the sliding distance over mu F_n/(G c), stress over mu F_n/c^2.
+struct ScaledFriction {
+  contact::FrictionFall fall{};
+  double speed = 0.0;  ///< V mu F_n/(G c^2), in the unit of the velocities of the fall
+  std::optional<contact::Layer> layer{};
+};
 
 /// Hertz's ellipse between bodies of like material.
 struct EllipseShape {
   double axis_ratio = 1.0;  ///< a/b, a along rolling
   double poisson_ratio = 0.28;
+  ScaledFriction friction{};
 };
 
 /// With c = sqrt(a b), the combined shear modulus G and the bound mu F_n of friction. Signs are

@@ -19,8 +19,8 @@ FORCES = ("longitudinal_force", "lateral_force", "spin_moment")
 
 @dataclass
 class CreepTable:
-    """Arrays over [axis_ratio or lateral_shift, longitudinal, lateral, spin]; forces over mu F_n, the moment over mu F_n
-    sqrt(a b)."""
+    """Arrays over [axis_ratio or lateral_shift, longitudinal, lateral, spin] at the middle load and speed; forces over mu
+    F_n, the moment over mu F_n sqrt(a b)."""
 
     about: dict  # title, program, command, started, poisson_ratio, ...
     axes: dict  # in the order of the arrays
@@ -28,8 +28,9 @@ class CreepTable:
     force_bar: np.ndarray
     moment_bar: np.ndarray
     interpolation: dict
-    checked: np.ndarray  # [points, 10]: a/b or mm, xi', eta', phi', F_x, F_y, M_z interpolated, and computed
+    checked: np.ndarray  # [points, 10 or 12]: a/b or mm, xi', eta', phi', F_x, F_y, M_z interpolated, and computed
     wheels: dict  # one entry per lateral shift; empty over axis ratios
+    conditions: dict  # load and speed that have several values
 
     @property
     def first(self):
@@ -48,18 +49,23 @@ def read_table(directory):
         checked = file["interpolation"]
         first = "lateral_shift" if "lateral_shift" in file["axes"] else "axis_ratio"
         wheel = file.get("wheel", {})
+        conditions = {name: file["axes"][name][()] for name in ("load", "speed")
+                      if name in file["axes"] and len(file["axes"][name]) > 1}
+        middle = tuple(len(values) // 2 for values in conditions.values())
+        of_wheel = middle[:1] if "load" in conditions else ()
         return CreepTable(
             dict(file.attrs), {name: file["axes"][name][()] for name in (first, "longitudinal", "lateral", "spin")},
-            {name: file[name][()] for name in FORCES}, file["force_bar"][()], file["moment_bar"][()],
+            {name: file[name][middle] for name in FORCES}, file["force_bar"][()], file["moment_bar"][()],
             dict(checked.attrs), checked["checked"][()] if "checked" in checked else np.zeros((0, 10)),
-            {**dict(getattr(wheel, "attrs", {})), **{name: wheel[name][()] for name in wheel}})
+            {**dict(getattr(wheel, "attrs", {})), **{name: wheel[name][of_wheel] for name in wheel}}, conditions)
 
 
 # For each panel: the force, its name, the axis to the right and the axis to the back.
 VIEWS = (("longitudinal_force", "$-F_x/μF_n$", "longitudinal", "spin"),
          ("lateral_force", "$-F_y/μF_n$", "lateral", "spin"),
          ("spin_moment", "$-M_z/(μF_n$ $c)$", "spin", "longitudinal"))
-LETTER = {"longitudinal": "ξ′", "lateral": "η′", "spin": "φ′", "axis_ratio": "a/b", "lateral_shift": "lateral shift [mm]"}
+LETTER = {"longitudinal": "ξ′", "lateral": "η′", "spin": "φ′", "axis_ratio": "a/b", "lateral_shift": "lateral shift [mm]",
+          "load": "load [N]", "speed": "speed [mm/s]"}
 COLOURS = ("blue", "slip", "green", "red", "pink", "sky", "wine")
 
 
@@ -267,9 +273,10 @@ def figures(found):
 
 
 def _axes(found):
-    names = [LETTER[name].capitalize() if " " in LETTER[name] else LETTER[name] for name in found.axes]
+    axes = {**found.conditions, **found.axes}
+    names = [LETTER[name].capitalize() if " " in LETTER[name] else LETTER[name] for name in axes]
     return "".join(f"<p><b>{name}</b> ({len(values)}): {', '.join(f'{v:.4g}' for v in values)}</p>".replace("-", "−")
-                   for name, values in zip(names, found.axes.values()))
+                   for name, values in zip(names, axes.values()))
 
 
 def _said(found):
@@ -306,6 +313,9 @@ def build(directory):
         f"<p>{_of_what(found)}, {found.force_bar.size} points, Poisson's ratio {number(float(about['poisson_ratio']), 4)}. "
         "Forces are over μF<sub>n</sub>, the moment over μF<sub>n</sub>c, c = √(ab); ξ′ = ξ G ab C<sub>11</sub>/(3μF<sub>n</sub>), "
         "η′ = η G ab C<sub>22</sub>/(3μF<sub>n</sub>), φ′ = φ G (ab)<sup>3/2</sup> √(C<sub>23</sub>² + C<sub>33</sub>²)/(μF<sub>n</sub>).</p>",
-        section("Errors", _said(found)), section("Forces", draw_all(figures(found), directory)("")),
+        section("Errors", _said(found)),
+        section("Forces", "".join(f"<p>At {LETTER[name].split()[0]} {values[len(values) // 2]:g}.</p>"
+                                  for name, values in found.conditions.items())
+                + draw_all(figures(found), directory)("")),
         section("Axes", _axes(found))],
         "Beside this file: table.h5, table.csv, interpolation.csv, figures/.")

@@ -24,9 +24,10 @@ class Table(Tabular):
     Attributes
     ----------
     axes : dict
-        {"axis_ratio" or "lateral_shift" (mm), "longitudinal", "lateral", "spin": values}; creepages are scaled.
+        {"load" (N) and "speed" (mm/s) if they have several values, "axis_ratio" or "lateral_shift" (mm),
+        "longitudinal", "lateral", "spin": values}; creepages are scaled.
     longitudinal_force, lateral_force : numpy.ndarray
-        Over mu F_n, over these four axes.
+        Over mu F_n, over these axes.
     spin_moment : numpy.ndarray
         Over mu F_n sqrt(a b).
     force_bar, moment_bar : numpy.ndarray
@@ -34,11 +35,11 @@ class Table(Tabular):
     interpolation : dict
         Errors at random points between those of the grid.
     wheels : dict or None
-        Of a table over lateral shifts {name: array over the shifts}: contact_angle, rolling_radius, normal_force, ...
+        Of a table over lateral shifts {name: array over loads, if several, and shifts}: contact_angle, rolling_radius, normal_force, ...
     force_along_normal : numpy.ndarray or None
         Of a table over lateral shifts, over mu F_n.
     only_for : str
-        The falling friction, its speed, or the layer that the table holds for alone, as for its load; "" for any
+        The falling friction, its speeds, or the layer that the table holds for alone, as for its loads; "" for any
         constant friction.
 
     Raises
@@ -70,8 +71,8 @@ class Table(Tabular):
         self.title: str = found["title"]
         self.case_text: str = found["case_text"]
         self.poisson_ratio: float = found["poisson_ratio"]
-        first = "lateral_shift" if found["over_shifts"] else "axis_ratio"
-        self.axes = dict(zip((first, "longitudinal", "lateral", "spin"), map(np.array, found["axes"])))
+        self.axes: dict[str, np.ndarray] = {name: np.array(values) for name, values in found["axes"]}
+        self._first = "lateral_shift" if found["over_shifts"] else "axis_ratio"
         self.interpolation: dict[str, float] = found["interpolation"]
         shape = tuple(len(values) for values in self.axes.values())
         forces = np.array(found["forces"]).reshape(*shape, 3)
@@ -83,8 +84,10 @@ class Table(Tabular):
         self.shear_modulus = self.friction_coefficient = np.nan
         self.only_for: str = found["only_for"]
         if found["over_shifts"]:
-            self.wheels = {name: np.array(values) for name, values in found["wheels"].items()}
+            of_wheels = tuple(len(self.axes[name]) for name in ("load", self._first) if name in self.axes)
+            self.wheels = {name: np.array(values).reshape(of_wheels) for name, values in found["wheels"].items()}
             self.force_along_normal = np.array(found["along_normal"]).reshape(shape)
+        if found["over_shifts"] or self.only_for:
             self.shear_modulus, self.friction_coefficient = found["shear_modulus"], found["friction_coefficient"]
 
     @property
@@ -93,7 +96,8 @@ class Table(Tabular):
         return tuple(len(values) for values in self.axes.values())
 
     def scaled(self, longitudinal: ArrayLike = 0.0, lateral: ArrayLike = 0.0, spin: ArrayLike = 0.0,
-               axis_ratio: ArrayLike | None = None, lateral_shift: ArrayLike | None = None) -> "TableForces":
+               axis_ratio: ArrayLike | None = None, lateral_shift: ArrayLike | None = None,
+               load: ArrayLike | None = None, speed: ArrayLike | None = None) -> "TableForces":
         """Forces over mu F_n, the moment over mu F_n sqrt(a b).
 
         Parameters
@@ -102,6 +106,8 @@ class Table(Tabular):
             Scaled creepages xi', eta', phi' (docs/tables.md).
         axis_ratio, lateral_shift : array_like, optional
             The one that the table is over (mm); otherwise its only value.
+        load, speed : array_like, optional
+            N and mm/s of the axes; otherwise their only values.
 
         Returns
         -------
@@ -110,7 +116,7 @@ class Table(Tabular):
         Raises
         ------
         InputError
-            For a ratio or shift outside of the table.
+            For a ratio, shift, load or speed outside of the table.
         ValueError
             If the table has several ratios or shifts and none is given.
 
@@ -118,20 +124,21 @@ class Table(Tabular):
         --------
         >>> table.scaled(longitudinal=0.5, axis_ratio=2.0).longitudinal_force
         """
-        first = next(iter(self.axes))
+        first = self._first
         given = {"axis_ratio": axis_ratio, "lateral_shift": lateral_shift}
         for name, value in given.items():
             if name != first and value is not None:
                 raise ValueError(f"this table is over {first}; do: name that in place of {name}")
         place = given[first]
         if place is None:
-            if self.shape[0] != 1:
+            if len(self.axes[first]) != 1:
                 raise ValueError(f"this table has several values of {first}; do: name {first}")
             place = self.axes[first][0]
-        return self._ask(self._core.scaled, place, longitudinal, lateral, spin)
+        return self._ask(self._core.scaled, place, _or_only(load), _or_only(speed), longitudinal, lateral, spin)
 
     def forces(self, *, semi_axis_x: ArrayLike | None = None, semi_axis_y: ArrayLike | None = None,
                shear_modulus: ArrayLike | None = None, lateral_shift: ArrayLike | None = None,
+               load: ArrayLike | None = None, speed: ArrayLike | None = None,
                friction_bound: ArrayLike | None = None, longitudinal_creepage: ArrayLike = 0.0,
                lateral_creepage: ArrayLike = 0.0, spin: ArrayLike = 0.0) -> "TableForces":
         """Forces of friction on the wheel.
@@ -140,9 +147,13 @@ class Table(Tabular):
         ----------
         semi_axis_x, semi_axis_y, shear_modulus : array_like
             Of an ellipse: along rolling and across; combined, 1/G = (1/G1 + 1/G2)/2; in consistent units (mm, N, MPa or
-            m, N, Pa).
+            m, N, Pa; with `only_for` mm, N, MPa).
         lateral_shift : array_like
-            Of the wheelset, mm, for a table over shifts. It holds for the load that it was made with.
+            Of the wheelset, mm, for a table over shifts.
+        load : array_like
+            N, of a table over shifts that has several. That of an ellipse follows from friction_bound.
+        speed : array_like
+            mm/s, of a table that has several.
         friction_bound : array_like
             mu F_n; of a wheel that of all contacts, N, otherwise that of the table; no other with `only_for`.
         longitudinal_creepage, lateral_creepage, spin : array_like
@@ -156,7 +167,7 @@ class Table(Tabular):
         Raises
         ------
         InputError
-            For a ratio or shift outside of the table; with `only_for` also for creepages beyond its end.
+            For values outside of the table; with `only_for` also for creepages beyond its end.
         TypeError
             If what the table needs is missing, or what it does not know is given.
 
@@ -169,27 +180,30 @@ class Table(Tabular):
         creepages = longitudinal_creepage, lateral_creepage, spin
         if self.wheels is None:
             needed: dict[str, Any] = {**ellipse, "friction_bound": friction_bound}
-            excess: dict[str, Any] = {"lateral_shift": lateral_shift}
+            excess: dict[str, Any] = {"lateral_shift": lateral_shift, "load": load}
         else:
             needed, excess = {"lateral_shift": lateral_shift}, ellipse
         missing = [name for name, value in needed.items() if value is None]
         wrong = [name for name, value in excess.items() if value is not None]
         if missing or wrong:
-            raise TypeError(f"this table is over {next(iter(self.axes))}: it needs {', '.join(needed)}; "
+            raise TypeError(f"this table is over {self._first}: it needs {', '.join(needed)}; "
                             f"do: {'give ' + ', '.join(missing) if missing else 'leave out ' + ', '.join(wrong)}")
         if self.wheels is None:
-            return self._ask(self._core.physical, *needed.values(), *creepages)
+            return self._ask(self._core.physical, *needed.values(), _or_only(speed), *creepages)
         if friction_bound is None:
-            friction_bound = self.friction_coefficient * self.wheel_at(needed["lateral_shift"])["normal_force"]
-        return self._ask(self._core.of_wheel, *needed.values(), friction_bound, *creepages)
+            friction_bound = self.friction_coefficient * self.wheel_at(needed["lateral_shift"], load)["normal_force"]
+        return self._ask(self._core.of_wheel, *needed.values(), _or_only(load), _or_only(speed), friction_bound,
+                         *creepages)
 
-    def wheel_at(self, lateral_shift: ArrayLike) -> dict[str, Any]:
+    def wheel_at(self, lateral_shift: ArrayLike, load: ArrayLike | None = None) -> dict[str, Any]:
         """The contact of the wheel at any shift.
 
         Parameters
         ----------
         lateral_shift : array_like
             mm.
+        load : array_like
+            N, of a table that has several.
 
         Returns
         -------
@@ -205,8 +219,8 @@ class Table(Tabular):
         --------
         >>> wheel.wheel_at(1.3)["contact_angle"]
         """
-        shifts = np.asarray(lateral_shift, dtype=float)
-        found = self._core.wheels_at(np.ascontiguousarray(shifts).ravel())
+        shifts, loads = np.broadcast_arrays(np.asarray(lateral_shift, dtype=float), np.asarray(_or_only(load), dtype=float))
+        found = self._core.wheels_at(np.ascontiguousarray(shifts).ravel(), np.ascontiguousarray(loads).ravel())
         return {name: np.array(values).reshape(shifts.shape)[()] for name, values in found.items()}
 
     @staticmethod
@@ -315,6 +329,11 @@ class Table(Tabular):
     def _repr_html_(self) -> str:
         return html_table(repr(self), ["axis", "values", "from", "to"], (
             [name, len(values), float(values[0]), float(values[-1])] for name, values in self.axes.items()))
+
+
+def _or_only(value: ArrayLike | None) -> ArrayLike:
+    """0: the only value of an axis."""
+    return 0.0 if value is None else value
 
 
 class TableForces:

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace rollfem::tables {
@@ -13,6 +14,14 @@ struct AxisWeights {
   int first = 0;  ///< -1: the mirror image of node 1
   std::array<double, 4> weight{};
 };
+
+/// Calls visit(node, weight, slot) for the nodes with a weight.
+template <class Visit>
+void each_node(const AxisWeights& weights, const Visit& visit) {
+  for (std::size_t n = 0; n < 4; ++n)
+    if (weights.weight[n] != 0.0)
+      visit(static_cast<std::size_t>(weights.first + static_cast<int>(n)), weights.weight[n], n);
+}
 
 /// Behaviour at 0: smooth, or with a jump of the second derivative, like a force that falls below
 /// its linear part by the square of the creepage for either sign. The slope at node 0 is then

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A table of creep forces over scaled creepages and, for Hertzian contacts, the axis ratio of the
 // ellipse, as in Kalker's (1996) and USETAB's tables, or, for a wheel on its rail, the lateral
-// shift of the wheelset; with interpolation between its points. Python and C read tables through
-// this header (docs/tables.md).
+// shift of the wheelset; with interpolation between its points. Where forces over mu F_n depend on
+// load and speed beside the creepages, both may be axes. Python and C read tables through this
+// header (docs/tables.md).
 //
 // With c = sqrt(a b), the combined shear modulus G, the bound mu F_n and Kalker's coefficients:
 //   xi' = xi G c^2 C11 / (3 mu F_n)    eta' = eta G c^2 C22 / (3 mu F_n)
@@ -32,8 +33,9 @@ struct InterpolationError {
   double force_rms = 0.0, force_95 = 0.0, force_max = 0.0;
   double moment_rms = 0.0, moment_95 = 0.0, moment_max = 0.0;
   /// The larger of force_95 and moment_95 at points between nodes of one axis alone: ratio or
-  /// shift, xi', eta', phi'. 0: an axis of one value, or not measured. Not stored in files.
-  std::array<double, 4> by_axis{};
+  /// shift, xi', eta', phi', load, speed. 0: an axis of one value, or not measured. Not stored in
+  /// files.
+  std::array<double, 6> by_axis{};
 };
 
 /// The errors by their names in files and Python.
@@ -42,9 +44,18 @@ inline constexpr std::pair<const char*, double InterpolationError::*> interpolat
     {"force_max", &InterpolationError::force_max}, {"moment_rms", &InterpolationError::moment_rms},
     {"moment_95", &InterpolationError::moment_95}, {"moment_max", &InterpolationError::moment_max}};
 
+/// A place on the axes other than the creepages.
+struct TablePlace {
+  TablePlace(double on_first = 1.0, double at_load = 0.0, double at_speed = 0.0)
+      : first(on_first), load(at_load), speed(at_speed) {}
+  double first;  ///< a/b, or the lateral shift in mm
+  double load;   ///< N; 0: the only one of the table
+  double speed;  ///< mm/s; 0: the only one of the table
+};
+
 /// A point at which the interpolation error was computed.
 struct CheckedPoint {
-  double place = 1.0;  ///< place on the first axis: a/b, or mm
+  TablePlace place;
   Scaled creepage{}, interpolated{}, solved{};
 };
 
@@ -64,27 +75,43 @@ struct TableWheel {
   double jump_after = 0.0;
 };
 
+/// Whether a contact appears or disappears between neighbouring shifts or loads, or moves too far
+/// aside.
+bool contact_jumps(const TableWheel& a, const TableWheel& b);
+
+/// How friction on an ellipse depends on the load. Scaled forces depend on c by a layer, on the
+/// pressure F_n/c^2 by its yield stress, and on the sliding distance F_n/c by a memory; and on the
+/// speed times the pressure. Between the bodies of the case c grows as the cube root of the load.
+/// One of the three alone may thus stand for the load, for bodies of any curvature.
+enum class LoadSets { nothing, size, pressure, sliding_distance, all };
+
 struct CreepTable {
   std::string title, case_file, case_text, program, command, started;
   double poisson_ratio = 0.0;
   std::vector<double> axis_ratio;  ///< a/b, increasing; empty over lateral shifts
-  // Members of tables over lateral shifts; otherwise empty and 0.
+  // Members of tables over lateral shifts; otherwise empty.
   std::vector<double> lateral_shift;  ///< mm, increasing
-  std::vector<TableWheel> wheels;     ///< one per shift
-  double shear_modulus = 0.0;         ///< MPa, combined
+  std::vector<TableWheel> wheels;     ///< the last axis fastest: load, shift
+  // Members of both, 0 and empty for ellipses under constant friction.
+  double shear_modulus = 0.0;  ///< MPa, combined
   double friction_coefficient = 0.0;
   /// Friction whose forces are not proportional to mu F_n at equal scaled creepages: falling
   /// friction at its speed, a layer; empty: any constant friction.
   std::string only_for;
+  std::vector<double> load;   ///< N, increasing; empty: not to be given
+  std::vector<double> speed;  ///< mm/s, increasing; empty: not to be given
+  // Members of tables of ellipses with only_for.
+  LoadSets load_sets = LoadSets::nothing;
+  std::vector<double> mean_axis;  ///< c in mm of every ratio at the first load
   /// Increasing values. Over ratios: xi' and eta' from 0 on, phi' of both signs. Negative xi' and
   /// eta' follow from symmetry: the force law is odd, and mirroring a contact changes the signs of
   /// eta, phi, F_y and M_z. Over lateral shifts all have both signs, because the rolling radii of a
   /// profile cause slip without creepage.
   std::array<std::vector<double>, 3> creepage;
-  /// One entry per ratio or shift: the factors of xi G c^2/(mu F_n), eta G c^2/(mu F_n), phi G
-  /// c^3/(mu F_n).
+  /// One entry per ratio, or per load and shift: the factors of xi G c^2/(mu F_n), eta G c^2/(mu
+  /// F_n), phi G c^3/(mu F_n).
   std::vector<Scaled> scale;
-  // One entry per point, the last axis fastest: ratio or shift, xi', eta', phi'.
+  // One entry per point, the last axis fastest: load, speed, ratio or shift, xi', eta', phi'.
   std::vector<Scaled> forces;
   std::vector<double> along_normal;  ///< force of friction along the normal over mu F_n; empty: 0
   std::vector<std::array<double, 2>> bars;  ///< error bars of the force vector and the moment
@@ -96,7 +123,19 @@ struct CreepTable {
   const std::vector<double>& first_axis() const {
     return over_shifts() ? lateral_shift : axis_ratio;
   }
+  std::size_t loads() const { return load.empty() ? 1 : load.size(); }
+  std::size_t speeds() const { return speed.empty() ? 1 : speed.size(); }
+  /// Nodes of the axes other than the creepages.
+  std::size_t nodes() const { return loads() * speeds() * first_axis().size(); }
+  TablePlace node(std::size_t number) const;
+  /// Number of values of the axes of the arrays: load and speed if they have several, and the rest.
+  std::vector<std::size_t> shape() const;
+  /// Of wheels and scale.
+  std::size_t pressed(std::size_t at_load, std::size_t first) const {
+    return (over_shifts() ? at_load * lateral_shift.size() : 0) + first;
+  }
   std::size_t size() const;
+  /// `first`: a node.
   std::size_t place(std::size_t first, std::size_t i, std::size_t j, std::size_t k) const;
 };
 
@@ -125,67 +164,96 @@ class CreepTableReader {
 
   const CreepTable& table() const { return table_; }
 
-  /// `place`: an axis ratio, or a lateral shift in mm. Creepages beyond the grid are all reduced by
-  /// one factor to its end, because full sliding depends only on their direction; under friction
-  /// that may fall further (CreepTable::only_for) they are refused. Between two
-  /// shifts where contact jumps, the nearer one applies. Throws contact::InputError for a place
-  /// outside the table (with a tolerance of one in a thousand for a ratio) and for values that are
-  /// not finite.
-  TableForces at(double place, const Scaled& creepage) const;
+  /// Creepages beyond the grid are all reduced by one factor to its end, because full sliding
+  /// depends only on their direction; under friction that may fall further (CreepTable::only_for)
+  /// they are refused. Between two shifts or loads where contact jumps, the nearer one applies.
+  /// Throws contact::InputError for a place outside the table (with a tolerance of one in a
+  /// thousand for ratio, load and speed) and for values that are not finite.
+  TableForces at(const TablePlace& place, const Scaled& creepage) const;
 
-  /// Factors of the creepages (CreepTable::scale) at any place of the table.
-  Scaled scale_at(double place) const;
+  /// Factors of the creepages (CreepTable::scale) at any place of the table; the speed is ignored,
+  /// as in wheel_at.
+  Scaled scale_at(const TablePlace& place) const;
+
+  /// CreepTable::mean_axis at any ratio and load.
+  double mean_axis_at(const TablePlace& place) const;
 
   /// Forces of an ellipse, in the consistent units of the arguments: semi-axes along and across
-  /// rolling, combined shear modulus, mu F_n > 0, creepages xi, eta and phi. Throws
-  /// contact::InputError for a table over lateral shifts.
+  /// rolling, combined shear modulus, mu F_n > 0, creepages xi, eta and phi. A table of only_for
+  /// needs mm, N and MPa, and the speed if it has several. Throws contact::InputError for a table
+  /// over lateral shifts, and for an ellipse at whose size, pressure or speed its friction is
+  /// another one (LoadSets).
   TableForces physical(double semi_axis_x, double semi_axis_y, double shear_modulus,
-                       double friction_bound, const Scaled& creepage) const;
+                       double friction_bound, const Scaled& creepage, double speed = 0.0) const;
 
   /// Forces of the wheel at a lateral shift (mm), in N and N mm, for creepages xi, eta and phi
   /// (rad/mm) of the main contact and mu F_n in N. Exact for the table's mu F_n; any other value
   /// also scales the slip from the rolling radii, and is refused by a table of only_for. Throws
   /// contact::InputError for a table over ratios.
-  TableForces of_wheel(double lateral_shift, double friction_bound, const Scaled& creepage) const;
+  TableForces of_wheel(const TablePlace& place, double friction_bound,
+                       const Scaled& creepage) const;
 
-  /// The wheel at a lateral shift, interpolated like the forces; jump_after: whether contact jumps
-  /// there.
-  TableWheel wheel_at(double lateral_shift) const;
+  /// The wheel at a lateral shift and load, interpolated like the forces; jump_after: whether
+  /// contact jumps there.
+  TableWheel wheel_at(const TablePlace& place) const;
+
+  /// Whether contact jumps there, so that nothing is interpolated.
+  bool jumps_at(const TablePlace& place) const { return locate(place).beyond.has_value(); }
 
   /// Returns the table; the reader is unusable afterwards.
   CreepTable release() && { return std::move(table_); }
 
  private:
-  /// Nodes of the first axis, their weights, and the nodes that provide bars.
+  /// Nodes of an axis, their weights, and the nodes that provide bars.
   struct Nodes {
     AxisWeights weights;
     std::array<std::size_t, 2> around{};
   };
-  /// A place on the first axis; in a gap between two stretches also the farther end.
-  struct Place {
+  /// A place on an axis; in a gap between two stretches also the farther end.
+  struct OnAxis {
     Nodes near;
     std::optional<Nodes> beyond;
+  };
+  /// Nodes of all axes but the creepages; of the first axis for every node of the load.
+  struct Side {
+    AxisWeights load, speed;
+    std::array<Nodes, 4> first;
+  };
+  struct Place {
+    Side near;
+    std::optional<Side> beyond;
   };
   /// Consecutive nodes without a jump, in the coordinate of interpolation.
   struct Stretch {
     std::size_t first = 0;
     std::vector<double> nodes;
   };
+  using Stretches = std::vector<Stretch>;
 
   void check_wheels() const;
   void check_creepages() const;
-  double coordinate_of(double place) const;
-  Place locate(double place) const;
-  Scaled scale_of(const Nodes& nodes) const;
-  TableWheel wheel_of(const Nodes& nodes) const;
-  TableForces forces_of(const Nodes& nodes, const Scaled& creepage) const;
-  TableForces unscaled(const Nodes& nodes, double stiffness, double c, double friction_bound,
+  void check_conditions() const;
+  void find_stretches();
+  double first_coordinate(double place) const;
+  double condition(const char* name, const char* unit, const std::vector<double>& axis,
+                   double given) const;
+  static OnAxis on_axis(const Stretches& stretches, double x);
+  Place locate(const TablePlace& place) const;
+  TablePlace at_any_speed(TablePlace place) const;
+  Scaled scale_of(const Side& side) const;
+  TableWheel wheel_of(const Side& side) const;
+  TableForces forces_of(const Side& side, const Scaled& creepage) const;
+  TableForces unscaled(const Side& side, double stiffness, double c, double friction_bound,
                        const Scaled& creepage) const;
+  TablePlace place_of(double ratio, double c, double shear_modulus, double friction_bound,
+                      double speed) const;
   void refuse_other_kind(bool wanted_shifts) const;
   void refuse_other_bound(double given, double own) const;
 
   CreepTable table_;
-  std::vector<Stretch> stretches_;
+  std::vector<Stretches> first_;  ///< for every load, or one
+  std::vector<Stretches> load_;   ///< for every shift, or one
+  Stretches speed_;
   std::array<std::vector<double>, 3> coordinate_;
 };
 
@@ -195,6 +263,7 @@ struct WheelColumn {
   double TableWheel::*member;
   const char* unit;
   const char* says;
+  bool power = false;  ///< follows the load like a power of it, above 0
 };
 const std::vector<WheelColumn>& wheel_columns();
 

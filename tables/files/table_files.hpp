@@ -15,7 +15,7 @@ std::string table_hdf5(const CreepTable& table);
 std::string table_csv(const CreepTable& table);
 /// One row for each point at which interpolation was checked.
 std::string interpolation_csv(const CreepTable& table);
-/// For a table over lateral shifts: one row per shift, with the wheel's contact.
+/// For a table over lateral shifts: one row per load and shift, with the wheel's contact.
 std::string shifts_csv(const CreepTable& table);
 
 /// Reads a file table.h5, or the one in a folder. Throws contact::InputError if it is no table or

@@ -15,13 +15,15 @@ namespace {
 using namespace postprocess::hdf5;
 
 const char* const table_format = "rollfem table";
-/// Version 1 had axis ratios only; its content is unchanged in version 2.
-constexpr long table_version = 2;
+/// Version 1 had axis ratios only, version 2 neither load nor speed; their content is unchanged.
+constexpr long table_version = 3;
 
 const char* const table_conventions =
     "Scaled creepages: xi' = xi G a b C11 / (3 mu F_n), eta' = eta G a b C22 / (3 mu F_n), phi' = "
     "phi G (a b)^(3/2) sqrt(C23^2 + C33^2) / (mu F_n); G combined shear modulus, C Kalker's "
-    "coefficients, a along rolling. Forces act on the wheel, F_x and F_y over mu F_n, M_z over mu "
+    "coefficients, a along rolling. Axes of load (in the case's terms) and speed come before those "
+    "named below if they have several values. Forces act on the wheel, F_x and F_y over mu F_n, "
+    "M_z over mu "
     "F_n sqrt(a b). ";
 const char* const ratio_conventions =
     "Arrays [axis_ratio, longitudinal, lateral, spin]. At -xi' F_x changes sign; at -eta' and "
@@ -59,27 +61,41 @@ void write_axes(hid_t file, const CreepTable& table) {
              "mm", "lateral shift of the wheelset", "positive to the right");
   else
     write("axis_ratio", table.axis_ratio, "a/b of the ellipse, a along rolling");
+  const auto condition = [&](const char* name, const std::vector<double>& values, const char* unit,
+                             const char* says) {
+    if (values.empty()) return;
+    describe(write_dataset(group, name, {values.size()}, values.data()), unit, says, "");
+  };
+  condition("load", table.load, "N", "force under [load] that the forces are computed for");
+  condition("speed", table.speed, "mm/s", "rolling speed that the forces are computed for");
+  condition("mean_axis", table.mean_axis, "mm", "sqrt(a b) of every ratio at the first load");
   write("longitudinal", table.creepage[0], "xi', scaled longitudinal creepage");
   write("lateral", table.creepage[1], "eta', scaled lateral creepage");
   write("spin", table.creepage[2], "phi', scaled spin");
-  write_rows(
-      group, "scale", table.scale, "1",
-      "For every ratio or shift: C11/3, C22/3 and sqrt(C23^2 + C33^2), the factors of xi G a b/(mu "
-      "F_n), eta "
-      "G a b/(mu F_n) and phi G (a b)^(3/2)/(mu F_n); interpolation uses their logarithms");
+  write_rows(group, "scale", table.scale, "1",
+             "For every ratio, or load and shift (fastest): C11/3, C22/3 and sqrt(C23^2 + C33^2), "
+             "the factors of xi G a b/(mu "
+             "F_n), eta "
+             "G a b/(mu F_n) and phi G (a b)^(3/2)/(mu F_n); interpolation uses their logarithms");
 }
 
-void write_wheels(hid_t file, const CreepTable& table) {
-  const Handle group =
-      create_group(file, "wheel", "The wheel at every lateral shift, loaded without friction");
+void write_friction(hid_t group, const CreepTable& table) {
   write_attribute(group, "shear_modulus", table.shear_modulus);
   write_attribute(group, "friction_coefficient", table.friction_coefficient);
   if (!table.only_for.empty()) write_attribute(group, "only_for", table.only_for);
+  if (!table.over_shifts()) write_attribute(group, "load_sets", static_cast<long>(table.load_sets));
+}
+
+void write_wheels(hid_t file, const CreepTable& table) {
+  const Handle group = create_group(
+      file, "wheel", "The wheel at every load and lateral shift, loaded without friction");
+  write_friction(group, table);
+  std::vector<hsize_t> shape{table.lateral_shift.size()};
+  if (table.load.size() > 1) shape.insert(shape.begin(), table.load.size());
   for (const WheelColumn& entry : wheel_columns()) {
     const auto values =
         column(table.wheels, [&](const TableWheel& wheel) { return wheel.*entry.member; });
-    describe(write_dataset(group, entry.name, {values.size()}, values.data()), entry.unit,
-             entry.says, "");
+    describe(write_dataset(group, entry.name, shape, values.data()), entry.unit, entry.says, "");
   }
 }
 
@@ -93,18 +109,19 @@ void write_interpolation(hid_t file, const CreepTable& table) {
   for (const auto& [name, member] : interpolation_errors)
     write_attribute(group, name, error.*member);
   if (table.checked.empty()) return;
-  std::vector<std::array<double, 10>> rows;
+  std::vector<std::array<double, 12>> rows;
   for (const CheckedPoint& p : table.checked)
-    rows.push_back({p.place, p.creepage[0], p.creepage[1], p.creepage[2], p.interpolated[0],
-                    p.interpolated[1], p.interpolated[2], p.solved[0], p.solved[1], p.solved[2]});
+    rows.push_back({p.place.first, p.creepage[0], p.creepage[1], p.creepage[2], p.interpolated[0],
+                    p.interpolated[1], p.interpolated[2], p.solved[0], p.solved[1], p.solved[2],
+                    p.place.load, p.place.speed});
   write_rows(group, "checked", rows, "1",
              "a/b or lateral shift, xi', eta', phi', then F_x, F_y, M_z as interpolated and as "
-             "solved for");
+             "solved for, then load and speed, 0 where the table has none");
 }
 
 void write_values(hid_t file, const CreepTable& table) {
-  std::vector<hsize_t> shape{table.first_axis().size()};
-  for (const auto& axis : table.creepage) shape.push_back(axis.size());
+  const std::vector<std::size_t> lengths = table.shape();
+  const std::vector<hsize_t> shape(lengths.begin(), lengths.end());
   const auto force = [&](std::size_t q) {
     return column(table.forces, [q](const Scaled& f) { return f[q]; });
   };
@@ -133,14 +150,23 @@ std::vector<double> numbers_of(hid_t parent, const char* name) {
   return read_dataset(parent, name).values;
 }
 
+void read_friction(hid_t group, CreepTable& table) {
+  table.shear_modulus = read_number(group, "shear_modulus");
+  table.friction_coefficient = read_number(group, "friction_coefficient");
+  if (has_attribute(group, "only_for")) table.only_for = read_text(group, "only_for");
+  if (!has_attribute(group, "load_sets")) return;
+  const double sets = read_number(group, "load_sets");
+  if (!(sets >= 0.0 && sets <= static_cast<double>(LoadSets::all)))
+    throw std::runtime_error("what its load sets is not known");
+  table.load_sets = static_cast<LoadSets>(sets);
+}
+
 void read_wheels(hid_t file, hid_t axes, CreepTable& table) {
   table.lateral_shift = numbers_of(axes, "lateral_shift");
   table.along_normal = numbers_of(file, "force_along_normal");
   const Handle group = open_group(file, "wheel");
-  table.shear_modulus = read_number(group, "shear_modulus");
-  table.friction_coefficient = read_number(group, "friction_coefficient");
-  if (has_attribute(group, "only_for")) table.only_for = read_text(group, "only_for");
-  table.wheels.resize(table.lateral_shift.size());
+  read_friction(group, table);
+  table.wheels.resize(table.pressed(table.loads(), 0));
   for (const WheelColumn& entry : wheel_columns()) {
     const std::vector<double> values = numbers_of(group, entry.name);
     if (values.size() != table.wheels.size())
@@ -159,10 +185,14 @@ CreepTable table_of(hid_t file) {
   table.poisson_ratio = read_number(file, "poisson_ratio");
   for (const std::string& line : read_lines(file, "case_text")) table.case_text += line;
   const Handle axes = open_group(file, "axes");
+  for (const auto& [name, values] :
+       {std::pair{"load", &table.load}, {"speed", &table.speed}, {"mean_axis", &table.mean_axis}})
+    if (has_member(axes, name)) *values = numbers_of(axes, name);
   if (has_member(axes, "lateral_shift"))
     read_wheels(file, axes, table);
   else
     table.axis_ratio = numbers_of(axes, "axis_ratio");
+  if (has_member(file, "friction")) read_friction(open_group(file, "friction"), table);
   table.creepage = {numbers_of(axes, "longitudinal"), numbers_of(axes, "lateral"),
                     numbers_of(axes, "spin")};
   table.scale = read_rows<3>(axes, "scale");
@@ -187,11 +217,13 @@ void read_interpolation(hid_t file, CreepTable& table) {
   for (const auto& [name, member] : interpolation_errors) error.*member = read_number(group, name);
   if (!has_member(group, "checked")) return;
   const Numbers found = read_dataset(group, "checked");
-  if (found.shape.size() != 2 || found.shape[1] != 10)
+  const std::size_t wide = found.shape.size() == 2 ? found.shape[1] : 0;
+  if (wide != 10 && wide != 12)  // 10: before version 3
     throw std::runtime_error("its checked points have the wrong shape");
-  for (std::size_t k = 0; k < found.values.size(); k += 10) {
+  for (std::size_t k = 0; k < found.values.size(); k += wide) {
     const double* r = &found.values[k];
-    table.checked.push_back({r[0], {r[1], r[2], r[3]}, {r[4], r[5], r[6]}, {r[7], r[8], r[9]}});
+    const TablePlace place = wide == 12 ? TablePlace(r[0], r[10], r[11]) : TablePlace(r[0]);
+    table.checked.push_back({place, {r[1], r[2], r[3]}, {r[4], r[5], r[6]}, {r[7], r[8], r[9]}});
   }
 }
 
@@ -217,6 +249,9 @@ std::string table_hdf5(const CreepTable& table) {
   write_axes(file, table);
   write_values(file, table);
   if (shifts) write_wheels(file, table);
+  if (!shifts && !table.only_for.empty())
+    write_friction(create_group(file, "friction", "What the forces depend on beside mu F_n"),
+                   table);
   write_interpolation(file, table);
   return sealed_image(file);
 }
@@ -233,7 +268,7 @@ CreepTable read_table(const std::string& path) {
     if (!has_attribute(file, "format") || read_text(file, "format") != table_format)
       refuse_file(file_name, "is not a table");
     const double version = read_number(file, "format_version");
-    if (version != 1.0 && version != static_cast<double>(table_version))
+    if (!(version >= 1.0 && version <= static_cast<double>(table_version)))
       refuse_file(file_name, "belongs to another version");
     CreepTable table = table_of(file);
     read_interpolation(file, table);

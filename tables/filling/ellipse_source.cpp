@@ -28,43 +28,74 @@ TablePoint point_of(const halfspace::EllipseForces& found) {
 
 class EllipseSource : public TableSource {
  public:
-  explicit EllipseSource(const CreepTable& table)
-      : ratios_(table.axis_ratio), scales_(table.scale), poisson_ratio_(table.poisson_ratio) {}
+  EllipseSource(const CreepTable& table, const contact::Case& input) : input_(input) {
+    axes_.axis_ratio = table.axis_ratio;
+    axes_.load = table.load;
+    axes_.speed = table.speed;
+    axes_.scale = table.scale;
+    axes_.mean_axis = table.mean_axis;
+    axes_.poisson_ratio = table.poisson_ratio;
+    axes_.shear_modulus = table.shear_modulus;
+  }
 
   void prepare(CreepTable&, const contact::Progress&) override {}
 
-  std::vector<TablePoint> at_node(std::size_t first,
+  std::vector<TablePoint> at_node(std::size_t node,
                                   const std::vector<Scaled>& creepages) const override {
-    return solve(ratios_[first], scales_[first], creepages);
+    const std::size_t ratio = node % axes_.axis_ratio.size();
+    const TablePlace place = axes_.node(node);
+    const double c = axes_.mean_axis.empty()
+                         ? 0.0
+                         : axes_.mean_axis[ratio] * std::cbrt(place.load / axes_.load.front());
+    return solve(place, axes_.scale[ratio], c, creepages);
   }
 
-  std::vector<TablePoint> between(const CreepTableReader& reader, double place,
+  std::vector<TablePoint> between(const CreepTableReader& reader, const TablePlace& place,
                                   const std::vector<Scaled>& creepages) const override {
-    return solve(place, reader.scale_at(place), creepages);
+    const double c = axes_.mean_axis.empty() ? 0.0 : reader.mean_axis_at(place);
+    return solve(place, reader.scale_at(place), c, creepages);
   }
 
  private:
-  std::vector<TablePoint> solve(double ratio, const Scaled& scale,
+  /// Friction that depends on the load, of an ellipse of this c.
+  halfspace::ScaledFriction friction_at(const TablePlace& place, double c) const {
+    halfspace::ScaledFriction made{input_.friction_fall, 0.0, input_.layer};
+    const double mu = input_.friction_coefficient, modulus = axes_.shear_modulus,
+                 slip = mu * place.load / (modulus * c * c);
+    if (made.fall.kinetic_coefficient) *made.fall.kinetic_coefficient /= mu;
+    made.fall.second_part /= mu;
+    made.fall.memory_distance /= slip * c;
+    made.speed = place.speed * slip;
+    if (!made.layer) return made;
+    if (made.layer->thickness) *made.layer->thickness /= c;
+    if (made.layer->shear_modulus) *made.layer->shear_modulus /= modulus;
+    if (made.layer->yield_stress) *made.layer->yield_stress /= slip * modulus;
+    if (made.layer->hardening) *made.layer->hardening *= c / modulus;
+    return made;
+  }
+
+  std::vector<TablePoint> solve(const TablePlace& place, const Scaled& scale, double c,
                                 const std::vector<Scaled>& creepages) const {
+    halfspace::EllipseShape shape{place.first, axes_.poisson_ratio};
+    if (c > 0.0) shape.friction = friction_at(place, c);
     std::vector<halfspace::ScaledCreepage> points;
     for (const Scaled& creepage : creepages)
       points.push_back({creepage[0] / scale[0], creepage[1] / scale[1], creepage[2] / scale[2]});
     std::vector<TablePoint> found;
     for (const halfspace::EllipseForces& one :
-         halfspace::roll_ellipse({ratio, poisson_ratio_}, points, {largest_correction}))
+         halfspace::roll_ellipse(shape, points, {largest_correction}))
       found.push_back(point_of(one));
     return found;
   }
 
-  std::vector<double> ratios_;
-  std::vector<Scaled> scales_;
-  double poisson_ratio_;
+  const contact::Case& input_;
+  CreepTable axes_;  ///< without points
 };
 
 }  // namespace
 
-std::unique_ptr<TableSource> ellipse_source(const CreepTable& table) {
-  return std::make_unique<EllipseSource>(table);
+std::unique_ptr<TableSource> ellipse_source(const CreepTable& table, const contact::Case& input) {
+  return std::make_unique<EllipseSource>(table, input);
 }
 
 }  // namespace rollfem::tables

@@ -24,8 +24,8 @@ namespace {
 constexpr unsigned seed = 20120816;
 constexpr std::size_t points_of_a_place = 10;  ///< random points per intermediate place
 
-/// Creepage indices of point `n` of a ratio or shift, in boustrophedon order, so that consecutive
-/// points are neighbours.
+/// Creepage indices of point `n` of a node of the other axes, in boustrophedon order, so that
+/// consecutive points are neighbours.
 std::array<std::size_t, 3> to_and_fro(const CreepTable& table, std::size_t n) {
   const std::size_t across = table.creepage[1].size(), spins = table.creepage[2].size();
   const std::size_t row = n / spins, m = n % spins, i = row / across;
@@ -35,7 +35,7 @@ std::array<std::size_t, 3> to_and_fro(const CreepTable& table, std::size_t n) {
 
 void fill_grid(CreepTable& table, const TableSource& source, const contact::Progress& progress,
                contact::Checkpoint* checkpoint, contact::Share share) {
-  const std::size_t of_a_place = table.size() / table.first_axis().size();
+  const std::size_t of_a_place = table.size() / table.nodes();
   table.forces.resize(table.size());
   table.bars.resize(table.size());
   table.elements_across.resize(table.size());
@@ -63,53 +63,65 @@ void fill_grid(CreepTable& table, const TableSource& source, const contact::Prog
   solve_parts(parts, progress, checkpoint);
 }
 
-/// Ranges for random places on the first axis: mm, or the logarithm of the ratio. Gaps in which
-/// contact jumps are left out, because there is no interpolation.
-std::vector<std::array<double, 2>> stretches_of(const CreepTable& table) {
-  const auto coordinate = [&](std::size_t k) {
-    return table.over_shifts() ? table.lateral_shift[k] : std::log(table.axis_ratio[k]);
-  };
-  std::vector<std::array<double, 2>> stretches;
-  for (std::size_t k = 0; k < table.first_axis().size(); ++k) {
-    if (k == 0 || (table.over_shifts() && table.wheels[k - 1].jump_after != 0.0))
-      stretches.push_back({coordinate(k), coordinate(k)});
-    stretches.back()[1] = coordinate(k);
-  }
-  return stretches;
+/// Random numbers of a standard library's generator, which are the same everywhere.
+class Draw {
+ public:
+  explicit Draw(unsigned from) : random_(from) {}
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+  double share() { return (static_cast<double>(random_()) + 0.5) / 4294967296.0; }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// A place on an axis, even over its coordinate.
+double on(const std::vector<double>& axis, bool logarithmic, double share) {
+  const auto coordinate = [&](double x) { return logarithmic ? std::log(x) : x; };
+  const double low = coordinate(axis.front()), high = coordinate(axis.back());
+  const double x = std::min(low + share * (high - low), high);
+  return std::clamp(logarithmic ? std::exp(x) : x, axis.front(), axis.back());
 }
 
-double place_at(const CreepTable& table, const std::vector<std::array<double, 2>>& stretches,
-                double share) {
-  double whole = 0.0;
-  for (const auto& [low, high] : stretches) whole += high - low;
-  double way = share * whole;
-  std::size_t s = 0;
-  // Stretches of a single place count only if there are no others.
-  if (whole == 0.0)
-    s = std::min(stretches.size() - 1,
-                 static_cast<std::size_t>(share * static_cast<double>(stretches.size())));
-  for (; s + 1 < stretches.size() && way > stretches[s][1] - stretches[s][0]; ++s)
-    way -= stretches[s][1] - stretches[s][0];
-  const double x = std::min(stretches[s][0] + way, stretches[s][1]);
-  const std::vector<double>& places = table.first_axis();
-  return std::clamp(table.over_shifts() ? x : std::exp(x), places.front(), places.back());
+constexpr std::size_t of_load = 4, of_speed = 5;  ///< InterpolationError::by_axis
+
+const std::vector<double>& axis_of(const CreepTable& table, std::size_t axis) {
+  if (axis == of_load) return table.load;
+  if (axis == of_speed) return table.speed;
+  return axis == 0 ? table.first_axis() : table.creepage[axis - 1];
+}
+
+/// A random place between the nodes of some axes, with the others of `from`; `from` itself where
+/// contact jumps at all those drawn, because there is no interpolation.
+TablePlace between(const CreepTableReader& reader, const TablePlace& from,
+                   const std::vector<std::size_t>& axes, Draw& draw) {
+  const CreepTable& table = reader.table();
+  for (int tries = 0; tries < 100; ++tries) {
+    TablePlace place = from;
+    for (const std::size_t axis : axes) {
+      double& value = axis == 0 ? place.first : axis == of_load ? place.load : place.speed;
+      value = on(axis_of(table, axis), axis > 0 || !table.over_shifts(), draw.share());
+    }
+    if (!reader.jumps_at(place)) return place;
+  }
+  return from;
 }
 
 /// Random points, uniform over the coordinates of the axes, of both signs.
-std::vector<CheckedPoint> points_between(const CreepTable& table, int count) {
-  std::mt19937 random(seed);
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * (static_cast<double>(random()) + 0.5) / 4294967296.0;
-  };
-  const auto stretches = stretches_of(table);
+std::vector<CheckedPoint> points_between(const CreepTableReader& reader, int count) {
+  const CreepTable& table = reader.table();
+  Draw draw(seed);
+  std::vector<std::size_t> axes{0};
+  for (const std::size_t axis : {of_load, of_speed})
+    if (axis_of(table, axis).size() > 1) axes.push_back(axis);
   std::vector<CheckedPoint> points(static_cast<std::size_t>(count));
-  double place = 1.0;
+  TablePlace place;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (k % points_of_a_place == 0) place = place_at(table, stretches, uniform(0.0, 1.0));
+    if (k % points_of_a_place == 0)
+      place = between(reader, table.node(k / points_of_a_place % table.nodes()), axes, draw);
     points[k].place = place;
     for (std::size_t q = 0; q < 3; ++q) {
       const double end = table_coordinate(table.creepage[q].back());
-      points[k].creepage[q] = creepage_at(uniform(-end, end));
+      points[k].creepage[q] = creepage_at(-end + 2.0 * end * draw.share());
     }
   }
   return points;
@@ -141,36 +153,32 @@ InterpolationError error_of(const std::vector<CheckedPoint>& points) {
 
 /// A point whose place and creepages are nodes on all axes but one.
 struct AxisPoint {
-  std::size_t axis = 0;   ///< 0: of the first axis, q + 1: of creepage q
-  std::size_t first = 0;  ///< node of the first axis; unused for axis 0
+  std::size_t axis = 0;  ///< of InterpolationError::by_axis
+  std::size_t node = 0;  ///< of the axes other than the creepages; unused where `axis` is of them
   CheckedPoint point;
+  bool of_creepage() const { return axis > 0 && axis < of_load; }
 };
 
 /// Random points between the nodes of one axis after another, in groups of points_of_a_place.
-std::vector<AxisPoint> points_along_axes(const CreepTable& table, int count) {
-  std::mt19937 random(seed + 1);
-  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-  const auto share = [&] { return (static_cast<double>(random()) + 0.5) / 4294967296.0; };
-  const auto stretches = stretches_of(table);
+std::vector<AxisPoint> points_along_axes(const CreepTableReader& reader, int count) {
+  const CreepTable& table = reader.table();
+  Draw draw(seed + 1);
   std::vector<AxisPoint> points;
-  for (std::size_t axis = 0; axis < 4; ++axis) {
-    const bool of_first = axis == 0;
-    if ((of_first ? table.first_axis() : table.creepage[axis - 1]).size() < 2) continue;
+  for (std::size_t axis = 0; axis <= of_speed; ++axis) {
+    if (axis_of(table, axis).size() < 2) continue;
     const std::size_t groups =
         std::max<std::size_t>(1, static_cast<std::size_t>(count) / (4 * points_of_a_place));
     for (std::size_t g = 0; g < groups; ++g) {
-      const std::size_t first = below(table.first_axis().size());
-      const double place =
-          of_first ? place_at(table, stretches, share()) : table.first_axis()[first];
+      AxisPoint next{axis, draw.below(table.nodes()), {}};
+      next.point.place = table.node(next.node);
+      if (!next.of_creepage()) next.point.place = between(reader, next.point.place, {axis}, draw);
       for (std::size_t n = 0; n < points_of_a_place; ++n) {
-        AxisPoint next{axis, first, {}};
-        next.point.place = place;
         for (std::size_t q = 0; q < 3; ++q) {
           const std::vector<double>& nodes = table.creepage[q];
-          next.point.creepage[q] = nodes[below(nodes.size())];
+          next.point.creepage[q] = nodes[draw.below(nodes.size())];
           if (q + 1 != axis) continue;
           const double low = table_coordinate(nodes.front()), high = table_coordinate(nodes.back());
-          next.point.creepage[q] = creepage_at(low + (high - low) * share());
+          next.point.creepage[q] = creepage_at(low + (high - low) * draw.share());
         }
         points.push_back(next);
       }
@@ -180,11 +188,11 @@ std::vector<AxisPoint> points_along_axes(const CreepTable& table, int count) {
 }
 
 /// InterpolationError::by_axis.
-std::array<double, 4> axis_errors(const CreepTableReader& reader, const TableSource& source,
+std::array<double, 6> axis_errors(const CreepTableReader& reader, const TableSource& source,
                                   int count, const contact::Progress& progress,
                                   contact::Checkpoint* checkpoint) {
-  std::vector<AxisPoint> points = points_along_axes(reader.table(), count);
-  std::array<double, 4> errors{};
+  std::vector<AxisPoint> points = points_along_axes(reader, count);
+  std::array<double, 6> errors{};
   if (points.empty()) return errors;
   TableParts parts{"axes", "points along axes", {}, parts_of(points.size(), points_of_a_place), {},
                    {}};
@@ -193,8 +201,8 @@ std::array<double, 4> axis_errors(const CreepTableReader& reader, const TableSou
     for (std::size_t k = part.begin; k < part.end; ++k)
       creepages.push_back(points[k].point.creepage);
     const AxisPoint& one = points[part.begin];
-    return one.axis == 0 ? source.between(reader, one.point.place, creepages)
-                         : source.at_node(one.first, creepages);
+    return one.of_creepage() ? source.at_node(one.node, creepages)
+                             : source.between(reader, one.point.place, creepages);
   };
   parts.done = [&](const TablePart& part, const std::vector<TablePoint>& solved) {
     for (std::size_t k = part.begin; k < part.end; ++k) {
@@ -216,10 +224,10 @@ std::array<double, 4> axis_errors(const CreepTableReader& reader, const TableSou
 
 void look_between(CreepTable& table, const TableSource& source, int count,
                   const contact::Progress& progress, contact::Checkpoint* checkpoint) {
-  std::vector<CheckedPoint> points = points_between(table, count);
-  std::array<double, 4> by_axis{};
+  std::array<double, 6> by_axis{};
+  CreepTableReader reader(std::move(table));  // avoids a second copy of a large table
+  std::vector<CheckedPoint> points = points_between(reader, count);
   if (!points.empty()) {
-    CreepTableReader reader(std::move(table));  // avoids a second copy of a large table
     TableParts parts{"check", "points between", {}, parts_of(points.size(), points_of_a_place), {},
                      {}};
     parts.solve = [&](const TablePart& part) {
@@ -235,8 +243,8 @@ void look_between(CreepTable& table, const TableSource& source, int count,
     };
     solve_parts(parts, progress, checkpoint);
     by_axis = axis_errors(reader, source, count, progress, checkpoint);
-    table = std::move(reader).release();
   }
+  table = std::move(reader).release();
   table.interpolation = error_of(points);
   table.interpolation.by_axis = by_axis;
   table.checked = std::move(points);
@@ -254,7 +262,7 @@ void forecast(const CreepTable& table, const TableSource& source, int check_poin
               const contact::Progress& progress, contact::Share share) {
   constexpr std::size_t sample = 16, worth_a_forecast = 200;
   if (table.size() < worth_a_forecast) return;
-  const std::size_t places = table.first_axis().size(), of_a_place = table.size() / places;
+  const std::size_t places = table.nodes(), of_a_place = table.size() / places;
   std::vector<Scaled> creepages;
   for (std::size_t n = of_a_place / 2; n < std::min(of_a_place / 2 + sample, of_a_place); ++n) {
     const auto [i, j, k] = to_and_fro(table, n);
@@ -284,7 +292,7 @@ void forecast(const CreepTable& table, const TableSource& source, int check_poin
 void fill_table(CreepTable& table, const contact::Case& input, const contact::Progress& progress,
                 contact::Checkpoint* checkpoint, contact::Share share) {
   const std::unique_ptr<TableSource> source =
-      table.over_shifts() ? wheel_source(input) : ellipse_source(table);
+      table.over_shifts() ? wheel_source(input) : ellipse_source(table, input);
   source->prepare(table, progress);
   if (checkpoint == nullptr || !checkpoint->find("table-00000"))
     forecast(table, *source, input.table.check_points, progress, share);

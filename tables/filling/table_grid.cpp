@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/material.hpp"
+#include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 
@@ -135,21 +136,88 @@ void check_wheel(const contact::Case& input) {
         "0; do: give one");
 }
 
+bool falls(const contact::Case& input) {
+  return input.friction_fall.shape != contact::FallShape::none;
+}
+
 /// CreepTable::only_for.
-std::string only_for(const contact::Case& input) {
-  const bool falls = input.friction_fall.shape != contact::FallShape::none;
-  if (!falls && !input.layer) return {};
-  const std::string friction =
-      falls ? fmt::format("falling friction at a speed of {:g} mm/s", input.rolling.speed)
-            : fmt::format("a coefficient of friction of {:g}", input.friction_coefficient);
-  std::string layer;
-  if (input.layer) layer = " and a layer";
-  if (input.layer && input.layer->thickness)
-    layer += fmt::format(" of {:g} mm and {:g} MPa", *input.layer->thickness,
-                         input.layer->shear_modulus.value_or(0.0));
-  if (input.layer && input.layer->yield_stress)
-    layer += fmt::format(" that yields at {:g} MPa", *input.layer->yield_stress);
-  return friction + layer;
+std::string only_for(const contact::Case& input, const std::vector<double>& speeds) {
+  if (!falls(input) && !input.layer) return {};
+  std::string text = fmt::format("a coefficient of friction of {:g}", input.friction_coefficient);
+  if (falls(input))
+    text = speeds.size() == 1
+               ? fmt::format("falling friction at a speed of {:g} mm/s", speeds.front())
+               : fmt::format("falling friction at speeds of {:g} to {:g} mm/s", speeds.front(),
+                             speeds.back());
+  if (!input.layer) return text;
+  text += " and a layer";
+  if (input.layer->thickness)
+    text += fmt::format(" of {:g} mm and {:g} MPa", *input.layer->thickness,
+                        input.layer->shear_modulus.value_or(0.0));
+  if (input.layer->yield_stress)
+    text += fmt::format(" that yields at {:g} MPa", *input.layer->yield_stress);
+  return text;
+}
+
+LoadSets load_sets(const contact::Case& input) {
+  const contact::Layer layer = input.layer.value_or(contact::Layer{});
+  std::vector<LoadSets> found;
+  if (layer.thickness || layer.hardening.value_or(0.0) != 0.0) found.push_back(LoadSets::size);
+  if (layer.yield_stress) found.push_back(LoadSets::pressure);
+  if (falls(input) && input.friction_fall.memory_distance > 0.0)
+    found.push_back(LoadSets::sliding_distance);
+  if (found.empty()) return LoadSets::nothing;
+  return found.size() == 1 ? found.front() : LoadSets::all;
+}
+
+/// Loads and speeds: those listed, and one of each where friction depends on it.
+void set_conditions(const contact::Case& input, CreepTable& table) {
+  const bool ellipses = !table.over_shifts();
+  check_increasing(input, "load", input.table.load);
+  check_increasing(input, "speed", input.table.speed);
+  table.load_sets = ellipses ? load_sets(input) : LoadSets::nothing;
+  if (!input.table.load.empty() && ellipses && table.load_sets == LoadSets::nothing)
+    refuse(input, "load", "forces of ellipses over mu F_n do not depend on the load",
+           falls(input) ? "but on the speed times the pressure; do: list table.speed instead"
+                        : "under this friction; do: remove it");
+  if (!input.table.load.empty() && input.load.approach)
+    refuse(input, "load", "the case gives an approach",
+           "allowed: with normal_force or vertical_force; do: give one of them under [load]");
+  if (!input.table.speed.empty() && !falls(input))
+    refuse(input, "speed", "forces do not depend on the speed",
+           "allowed: with a friction.law that falls; do: remove it");
+  table.load = input.table.load;
+  table.speed = input.table.speed;
+  if (table.speed.empty() && falls(input)) table.speed = {input.rolling.speed};
+  table.only_for = only_for(input, table.speed);
+  if (table.only_for.empty()) return;
+  const auto& given =
+      input.load.vertical_force ? input.load.vertical_force : input.load.normal_force;
+  if (!ellipses && table.load.empty() && given) table.load = {*given};
+}
+
+/// Load and size of ellipses whose friction depends on them: of any a/b between bodies that have
+/// the curvature of the case along rolling.
+void set_sizes(const contact::Case& input, const contact::CombinedMaterial& material,
+               CreepTable& table) {
+  if (input.has_profiles() || input.geometry.shape == contact::ContactShape::line)
+    throw contact::InputError(fmt::format(
+        "{}: friction of ellipses then depends on the size of the patch; allowed: bodies that "
+        "touch in an ellipse, or table.lateral_shift; do: give radii, or make a table of the wheel",
+        input.file));
+  const contact::Scene scene(input);
+  const halfspace::HertzContact own = halfspace::hertz_of_scene(scene);
+  const double along = halfspace::curvatures_of_scene(scene).A;
+  if (table.load.empty()) table.load = {own.normal_force};
+  for (const double ratio : table.axis_ratio) {
+    // The curvature of an ellipse grows as the force over the third power of its size.
+    halfspace::HertzContact trial = own;
+    trial.semi_axis_x = std::sqrt(ratio);
+    trial.semi_axis_y = 1.0 / trial.semi_axis_x;
+    trial.max_pressure = 1.5 * table.load.front() / contact::pi;
+    table.mean_axis.push_back(
+        std::cbrt(halfspace::hertz_curvatures(trial, material.contact_modulus).A / along));
+  }
 }
 
 }  // namespace
@@ -169,13 +237,6 @@ CreepTable empty_table(const contact::Case& input) {
         "number; do: give one, without the places of several, or use rollfem run",
         input.file));
   CreepTable table;
-  table.only_for = only_for(input);
-  if (!table.only_for.empty() && input.table.lateral_shift.empty())
-    throw contact::InputError(fmt::format(
-        "{}: {}: creep forces then depend on speed, load and size of the patch, which a table of "
-        "ellipses does not hold; allowed: tables over table.lateral_shift; do: make one of a wheel "
-        "with profiles, remove {}, or use rollfem run",
-        input.file, input.layer ? "layer" : "friction.law", input.layer ? "[layer]" : "the law"));
   table.title = input.title;
   table.case_file = input.file;
   table.case_text = input.text;
@@ -183,8 +244,6 @@ CreepTable empty_table(const contact::Case& input) {
   if (!input.table.lateral_shift.empty()) {
     check_wheel(input);
     table.lateral_shift = shifts_of(input);
-    table.shear_modulus = material.shear_modulus;
-    table.friction_coefficient = input.friction_coefficient;
   } else {
     if (input.table.lateral_shift_step)
       refuse(input, "lateral_shift_step", "lateral_shift is missing",
@@ -192,6 +251,12 @@ CreepTable empty_table(const contact::Case& input) {
     check_increasing(input, "axis_ratio", input.table.axis_ratio);
     table.axis_ratio = ratios_of(input);
   }
+  set_conditions(input, table);
+  if (table.over_shifts() || !table.only_for.empty()) {
+    table.shear_modulus = material.shear_modulus;
+    table.friction_coefficient = input.friction_coefficient;
+  }
+  if (!table.over_shifts() && !table.only_for.empty()) set_sizes(input, material, table);
   for (std::size_t axis = 0; axis < 3; ++axis) table.creepage[axis] = axis_of(input, axis);
   if (table.size() > most_table_points)
     refuse(input, "points", fmt::format("makes {} points", table.size()),

@@ -14,17 +14,17 @@ namespace rollfem::tables {
 class TableSource {
  public:
   virtual ~TableSource() = default;
-  /// Called before the grid: fills the data of every place of the first axis.
+  /// Called before the grid: fills the data of every load and place of the first axis.
   virtual void prepare(CreepTable& table, const contact::Progress& progress) = 0;
-  /// Solves points at node `first` of the first axis.
-  virtual std::vector<TablePoint> at_node(std::size_t first,
+  /// Solves points at a node of the axes other than the creepages (CreepTable::node).
+  virtual std::vector<TablePoint> at_node(std::size_t node,
                                           const std::vector<Scaled>& creepages) const = 0;
   /// Solves points at an intermediate place, with scales interpolated from the table.
-  virtual std::vector<TablePoint> between(const CreepTableReader& reader, double place,
+  virtual std::vector<TablePoint> between(const CreepTableReader& reader, const TablePlace& place,
                                           const std::vector<Scaled>& creepages) const = 0;
 };
 
-std::unique_ptr<TableSource> ellipse_source(const CreepTable& table);
+std::unique_ptr<TableSource> ellipse_source(const CreepTable& table, const contact::Case& input);
 /// Throws the errors of the case's profiles.
 std::unique_ptr<TableSource> wheel_source(const contact::Case& input);
 

@@ -33,17 +33,6 @@ TableWheel wheel_of(const track::PressedState& state) {
   return wheel;
 }
 
-/// Smallest overlap of the patches of neighbouring shifts without a jump. For S1002 on UIC60, 80
-/// kN, steps of 0.5 mm: at an overlap of a fifth the interpolation error is three times that
-/// elsewhere; at a half it is not larger.
-constexpr double least_overlap = 0.25;
-
-/// Whether a contact appears or disappears between neighbouring shifts, or moves too far aside.
-bool jumps(const TableWheel& a, const TableWheel& b) {
-  const double way = std::max(std::abs(a.y_wheel - b.y_wheel), std::abs(a.y_rail - b.y_rail));
-  return a.contacts != b.contacts || way > (1.0 - least_overlap) * (a.semi_axis_y + b.semi_axis_y);
-}
-
 /// Adds the shift to a failure message.
 template <class Work>
 auto at_shift(double shift, const Work& work) {
@@ -73,43 +62,52 @@ class WheelSource : public TableSource {
 
   void prepare(CreepTable& table, const contact::Progress& progress) override {
     shear_modulus_ = table.shear_modulus;
+    speeds_ = table.speed;
+    shifts_ = table.lateral_shift.size();
     contact::ProgressEvent event;
     event.model = "table";
     event.stage = "contacts of the shifts";
-    event.points = static_cast<int>(table.lateral_shift.size());
-    for (const double shift : table.lateral_shift) {
+    event.points = static_cast<int>(table.pressed(table.loads(), 0));
+    for (std::size_t k = 0; k < table.pressed(table.loads(), 0); ++k) {
       contact::report(progress, event);
-      wheels_.push_back(pressed(shift));
+      wheels_.push_back(pressed(
+          {table.lateral_shift[k % shifts_], table.load.empty() ? 0.0 : table.load[k / shifts_]}));
       table.wheels.push_back(wheel_of(wheels_.back().state()));
       const TableWheel& wheel = table.wheels.back();
       table.scale.push_back(
           scale_of_ratio(wheel.semi_axis_x / wheel.semi_axis_y, table.poisson_ratio));
       units_.push_back(units_of(wheel, table.scale.back()));
+      if (k % shifts_ > 0 && contact_jumps(table.wheels[k - 1], wheel))
+        table.wheels[k - 1].jump_after = 1.0;
       ++event.point;
     }
     event.finished = true;
     contact::report(progress, event);
-    for (std::size_t k = 1; k < table.wheels.size(); ++k)
-      if (jumps(table.wheels[k - 1], table.wheels[k])) table.wheels[k - 1].jump_after = 1.0;
   }
 
-  std::vector<TablePoint> at_node(std::size_t first,
+  std::vector<TablePoint> at_node(std::size_t node,
                                   const std::vector<Scaled>& creepages) const override {
-    return at_shift(wheels_[first].state().place.lateral_shift,
-                    [&] { return solve(wheels_[first], units_[first], creepages); });
+    const std::size_t speeds = std::max<std::size_t>(speeds_.size(), 1), layer = node / shifts_;
+    const std::size_t wheel = layer / speeds * shifts_ + node % shifts_;
+    const double speed = speeds_.empty() ? 0.0 : speeds_[layer % speeds];
+    return at_shift(wheels_[wheel].state().place.lateral_shift,
+                    [&] { return solve(wheels_[wheel], units_[wheel], speed, creepages); });
   }
 
-  std::vector<TablePoint> between(const CreepTableReader& reader, double place,
+  std::vector<TablePoint> between(const CreepTableReader& reader, const TablePlace& place,
                                   const std::vector<Scaled>& creepages) const override {
     const Units units = units_of(reader.wheel_at(place), reader.scale_at(place));
-    return at_shift(place, [&] { return solve(pressed(place), units, creepages); });
+    return at_shift(place.first,
+                    [&] { return solve(pressed(place), units, place.speed, creepages); });
   }
 
  private:
-  PressedWheel pressed(double shift) const {
+  PressedWheel pressed(const TablePlace& place) const {
     contact::Case here = input_;
-    here.wheelset.lateral_shift.assign(1, shift);
-    return at_shift(shift, [&] { return PressedWheel(here, search_); });
+    here.wheelset.lateral_shift.assign(1, place.first);
+    if (place.load > 0.0)
+      (here.load.vertical_force ? here.load.vertical_force : here.load.normal_force) = place.load;
+    return at_shift(place.first, [&] { return PressedWheel(here, search_); });
   }
 
   Units units_of(const TableWheel& wheel, const Scaled& scale) const {
@@ -119,15 +117,17 @@ class WheelSource : public TableSource {
     return {bound, c, {creepage / scale[0], creepage / scale[1], creepage / (scale[2] * c)}};
   }
 
-  std::vector<TablePoint> solve(const PressedWheel& wheel, const Units& units,
+  std::vector<TablePoint> solve(const PressedWheel& wheel, const Units& units, double speed,
                                 const std::vector<Scaled>& creepages) const {
+    contact::Case moving = input_;
+    if (speed > 0.0) moving.rolling.speed = speed;
     std::vector<contact::Creepage> asked;
     for (const Scaled& scaled : creepages)
       asked.push_back({scaled[0] * units.creepage[0], scaled[1] * units.creepage[1],
                        scaled[2] * units.creepage[2]});
     std::vector<TablePoint> found;
     const double force = units.bound, moment = units.bound * units.length;
-    for (const track::FrictionForce& one : wheel.forces(asked))
+    for (const track::FrictionForce& one : wheel.forces(asked, contact::friction_of(moving)))
       found.push_back({{one.longitudinal / force, one.lateral / force, one.spin_moment / moment},
                        one.normal / force,
                        {one.force_bar / force, one.moment_bar / moment},
@@ -138,7 +138,9 @@ class WheelSource : public TableSource {
   const contact::Case& input_;
   track::SearchScene search_;
   double shear_modulus_ = 0.0;  // MPa, combined
-  std::vector<PressedWheel> wheels_;
+  std::vector<double> speeds_;
+  std::size_t shifts_ = 1;
+  std::vector<PressedWheel> wheels_;  ///< as CreepTable::wheels
   std::vector<Units> units_;
 };
 

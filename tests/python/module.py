@@ -297,6 +297,31 @@ class Tables(MadeTables):
             rollfem.Table(os.path.join(self.folder.name, "nothing"))
 
 
+class TablesOfFallingFriction(MadeTables):
+    @staticmethod
+    def case():
+        falling = {"coefficient": 0.3, "law": "exponential", "kinetic_coefficient": 0.1, "half_velocity": 300.0,
+                   "memory_distance": 0.003}
+        return rollfem.Case({**SMALL, "friction": falling, "rolling": {"speed": 20e3}}, table={
+            "load": [50e3, 60e3], "speed": [10e3, 20e3], "check_points": 0, "longitudinal_values": [0.0, 2.0],
+            "lateral_values": [0.0, 1.0], "spin_values": [0.1]})
+
+    def test_load_and_speed_are_axes(self):
+        self.assertEqual(list(self.table.axes)[:3], ["load", "speed", "axis_ratio"])
+        self.assertEqual(self.table.shape, (2, 2, 1, 2, 2, 2))
+        self.expect_columns({0: "load", 1: "speed", 6: "longitudinal_force"})
+        found = self.table.scaled(2.0, 0.0, 0.1, load=60e3, speed=[10e3, 20e3])
+        np.testing.assert_allclose(found.longitudinal_force, self.table.longitudinal_force[1, :, 0, 1, 0, 1], atol=1e-12)
+
+    def test_it_holds_for_its_law_alone(self):
+        self.assertIn("falling friction at speeds of 10000 to 20000 mm/s", self.table.only_for)
+        ellipse = {"semi_axis_x": 5.0, "semi_axis_y": 5.0, "shear_modulus": 210e3 / 2.6, "friction_bound": 0.3 * 55e3}
+        self.assertGreater(0.0, self.table.forces(longitudinal_creepage=1e-4, speed=15e3, **ellipse).longitudinal_force)
+        for wrong in ({}, {"speed": 90e3}, {"speed": 15e3, "longitudinal_creepage": 1.0}):
+            with self.assertRaises(rollfem.InputError):
+                self.table.forces(**wrong, **ellipse)
+
+
 class ShiftedTables(MadeTables):
     @staticmethod
     def case():

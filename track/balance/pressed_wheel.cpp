@@ -95,17 +95,16 @@ PressedWheel::PressedWheel(const Case& input, const SearchScene& search)
   state_.contacts = static_cast<int>(scenes.size());
   for (Scene& scene : scenes) {
     const WheelRailContact& where = contact_of(scene, placed);
-    press(std::move(scene), where, contact::friction_of(input));
+    press(std::move(scene), where);
   }
 }
 
-void PressedWheel::press(Scene scene, const WheelRailContact& where, contact::Friction friction) {
+void PressedWheel::press(Scene scene, const WheelRailContact& where) {
   const PointResult pressed = halfspace::run_halfspace(scene, {}).points.front();
   contact::NormalLoad& load = scene.points.front().load;
   const bool along_normal = load.force && load.direction[0] == 0.0;
   const double force = along_normal ? *load.force : pressed.normal_force;
   load = {force, {}};
-  scene.friction_law = std::move(friction);
   if (contacts_.empty()) {
     const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
     state_.place = *scene.place;
@@ -134,8 +133,9 @@ std::vector<Creepage> PressedWheel::creepages_of(const Contact& contact,
   return found;
 }
 
-void PressedWheel::add(const Contact& contact, const PointResult& point, FrictionForce& sum) const {
-  const double bound = contact.scene.friction_coefficient() * contact.normal;
+void PressedWheel::add(const Contact& contact, double coefficient, const PointResult& point,
+                       FrictionForce& sum) const {
+  const double bound = coefficient * contact.normal;
   const double force_bar =
       std::hypot(bar_of(point, "longitudinal_force", bound), bar_of(point, "lateral_force", bound));
   const double size = std::sqrt(state_.semi_axis_x * state_.semi_axis_y);
@@ -166,15 +166,18 @@ void PressedWheel::add(const Contact& contact, const PointResult& point, Frictio
   sum.moment_bar += moment_bar + std::sqrt(dot(arm, arm)) * force_bar;
 }
 
-std::vector<FrictionForce> PressedWheel::forces(const std::vector<Creepage>& creepages) const {
+std::vector<FrictionForce> PressedWheel::forces(const std::vector<Creepage>& creepages,
+                                                const contact::Friction& friction) const {
   std::vector<FrictionForce> sums(creepages.size());
   for (const Contact& contact : contacts_) {
     Scene scene = contact.scene;
+    scene.friction_law = friction;
     const std::vector<Creepage> own = creepages_of(contact, creepages);
     scene.points.assign(own.size(), scene.points.front());
     for (std::size_t k = 0; k < own.size(); ++k) scene.points[k].creepage = own[k];
     const contact::ModelResult result = halfspace::run_halfspace(scene, {});
-    for (std::size_t k = 0; k < own.size(); ++k) add(contact, result.points[k], sums[k]);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      add(contact, friction->coefficient(), result.points[k], sums[k]);
   }
   return sums;
 }

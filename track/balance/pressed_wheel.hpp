@@ -36,7 +36,7 @@ struct FrictionForce {
 
 class PressedWheel {
  public:
-  /// `input`: profiles, one wheel at one position, friction. The load is applied without friction;
+  /// `input`: profiles, one wheel at one position. The load is applied without friction; friction,
   /// creepages and motion are ignored. `search`: the case's contact search. Throws
   /// contact::InputError and contact::SolveError where the wheel does not touch, like
   /// find_contacts.
@@ -44,10 +44,12 @@ class PressedWheel {
 
   const PressedState& state() const { return state_; }
 
-  /// Forces by the model halfspace on the case's contact grid, with error bars. The creepages refer
+  /// Forces by the model halfspace on the case's contact grid, with error bars, under any friction
+  /// law (not null). The creepages refer
   /// to the main contact; the others follow from the rigid-body motion of the wheel. Displacements
   /// of one contact by the tangential forces of another are neglected. Throws contact::SolveError.
-  std::vector<FrictionForce> forces(const std::vector<contact::Creepage>& creepages) const;
+  std::vector<FrictionForce> forces(const std::vector<contact::Creepage>& creepages,
+                                    const contact::Friction& friction) const;
 
  private:
   struct Contact {
@@ -56,10 +58,11 @@ class PressedWheel {
     double lateral = 0.0, normal = 0.0, spin_moment = 0.0;  ///< of the pressure; N, N mm
   };
 
-  void press(contact::Scene scene, const WheelRailContact& where, contact::Friction friction);
+  void press(contact::Scene scene, const WheelRailContact& where);
   std::vector<contact::Creepage> creepages_of(
       const Contact& contact, const std::vector<contact::Creepage>& creepages) const;
-  void add(const Contact& contact, const contact::PointResult& point, FrictionForce& sum) const;
+  void add(const Contact& contact, double coefficient, const contact::PointResult& point,
+           FrictionForce& sum) const;
 
   std::vector<Contact> contacts_;  ///< the main one first
   PressedState state_;

@@ -33,7 +33,7 @@ SectionWithKeys table_section() {
       .otherwise("none: the table is over axis_ratio")
       .says(
           "Lateral shifts of the wheelset, in increasing order, for a table of a wheel with "
-          "profiles, under the load and friction of the case.")
+          "profiles.")
       .into(&TableOptions::lateral_shift);
   keys.real("lateral_shift_step")
       .unit("mm")
@@ -41,6 +41,20 @@ SectionWithKeys table_section() {
       .otherwise("lateral_shift lists every shift")
       .says("Step between the first and the last shift; lateral_shift then holds only these two.")
       .into(&TableOptions::lateral_shift_step);
+  keys.reals("load")
+      .unit("N")
+      .between(1e-6, largest_force)
+      .otherwise("that of the case")
+      .says(
+          "Increasing loads, an axis in place of the force under [load]; of ellipses with a memory "
+          "or a layer.")
+      .into(&TableOptions::load);
+  keys.reals("speed")
+      .unit("mm/s")
+      .between(1e-3, 1e8)
+      .otherwise("rolling.speed")
+      .says("Increasing speeds, an axis in place of rolling.speed under a falling law.")
+      .into(&TableOptions::speed);
   keys.triple("points")
       .between(2, 200)
       .otherwise("16, 16, 31; over lateral shifts 8, 8, 15")

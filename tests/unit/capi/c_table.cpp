@@ -7,6 +7,7 @@
 #include "rollfem/rollfem.h"
 #include "support/shifted_table.hpp"
 #include "support/temporary_folder.hpp"
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -40,7 +41,7 @@ TEST(CTable, SaysWhatTheTableSays) {
   const Table table(rollfem_table_open(file.c_str(), message, sizeof message), rollfem_table_close);
   ASSERT_NE(table, nullptr) << message;
   EXPECT_STREQ(message, "");
-  const rollfem_ellipse ellipse{sizeof ellipse, 6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4};
+  const rollfem_ellipse ellipse{sizeof ellipse, 6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4, 0.0};
   rollfem_creep_forces forces;
   forces.struct_size = sizeof forces;
   ASSERT_EQ(rollfem_table_forces(table.get(), &ellipse, &forces, message, sizeof message),
@@ -64,7 +65,7 @@ TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNone) {
   const std::string file = folder.file("table.h5", tables::table_hdf5(some_table()));
   const Table table(rollfem_table_open(file.c_str(), message, sizeof message), rollfem_table_close);
   ASSERT_NE(table, nullptr) << message;
-  const rollfem_ellipse narrow{sizeof narrow, 1.0, 5.0, 80e3, 15e3, 0.001, 0.0, 0.0};
+  const rollfem_ellipse narrow{sizeof narrow, 1.0, 5.0, 80e3, 15e3, 0.001, 0.0, 0.0, 0.0};
   rollfem_creep_forces forces{sizeof forces, 1.0, 1.0, 1.0, 1.0, 1.0};
   EXPECT_EQ(rollfem_table_forces(table.get(), &narrow, &forces, message, sizeof message),
             ROLLFEM_REFUSED);
@@ -89,8 +90,8 @@ TEST(CTable, OfShiftsSaysWhatTheTableSaysInEveryUnit) {
   };
   for (const auto& [units, length, force] :
        {Unit{ROLLFEM_MM_N, 1.0, 1.0}, Unit{ROLLFEM_M_N, 1e3, 1.0}, Unit{ROLLFEM_MM_KN, 1.0, 1e3}}) {
-    const rollfem_shifted_wheel wheel{sizeof wheel, units,  0.4 / length, 12e3 / force,
-                                      0.001,        -0.002, 3e-4 * length};
+    const rollfem_shifted_wheel wheel{
+        sizeof wheel, units, 0.4 / length, 12e3 / force, 0.001, -0.002, 3e-4 * length, 0.0, 0.0};
     rollfem_wheel_forces forces;
     forces.struct_size = sizeof forces;
     ASSERT_EQ(rollfem_table_wheel_forces(table.get(), &wheel, &forces, nullptr, 0), ROLLFEM_OK);
@@ -113,7 +114,8 @@ TEST(CTable, OfShiftsTakesItsOwnFrictionAndTellsOfJumps) {
   const CreepTable truth = rollfem::testing::table_of_shifts(3);
   const Table table = opened(folder.file("table.h5", tables::table_hdf5(truth)));
   ASSERT_NE(table, nullptr);
-  const rollfem_shifted_wheel wheel{sizeof wheel, ROLLFEM_MM_N, 1.2, 0.0, 0.001, 0.0, 0.0};
+  const rollfem_shifted_wheel wheel{sizeof wheel, ROLLFEM_MM_N, 1.2, 0.0, 0.001,
+                                    0.0,          0.0,          0.0, 0.0};
   rollfem_wheel_forces forces;
   forces.struct_size = sizeof forces;
   ASSERT_EQ(rollfem_table_wheel_forces(table.get(), &wheel, &forces, nullptr, 0), ROLLFEM_OK);
@@ -131,7 +133,7 @@ TEST(CTable, RefusesTheOtherKindAndAShiftOutside) {
   const Table shifts =
       opened(folder.file("b/table.h5", tables::table_hdf5(rollfem::testing::table_of_shifts(2))));
   ASSERT_TRUE(ratios && shifts);
-  rollfem_shifted_wheel wheel{sizeof wheel, ROLLFEM_MM_N, 0.5, 0.0, 0.001, 0.0, 0.0};
+  rollfem_shifted_wheel wheel{sizeof wheel, ROLLFEM_MM_N, 0.5, 0.0, 0.001, 0.0, 0.0, 0.0, 0.0};
   rollfem_wheel_forces forces;
   forces.struct_size = sizeof forces;
   EXPECT_EQ(rollfem_table_wheel_forces(ratios.get(), &wheel, &forces, message, sizeof message),
@@ -142,11 +144,53 @@ TEST(CTable, RefusesTheOtherKindAndAShiftOutside) {
             ROLLFEM_REFUSED);
   EXPECT_TRUE(says(message, "lateral shift 4 mm"));
   EXPECT_EQ(forces.force_bar, 0.0);
-  const rollfem_ellipse ellipse{sizeof ellipse, 6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4};
+  const rollfem_ellipse ellipse{sizeof ellipse, 6.0, 5.0, 80e3, 15e3, 0.001, -0.002, 3e-4, 0.0};
   rollfem_creep_forces of_ellipse;
   of_ellipse.struct_size = sizeof of_ellipse;
   EXPECT_EQ(rollfem_table_forces(shifts.get(), &ellipse, &of_ellipse, message, sizeof message),
             ROLLFEM_REFUSED);
+}
+
+/// Two speeds, at the second of which all forces are 0.8 times those of the first.
+CreepTable of_two_speeds() {
+  CreepTable table = rollfem::testing::table_of_shifts(2);
+  table.only_for = "falling friction";
+  table.speed = {10e3, 20e3};
+  const std::size_t count = table.forces.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const tables::Scaled& force = table.forces[k];
+    table.forces.push_back({0.8 * force[0], 0.8 * force[1], 0.8 * force[2]});
+    table.along_normal.push_back(0.8 * table.along_normal[k]);
+    table.bars.push_back(table.bars[k]);
+    table.elements_across.push_back(20);
+  }
+  return table;
+}
+
+TEST(CTable, OfFallingFrictionTakesTheSpeedAndNoOtherFriction) {
+  const rollfem::testing::TemporaryFolder folder;
+  const CreepTable truth = of_two_speeds();
+  const Table table = opened(folder.file("table.h5", tables::table_hdf5(truth)));
+  ASSERT_NE(table, nullptr);
+  rollfem_shifted_wheel wheel{sizeof wheel, ROLLFEM_M_N, 0.4e-3, 0.0, 0.001, 0.0, 0.0, 0.0, 20.0};
+  rollfem_wheel_forces forces;
+  forces.struct_size = sizeof forces;
+  char message[400];
+  const auto status = [&] {
+    return rollfem_table_wheel_forces(table.get(), &wheel, &forces, message, sizeof message);
+  };
+  ASSERT_EQ(status(), ROLLFEM_OK) << message;
+  const double first =
+      tables::CreepTableReader(truth).of_wheel({0.4, 0.0, 10e3}, 15e3, {0.001, 0.0, 0.0}).forces[0];
+  EXPECT_NEAR(forces.longitudinal_force, 0.8 * first, 1e-8);
+  wheel.speed = 0.0;
+  EXPECT_EQ(status(), ROLLFEM_REFUSED);
+  EXPECT_TRUE(says(message, "speed 0 mm/s"));
+  wheel.struct_size = offsetof(rollfem_shifted_wheel, load);  // an earlier header knows no speed
+  EXPECT_EQ(status(), ROLLFEM_REFUSED);
+  wheel = {sizeof wheel, ROLLFEM_M_N, 0.4e-3, 14e3, 0.001, 0.0, 0.0, 0.0, 20.0};
+  EXPECT_EQ(status(), ROLLFEM_REFUSED);
+  EXPECT_TRUE(says(message, "falling friction"));
 }
 
 }  // namespace

@@ -62,15 +62,4 @@ TEST(FallingTable, InFullSlidingHasTheFrictionOfTheSlipVelocity) {
   EXPECT_TRUE(rollfem::testing::says(refused(bound, 2.0 * end), "2 times those at the end"));
 }
 
-TEST(FallingTable, OfEllipsesIsRefused) {
-  contact::Case input = falling_wheel();
-  input.table.lateral_shift.clear();
-  input.table.axis_ratio = {1.0};
-  for (const char* key : {"c.toml: layer:", "c.toml: friction.law:"}) {
-    EXPECT_TRUE(rollfem::testing::says(
-        rollfem::testing::refusal<contact::InputError>([&] { tables::empty_table(input); }), key));
-    input.layer.reset();
-  }
-}
-
 }  // namespace

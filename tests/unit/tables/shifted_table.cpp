@@ -150,7 +150,7 @@ TEST(ShiftedTable, ComesBackFromItsFileToTheLastBit) {
     for (const tables::WheelColumn& column : tables::wheel_columns())
       EXPECT_EQ(back.wheels[k].*column.member, table.wheels[k].*column.member) << column.name;
   ASSERT_EQ(back.checked.size(), 1U);
-  EXPECT_EQ(back.checked[0].place, 0.7);
+  EXPECT_EQ(back.checked[0].place.first, 0.7);
   const std::string rows = tables::shifts_csv(table);
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 6);
   EXPECT_EQ(rows.rfind("lateral_shift [mm],semi_axis_x [mm]", 0), 0U);

@@ -115,11 +115,11 @@ TEST(TableFilling, InterpolationIsJudgedAtPointsThatWereSolvedFor) {
   for (const auto& point : table.checked) {
     const Scaled scale = reader.scale_at(point.place);
     const auto alone = solved(
-        {point.place, table.poisson_ratio},
+        {point.place.first, table.poisson_ratio},
         {point.creepage[0] / scale[0], point.creepage[1] / scale[1], point.creepage[2] / scale[2]});
     EXPECT_NEAR(point.solved[0], alone.limit.longitudinal, 1e-10);
-    EXPECT_GE(point.place, 0.7);
-    EXPECT_LE(point.place, 1.4);
+    EXPECT_GE(point.place.first, 0.7);
+    EXPECT_LE(point.place.first, 1.4);
     largest = std::max(largest, std::hypot(point.interpolated[0] - alone.limit.longitudinal,
                                            point.interpolated[1] - alone.limit.lateral));
   }

@@ -38,7 +38,7 @@ TEST(PressedWheel, OfOneContactIsTheModelHalfspace) {
   ASSERT_EQ(scenes.size(), 1U);
   const contact::ModelResult whole = halfspace::run_halfspace(scenes[0].scene, {});
   const PressedWheel wheel = pressed(input);
-  const auto found = wheel.forces(input.rolling.creepages);
+  const auto found = wheel.forces(input.rolling.creepages, contact::friction_of(input));
   for (std::size_t k = 0; k < 2; ++k) {
     const contact::PointResult& point = whole.points[k];
     EXPECT_NEAR(found[k].longitudinal, point.longitudinal_force, 1e-10 * 24e3);
@@ -92,7 +92,8 @@ TEST(PressedWheel, OfTwoPlanesIsTheSumOfBothUnderOneMotion) {
             with.normal_force - without.normal_force, *scene.place);
     normal_force += without.normal_force;
   }
-  const FrictionForce found = wheel.forces({scenes.front().points.front().creepage}).front();
+  const FrictionForce found =
+      wheel.forces({scenes.front().points.front().creepage}, contact::coulomb(0.3)).front();
   OnTrack turned;
   turned.add(found.longitudinal, found.lateral, found.normal, wheel.state().place);
   const double bound = 0.3 * normal_force;
@@ -109,7 +110,7 @@ TEST(PressedWheel, IsOddWhereItsSurfaceBringsNoSlip) {
                                    {-creepage.longitudinal, -creepage.lateral, -creepage.spin}};
   contact::Case input = on_grid(rollfem::testing::hollow_tread(1.0));
   const auto sum_of = [&] {
-    const auto found = pressed(input).forces(both);
+    const auto found = pressed(input).forces(both, contact::coulomb(0.3));
     return std::hypot(found[0].longitudinal + found[1].longitudinal,
                       found[0].lateral + found[1].lateral);
   };

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contact/base/errors.hpp"
+#include "tables/files/creep_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::tables {
+
+namespace {
+
+/// Weights along the creepage axes, for forces smooth at 0 and for forces bent at 0.
+using CreepageWeights = std::array<std::array<AxisWeights, 2>, 3>;
+
+/// Behaviour of F_x, F_y, M_z and the force along the normal at 0 of xi', eta' and phi': a force is
+/// bent at 0 along the creepage that causes it.
+constexpr AtZero at_zero[4][3] = {{AtZero::bent, AtZero::smooth, AtZero::smooth},
+                                  {AtZero::smooth, AtZero::bent, AtZero::bent},
+                                  {AtZero::smooth, AtZero::bent, AtZero::bent},
+                                  {AtZero::smooth, AtZero::bent, AtZero::bent}};
+constexpr std::size_t along_normal = 3;
+
+double value_of(const CreepTable& table, std::size_t point, std::size_t q) {
+  return q == along_normal ? table.along_normal[point] : table.forces[point][q];
+}
+
+/// Weighted sum of force q over the nodes; `layer`: the first one of a load and speed. Over ratios,
+/// node -1 of xi' is node 1 at -xi', where F_x changes sign; node -1 of eta' is the mirror image of
+/// node 1, where phi', F_y and M_z change sign. Only forces that keep their sign are smooth there.
+double sum_of(const CreepTable& table, std::size_t layer, const AxisWeights& first,
+              const CreepageWeights& creepage, std::size_t q) {
+  const auto weights_of = [&](std::size_t axis) -> const AxisWeights& {
+    return creepage[axis][static_cast<std::size_t>(at_zero[q][axis])];
+  };
+  const AxisWeights &x = weights_of(0), &y = weights_of(1), &z = weights_of(2);
+  const auto spins = static_cast<int>(table.creepage[2].size());
+  double sum = 0.0;
+  for (std::size_t r = 0; r < 4; ++r)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) {
+        const double w = first.weight[r] * x.weight[i] * y.weight[j];
+        if (w == 0.0) continue;
+        const int m = x.first + static_cast<int>(i), n = y.first + static_cast<int>(j);
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (z.weight[k] == 0.0) continue;
+          const int spin = z.first + static_cast<int>(k);
+          const std::size_t point = table.place(
+              layer + static_cast<std::size_t>(first.first + static_cast<int>(r)),
+              static_cast<std::size_t>(std::abs(m)), static_cast<std::size_t>(std::abs(n)),
+              static_cast<std::size_t>(n < 0 ? spins - 1 - spin : spin));
+          sum += w * z.weight[k] * value_of(table, point, q);
+        }
+      }
+  return sum;
+}
+
+/// Raises bars to those at the nodes around a place.
+void raise_bars(std::array<double, 2>& largest, const CreepTable& table, std::size_t layer,
+                const std::array<std::size_t, 2>& first, const CreepageWeights& creepage) {
+  for (const std::size_t r : first)
+    for (const std::size_t i : around(creepage[0][0], table.creepage[0].size()))
+      for (const std::size_t j : around(creepage[1][0], table.creepage[1].size()))
+        for (const std::size_t k : around(creepage[2][0], table.creepage[2].size()))
+          for (std::size_t q = 0; q < 2; ++q)
+            largest[q] = std::max(largest[q], table.bars[table.place(layer + r, i, j, k)][q]);
+}
+
+/// Widens the bars by the full difference across a jump.
+void widen(TableForces& near, const TableForces& beyond) {
+  near.force_bar += std::hypot(near.forces[0] - beyond.forces[0], near.forces[1] - beyond.forces[1],
+                               near.along_normal - beyond.along_normal);
+  near.moment_bar += std::abs(near.forces[2] - beyond.forces[2]);
+}
+
+bool above_zero(double value) {
+  return value > 0.0 && std::isfinite(value);
+}
+
+}  // namespace
+
+void CreepTableReader::refuse_other_kind(bool wanted_shifts) const {
+  if (table_.over_shifts() == wanted_shifts) return;
+  throw contact::InputError(
+      wanted_shifts ? "table: a lateral shift was given, but this table is over axis ratios; "
+                      "do: give the semi-axes, or make a table with [table] lateral_shift"
+                    : "table: an ellipse was given, but this table is over lateral shifts; do: "
+                      "give lateral_shift, or make a table with [table] axis_ratio");
+}
+
+Scaled CreepTableReader::scale_of(const Side& side) const {
+  Scaled logarithm{};
+  each_node(side.load, [&](std::size_t load, double of_load, std::size_t slot) {
+    each_node(side.first[slot].weights, [&](std::size_t first, double weight, std::size_t) {
+      const Scaled& factor = table_.scale[table_.pressed(load, first)];
+      for (std::size_t q = 0; q < 3; ++q) logarithm[q] += of_load * weight * std::log(factor[q]);
+    });
+  });
+  return {std::exp(logarithm[0]), std::exp(logarithm[1]), std::exp(logarithm[2])};
+}
+
+Scaled CreepTableReader::scale_at(const TablePlace& place) const {
+  return scale_of(locate(at_any_speed(place)).near);
+}
+
+TableForces CreepTableReader::forces_of(const Side& side, const Scaled& creepage) const {
+  double shrunk = 1.0;
+  for (std::size_t q = 0; q < 3; ++q) {
+    if (!std::isfinite(creepage[q]))
+      throw contact::InputError(
+          "table: a creepage is not finite; allowed: finite numbers; do: check where it comes "
+          "from");
+    const double end = table_.creepage[q].back();
+    if (std::abs(creepage[q]) * shrunk > end) shrunk = end / std::abs(creepage[q]);
+  }
+  constexpr double rounding = 1e-9;
+  if (shrunk < 1.0 - rounding && !table_.only_for.empty())
+    throw contact::InputError(
+        fmt::format("table: the creepages are {:.4g} times those at the end of the table, which "
+                    "holds for {}; allowed: creepages of the table; do: make one with larger "
+                    "[table] largest",
+                    1.0 / shrunk, table_.only_for));
+  // For an ellipse, reversing all creepages reverses all forces; mirroring reverses eta, phi, F_y
+  // and M_z. Both together reverse xi and F_x.
+  const bool mirrored = !table_.over_shifts();
+  const double along = mirrored && creepage[0] < 0.0 ? -1.0 : 1.0,
+               across = mirrored && creepage[1] < 0.0 ? -1.0 : 1.0;
+  const Scaled turned{along * creepage[0], across * creepage[1], across * creepage[2]};
+  CreepageWeights weights;
+  for (std::size_t q = 0; q < 3; ++q) {
+    const double end = coordinate_[q].back();
+    const double place = std::clamp(table_coordinate(shrunk * turned[q]), -end, end);
+    for (const AtZero zero : {AtZero::smooth, AtZero::bent})
+      weights[q][static_cast<std::size_t>(zero)] =
+          axis_weights(coordinate_[q], place, mirrored && q < 2, zero);
+  }
+  TableForces found;
+  std::array<double, 2> bars{};
+  each_node(side.load, [&](std::size_t load, double of_load, std::size_t slot) {
+    const Nodes& first = side.first[slot];
+    each_node(side.speed, [&](std::size_t speed, double of_speed, std::size_t) {
+      const std::size_t layer = (load * table_.speeds() + speed) * table_.first_axis().size();
+      const auto sum = [&](std::size_t q) {
+        return of_load * of_speed * sum_of(table_, layer, first.weights, weights, q);
+      };
+      found.forces[0] += along * sum(0);
+      found.forces[1] += across * sum(1);
+      found.forces[2] += across * sum(2);
+      if (!mirrored) found.along_normal += sum(along_normal);
+      raise_bars(bars, table_, layer, first.around, weights);
+    });
+  });
+  const double size = std::hypot(found.forces[0], found.forces[1]);
+  if (mirrored && size > 1.0)
+    for (std::size_t q = 0; q < 2; ++q) found.forces[q] /= size;
+  found.force_bar = bars[0] + table_.interpolation.force_95;
+  found.moment_bar = bars[1] + table_.interpolation.moment_95;
+  return found;
+}
+
+TableForces CreepTableReader::at(const TablePlace& place, const Scaled& creepage) const {
+  const Place here = locate(place);
+  TableForces found = forces_of(here.near, creepage);
+  if (here.beyond) widen(found, forces_of(*here.beyond, creepage));
+  return found;
+}
+
+TableForces CreepTableReader::physical(double semi_axis_x, double semi_axis_y, double shear_modulus,
+                                       double friction_bound, const Scaled& creepage,
+                                       double speed) const {
+  refuse_other_kind(false);
+  if (!above_zero(semi_axis_x) || !above_zero(semi_axis_y) || !above_zero(shear_modulus) ||
+      !above_zero(friction_bound))
+    throw contact::InputError(
+        "table: semi-axes, shear modulus and mu F_n: allowed: positive numbers; do: check where "
+        "they come from");
+  const double c2 = semi_axis_x * semi_axis_y, c = std::sqrt(c2);
+  const TablePlace place =
+      place_of(semi_axis_x / semi_axis_y, c, shear_modulus, friction_bound, speed);
+  return unscaled(locate(place).near, shear_modulus * c2, c, friction_bound, creepage);
+}
+
+/// `stiffness`: G c^2.
+TableForces CreepTableReader::unscaled(const Side& side, double stiffness, double c,
+                                       double friction_bound, const Scaled& creepage) const {
+  const Scaled scale = scale_of(side);
+  const double s = stiffness / friction_bound;
+  TableForces found = forces_of(side, {scale[0] * s * creepage[0], scale[1] * s * creepage[1],
+                                       scale[2] * s * c * creepage[2]});
+  found.forces = {friction_bound * found.forces[0], friction_bound * found.forces[1],
+                  friction_bound * c * found.forces[2]};
+  found.along_normal *= friction_bound;
+  found.force_bar *= friction_bound;
+  found.moment_bar *= friction_bound * c;
+  return found;
+}
+
+void CreepTableReader::refuse_other_bound(double given, double own) const {
+  constexpr double rounding = 1e-6;
+  if (table_.only_for.empty() || std::abs(given - own) <= rounding * own) return;
+  throw contact::InputError(
+      fmt::format("table: mu F_n = {:g} N: the table holds for {}; allowed: its own {:g} N; do: "
+                  "leave friction_bound out, or make another table",
+                  given, table_.only_for, own));
+}
+
+TableForces CreepTableReader::of_wheel(const TablePlace& place, double friction_bound,
+                                       const Scaled& creepage) const {
+  refuse_other_kind(true);
+  if (!above_zero(friction_bound))
+    throw contact::InputError(
+        "table: mu F_n: allowed: a positive number; do: check where it comes from");
+  const Place here = locate(place);
+  const auto on = [&](const Side& side) {
+    const TableWheel wheel = wheel_of(side);
+    refuse_other_bound(friction_bound, table_.friction_coefficient * wheel.normal_force);
+    const double c2 = wheel.semi_axis_x * wheel.semi_axis_y;
+    return unscaled(side, table_.shear_modulus * c2, std::sqrt(c2), friction_bound, creepage);
+  };
+  TableForces found = on(here.near);
+  if (here.beyond) widen(found, on(*here.beyond));
+  return found;
+}
+
+TableWheel CreepTableReader::wheel_of(const Side& side) const {
+  TableWheel found;
+  for (const WheelColumn& column : wheel_columns()) {
+    const bool logarithm = column.power && table_.load.size() > 1;
+    double sum = 0.0;
+    each_node(side.load, [&](std::size_t load, double of_load, std::size_t slot) {
+      double at_load = 0.0;
+      each_node(side.first[slot].weights, [&](std::size_t first, double weight, std::size_t) {
+        at_load += weight * table_.wheels[table_.pressed(load, first)].*column.member;
+      });
+      sum += of_load * (logarithm ? std::log(at_load) : at_load);
+    });
+    found.*column.member = logarithm ? std::exp(sum) : sum;
+  }
+  return found;
+}
+
+TableWheel CreepTableReader::wheel_at(const TablePlace& place) const {
+  refuse_other_kind(true);
+  const Place here = locate(at_any_speed(place));
+  TableWheel found = wheel_of(here.near);
+  found.jump_after = here.beyond ? 1.0 : 0.0;
+  return found;
+}
+
+}  // namespace rollfem::tables
