@@ -104,10 +104,13 @@ std::string friction_text(const rollfem_definition& definition, const Units& uni
   add("memory_distance", definition.memory_distance * units.length);
   add("memory_velocity", definition.memory_velocity * units.length);
   if (definition.friction_law != ROLLFEM_CONSTANT) text += "[rolling]\nspeed = 1.0\n";
-  if (definition.layer_thickness != 0.0 || definition.layer_shear_modulus != 0.0)
+  if (definition.layer_thickness != 0.0 || definition.layer_shear_modulus != 0.0 ||
+      definition.layer_yield_stress != 0.0 || definition.layer_hardening != 0.0)
     text += "[layer]\n";
   add("thickness", definition.layer_thickness * units.length);
   add("shear_modulus", definition.layer_shear_modulus * units.stress());
+  add("yield_stress", definition.layer_yield_stress * units.stress());
+  add("hardening", definition.layer_hardening * units.stress() / units.length);
   return text;
 }
 
@@ -240,7 +243,7 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
     place.give({0, units, ROLLFEM_LEFT, "S1002", "60E1", 460.0 * mm, 1435.0 * mm, 14.0 * mm,
                 1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12,
                 // friction is constant, and there is no layer
-                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT});
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT, 0.0, 0.0});
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {

@@ -167,7 +167,8 @@ WheelRailPair::WheelRailPair(Case input)
       friction_(contact::friction_of(input_)) {
   if (input_.layer) material_.layer = input_.layer->compliance();
   const int across = input_.contact_grid.elements_across;
-  if (material_.couples() || across > QuickWheel::most_across) return;
+  const bool softens = input_.layer && input_.layer->hardening.value_or(0.0) < 0.0;
+  if (material_.couples() || softens || across > QuickWheel::most_across) return;
   for (const int elements : {across, QuickWheel::across_any_patch})
     tables_.push_back(std::make_unique<halfspace::InfluenceTables>(
         across + 2 * QuickPatch::margin, elements + 2 * QuickPatch::margin, material_.uncoupled()));

@@ -73,7 +73,8 @@ class WheelRailPair {
   track::SearchScene search_;
   contact::CombinedMaterial material_;
   contact::Friction friction_;
-  /// Empty if materials are unlike or the grid is too fine.
+  /// Empty if materials are unlike, the grid is too fine, or a layer softens, so that of several
+  /// states the one that grows out of small creepage is wanted.
   std::vector<std::unique_ptr<halfspace::InfluenceTables>> tables_;  ///< coarser grids first
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Workspace>> idle_;

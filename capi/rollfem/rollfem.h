@@ -88,6 +88,8 @@ typedef struct {
   double layer_thickness;      /* of a layer between wheel and rail that gives way to shear; 0: none */
   double layer_shear_modulus;  /* only thickness over modulus counts */
   rollfem_law friction_law;
+  double layer_yield_stress;   /* shear stress at which the layer yields; 0: it does not */
+  double layer_hardening;      /* its rise per length by which a particle has yielded; below 0 the layer softens */
 } rollfem_definition;
 
 /* Which member of a state gives the load on the wheel. */

@@ -16,6 +16,7 @@
 namespace {
 
 using namespace rollfem::testing;
+namespace contact = rollfem::contact;
 
 rollfem_definition falling(rollfem_units units = ROLLFEM_MM_N) {
   const double mm = units == ROLLFEM_M_N ? 1e-3 : 1.0;
@@ -87,6 +88,34 @@ TEST(CFriction, WithMemoryAndALayerIsAsCloseAsTheModelHalfspaceOnAsManyElements)
   }
 }
 
+TEST(CFriction, OfALayerThatYieldsIsThatOfTheCaseFile) {
+  rollfem_definition definition = defaults(ROLLFEM_RIGHT);
+  definition.layer_thickness = 0.5;
+  definition.layer_shear_modulus = 8200.0;
+  definition.layer_yield_stress = 120.0;
+  definition.layer_hardening = 2000.0;
+  const rollfem_result quick = solve(make(definition), state_at(3.0, 0.002));
+  contact::Case input = case_at(3.0, 0.002, R"(
+    [layer]
+    thickness = 0.5
+    shear_modulus = 8200.0
+    yield_stress = 120.0
+    hardening = 2000.0
+  )");
+  input.contact_grid.elements_across = 24;
+  const auto scenes = rollfem::track::balance(input).scenes;
+  ASSERT_EQ(scenes.size(), 1u);
+  const auto point = rollfem::halfspace::run_halfspace(scenes.front(), {}).points.front();
+  const rollfem_patch& patch = quick.patch[0];
+  EXPECT_LT(std::hypot(patch.longitudinal_force - point.longitudinal_force,
+                       patch.lateral_force - point.lateral_force),
+            0.015 * 0.3 * 50e3);
+  const rollfem_patch without = solve(make(defaults(ROLLFEM_RIGHT)), state_at(3.0, 0.002)).patch[0];
+  EXPECT_GT(std::hypot(patch.longitudinal_force - without.longitudinal_force,
+                       patch.lateral_force - without.lateral_force),
+            0.1 * 0.3 * 50e3);
+}
+
 TEST(CFriction, IsInTheUnitsOfThePair) {
   const rollfem_state state = state_at(3.0, 0.002);
   rollfem_state in_m = state;
@@ -106,6 +135,10 @@ TEST(CFriction, IsInTheUnitsOfThePair) {
   definition_in_m.layer_thickness = 1e-3;
   definition.layer_shear_modulus = 8200.0;
   definition_in_m.layer_shear_modulus = 8200e6;
+  definition.layer_yield_stress = 250.0;
+  definition_in_m.layer_yield_stress = 250e6;
+  definition.layer_hardening = 2000.0;
+  definition_in_m.layer_hardening = 2000e9;
   const rollfem_result one = solve(make(definition), state),
                        other = solve(make(definition_in_m), in_m);
   for (int d = 0; d < 3; ++d) EXPECT_NEAR(one.force[d], other.force[d], 1e-6 * 50e3);
