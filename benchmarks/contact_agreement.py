@@ -21,7 +21,7 @@ import h5py
 import numpy
 
 NAMES = ["cattaneo", "spence35", "catt_to_cart", "fastsim", "tractcurv", "mbench_a22_left",
-         "carter2d", "bentall"]
+         "carter2d", "bentall", "veldep_fric"]
 ADHESION = 1  # in `state` of results.h5; 2 is slip, 0 outside
 NUMBER = r"[-+]?[0-9]*\.?[0-9]+(?:[eE][-+]?[0-9]+)?\.?"
 
@@ -119,9 +119,8 @@ def compare_file(program, case_file, folder, printed, results):
     text = case_file.read_text()
     mu = float(re.search(r"^coefficient = (\S+)", text, re.M)[1])
     model, points = run(program, case_file, folder)
-    if model["name"] == "fastsim":
-        kind = "FASTSIM"
-    else:
+    kind = {"fastsim": "FASTSIM", "fastrip": "FaStrip"}.get(model["name"])
+    if kind is None:
         kind = "shift" if 'problem = "shift"' in text else (
             "frictionless" if "frictionless" in text else
             "transient" if "transient" in text else "steady")
