@@ -282,14 +282,21 @@ class BroydenSearch {
     }
   }
 
-  /// A possibly outdated matrix is soon discarded, a fresh one only if no step helps.
+  /// A possibly outdated matrix is soon discarded, a fresh one only if no step helps. Where
+  /// friction falls, the force may jump down on the way and rise again beyond: then the whole step
+  /// is taken.
   bool step(bool fresh) {
     Vector2d d = -jacobian_.partialPivLu().solve(r_);
     if (!d.allFinite()) return false;
+    const Matrix2d before = jacobian_;
+    Vector2d whole = d, last = r_;
     const int most_halvings = fresh ? 30 : 6;
     for (int halving = 0; halving < most_halvings; ++halving, d *= 0.5) {
       const Vector2d trial = residual(c_ + d);
-      if (!converged_ && force_.norm() >= sliding * bound_) continue;
+      if (!converged_ && force_.norm() >= sliding * bound_) {
+        whole = 0.5 * d;
+        continue;
+      }
       const Vector2d change = trial - r_;
       jacobian_ += (change - jacobian_ * d) * d.transpose() / d.squaredNorm();
       if (converged_ || trial.norm() < r_.norm()) {
@@ -297,6 +304,13 @@ class BroydenSearch {
         r_ = trial;
         return true;
       }
+      const bool jumped = (trial - last).norm() < 0.25 * (trial - r_).norm();
+      last = trial;
+      if (halving < 5 || !jumped || jumps_ == most_jumps) continue;
+      ++jumps_;
+      jacobian_ = before;
+      r_ = residual(c_ += whole);
+      return true;
     }
     return false;
   }
@@ -320,6 +334,8 @@ class BroydenSearch {
   Vector2d force_ = Vector2d::Zero();
   Matrix2d jacobian_ = Matrix2d::Identity();
   double bound_ = 0.0;
+  static constexpr int most_jumps = 5;
+  int jumps_ = 0;
   bool converged_ = false;
 };
 
