@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/friction_law.hpp"
 
+#include "contact/case/slip_speed.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -64,8 +66,7 @@ LawNumbers numbers_of(double mu, const FrictionFall& fall) {
 std::shared_ptr<FrictionLaw> law_of(const Case& input, const LawNumbers& at) {
   const FrictionFall& fall = input.friction_fall;
   if (fall.shape == FallShape::none) return std::make_shared<CoulombFriction>(at.rest);
-  // A shift has no speed: its slip in mm is taken as that of one second.
-  const double speed = input.rolling.problem == Problem::shift ? 1.0 : input.rolling.speed;
+  const double speed = slip_speed(input.rolling);
   std::optional<FrictionMemory> memory;
   if (fall.memory_distance > 0.0)
     memory = FrictionMemory{fall.memory_distance, fall.memory_velocity / speed};

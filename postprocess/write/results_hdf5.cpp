@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/results_hdf5.hpp"
 
+#include "contact/case/slip_speed.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "contact/scene/friction_law.hpp"
@@ -37,7 +38,7 @@ std::string prescribed_forces(const contact::Case& input) {
 void write_friction_law(hid_t group, const contact::Case& input) {
   const contact::Friction law = contact::friction_of(input);
   if (!law || !law->feels_slip()) return;
-  const double speed = input.rolling.problem == contact::Problem::shift ? 1.0 : input.rolling.speed;
+  const double speed = contact::slip_speed(input.rolling);
   static const char* const laws[] = {"constant", "linear", "rational", "exponential"};
   write_attribute(group, "law", std::string(laws[static_cast<int>(input.friction_fall.shape)]));
   write_attribute(group, "speed", speed);
