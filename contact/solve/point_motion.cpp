@@ -34,12 +34,12 @@ PointMotion::PointMotion(const Scene& scene, const ChartedGeometry& geometry,
   if (!scene.is_history() || !law || !(law->memory() || law->plasticity)) return;
   friction_ = friction_on(scene, geometry);
   const Field none = Field::Zero(grid.size());
-  history_.advance({none, none}, 0.0, friction_after({}));
+  history_.advance({none, none}, 0.0, friction_after(friction_, grid));
 }
 
-/// mu and u* of the elements after a step; that at rest and 0 where there is no contact.
-FrictionPast PointMotion::friction_after(const ContactState& state) const {
-  FrictionPast after{coefficients_of(friction_, grid_), 0.0, Field::Zero(grid_.size())};
+FrictionPast friction_after(const Friction& friction, const ContactGrid& grid,
+                            const ContactState& state) {
+  FrictionPast after{coefficients_of(friction, grid), 0.0, Field::Zero(grid.size())};
   const TangentialSolution& last = state.tangential;
   if (last.coefficient.size() != 0) after.coefficient = last.coefficient;
   if (last.plastic.size() != 0) after.plastic = last.plastic;
@@ -111,7 +111,7 @@ void PointMotion::advance(std::size_t k, const ContactState& state) {
   for (int times = steady ? 2 : 1; times > 0; --times)
     history_.advance({state.displacement.x, state.displacement.y},
                      rolls ? scene_.points[like].step_length : 0.0,
-                     friction_ ? friction_after(state) : FrictionPast());
+                     friction_ ? friction_after(friction_, grid_, state) : FrictionPast());
 }
 
 void PointMotion::take_up(const PointResult& point) {

@@ -61,6 +61,11 @@ class History {
   double before_last_step_ = 0.0;  ///< mm rolled in the step before
 };
 
+/// mu and u* of the elements after a step under this law; that at rest and 0 where there is no
+/// contact, and everywhere after no step.
+FrictionPast friction_after(const Friction& friction, const ContactGrid& grid,
+                            const ContactState& state = {});
+
 /// Values at `distance` >= 0 upstream (+x) of every element, by cubics between the four nearest
 /// elements of the row; beyond the grid the outermost value continues.
 Field upstream(const ContactGrid& grid, const Field& values, double distance);
@@ -98,7 +103,6 @@ class PointMotion {
     double longitudinal = 0.0, lateral = 0.0, spin = 0.0, distance = 0.0;
   };
 
-  FrictionPast friction_after(const ContactState& state) const;
   /// `step`: length in mm of the corresponding difference.
   TangentialField rigid_slip(const Creepage& creepage, double step) const;
 

@@ -255,7 +255,7 @@ class RandomLevel {
     result.rigid_slip = rigid(c);
     if (contact_.kind != RandomKind::shift) return result;
     result.motion = contact::Motion::shift;
-    if (remembers()) result.past = rest();
+    if (remembers()) result.past = contact::friction_after(contact_.law(), grid_);
     if (remembers()) result.past->length = 1.0;
     return result;
   }
@@ -263,20 +263,6 @@ class RandomLevel {
   bool remembers() const {
     return contact_.law()->memory().has_value() || contact_.law()->plasticity;
   }
-  contact::FrictionPast rest() const {
-    return {contact::Field::Constant(grid_.size(), contact_.friction), 0.0,
-            contact::Field::Zero(grid_.size())};
-  }
-
-  /// mu and u* of the elements after a step.
-  contact::FrictionPast after() const {
-    contact::FrictionPast all = rest();
-    const contact::TangentialSolution& last = state_.tangential;
-    if (last.coefficient.size() != 0) all.coefficient = last.coefficient;
-    if (last.plastic.size() != 0) all.plastic = last.plastic;
-    return all;
-  }
-
   /// As contact::ContactRun begins.
   contact::ContactState first_state() {
     contact::ContactState start;
@@ -334,7 +320,7 @@ class RandomLevel {
   void roll_on() {
     contact::History history(grid_, contact::UpwindOrder::second);
     const contact::Field none = contact::Field::Zero(grid_.size());
-    history.advance({none, none}, 0.0, rest());
+    history.advance({none, none}, 0.0, contact::friction_after(contact_.law(), grid_));
     state_ = first_state();
     for (int step = 0; step < 3; ++step) {
       const contact::StepProblem problem =
@@ -345,7 +331,8 @@ class RandomLevel {
       motion.slip_factor = problem.slip_factor;
       if (remembers()) motion.past = history.past(contact_.step);
       solve(motion, contact::ContactState(state_));
-      history.advance({state_.displacement.x, state_.displacement.y}, contact_.step, after());
+      history.advance({state_.displacement.x, state_.displacement.y}, contact_.step,
+                      contact::friction_after(contact_.law(), grid_, state_));
     }
   }
 
