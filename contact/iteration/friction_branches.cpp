@@ -25,6 +25,16 @@ constexpr double largest_feedback = 1.02;
 
 }  // namespace
 
+SteepCause steep_cause(const FrictionLaw& law) {
+  SteepCause steep{"friction falls so steeply with the slip velocity",
+                   "give friction.memory_distance, or a larger one, or a larger half_velocity"};
+  if (!law.plasticity || law.plasticity->hardening >= 0.0) return steep;
+  const std::string cure = "give a layer.hardening nearer to 0";
+  if (!law.feels_slip()) return {"the layer softens so fast", cure};
+  return {"friction falls with the slip velocity and the layer softens so fast",
+          cure + ", or " + steep.cure};
+}
+
 /// Of a single element, or of all together: with tractions in proportion to the pressure, the
 /// largest slip per traction bounds the feedback of operators with positive entries, such as those
 /// of shifts, where the elements help one another.
@@ -45,12 +55,17 @@ bool FrictionNewton::falls_steeply() {
 /// Rounds let more slip and lower bounds further, down to the first that stay: those of the
 /// solution with the largest bounds, which grows out of small creepage. From the bounds of fast
 /// sliding they rise to the solution with the smallest. Then Newton's method takes over, and must
-/// not leave them.
+/// not leave them. In shifts all bounds move the same way; along a row friction that is lost
+/// upstream can be gained downstream, and both go round: then bounds follow with a lag, in implicit
+/// steps of time (stays()).
 bool FrictionNewton::follow_bounds(double scale) {
-  constexpr int most_rounds = 240;
+  constexpr int most_rounds = 240, most_turns = 20;
   constexpr double near_round_trips = 3e-2;
-  constexpr double round_tolerance = 1e-5, least_near = 1e-6;  // below, rounds go on alone
+  constexpr double round_tolerance = 1e-5, coarse = 1e-3;
+  constexpr double least_near = 1e-6;  // below, rounds go on alone
+  constexpr double longest_step = 10.0, short_step = 0.1, shortest_step = 0.01;
   double near = 1e-2;  // of the bound at rest of every element
+  double step = 1.0;   // of time
   int turns = 0;
   const bool from_sliding =
       (problem_->law.branch == FrictionBranch::sliding) != options_->other_branch;
@@ -60,37 +75,63 @@ bool FrictionNewton::follow_bounds(double scale) {
   } else {
     point_->bound = bound_;
   }
-  trial_->bound = point_->bound;
-  for (int round = 0; round < most_rounds; ++round) {
-    frozen_ = true;
+  effort_.feedback.reset();
+  for (int round = 0; round < most_rounds && step > shortest_step; ++round) {
+    const bool lags = turns >= most_turns;
+    const double tolerance = lags          ? std::max(1e-2 * near, options_->tolerance)
+                             : near > 1e-3 ? round_tolerance
+                                           : 0.1 * options_->tolerance;
+    held_ = point_->bound;
+    trial_->bound = held_;
+    follows_ = lags ? step / (1.0 + step) : 0.0;
     drag_ = 0.0;
     fronts_.forget();
+    const Eigen::VectorXd traction = point_->traction;
     evaluate(*point_);
-    const bool solved = iterate(scale, near > 1e-3 ? round_tolerance : 0.1 * options_->tolerance);
-    frozen_ = false;
-    if (!solved) steep_ = false;  // nothing that friction does
-    if (!solved) return false;
-    const Eigen::VectorXd held = point_->bound;
+    const double part = lags ? follows_ : 1.0;
+    const bool solved = lags ? iterate_briefly(scale, tolerance) : iterate(scale, tolerance);
+    follows_ = 1.0;
+    if (!solved && !lags) steep_ = false;  // nothing that friction does
+    if (!solved && !lags) return false;
+    if (!solved && (point_->norm > coarse * scale || step < short_step)) {
+      point_->traction = traction;
+      point_->bound = held_;
+      step *= 0.5;
+      follows_ = 0.0;
+      drag_ = 0.0;
+      evaluate_from_traction(*point_);
+      continue;
+    }
     evaluate(*point_);
     if (point_->norm <= options_->tolerance * scale && stays()) return true;
-    const double change =
-        ((point_->bound - held).array() / bound_.array()).abs().maxCoeff(&restless_);
+    const Eigen::ArrayXd moved = (point_->bound - held_).array() / bound_.array();
+    const double change = moved.abs().maxCoeff(&restless_);
+    const Eigen::VectorXd next = held_ + part * (point_->bound - held_);
+    if (lags) step = solved ? std::min(longest_step, 1.5 * step) : 0.5 * step;
+    // Longer steps would end in the state found last, which small changes leave.
+    if (lags && effort_.feedback > 1.0) step = std::min(step, 0.5 / (*effort_.feedback - 1.0));
     if (change < near && near > least_near) {
       if (finish(scale, near)) return true;
       near *= 0.1;
     } else if (round % 20 == 19 && finish(scale, near_round_trips)) {
       return true;
     }
-    // In shifts all bounds move the same way; along a row friction that is lost upstream can be
-    // gained downstream, and both go round.
-    const Eigen::ArrayXd moved = (point_->bound - held).array() / bound_.array();
     const double against = from_sliding ? -moved.minCoeff() : moved.maxCoeff();
-    if (against > 0.01 * change) ++turns;
-    const double share = turns < 20 ? 1.0 : turns < 60 ? 0.5 : turns < 140 ? 0.25 : 0.1;
-    point_->bound = held + share * (point_->bound - held);
-    trial_->bound = point_->bound;
+    if (against > 0.01 * change && ++turns == most_turns && finish_from_first(scale)) return true;
+    point_->bound = next;
   }
   return false;
+}
+
+/// Newton's method without long detours.
+bool FrictionNewton::iterate_briefly(double scale, double tolerance) {
+  const TangentialOptions* given = options_;
+  TangentialOptions brief = *given;
+  brief.max_newton_steps = std::min(given->max_newton_steps, given->patience);  // no drag
+  options_ = &brief;
+  const bool solved = iterate(scale, tolerance);
+  options_ = given;
+  return solved;
 }
 
 /// Newton's method from the bounds of a round to a solution beside them that stays; otherwise
@@ -98,17 +139,24 @@ bool FrictionNewton::follow_bounds(double scale) {
 bool FrictionNewton::finish(double scale, double near) {
   fronts_.forget();
   const Eigen::VectorXd traction = point_->traction, bound = point_->bound;
-  const TangentialOptions* given = options_;
-  TangentialOptions brief = *given;
-  brief.max_newton_steps = std::min(given->max_newton_steps, given->patience);  // no drag
-  options_ = &brief;
-  const bool solved = iterate(scale, given->tolerance);
-  options_ = given;
+  const bool solved = iterate_briefly(scale, options_->tolerance);
   if (solved && ((point_->bound - bound).array() / bound_.array()).abs().maxCoeff() < 10.0 * near &&
       stays())
     return true;
   point_->traction = traction;
   drag_ = 0.0;
+  evaluate_from_traction(*point_);
+  return false;
+}
+
+/// The same from the first point, wherever it leads: along a force search or from one correction
+/// to the next the state then stays the same where there are several.
+bool FrictionNewton::finish_from_first(double scale) {
+  const Eigen::VectorXd traction = point_->traction;
+  point_->traction = first_;
+  evaluate_from_traction(*point_);
+  if (finish(scale, infinity)) return true;
+  point_->traction = traction;
   evaluate_from_traction(*point_);
   return false;
 }
@@ -121,7 +169,7 @@ void FrictionNewton::feed_back(const Eigen::VectorXd& change) {
     right_[e] = change[e] * at_.normal[e];
     right_[count_ + e] = change[e] * at_.normal[count_ + e];
   }
-  frozen_ = true;
+  follows_ = 0.0;
   effort_.krylov_iterations +=
       gmres_
           .solve([this](const Gmres::Given& p, Gmres::Vector result) { apply_jacobian(p, result); },
@@ -133,7 +181,7 @@ void FrictionNewton::feed_back(const Eigen::VectorXd& change) {
                  },
                  right_, {tolerance, options_->max_krylov_iterations, krylov_restart}, direction_)
           .iterations;
-  frozen_ = false;
+  follows_ = 1.0;
   compliance_->apply(direction_, slip_change_);
   trial_change_ = direction_ - r_ * slip_change_;
   state_.change(slip_change_, trial_change_, bound_change_);
@@ -194,21 +242,18 @@ void FrictionNewton::fail(double scale) const {
   if (!steep_) throw SolveError("the tangential contact iteration did not converge: " + how);
   const ContactGrid& grid = problem_->grid;
   const Index k = (*places_)[static_cast<std::size_t>(restless_)];
-  const std::string feedback =
-      effort_.feedback ? fmt::format("; {:.2g} of a small change of friction came back in the last",
-                                     *effort_.feedback)
-                       : std::string();
-  const auto [cause, cure] =
-      state_.softens()
-          ? std::pair("the layer softens so fast", "give a layer.hardening nearer to 0")
-          : std::pair("friction falls so steeply with the slip velocity",
-                      "give friction.memory_distance, or a larger one, or a larger half_velocity");
+  const std::string found =
+      effort_.feedback
+          ? fmt::format("small changes leave the one found, where {:.3g} of them comes back",
+                        *effort_.feedback)
+          : std::string("none was found");
+  const SteepCause steep = steep_cause(problem_->law);
   throw NoSteadyFriction(fmt::format(
-      "{} (steepness {:.2g}) that no state stays: none was found that small changes do not leave, "
-      "and bounds went up and down most at x = {:.4g} mm, y = {:.4g} mm; without a lag such "
-      "surfaces chatter; do: {} ({}{})",
-      cause, effort_.steepness, grid.x(static_cast<int>(k % grid.nx)),
-      grid.y(static_cast<int>(k / grid.nx)), cure, how, feedback));
+      "{} (steepness {:.2g}) that no state stays: {}, and bounds went up and down most at x = "
+      "{:.4g} mm, y = {:.4g} mm; such surfaces stick and slip in turn, which steps of "
+      "rolling.problem = \"transient\" follow; do: {} ({})",
+      steep.cause, effort_.steepness, found, grid.x(static_cast<int>(k % grid.nx)),
+      grid.y(static_cast<int>(k / grid.nx)), steep.cure, how));
 }
 
 }  // namespace rollfem::contact

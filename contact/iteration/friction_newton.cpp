@@ -45,7 +45,7 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
   state_.begin(problem, places, r_);
   feels_slip_ = state_.feels_slip();
   drag_ = 0.0;
-  frozen_ = false;
+  follows_ = 1.0;
   effort_ = {};
   stood_still_ = false;
   lay_out(static_cast<Index>(places.size()));
@@ -56,6 +56,7 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
     evaluate_at_rest(*point_);
   } else {
     find_first_point(start);
+    if (feels_slip_) first_ = point_->traction;
     fronts_.begin(problem.grid, places);
     // Relative to the creepage load, or to the bound if that is smaller, so that a low friction
     // coefficient does not simulate convergence.
@@ -150,7 +151,8 @@ void FrictionNewton::set_drag(double drag) {
 void FrictionNewton::evaluate(Point& point) {
   point.trial = point.traction - r_ * point.slip;
   if (drag_ > 0.0) point.trial -= r_ * drag_ * (point.traction - dragged_from_);
-  if (feels_slip_ && !frozen_) state_.set_bound(point.slip, point.trial, point.bound);
+  if (feels_slip()) state_.set_bound(point.slip, point.trial, point.bound);
+  if (feels_slip() && follows_ < 1.0) point.bound = held_ + follows_ * (point.bound - held_);
   point.value = point.trial;
   project(point.value, point.bound);
   point.value = point.traction - point.value;
@@ -220,7 +222,7 @@ void FrictionNewton::linearise(const Point& point) {
     at_.left[e] = point.traction[e] / reached;
     at_.left[f] = point.traction[f] / reached;
   }
-  if (feels_slip_ && !frozen_) state_.linearise(point.slip, point.trial);
+  if (feels_slip()) state_.linearise(point.slip, point.trial);
 }
 
 void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result) {
@@ -231,10 +233,11 @@ void FrictionNewton::apply_jacobian(const Gmres::Given& p, Gmres::Vector result)
 
 /// Turns r times a change of slip into the change of F, for tractions that change by `p`.
 void FrictionNewton::change_value(const Gmres::Given& p, Gmres::Vector change) {
-  const bool falls = feels_slip_ && !frozen_;
+  const bool falls = feels_slip();
   if (falls) {
     trial_change_ = r_ * ((1.0 - r_ * drag_) * p - change);
     state_.change(change, trial_change_, bound_change_);
+    bound_change_ *= follows_;
   }
   for (Index e = 0; e < count_; ++e) {
     const Index f = count_ + e;

@@ -11,9 +11,17 @@
 
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rollfem::contact {
+
+/// What of a law lets there be several states or none, and what helps: for messages.
+struct SteepCause {
+  std::string cause;  ///< without "that ..."
+  std::string cure;
+};
+SteepCause steep_cause(const FrictionLaw& law);
 
 class FrictionNewton {
  public:
@@ -59,13 +67,16 @@ class FrictionNewton {
     double norm = 0.0;         ///< of F
   };
 
+  bool feels_slip() const { return feels_slip_ && follows_ > 0.0; }
   void lay_out(Index count);
   void gather(const TangentialField& field, Vector& values) const;
   bool iterate(double scale, double tolerance);
   // Choice of a solution where there are several (friction_branches.cpp).
   bool falls_steeply();
   bool follow_bounds(double scale);
+  bool iterate_briefly(double scale, double tolerance);
   bool finish(double scale, double near);
+  bool finish_from_first(double scale);
   void feed_back(const Eigen::VectorXd& change);
   bool stays();
   [[noreturn]] void fail(double scale) const;
@@ -79,7 +90,7 @@ class FrictionNewton {
   void linearise(const Point& point);
   /// What the preconditioner takes for the Jacobian.
   const Linearisation& preconditioned() {
-    if (!feels_slip_ || frozen_ || !state_.hardens()) return at_;
+    if (!feels_slip() || !state_.hardens()) return at_;
     nearly_ = at_;
     state_.add_stiff(nearly_.adheres);
     return nearly_;
@@ -102,8 +113,11 @@ class FrictionNewton {
   Index count_ = 0;
   FrictionState state_;
   bool feels_slip_ = false;
-  bool frozen_ = false;  ///< bounds stay as they are, whatever slips
-  double drag_ = 0.0;    ///< c in w + c (p - p'), of the unit of T
+  /// Part of the way from held_ to the bounds of the slip that bounds go; 0: they stay as they are.
+  double follows_ = 1.0;
+  Eigen::VectorXd held_;
+  Eigen::VectorXd first_;  ///< tractions of the first point
+  double drag_ = 0.0;      ///< c in w + c (p - p'), of the unit of T
   Eigen::VectorXd memory_;
   Vector rigid_slip_{nullptr, 0};
   Vector bound_{nullptr, 0};         ///< g at rest

@@ -136,15 +136,23 @@ ContactState ContactProblem::solve_for_force(const NormalLoad& load, const Motio
 int ContactProblem::count_states(const ContactState& state, const TangentialMotion& motion) {
   constexpr double apart = 1e-3;  // of the largest bound
   const TangentialSolution& known = state.tangential;
-  if (!known.feedback || coupled()) return 1;
+  if (!known.feedback) return 1;
   const Field& pressure = state.normal.pressure;
+  TangentialField slip = motion.rigid_slip;
+  if (coupled()) {
+    CoupledProblem problem;
+    problem.curvature_weight = motion.curvature_weight;
+    const TangentialField more =
+        defect_slip(preconditioner(motion.motion, pressure), problem, state.defect, pressure);
+    slip.x += more.x;
+    slip.y += more.y;
+  }
   TangentialOptions options;
   options.other_branch = true;
   try {
     const TangentialSolution other = solve_tangential(
         tangential_operator(motion.motion, pressure),
-        {pressure, motion.rigid_slip, conditions_.friction, motion.slip_factor, motion.past},
-        options);
+        {pressure, slip, conditions_.friction, motion.slip_factor, motion.past}, options);
     const double difference = (other.bound - known.bound).cwiseAbs().maxCoeff();
     return difference > apart * known.bound.maxCoeff() ? 2 : 1;
   } catch (const SolveError&) {  // none that stays
@@ -183,6 +191,13 @@ ContactState ContactProblem::solve_uncoupled(const NormalLoad& load, const Tange
   return state;
 }
 
+Preconditioner ContactProblem::preconditioner(Motion motion, const Field& pressure) {
+  const UpwindOrder order = conditions_.upwind_order;
+  if (!conditions_.same_normal_block && fitted(motion))
+    return refitted(standin_, order, conditions_.coupled_standin);
+  return {standin_, standin_.normal(), tangential_operator(motion, pressure), order, motion};
+}
+
 ContactState ContactProblem::solve_coupled(const NormalLoad& load, const TangentialMotion& motion,
                                            const ContactState* start,
                                            const ContactAccuracy& accuracy,
@@ -190,14 +205,8 @@ ContactState ContactProblem::solve_coupled(const NormalLoad& load, const Tangent
                                            const ForcedSlip* forced) {
   const bool same_normal = conditions_.same_normal_block;
   const CoupledProblem problem = coupled_problem(load, motion, friction);
-  const UpwindOrder order = conditions_.upwind_order;
   const Preconditioner standin =
-      !same_normal && fitted(motion.motion)
-          ? refitted(standin_, order, conditions_.coupled_standin)
-          : Preconditioner{
-                standin_, standin_.normal(),
-                tangential_operator(motion.motion, same_normal ? press(load).pressure : Field()),
-                order, motion.motion};
+      preconditioner(motion.motion, same_normal ? press(load).pressure : Field());
   CoupledSolution solution = contact::solve_coupled(
       whole_, standin, problem, accuracy.outer, start ? start->defect : Response(), each_iteration,
       start && same_normal ? start->traction() : SurfaceField(), forced);

@@ -91,8 +91,8 @@ class ContactProblem {
                                const OuterCallback& each_iteration);
 
   /// 2 where a state of the other branch (FrictionBranch) was found beside the solved `state` of
-  /// this motion, otherwise 1. Searched for only where the law falls steeply and the elasticity
-  /// needs no correction, under the pressure of the state.
+  /// this motion, otherwise 1. Searched for only where the law falls steeply, under the pressure of
+  /// the state and with its correction of the elasticity.
   int count_states(const ContactState& state, const TangentialMotion& motion);
 
   /// The elasticity's response to pressure only: start of the first load point.
@@ -114,6 +114,7 @@ class ContactProblem {
   /// Fits second-order rolling to the leading edge of this pressure if the conditions request it.
   const TangentialOperator& tangential_operator(Motion motion, const Field& pressure);
   bool fitted(Motion motion) const;
+  Preconditioner preconditioner(Motion motion, const Field& pressure);
 
   const Compliance& whole_;
   const SolvableCompliance& standin_;

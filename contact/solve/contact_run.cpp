@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/validity.hpp"
@@ -57,7 +58,7 @@ SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape
 
 }  // namespace
 
-std::string steep_friction_note(const LevelResult& level) {
+std::string steep_friction_note(const LevelResult& level, const Friction& friction) {
   if (level.steepness <= 1.0 && level.several == 0) return {};
   const std::string found =
       level.several == 0
@@ -66,11 +67,11 @@ std::string steep_friction_note(const LevelResult& level) {
                 "there are several states at {} of {} load points (a second one that small "
                 "changes do not leave was found)",
                 level.several, level.points.size());
+  const SteepCause steep = steep_cause(*friction);
   return fmt::format(
-      "friction falls so steeply with the slip velocity ({:.2g} times what one element withstands) "
-      "that {}, which depend on the grid: given is the one of friction.branch; a larger "
-      "friction.memory_distance leaves one (docs/friction.md)",
-      level.steepness, found);
+      "{} ({:.2g} times what one element withstands) that {}, which depend on the grid: given is "
+      "the one of friction.branch; for one alone: {} (docs/friction.md)",
+      steep.cause, level.steepness, found, steep.cure);
 }
 
 ContactRun::ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,

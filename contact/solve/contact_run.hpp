@@ -68,8 +68,8 @@ struct LevelResult {
   int several = 0;         ///< load points with more than one state (ContactProblem::count_states)
 };
 
-/// Warning about a law that falls this steeply; may be empty.
-std::string steep_friction_note(const LevelResult& level);
+/// Warning about a law that falls, or a layer that softens, this steeply; may be empty.
+std::string steep_friction_note(const LevelResult& level, const Friction& friction);
 
 struct RunOptions {
   std::string model;         ///< in progress events

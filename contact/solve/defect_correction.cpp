@@ -2,6 +2,7 @@
 #include "contact/solve/defect_correction.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/leading_edge.hpp"
 #include "contact/result/patch_size.hpp"
 
@@ -251,12 +252,13 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
                           std::to_string(solution.residual) + " after " +
                           std::to_string(solution.outer_iterations) + " iterations, required " +
                           std::to_string(options.tolerance);
-  if (solution.tangential.feedback)
-    throw NoSteadyFriction(
-        "friction falls so steeply with the slip velocity that no state stays: it jumps to another "
-        "one whenever pressure and slip are corrected for each other; do: give "
-        "friction.memory_distance, or a larger one, or a larger half_velocity (" +
-        how + ")");
+  if (solution.tangential.feedback) {
+    const SteepCause steep = steep_cause(*problem.friction);
+    throw NoSteadyFriction(steep.cause +
+                           " that no state stays: it jumps to another one whenever pressure and "
+                           "slip are corrected for each other; do: " +
+                           steep.cure + " (" + how + ")");
+  }
   throw SolveError(how);
 }
 

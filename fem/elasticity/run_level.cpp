@@ -106,7 +106,7 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   };
   if (!run.solve(layout.grid, make)) refuse_border(scene, geometry, layout.grid);
   contact::LevelResult level = run.take_result();
-  if (std::string note = contact::steep_friction_note(level); !note.empty())
+  if (std::string note = contact::steep_friction_note(level, scene.friction()); !note.empty())
     result.notes.push_back(std::move(note));
   result.unknowns = start.unknowns;
   result.contact_elements = start.contact_elements;

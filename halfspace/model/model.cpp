@@ -324,7 +324,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   result.grid = fine.grid;
   result.contact_elements = fine.contact_elements;
   result.unknowns = 3L * fine.contact_elements;
-  std::string steep = contact::steep_friction_note(fine);
+  std::string steep = contact::steep_friction_note(fine, scene.friction());
   result.points = std::move(fine.points);
   add_notes(scene, result);
   if (!warning.empty()) result.notes.push_back(std::move(warning));

@@ -33,8 +33,9 @@ constexpr double within = 1e-3;  // of it; CONTACT prints four digits
 
 class Rollers {
  public:
-  /// `memory`: d_c in mm, 0 for none.
-  explicit Rollers(double memory = 0.0) : grid_(elements()), whole_(grid_, material()) {
+  /// `memory`: d_c in mm, 0 for none. `corrected`: as if the elasticity had to be corrected.
+  explicit Rollers(double memory = 0.0, bool corrected = false)
+      : grid_(elements()), whole_(grid_, material()), same_(grid_, material()) {
     std::optional<contact::FrictionMemory> remembered;
     if (memory > 0.0) remembered = contact::FrictionMemory{memory, 1.0 / speed};
     law_ = std::make_shared<contact::FallingFriction>(
@@ -46,7 +47,8 @@ class Rollers {
     conditions.upwind_order = contact::UpwindOrder::first;
     conditions.undeformed_distance =
         grid_.sample([](double x, double) { return x * x / (2.0 * 460.0); });
-    problem_ = std::make_unique<contact::ContactProblem>(whole_, whole_, std::move(conditions));
+    problem_ = std::make_unique<contact::ContactProblem>(corrected ? same_ : whole_, whole_,
+                                                         std::move(conditions));
     load_.force = normal_force;
   }
 
@@ -82,6 +84,25 @@ class Rollers {
         options);
   }
 
+  /// Tractions in a step from `before`, with bounds that follow the slip for some rounds, and the
+  /// change of the bounds in the last.
+  contact::TangentialField followed(const contact::ContactState& before, double creepage,
+                                    contact::Field bound, int rounds, double& change) const {
+    const contact::TangentialMotion motion = step_from(before, creepage);
+    contact::TangentialSolution solution;
+    for (int round = 0; round < rounds; ++round) {
+      solution = contact::solve_tangential(
+          whole_.shift(), {bound, motion.rigid_slip, contact::coulomb(1.0)}, {}, solution.traction);
+      const contact::Field held = bound;
+      for (int k = 0; k < grid_.size(); ++k)
+        bound[k] =
+            before.normal.pressure[k] *
+            law_->at(motion.slip_factor * std::hypot(solution.slip.x[k], solution.slip.y[k])).value;
+      change = (bound - held).cwiseAbs().maxCoeff();
+    }
+    return solution.traction;
+  }
+
   double force(const contact::TangentialField& traction) const {
     return traction.x.sum() * grid_.element_area();
   }
@@ -104,7 +125,7 @@ class Rollers {
   }
 
   contact::ContactGrid grid_;
-  halfspace::HalfspaceCompliance whole_;
+  halfspace::HalfspaceCompliance whole_, same_;
   contact::Friction law_;
   std::unique_ptr<contact::ContactProblem> problem_;
   contact::NormalLoad load_;
@@ -126,6 +147,32 @@ TEST(SeveralStates, RollersHaveTheThreeOfContact) {
   // The steady state is a third one of the step: between two that stay lies one that does not.
   EXPECT_LT(*below.tangential.feedback, 1.0);
   EXPECT_LT(*above.feedback, 1.0);
+}
+
+/// Bounds g that follow the slip of the solution with g held fixed, round by round.
+TEST(SeveralStates, TheSteadyStateIsOneOfTheStepThatSmallChangesLeave) {
+  Rollers rollers;
+  constexpr double creepage = -0.0009999;
+  const contact::ContactState steady = rollers.steady(creepage);
+  const contact::Field bound = steady.tangential.bound;
+  double change = 0.0;
+  EXPECT_NEAR(rollers.force(rollers.followed(steady, creepage, bound, 1, change)) / sliding_force,
+              0.5941, within);
+  EXPECT_LT(change, 1e-5 * bound.maxCoeff());  // a state of the step
+  const auto end = [&](double factor) {
+    const double force =
+        rollers.force(rollers.followed(steady, creepage, factor * bound, 60, change));
+    EXPECT_LT(change, 1e-4 * bound.maxCoeff());
+    return force / sliding_force;
+  };
+  EXPECT_NEAR(end(1.0 + 1e-3), 0.5977, within);
+  EXPECT_NEAR(end(1.0 - 1e-3), 0.5702, within);
+}
+
+TEST(SeveralStates, AreCountedWithACorrectedElasticityToo) {
+  Rollers rollers(0.0, true);
+  rollers.solved(rollers.step_from(rollers.steady(-0.0009999), -0.001));
+  EXPECT_EQ(rollers.states(), 2);
 }
 
 TEST(SeveralStates, RollersStickAndSlipFromStepToStepUnlessFrictionRemembers) {
@@ -199,10 +246,19 @@ middle = [-0.05, 0.0]
 TEST(SeveralStates, ResultsSayThatThereAreSeveral) {
   contact::LevelResult level;
   level.points.resize(3);
-  EXPECT_EQ(contact::steep_friction_note(level), "");
+  const auto law = std::make_shared<contact::FallingFriction>(
+      contact::FallShape::linear, 0.1,
+      std::array<contact::FallingFriction::Part, 2>{{{0.2, 1.0}, {0.0, 1.0}}});
+  EXPECT_EQ(contact::steep_friction_note(level, law), "");
   level.several = 2;
-  EXPECT_NE(contact::steep_friction_note(level).find("several states at 2 of 3 load points"),
-            std::string::npos);
+  const std::string falls = contact::steep_friction_note(level, law);
+  EXPECT_NE(falls.find("several states at 2 of 3 load points"), std::string::npos);
+  EXPECT_NE(falls.find("friction.memory_distance"), std::string::npos);
+  const auto softens = std::make_shared<contact::CoulombFriction>(0.3);
+  softens->plasticity = contact::Plasticity{100.0, -1e3};
+  const std::string layer = contact::steep_friction_note(level, softens);
+  EXPECT_NE(layer.find("layer.hardening"), std::string::npos) << layer;
+  EXPECT_EQ(layer.find("memory_distance"), std::string::npos) << layer;
 }
 
 }  // namespace
