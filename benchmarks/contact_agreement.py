@@ -62,8 +62,8 @@ def run(program, case_file, folder):
 def case_numbers(text):
     """Case numbers in convert's comment: "1, 3 to 5"."""
     found = []
-    words = re.search(r"^# Made by rollfem convert of .*, cases? ([0-9, to]+)", text, re.M)
-    for part in words[1].strip(" .:").split(", "):
+    words = re.search(r"^# Made by rollfem convert of .*, cases? (\d+(?:(?:, | to )\d+)*)", text, re.M)
+    for part in words[1].split(", "):
         first, _, last = part.partition(" to ")
         found += range(int(first), int(last or first) + 1)
     return found

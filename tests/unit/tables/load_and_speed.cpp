@@ -55,7 +55,7 @@ contact::Case ellipse_case() {
   return input;
 }
 
-CreepTable filled(const contact::Case& input) {
+CreepTable filled_table(const contact::Case& input) {
   CreepTable table = tables::empty_table(input);
   tables::fill_table(table, input, {}, nullptr);
   return table;
@@ -65,8 +65,8 @@ CreepTable filled(const contact::Case& input) {
 const CreepTableReader& ellipses() {
   static const CreepTableReader reader = [] {
     const rollfem::testing::TemporaryFolder folder;
-    return CreepTableReader(
-        tables::read_table(folder.file("table.h5", tables::table_hdf5(filled(ellipse_case())))));
+    return CreepTableReader(tables::read_table(
+        folder.file("table.h5", tables::table_hdf5(filled_table(ellipse_case())))));
   }();
   return reader;
 }
@@ -106,7 +106,7 @@ TEST(LoadAndSpeed, AtItsValuesIsTheTableOfThatLoadAndSpeed) {
   input.table.load = {};
   input.table.speed = {};
   input.table.check_points = 0;
-  const CreepTable one = filled(input);
+  const CreepTable one = filled_table(input);
   EXPECT_EQ(one.load, (std::vector<double>{80e3}));
   const std::size_t layer = 1 * 3 + 1;
   for (std::size_t i = 0; i < 3; ++i)
@@ -160,11 +160,11 @@ TEST(LoadAndSpeed, OfAWheelAreThoseOfItsOwnTable) {
   input.table.spin = {0.5};
   input.table.check_points = 0;
   input.rolling.speed = 17e3;
-  const CreepTable own = filled(input);
+  const CreepTable own = filled_table(input);
   input.table.check_points = 10;
   input.table.load = {70e3, 90e3};
   input.table.speed = {15e3, 20e3};
-  const CreepTableReader reader(filled(input));
+  const CreepTableReader reader(filled_table(input));
   ASSERT_EQ(reader.table().size(), 4 * own.size());
   EXPECT_EQ(reader.wheel_at({1.0, 80e3, 17e3}).contacts, 1.0);
   EXPECT_NEAR(reader.wheel_at({1.0, 80e3, 17e3}).normal_force, 80e3, 1e-6);
