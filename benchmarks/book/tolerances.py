@@ -67,8 +67,8 @@ SPENT = (
     ("conformal-contact", "creepage of free rolling", "normals that turn, measured in two ways; 0.4 % was allowed for it"),
     ("conformal-contact", "corner, given approach: F_z", "cells of the correction: 0.02 % with finer ones"),
     ("conformal-contact", "b over that on a flat rail", "b of the fit is known to 0.5 % in either shape"),
-    ("wheel-on-rail", "moved by 1 µm", "14 of 2 130 elements come into contact within this micrometre, and friction jumps "
-     "with them by 0.4 % of mu F_z"),
+    ("wheel-on-rail", "moved by 1 µm", "the grid, laid over the patch, moves by a sixth of a row within this micrometre, "
+     "and F_y by half of its error bar"),
     ("manchester", "F_y/(mu F_n)", "CONTACT's difference is of first order, here of second"),
     ("manchester", "on the track", "the reference point lies where the estimated approach puts it; with CONTACT's approach y of "
      "the left wheel is within 7 µm"),
