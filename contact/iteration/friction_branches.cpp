@@ -23,6 +23,20 @@ constexpr double fast = 1e9;
 /// Feedback above which small changes grow: 1, and what the estimate may err.
 constexpr double largest_feedback = 1.02;
 
+/// Of the eigenvalues of a Hessenberg matrix.
+double largest_real_part(const Eigen::MatrixXd& hessenberg) {
+  Eigen::RealSchur<Eigen::MatrixXd> schur(hessenberg.rows());
+  schur.computeFromHessenberg(hessenberg, hessenberg, false);
+  const Eigen::MatrixXd& block = schur.matrixT();
+  double largest = -infinity;
+  for (Eigen::Index k = 0; k < block.rows(); ++k) {
+    const bool of_pair = k + 1 < block.rows() && block(k + 1, k) != 0.0;
+    largest = std::max(largest, of_pair ? 0.5 * (block(k, k) + block(k + 1, k + 1)) : block(k, k));
+    k += of_pair ? 1 : 0;
+  }
+  return largest;
+}
+
 }  // namespace
 
 SteepCause steep_cause(const FrictionLaw& law) {
@@ -221,9 +235,7 @@ bool FrictionNewton::stays() {
       projected.col(k).head(k + 1) += part;
       image -= known * part;
     }
-    const Eigen::MatrixXd hessenberg = projected.topLeftCorner(k + 1, k + 1);
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigenvalues(hessenberg, false);
-    const double rightmost = eigenvalues.eigenvalues().real().maxCoeff();
+    const double rightmost = largest_real_part(projected.topLeftCorner(k + 1, k + 1));
     steady = std::abs(rightmost - *effort_.feedback) < settled ? steady + 1 : 0;
     effort_.feedback = rightmost;
     const double length = image.norm();
