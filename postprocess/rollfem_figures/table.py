@@ -314,7 +314,7 @@ def build(directory):
         "Forces are over μF<sub>n</sub>, the moment over μF<sub>n</sub>c, c = √(ab); ξ′ = ξ G ab C<sub>11</sub>/(3μF<sub>n</sub>), "
         "η′ = η G ab C<sub>22</sub>/(3μF<sub>n</sub>), φ′ = φ G (ab)<sup>3/2</sup> √(C<sub>23</sub>² + C<sub>33</sub>²)/(μF<sub>n</sub>).</p>",
         section("Errors", _said(found)),
-        section("Forces", "".join(f"<p>At {LETTER[name].split()[0]} {values[len(values) // 2]:g}.</p>"
+        section("Forces", "".join(f"<p>At a {name} of {values[len(values) // 2]:g} {LETTER[name].split()[1][1:-1]}.</p>"
                                   for name, values in found.conditions.items())
                 + draw_all(figures(found), directory)("")),
         section("Axes", _axes(found))],
