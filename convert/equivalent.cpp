@@ -29,11 +29,6 @@ const Words bound_words{{1, "a thin sheet instead of the half-space"},
                         {5, "normal contact by KPEC"},
                         {6, "normal contact by ANALYN"}};
 
-/// FASTSIM and FaStrip.
-bool is_simplified(const Digits& digits) {
-  return digits.M == 3 || digits.M == 5;
-}
-
 bool falls(const ContactCase& given) {
   return given.friction_law >= 2 && given.friction_law <= 4;
 }
@@ -225,6 +220,10 @@ void note_settings(const ContactCase& given, Equivalent& made) {
 }
 
 }  // namespace
+
+bool is_simplified(const Digits& digits) {
+  return digits.M == 3 || digits.M == 5;
+}
 
 bool rolls_backwards(const ContactCase& given) {
   return given.digits.T >= 2 && std::cos(given.rolling[0]) < 0.0;

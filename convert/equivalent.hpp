@@ -52,6 +52,9 @@ struct Equivalent {
 /// are relative; empty: the same folder.
 Equivalent equivalent_of(const ContactCase& given, const std::string& profile_folder);
 
+/// FASTSIM and FaStrip.
+bool is_simplified(const Digits& digits);
+
 /// Whether CHI turns the axes of module 3 by half a turn.
 bool rolls_backwards(const ContactCase& given);
 

@@ -189,8 +189,7 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   const Ellipse ellipse = ellipse_of(given, modulus);
   const double scale = potential.size[2];
   const double a = ellipse.hertz.semi_axis_x, b = ellipse.hertz.semi_axis_y;
-  const int M = given.digits.M;
-  const bool simplified = M == 3 || M == 5;
+  const bool simplified = is_simplified(given.digits);
   if (!simplified && given.digits.B == 2) {
     made.set("given_pressure", "semi_axis_x", a, "mm");
     made.set("given_pressure", "semi_axis_y", b, "mm");
@@ -203,7 +202,7 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   set_grid(given, area, sign, made);
   judge_resolution(ellipse.hertz, area.dx, area.dy, made);
   if (!simplified) return;
-  made.model = M == 5 ? "fastrip" : "fastsim";
+  made.model = given.digits.M == 5 ? "fastrip" : "fastsim";
   made.set_word("fastsim", "bound", given.digits.B == 3 ? "parabolic" : "elliptic");
   made.set_word("fastsim", "elements", "grid");
   made.set("fastsim", "strips", std::round(potential.my / scale), "MY / SCALE");

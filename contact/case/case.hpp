@@ -84,11 +84,6 @@ struct FrictionVariation {
   std::vector<double> inclination;       ///< rad, ascending, of the points, or
   std::vector<double> track_position;    ///< mm, ascending, of the points, or
   std::vector<double> lateral_position;  ///< y in mm, ascending, of the points; without profiles
-  const std::vector<double>& places() const {
-    return !track_position.empty()     ? track_position
-           : !lateral_position.empty() ? lateral_position
-                                       : inclination;
-  }
 };
 
 /// A layer between the bodies that gives way to shear alone.

@@ -105,8 +105,10 @@ bool FrictionNewton::follow_bounds(double scale) {
     const double part = lags ? follows_ : 1.0;
     const bool solved = lags ? iterate_briefly(scale, tolerance) : iterate(scale, tolerance);
     follows_ = 1.0;
-    if (!solved && !lags) steep_ = false;  // nothing that friction does
-    if (!solved && !lags) return false;
+    if (!solved && !lags) {
+      steep_ = false;  // nothing that friction does
+      return false;
+    }
     if (!solved && (point_->norm > coarse * scale || step < short_step)) {
       point_->traction = traction;
       point_->bound = held_;

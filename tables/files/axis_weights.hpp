@@ -23,6 +23,13 @@ void each_node(const AxisWeights& weights, const Visit& visit) {
       visit(static_cast<std::size_t>(weights.first + static_cast<int>(n)), weights.weight[n], n);
 }
 
+/// The two nodes around the place, of `count`: slots 1 and 2, if they exist.
+inline std::array<std::size_t, 2> around(const AxisWeights& axis, std::size_t count) {
+  if (count == 1) return {0, 0};
+  const auto lower = static_cast<std::size_t>(axis.first + 1);
+  return {lower, lower + 1};
+}
+
 /// Behaviour at 0: smooth, or with a jump of the second derivative, like a force that falls below
 /// its linear part by the square of the creepage for either sign. The slope at node 0 is then
 /// one-sided.

@@ -27,11 +27,11 @@ void refuse_shape(const std::string& what) {
 /// elsewhere; at a half it is not larger.
 constexpr double least_overlap = 0.25;
 
-bool positive(double value) {
+}  // namespace
+
+bool is_positive(double value) {
   return value > 0.0 && std::isfinite(value);
 }
-
-}  // namespace
 
 TablePlace CreepTable::node(std::size_t number) const {
   const std::size_t firsts = first_axis().size(), layer = number / firsts;
@@ -118,8 +118,7 @@ CreepTableReader::CreepTableReader(CreepTable table) : table_(std::move(table)) 
   if (!shifts && table_.axis_ratio.front() <= 0.0) refuse_shape("its ratios are not positive");
   check_conditions();
   if (table_.forces.size() != table_.size() || table_.bars.size() != table_.size() ||
-      table_.scale.size() !=
-          table_.pressed(shifts ? table_.loads() : 0, shifts ? 0 : table_.first_axis().size()))
+      table_.scale.size() != (shifts ? table_.loads() : 1) * table_.first_axis().size())
     refuse_shape("its forces do not fit its axes");
   if (shifts) check_wheels();
   find_stretches();
@@ -127,12 +126,13 @@ CreepTableReader::CreepTableReader(CreepTable table) : table_(std::move(table)) 
 
 void CreepTableReader::check_conditions() const {
   for (const std::vector<double>* axis : {&table_.load, &table_.speed})
-    if (!axis->empty() && (!increasing(*axis) || !positive(axis->front())))
+    if (!axis->empty() && (!increasing(*axis) || !is_positive(axis->front())))
       refuse_shape("its loads or speeds are not positive or do not increase");
-  if (table_.over_shifts() || table_.only_for.empty()) return;
-  if (table_.load.empty() || table_.mean_axis.size() != table_.axis_ratio.size())
+  const bool shifts = table_.over_shifts();
+  if (!shifts && table_.only_for.empty()) return;
+  if (!shifts && (table_.load.empty() || table_.mean_axis.size() != table_.axis_ratio.size()))
     refuse_shape("its ellipses have no load or no size");
-  if (!positive(table_.shear_modulus) || !positive(table_.friction_coefficient))
+  if (!is_positive(table_.shear_modulus) || !is_positive(table_.friction_coefficient))
     refuse_shape("it has no stiffness or no friction");
 }
 
@@ -176,15 +176,12 @@ void CreepTableReader::check_creepages() const {
 }
 
 void CreepTableReader::check_wheels() const {
-  if (table_.wheels.size() != table_.pressed(table_.loads(), 0) ||
-      table_.along_normal.size() != table_.size())
+  if (table_.wheels.size() != table_.scale.size() || table_.along_normal.size() != table_.size())
     refuse_shape("its wheels do not fit its lateral shifts");
   for (const TableWheel& wheel : table_.wheels)
-    if (!positive(wheel.semi_axis_x) || !positive(wheel.semi_axis_y) ||
-        !positive(wheel.normal_force))
+    if (!is_positive(wheel.semi_axis_x) || !is_positive(wheel.semi_axis_y) ||
+        !is_positive(wheel.normal_force))
       refuse_shape("a wheel has no contact");
-  if (!positive(table_.shear_modulus) || !positive(table_.friction_coefficient))
-    refuse_shape("it has no stiffness or no friction");
 }
 
 }  // namespace rollfem::tables

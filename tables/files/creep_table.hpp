@@ -139,6 +139,9 @@ struct CreepTable {
   std::size_t place(std::size_t first, std::size_t i, std::size_t j, std::size_t k) const;
 };
 
+/// Above 0 and finite.
+bool is_positive(double value);
+
 /// The coordinate of even axes and of interpolation: x up to 1, 1 + ln x beyond, odd.
 double table_coordinate(double scaled_creepage);
 double creepage_at(double coordinate);

@@ -166,7 +166,7 @@ void read_wheels(hid_t file, hid_t axes, CreepTable& table) {
   table.along_normal = numbers_of(file, "force_along_normal");
   const Handle group = open_group(file, "wheel");
   read_friction(group, table);
-  table.wheels.resize(table.pressed(table.loads(), 0));
+  table.wheels.resize(table.loads() * table.lateral_shift.size());
   for (const WheelColumn& entry : wheel_columns()) {
     const std::vector<double> values = numbers_of(group, entry.name);
     if (values.size() != table.wheels.size())

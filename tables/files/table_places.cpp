@@ -16,13 +16,6 @@ namespace {
 constexpr double let_pass = 1e-3;        // of ratio, load and speed, relative
 constexpr double shift_let_pass = 1e-9;  // mm
 
-/// The two nodes around the place: slots 1 and 2, if they exist.
-std::array<std::size_t, 2> around(const AxisWeights& axis, std::size_t count) {
-  if (count == 1) return {0, 0};
-  const auto lower = static_cast<std::size_t>(axis.first + 1);
-  return {lower, lower + 1};
-}
-
 }  // namespace
 
 double CreepTableReader::first_coordinate(double place) const {

@@ -74,10 +74,6 @@ void widen(TableForces& near, const TableForces& beyond) {
   near.moment_bar += std::abs(near.forces[2] - beyond.forces[2]);
 }
 
-bool above_zero(double value) {
-  return value > 0.0 && std::isfinite(value);
-}
-
 }  // namespace
 
 void CreepTableReader::refuse_other_kind(bool wanted_shifts) const {
@@ -170,8 +166,8 @@ TableForces CreepTableReader::physical(double semi_axis_x, double semi_axis_y, d
                                        double friction_bound, const Scaled& creepage,
                                        double speed) const {
   refuse_other_kind(false);
-  if (!above_zero(semi_axis_x) || !above_zero(semi_axis_y) || !above_zero(shear_modulus) ||
-      !above_zero(friction_bound))
+  if (!is_positive(semi_axis_x) || !is_positive(semi_axis_y) || !is_positive(shear_modulus) ||
+      !is_positive(friction_bound))
     throw contact::InputError(
         "table: semi-axes, shear modulus and mu F_n: allowed: positive numbers; do: check where "
         "they come from");
@@ -208,7 +204,7 @@ void CreepTableReader::refuse_other_bound(double given, double own) const {
 TableForces CreepTableReader::of_wheel(const TablePlace& place, double friction_bound,
                                        const Scaled& creepage) const {
   refuse_other_kind(true);
-  if (!above_zero(friction_bound))
+  if (!is_positive(friction_bound))
     throw contact::InputError(
         "table: mu F_n: allowed: a positive number; do: check where it comes from");
   const Place here = locate(place);

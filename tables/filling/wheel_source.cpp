@@ -67,8 +67,9 @@ class WheelSource : public TableSource {
     contact::ProgressEvent event;
     event.model = "table";
     event.stage = "contacts of the shifts";
-    event.points = static_cast<int>(table.pressed(table.loads(), 0));
-    for (std::size_t k = 0; k < table.pressed(table.loads(), 0); ++k) {
+    const std::size_t count = table.loads() * shifts_;
+    event.points = static_cast<int>(count);
+    for (std::size_t k = 0; k < count; ++k) {
       contact::report(progress, event);
       wheels_.push_back(pressed(
           {table.lateral_shift[k % shifts_], table.load.empty() ? 0.0 : table.load[k / shifts_]}));

@@ -45,9 +45,9 @@ class PressedWheel {
   const PressedState& state() const { return state_; }
 
   /// Forces by the model halfspace on the case's contact grid, with error bars, under any friction
-  /// law (not null). The creepages refer
-  /// to the main contact; the others follow from the rigid-body motion of the wheel. Displacements
-  /// of one contact by the tangential forces of another are neglected. Throws contact::SolveError.
+  /// law (not null). The creepages refer to the main contact; the others follow from the rigid-body
+  /// motion of the wheel. Displacements of one contact by the tangential forces of another are
+  /// neglected. Throws contact::SolveError.
   std::vector<FrictionForce> forces(const std::vector<contact::Creepage>& creepages,
                                     const contact::Friction& friction) const;
 

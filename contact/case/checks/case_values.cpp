@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -48,7 +49,14 @@ void check_friction(const GivenCase& given, const Case& input) {
 /// The places of friction that varies: as many as points, ascending.
 void check_friction_points(const GivenCase& given, const Case& input) {
   const FrictionVariation& over = input.friction_variation;
-  const std::vector<double>& places = over.places();
+  const std::pair<const char*, const std::vector<double>*> lists[] = {
+      {"track_position", &over.track_position},
+      {"lateral_position", &over.lateral_position},
+      {"inclination", &over.inclination}};
+  const auto& [name, list] = *std::find_if(lists, lists + 2, [](auto& one) {
+    return !one.second->empty();  // rivals: one is given at most
+  });
+  const std::vector<double>& places = *list;
   if (places.empty() && over.points.empty()) return;
   if (places.size() != over.points.size()) {
     for (const Key& key : case_keys()) {
@@ -67,9 +75,6 @@ void check_friction_points(const GivenCase& given, const Case& input) {
               "`inclination = [-1.2, -0.4, 0.0]` under [friction], or one number");
     }
   }
-  const char* name = !over.track_position.empty()     ? "track_position"
-                     : !over.lateral_position.empty() ? "lateral_position"
-                                                      : "inclination";
   if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end())
     fail_at(given, std::string("friction.") + name, *given.find("friction", name),
             "does not ascend", "places in ascending order, each once",
