@@ -2,7 +2,7 @@
 #include "capi/quick_patch.hpp"
 
 #include "contact/iteration/leading_edge.hpp"
-#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/elasticity/neighbours.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <algorithm>
@@ -116,14 +116,12 @@ bool QuickPatch::lay(double dx, double dy, double x_middle, double y_middle) {
     auto row = distance_.segment(grid_.index(0, j), grid_.nx);
     row = row.array() / carried_[k] + first_sinking();
   }
+  own_distance_ = distance_;
   return true;
 }
 
 halfspace::NormalBlock QuickPatch::block() const {
-  // y of the patch frame points to the field side on the left wheel, to the middle on the right.
-  const double outward = contact().place.left ? 1.0 : -1.0;
-  return {&table_, grid_, carried_.data(), contact().place.x_track, contact().place.way_across,
-          outward};
+  return {&table_, grid_, carried_.data(), &contact().place};
 }
 
 void QuickPatch::press(const double* forces) {
@@ -196,15 +194,16 @@ bool QuickPatch::respond(std::array<PatchSums, 3>& by_creepage) {
 }
 
 void QuickPatch::forget_neighbours() {
+  distance_ = own_distance_;
   slip_.x = own_slip_.x;
   slip_.y = own_slip_.y;
 }
 
-/// Adds the slip from the neighbour's tractions, lumped into one point load per block of elements.
-void QuickPatch::add_slip_of(const QuickPatch& neighbour,
-                             const contact::CombinedMaterial& material) {
+/// Lumps the neighbour's tractions into one point load per block of elements. Its pressure
+/// displaces this patch in the joint problem, its friction here.
+void QuickPatch::add_neighbour(const QuickPatch& neighbour,
+                               const contact::CombinedMaterial& material) {
   const ContactGrid& there = neighbour.grid_;
-  const halfspace::NormalBlock from = neighbour.block(), to = block();
   const double area = there.element_area();
   loads_.assign(loads_across * loads_across, {});
   for (const Eigen::Index k : neighbour.rolling_.grid_indices()) {
@@ -215,8 +214,8 @@ void QuickPatch::add_slip_of(const QuickPatch& neighbour,
     load.normal += normal;
     load.longitudinal += area * neighbour.traction_.x[k];
     load.lateral += area * neighbour.traction_.y[k];
-    load.x += normal * (there.x(i) + from.x_place - to.x_place);
-    load.y += normal * (there.y(j) + from.y_direction * (from.y_place - to.y_place));
+    load.x += normal * there.x(i);
+    load.y += normal * there.y(j);
   }
   loads_.erase(std::remove_if(loads_.begin(), loads_.end(),
                               [](const auto& load) { return !(load.normal > 0.0); }),
@@ -224,6 +223,7 @@ void QuickPatch::add_slip_of(const QuickPatch& neighbour,
   for (contact::NeighbourLoad& load : loads_) {
     load.x /= load.normal;
     load.y /= load.normal;
+    halfspace::place_beside(contact().place, neighbour.contact().place, load);
   }
   for (int j = 0; j < grid_.ny; ++j)
     for (int i = 0; i < grid_.nx; ++i) {
@@ -233,6 +233,11 @@ void QuickPatch::add_slip_of(const QuickPatch& neighbour,
       slip_.x[k] += slip[0];
       slip_.y[k] += slip[1];
     }
+  for (contact::NeighbourLoad& load : loads_) load.normal = 0.0;
+  const Field moved = halfspace::neighbour_displacement(loads_, material, grid_);
+  for (int j = 0; j < grid_.ny; ++j)
+    distance_.segment(grid_.index(0, j), grid_.nx) +=
+        moved.segment(grid_.index(0, j), grid_.nx) / carried_[static_cast<std::size_t>(j)];
 }
 
 double QuickPatch::load_of_friction() const {

@@ -83,9 +83,10 @@ class QuickPatch {
   /// with `anew`, from full adhesion; `keeps_weights`: keeps the weights at the leading edge. False
   /// if there are too many elements.
   bool rub(const contact::Friction& friction, bool anew, bool keeps_weights);
-  /// Slip on this patch caused by the tractions of other patches.
+  /// Slip on this patch caused by the tractions of other patches, and its displacement along the
+  /// load by their friction.
   void forget_neighbours();
-  void add_slip_of(const QuickPatch& neighbour, const contact::CombinedMaterial& material);
+  void add_neighbour(const QuickPatch& neighbour, const contact::CombinedMaterial& material);
   /// Part of the load carried by the lateral tractions, N.
   double load_of_friction() const;
   void scale(double factor);
@@ -128,7 +129,7 @@ class QuickPatch {
   /// components along the load of unit pressure and unit lateral traction.
   std::vector<double> place_, climb_, cosine_, carried_, of_lateral_;
   contact::PatchSize size_;
-  contact::Field distance_, pressure_, weights_;
+  contact::Field own_distance_, distance_, pressure_, weights_;
   contact::TangentialField own_slip_, slip_, traction_, change_;
   Eigen::VectorXd slip_change_, traction_change_;  ///< on the elements in contact
   std::vector<contact::NeighbourLoad> loads_;

@@ -38,7 +38,7 @@ constexpr double pressure_tolerance_of_steps = 1e-7;
 
 QuickWheel::QuickWheel(const halfspace::InfluenceTables& tables, bool any,
                        const contact::CombinedMaterial& material)
-    : any_(any), material_(material), normal_(material.contact_modulus) {
+    : any_(any), material_(material), normal_(material) {
   for (std::size_t k = 0; k < most_patches; ++k)
     all_.push_back(std::make_unique<QuickPatch>(tables, material));
 }
@@ -188,10 +188,14 @@ void QuickWheel::set_problem() {
   }
   normal_.set(blocks_);
   joint_->distance.resize(size);
-  size = 0;
+  set_distances();
+}
+
+void QuickWheel::set_distances() {
+  Eigen::Index first = 0;
   for (const QuickPatch* patch : loaded_) {
-    joint_->distance.segment(size, patch->distance().size()) = patch->distance();
-    size += patch->distance().size();
+    joint_->distance.segment(first, patch->distance().size()) = patch->distance();
+    first += patch->distance().size();
   }
 }
 
@@ -215,12 +219,14 @@ void QuickWheel::press(double force, double tolerance, bool anew) {
 }
 
 bool QuickWheel::rub(const QuickLoad& load, int turn) {
-  if (loaded_.size() > 1 && turn > 0 && load.friction)
+  if (loaded_.size() > 1 && turn > 0 && load.friction) {
     for (QuickPatch* patch : loaded_) {
       patch->forget_neighbours();
       for (const QuickPatch* other : loaded_)
-        if (other != patch) patch->add_slip_of(*other, material_);
+        if (other != patch) patch->add_neighbour(*other, material_);
     }
+    set_distances();
+  }
   return std::all_of(loaded_.begin(), loaded_.end(), [&](QuickPatch* patch) {
     return patch->rub(load.friction, turn == 0, turn >= turns_until_kept);
   });
@@ -232,8 +238,9 @@ QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share)
   const double expected = share;
   contact::PositiveFixedPoint sharing;
   for (int turn = 0; turn < most_turns; ++turn) {
-    // At a given sinking, friction does not change the pressures.
-    if (turn == 0 || !given_sinking_) press(share, pressure_tolerance, turn == 0);
+    // At a given sinking, friction changes only the pressures of other contacts.
+    if (turn == 0 || !given_sinking_ || loaded_.size() > 1)
+      press(share, pressure_tolerance, turn == 0);
     if (!every([](const QuickPatch& patch) {
           return patch.has_pressure() && !patch.touches_border();
         }))

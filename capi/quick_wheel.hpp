@@ -72,6 +72,7 @@ class QuickWheel {
   bool take_reached();
   void drop_unloaded();
   void set_problem();
+  void set_distances();
   void press(double force, double tolerance, bool anew);
   bool sums_at(double sinking, const QuickLoad& load, std::vector<PatchSums>& sums);
   bool lay_on_patches();

@@ -23,6 +23,7 @@ CombinedMaterial combine(const Material& wheel, const Material& rail) {
       combined.shear_modulus * ((1.0 - 2.0 * nu1) / g1 - (1.0 - 2.0 * nu2) / g2) / 4.0;
   combined.contact_modulus =
       1.0 / ((1.0 - nu1 * nu1) / wheel.young_modulus + (1.0 - nu2 * nu2) / rail.young_modulus);
+  combined.wheel_share = 0.5 * combined.shear_modulus / g1;
   return combined;
 }
 

@@ -27,12 +27,15 @@ struct CombinedMaterial {
   double difference = 0.0;       ///< K, K/G = ((1-2nu1)/G1 - (1-2nu2)/G2)/4; 0 for like materials
   double contact_modulus = 0.0;  ///< E* in MPa, 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
   double layer = 0.0;            ///< h/G of a layer between the bodies in shear, mm/MPa
+  double wheel_share = 0.5;      ///< the wheel's part of 1/G: 1/G1 over 1/G1 + 1/G2
 
   /// Whether normal and tangential contact are coupled: K exceeds rounding.
   bool couples() const { return difference > 1e-12 || difference < -1e-12; }
   /// The same without that coupling.
   CombinedMaterial uncoupled() const {
-    return {shear_modulus, poisson_ratio, 0.0, contact_modulus, layer};
+    CombinedMaterial other = *this;
+    other.difference = 0.0;
+    return other;
   }
 };
 

@@ -142,6 +142,12 @@ double PatchGeometry::tilt() const {
   return std::atan2(axle_.direction[2], axle_.direction[1]);
 }
 
+double turn_between(const ContactPlace& a, const ContactPlace& b) {
+  // Towards the middle of the track a convex rail falls ever more steeply.
+  const double turn = b.contact_angle - a.contact_angle;
+  return b.way_across < a.way_across ? turn : -turn;
+}
+
 double rail_inclination(const PatchGeometry& patch, const ContactPlace& place, double y) {
   // y points to the field on the left and to the middle on the right.
   const double rise = std::atan(patch.rail().at(y).slope);

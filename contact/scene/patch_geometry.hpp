@@ -126,9 +126,16 @@ struct ContactPlace {
   double way_across = 0.0;
   double separation = 0.0;      ///< mm, distance at first contact (0: touches; > 0: near miss)
   double vertical_force = 0.0;  ///< N, of this patch with friction, 0: unknown
+  /// Direction of the patch frame's y along way_across: to the field side on the left wheel, to the
+  /// middle on the right.
+  double outward() const { return left ? 1.0 : -1.0; }
   /// "left, position 3, patch 1 of 2"; empty parts left out.
   std::string label() const;
 };
+
+/// Angle between the planes of two contacts of a wheel, rad: positive where the rail is convex and
+/// the wheel concave between them.
+double turn_between(const ContactPlace& a, const ContactPlace& b);
 
 /// Inclination of the rail's surface at y of the patch frame against the track plane, rad: negative
 /// where it falls towards the middle of the track (gauge face), on either side; at the reference

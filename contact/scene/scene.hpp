@@ -41,11 +41,12 @@ struct LoadPoint {
   double step_length = 0.0;         ///< mm rolled in this step, Problem::transient
 };
 
-/// A point load of another contact of the same wheel, acting on the wheel, at its position on the
-/// grid of this contact: the surface of both is rolled out flat.
+/// A point load of another contact of the same wheel, acting on the wheel along the axes of that
+/// contact, at its position on the grid of this contact: the surface of both is rolled out flat.
 struct NeighbourLoad {
   double x = 0.0, y = 0.0;                                 ///< mm
   double longitudinal = 0.0, lateral = 0.0, normal = 0.0;  ///< N
+  double turn = 0.0;  ///< rad between the contacts' planes (turn_between)
 };
 
 /// Properties of a body besides its surface.

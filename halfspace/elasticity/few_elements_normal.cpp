@@ -2,6 +2,7 @@
 #include "halfspace/elasticity/few_elements_normal.hpp"
 
 #include "contact/base/pi.hpp"
+#include "halfspace/elasticity/neighbours.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,14 +39,15 @@ struct Place {
   double x, y;
 };
 
-/// Position on the rolled-out common surface.
+/// Position on the rolled-out common surface, outward.
 Place place_of(const NormalBlock& block, int a, int b) {
   const ContactGrid& grid = block.grid;
   const auto elements_to = [](int point, int elements) {
     return static_cast<double>(point) * (elements - 1) / (points_over(elements) - 1);
   };
-  return {block.x_place + grid.x_first + elements_to(a, grid.nx) * grid.dx,
-          block.y_place + block.y_direction * (grid.y_first + elements_to(b, grid.ny) * grid.dy)};
+  const contact::ContactPlace& place = *block.place;
+  return {place.x_track + grid.x_first + elements_to(a, grid.nx) * grid.dx,
+          place.way_across + place.outward() * (grid.y_first + elements_to(b, grid.ny) * grid.dy)};
 }
 
 }  // namespace
@@ -64,7 +66,10 @@ void FewElementsNormal::set_influence(std::size_t to, std::size_t from) {
   const NormalBlock &here = blocks_[to], &there = blocks_[from];
   std::vector<double>& between = influences_[pair_of(to, from)];
   between.clear();
-  const double factor = 1.0 / (contact::pi * modulus_);
+  const double factor = 1.0 / (contact::pi * material_.shear_modulus);
+  const CornerChange::Term corner =
+      corner_change(contact::turn_between(*here.place, *there.place), material_).nn;
+  const double at_edge = material_.shear_modulus / material_.contact_modulus + corner.a;
   for (int b = 0; b < points_over(here.grid.ny); ++b)
     for (int a = 0; a < points_over(here.grid.nx); ++a) {
       const Place at = place_of(here, a, b);
@@ -74,7 +79,8 @@ void FewElementsNormal::set_influence(std::size_t to, std::size_t from) {
           // Grids may overlap where neither has pressure.
           const double least = 0.25 * (there.grid.dx + there.grid.dy);
           const double x = at.x - load.x, y = at.y - load.y;
-          between.push_back(factor / std::max(least, std::sqrt(x * x + y * y)));
+          const double rho = std::max(least, std::sqrt(x * x + y * y));
+          between.push_back(factor * (at_edge + corner.b * x * x / (rho * rho)) / rho);
         }
     }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/scene/patch_geometry.hpp"
 #include "halfspace/elasticity/influence_tables.hpp"
 
 #include <vector>
@@ -15,19 +16,16 @@ struct NormalBlock {
   contact::ContactGrid grid;
   /// Per row of the grid: component of a pressure along the load.
   const double* carried = nullptr;
-  /// Position of x = y = 0 of the grid on the rolled-out common surface, mm.
-  double x_place = 0.0, y_place = 0.0;
-  double y_direction = 1.0;  ///< direction of the grid's y on that surface, 1 or -1
+  const contact::ContactPlace* place = nullptr;  ///< needed beside other blocks
 };
 
 /// For contact::BoundConstrainedCg: displacements along the load, mm, under the forces of the
-/// elements along it, N. Fields hold one patch after the other. Patches displace each other as
-/// point loads on the half-space (neighbour_displacement) from points at every other element,
-/// between which forces and displacements are linear.
+/// elements along it, N. Fields hold one patch after the other. Patches displace each other by
+/// their normal forces (neighbours.hpp) from points at every other element, between which forces
+/// and displacements are linear.
 class FewElementsNormal {
  public:
-  /// `modulus`: contact modulus, MPa.
-  explicit FewElementsNormal(double modulus) : modulus_(modulus) {}
+  explicit FewElementsNormal(const contact::CombinedMaterial& material) : material_(material) {}
 
   /// Objects referenced by the blocks must outlive this object.
   void set(const std::vector<NormalBlock>& blocks);
@@ -44,7 +42,7 @@ class FewElementsNormal {
                      double* displacement);
   std::size_t pair_of(std::size_t to, std::size_t from) const { return to * blocks_.size() + from; }
 
-  double modulus_;
+  contact::CombinedMaterial material_;
   std::vector<NormalBlock> blocks_;
   std::vector<std::vector<double>> influences_;  ///< per pair of blocks, mm/N between their points
   // Memory of apply().

@@ -6,9 +6,6 @@
 
 #include "contact/base/material.hpp"
 #include "contact/scene/geometry.hpp"
-#include "contact/scene/scene.hpp"
-
-#include <array>
 
 namespace rollfem::halfspace {
 
@@ -41,27 +38,5 @@ Influence line_influence(double x, double dx, double reference,
 /// Effect of an element of the grid on the element i columns and j rows farther.
 Influence element_influence(const contact::ContactGrid& grid, int i, int j,
                             const contact::CombinedMaterial& material);
-
-// Displacements under a contact due to loads beside it: the other contacts of its
-// wheel, as point loads on the half-space to which the surface of both is unrolled
-// (Boussinesq, Cerruti; Johnson 1985, 3.2 and 3.6).
-
-/// Normal displacement difference (wheel minus rail, mm) at (x, y): an extra distance.
-double neighbour_displacement(const std::vector<contact::NeighbourLoad>& loads,
-                              const contact::CombinedMaterial& material, double x, double y);
-
-/// The same at the element centres; empty without loads.
-contact::Field neighbour_displacement(const std::vector<contact::NeighbourLoad>& loads,
-                                      const contact::CombinedMaterial& material,
-                                      const contact::ContactGrid& grid);
-
-/// Slip of steady rolling by the tangential loads, along x and y: -du/dx at (x, y).
-std::array<double, 2> neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
-                                     const contact::CombinedMaterial& material, double x, double y);
-
-/// The same at the element centres; empty without loads.
-contact::TangentialField neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
-                                        const contact::CombinedMaterial& material,
-                                        const contact::ContactGrid& grid);
 
 }  // namespace rollfem::halfspace

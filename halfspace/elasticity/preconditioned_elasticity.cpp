@@ -3,7 +3,7 @@
 
 #include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
-#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/elasticity/neighbours.hpp"
 
 #include <cmath>
 #include <utility>

@@ -6,7 +6,7 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/correction_scene.hpp"

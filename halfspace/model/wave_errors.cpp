@@ -6,7 +6,7 @@
 #include "contact/iteration/normal.hpp"
 #include "contact/result/patch_size.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
-#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/elasticity/neighbours.hpp"
 
 #include <fmt/format.h>
 

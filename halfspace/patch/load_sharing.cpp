@@ -8,7 +8,7 @@
 #include "contact/result/result.hpp"
 #include "contact/solve/standin.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/influence.hpp"
+#include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/ridge.hpp"
 
@@ -49,10 +49,9 @@ struct Patch {
   double separation;
   Ridge ridge;
   double touch;  ///< mm, least distance at first touch: the patch's zero of the approach
+  FrictionRatio friction{};
 
   double approach_at(double sinking) const { return touch + sinking * up[1] - separation; }
-  /// y of a patch frame points to the field on the left wheel, to the middle on the right.
-  double outward() const { return scene.place->left ? 1.0 : -1.0; }
 };
 
 Patch patch_of(const Scene& scene) {
@@ -68,12 +67,14 @@ Patch patch_of(const Scene& scene) {
   const double touch =
       at_touch ? ridge.least_distance()
                : Ridge(profiles.under_load(0.0, {0.0, 1.0}, {0.0, 1.0})).least_distance();
-  return {scene, {sine, std::cos(angle)}, scene.place->separation, std::move(ridge), touch};
+  return {scene, {sine, std::cos(angle)}, scene.place->separation, std::move(ridge), touch, {}};
 }
 
-std::vector<Patch> patches_of(const std::vector<Scene>& scenes) {
+std::vector<Patch> patches_of(const std::vector<Scene>& scenes,
+                              const std::vector<FrictionRatio>& friction) {
   std::vector<Patch> patches;
   for (const Scene& scene : scenes) patches.push_back(patch_of(scene));
+  for (std::size_t i = 0; i < friction.size(); ++i) patches[i].friction = friction[i];
   return patches;
 }
 
@@ -250,8 +251,9 @@ class SinkingWheel {
     const contact::ContactPlace& there = *patches_[j].scene.place;
     std::vector<NeighbourLoad> loads = laws_[j].point_loads();
     for (NeighbourLoad& load : loads) {
-      load.x += there.x_track - here.x_track;
-      load.y += patches_[i].outward() * (there.way_across - here.way_across);
+      place_beside(here, there, load);
+      load.longitudinal = patches_[j].friction[0] * load.normal;
+      load.lateral = patches_[j].friction[1] * load.normal;
     }
     return loads;
   }
@@ -262,13 +264,14 @@ class SinkingWheel {
 
 }  // namespace
 
-SharedLoad share_load(const std::vector<Scene>& scenes, double vertical_force) {
+SharedLoad share_load(const std::vector<Scene>& scenes, double vertical_force,
+                      const std::vector<FrictionRatio>& friction) {
   if (scenes.empty() || !(vertical_force > 0.0))
     throw contact::InputError(fmt::format(
         "sharing of the load between patches: {} patches and a vertical force of {} N; allowed: at "
         "least one patch and a force above 0",
         scenes.size(), vertical_force));
-  const std::vector<Patch> patches = patches_of(scenes);
+  const std::vector<Patch> patches = patches_of(scenes, friction);
   double first_touch = deepest_sinking;
   for (const Patch& patch : patches)
     first_touch = std::min(first_touch, patch.separation / patch.up[1]);
@@ -293,7 +296,7 @@ SharedLoad share_load(const std::vector<Scene>& scenes, double vertical_force) {
 }
 
 SharedLoad load_at(const std::vector<Scene>& scenes, double sinking) {
-  const std::vector<Patch> patches = patches_of(scenes);
+  const std::vector<Patch> patches = patches_of(scenes, {});
   SinkingWheel wheel(patches, sinking);
   wheel.sink(sinking);
   return {sinking, wheel.shares()};

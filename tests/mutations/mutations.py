@@ -204,9 +204,9 @@ MUTATIONS = [
              "laws_[i].normal_force() * patches_[i].up[1];", "laws_[i].normal_force();",
              "patches share the sum of their normal forces, not the vertical force",
              ("unit_load_sharing", "verification_joined_patches")),
-    Mutation("load_beside", "halfspace/elasticity/influence.cpp",
-             "return sum / (contact::pi * material.contact_modulus);",
-             "return 0.5 * sum / (contact::pi * material.contact_modulus);",
+    Mutation("load_beside", "halfspace/elasticity/neighbours.cpp",
+             "return ((flat + at(corner.nn)) * load.normal +",
+             "return (0.5 * (flat + at(corner.nn)) * load.normal +",
              "contacts of other planes displace each other by half of it",
              ("unit_loads_beside", "verification_joined_patches")),
     # meshes/

@@ -33,7 +33,7 @@ void exchange(Record& record, contact::Scene& scene) {
   record.value(neighbours);
   if (record.reading()) scene.neighbour_loads.assign(neighbours, {});
   for (contact::NeighbourLoad& load : scene.neighbour_loads)
-    record.values(load.x, load.y, load.longitudinal, load.lateral, load.normal);
+    record.values(load.x, load.y, load.longitudinal, load.lateral, load.normal, load.turn);
   for (contact::LoadPoint& point : scene.points) exchange(record, point);
 }
 

@@ -153,16 +153,11 @@ class Position {
       std::vector<contact::NeighbourLoad>& all = wheel.patches[i].placed.scene.neighbour_loads;
       all.clear();
       for (std::size_t k = 0; k < shared.size(); ++k)
-        for (std::size_t j = 0; j < wheel.patches.size(); ++j) {
-          const auto& force = wheel.patches[j].force;
-          const bool known = k < force.size() && force[k].normal > 0.0;
+        for (std::size_t j = 0; j < wheel.patches.size(); ++j)
           for (contact::NeighbourLoad load : shared[k].shares[i].neighbour_loads[j]) {
-            load.normal *= part;
-            load.longitudinal = known ? force[k].longitudinal / force[k].normal * load.normal : 0.0;
-            load.lateral = known ? force[k].lateral / force[k].normal * load.normal : 0.0;
+            for (double* force : {&load.normal, &load.longitudinal, &load.lateral}) *force *= part;
             all.push_back(load);
           }
-        }
     }
   }
 
@@ -175,6 +170,18 @@ class Position {
     const double sinking =
         (*approach + first.place->separation) / std::cos(first.place->contact_angle);
     set_beside(wheel, {halfspace::load_at(scenes_of(wheel), sinking)});
+  }
+
+  /// At load point k; zero where the forces are not known yet.
+  static std::vector<halfspace::FrictionRatio> friction_of(const Wheel& wheel, std::size_t k) {
+    std::vector<halfspace::FrictionRatio> ratios;
+    for (const Patch& patch : wheel.patches) {
+      ratios.emplace_back();
+      if (k < patch.force.size() && patch.force[k].normal > 0.0)
+        ratios.back() = {patch.force[k].longitudinal / patch.force[k].normal,
+                         patch.force[k].lateral / patch.force[k].normal};
+    }
+    return ratios;
   }
 
   static std::vector<contact::Scene> scenes_of(const Wheel& wheel) {
@@ -237,10 +244,12 @@ class Position {
     };
     // Geometry and elasticity determine the sharing; friction changes the force to be shared.
     const std::vector<contact::Scene> scenes = scenes_of(wheel);
+    const auto friction =
+        k != nullptr ? friction_of(wheel, *k) : std::vector<halfspace::FrictionRatio>{};
     double to_share = load;
     constexpr int most_steps = 50;
     for (int step = 0; step < most_steps; ++step) {
-      halfspace::SharedLoad shared = halfspace::share_load(scenes, to_share);
+      halfspace::SharedLoad shared = halfspace::share_load(scenes, to_share, friction);
       const double sum = carried(shared);
       if (!(sum > 0.0)) refuse_lift(wheel);
       if (std::abs(sum - load) < 0.1 * load_tolerance * load) return shared;

@@ -11,6 +11,7 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/few_elements_normal.hpp"
 #include "halfspace/elasticity/influence.hpp"
+#include "halfspace/elasticity/neighbours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +61,7 @@ Field pressure_of(const Case& of) {
   contact::NormalOptions options;
   options.tolerance = 1e-10;
   const std::vector<double> carried(n, 1.0);
-  halfspace::FewElementsNormal normal(contact::combine({}, {}).contact_modulus);
+  halfspace::FewElementsNormal normal(contact::combine({}, {}));
   normal.set({{&of.table, of.grid, carried.data()}});
   quick.solve_sum(normal, of.distance, of.force, options, {});
   return quick.pressure() / of.grid.element_area();
@@ -139,14 +140,15 @@ TEST(FewElements, TractionsWithALayerAreThoseOfTheHalfSpace) {
 /// Of elements of `patch` under the point loads of elements that `force` puts on `loaded`, between
 /// surfaces whose pressures carry `carried` of themselves along the load.
 Field displacement_by(const Case& patch, const Case& loaded, const Field& force, double carried,
-                      double y_place) {
+                      const contact::ContactPlace& here, const contact::ContactPlace& there) {
   std::vector<contact::NeighbourLoad> loads;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       contact::NeighbourLoad load;
       load.x = loaded.grid.x(i);
-      load.y = loaded.grid.y(j) + y_place;
+      load.y = loaded.grid.y(j);
       load.normal = force[loaded.grid.index(i, j)] / carried;
+      halfspace::place_beside(here, there, load);
       loads.push_back(load);
     }
   return halfspace::neighbour_displacement(loads, contact::combine({}, {}), patch.grid) / carried;
@@ -154,16 +156,20 @@ Field displacement_by(const Case& patch, const Case& loaded, const Field& force,
 
 TEST(FewElements, PatchesDisplaceEachOtherAsPointLoadsDo) {
   const Case tread(1.0, 12.0, 12.0), flange(0.1, 30.0, 3.0);
-  const double carried = 0.8, between = 22.0;
+  const double carried = 0.8;
+  contact::ContactPlace on_tread, on_flange;
+  on_flange.way_across = -22.0;
+  on_flange.contact_angle = 1.1;
   const std::vector<double> parts(n, carried);
-  halfspace::FewElementsNormal normal(contact::combine({}, {}).contact_modulus);
-  normal.set({{&tread.table, tread.grid, parts.data()},
-              {&flange.table, flange.grid, parts.data(), 0.0, between}});
+  halfspace::FewElementsNormal normal(contact::combine({}, {}));
+  normal.set({{&tread.table, tread.grid, parts.data(), &on_tread},
+              {&flange.table, flange.grid, parts.data(), &on_flange}});
   const Field pressed = pressure_of(tread);
   Field forces = Field::Zero(2 * n * n), gap;
   forces.tail(n * n) = pressure_of(flange) * flange.grid.element_area();
   normal.apply(forces, gap);
-  const Field exact = displacement_by(tread, flange, forces.tail(n * n), carried, between);
+  const Field exact =
+      displacement_by(tread, flange, forces.tail(n * n), carried, on_tread, on_flange);
   EXPECT_LT(largest_difference(gap.head(n * n), exact), 0.01 * exact.maxCoeff());
   // What one does to the other under a load, the other does to the one.
   Field others = Field::Zero(2 * n * n), back;
