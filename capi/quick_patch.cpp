@@ -96,7 +96,7 @@ bool QuickPatch::lay_on_patch() {
   if (!(dx > 0.0 && dy > 0.0)) return false;
   if (!lay(dx, dy, 0.5 * (patch.x_lower + patch.x_upper), 0.5 * (patch.y_lower + patch.y_upper)))
     return false;
-  own_slip_ = geometry_->rigid_slip(given_->creepage, grid_);
+  geometry_->rigid_slip(given_->creepage, grid_, own_slip_);
   slip_ = own_slip_;
   return true;
 }
@@ -225,19 +225,13 @@ void QuickPatch::add_neighbour(const QuickPatch& neighbour,
     load.y /= load.normal;
     halfspace::place_beside(contact().place, neighbour.contact().place, load);
   }
-  for (int j = 0; j < grid_.ny; ++j)
-    for (int i = 0; i < grid_.nx; ++i) {
-      const int k = grid_.index(i, j);
-      if (!(pressure_[k] > 0.0)) continue;
-      const auto slip = halfspace::neighbour_slip(loads_, material, grid_.x(i), grid_.y(j));
-      slip_.x[k] += slip[0];
-      slip_.y[k] += slip[1];
-    }
+  halfspace::add_slip(loads_, material, grid_, slip_);
   for (contact::NeighbourLoad& load : loads_) load.normal = 0.0;
-  const Field moved = halfspace::neighbour_displacement(loads_, material, grid_);
+  moved_.setZero(grid_.size());
+  halfspace::add_displacement(loads_, material, grid_, moved_);
   for (int j = 0; j < grid_.ny; ++j)
     distance_.segment(grid_.index(0, j), grid_.nx) +=
-        moved.segment(grid_.index(0, j), grid_.nx) / carried_[static_cast<std::size_t>(j)];
+        moved_.segment(grid_.index(0, j), grid_.nx) / carried_[static_cast<std::size_t>(j)];
 }
 
 double QuickPatch::load_of_friction() const {

@@ -129,7 +129,7 @@ class QuickPatch {
   /// components along the load of unit pressure and unit lateral traction.
   std::vector<double> place_, climb_, cosine_, carried_, of_lateral_;
   contact::PatchSize size_;
-  contact::Field own_distance_, distance_, pressure_, weights_;
+  contact::Field own_distance_, moved_, distance_, pressure_, weights_;
   contact::TangentialField own_slip_, slip_, traction_, change_;
   Eigen::VectorXd slip_change_, traction_change_;  ///< on the elements in contact
   std::vector<contact::NeighbourLoad> loads_;

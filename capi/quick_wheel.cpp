@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::capi {
 
@@ -74,7 +75,7 @@ QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contact
     if (!lay_on_patches()) return QuickOutcome::unfit;
     set_problem();
     const Sharing sharing = share_load(load, pressed);
-    if (sharing == Sharing::outgrows) {
+    if (sharing == Sharing::leaves_grid) {
       constexpr double somewhat = 1.1;
       grow_boxes(given_sinking_ ? somewhat : std::cbrt(pressed / found_for));
       continue;
@@ -218,15 +219,18 @@ void QuickWheel::press(double force, double tolerance, bool anew) {
   }
 }
 
-bool QuickWheel::rub(const QuickLoad& load, int turn) {
-  if (loaded_.size() > 1 && turn > 0 && load.friction) {
-    for (QuickPatch* patch : loaded_) {
-      patch->forget_neighbours();
-      for (const QuickPatch* other : loaded_)
-        if (other != patch) patch->add_neighbour(*other, material_);
-    }
-    set_distances();
+/// Displacement and slip of every patch by the present tractions of the others.
+void QuickWheel::feel_neighbours(const QuickLoad& load) {
+  if (loaded_.size() == 1 || !load.friction) return;
+  for (QuickPatch* patch : loaded_) {
+    patch->forget_neighbours();
+    for (const QuickPatch* other : loaded_)
+      if (other != patch) patch->add_neighbour(*other, material_);
   }
+  set_distances();
+}
+
+bool QuickWheel::rub(const QuickLoad& load, int turn) {
   return std::all_of(loaded_.begin(), loaded_.end(), [&](QuickPatch* patch) {
     return patch->rub(load.friction, turn == 0, turn >= turns_until_kept);
   });
@@ -236,19 +240,25 @@ bool QuickWheel::rub(const QuickLoad& load, int turn) {
 /// part of the load carried by pressure, updated to the computed part.
 QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share) {
   const double expected = share;
+  double carried = 0.0;
   contact::PositiveFixedPoint sharing;
   for (int turn = 0; turn < most_turns; ++turn) {
+    if (turn > 0) feel_neighbours(load);
     // At a given sinking, friction changes only the pressures of other contacts.
     if (turn == 0 || !given_sinking_ || loaded_.size() > 1)
       press(share, pressure_tolerance, turn == 0);
     if (!every([](const QuickPatch& patch) {
           return patch.has_pressure() && !patch.touches_border();
         }))
-      return Sharing::outgrows;
+      return Sharing::leaves_grid;
     if (!rub(load, turn)) return Sharing::fails;
     const bool settled = loaded_.size() == 1 || turn + 1 >= fewest_turns_of_several;
-    if (given_sinking_ && settled) return Sharing::done;
-    if (given_sinking_) continue;
+    if (given_sinking_) {
+      const double before = std::exchange(carried, joint_->solver.pressure().sum());
+      if (loaded_.size() == 1 || (settled && std::abs(carried - before) <= shared_to * carried))
+        return Sharing::done;
+      continue;
+    }
     double of_friction = 0.0;
     for (const QuickPatch* patch : loaded_) of_friction += patch->load_of_friction();
     const double image = load.force - of_friction;
@@ -260,7 +270,8 @@ QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share)
     const double in_proportion = load.force * share / (share + of_friction);
     share = turn == 0 && in_proportion > 0.0 ? in_proportion : sharing.next(share, image);
     constexpr double within_grid = 1.25;
-    if (share > within_grid * expected) return Sharing::outgrows;
+    if (share > within_grid * expected || share * within_grid < expected)
+      return Sharing::leaves_grid;
   }
   return Sharing::fails;
 }
@@ -268,6 +279,7 @@ QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share)
 /// Resultants of every patch at another sinking, starting from the present solution.
 bool QuickWheel::sums_at(double sinking, const QuickLoad& load, std::vector<PatchSums>& sums) {
   given_sinking_ = sinking;
+  feel_neighbours(load);
   press(0.0, pressure_tolerance_of_steps, false);
   if (!every([](const QuickPatch& patch) {
         return patch.has_pressure() && !patch.touches_border();

@@ -64,7 +64,7 @@ class QuickWheel {
     contact::Field distance;
   };
 
-  enum class Sharing { done, outgrows, fails };
+  enum class Sharing { done, leaves_grid, fails };
 
   QuickOutcome solve_or_throw(const std::vector<QuickContact>& contacts, const QuickLoad& load);
   bool find_patches(double force);
@@ -80,6 +80,7 @@ class QuickWheel {
   void grow_boxes(double factor);
   template <class Good>
   bool every(Good&& good) const;
+  void feel_neighbours(const QuickLoad& load);
   bool rub(const QuickLoad& load, int turn);
   void check(const QuickLoad& load);
 

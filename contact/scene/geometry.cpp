@@ -191,6 +191,13 @@ void ChartedGeometry::undeformed_distance(const ContactGrid& grid, Field& distan
 
 TangentialField ChartedGeometry::rigid_slip(const Creepage& creepage,
                                             const ContactGrid& grid) const {
+  TangentialField slip;
+  rigid_slip(creepage, grid, slip);
+  return slip;
+}
+
+void ChartedGeometry::rigid_slip(const Creepage& creepage, const ContactGrid& grid,
+                                 TangentialField& slip) const {
   const ContactSurface& surface = geometry_.surface;
   const bool from_surface = geometry_.extra_slip == ExtraSlip::automatic;
   const double radius = surface.rolling_radius;
@@ -198,7 +205,8 @@ TangentialField ChartedGeometry::rigid_slip(const Creepage& creepage,
       from_surface && std::isfinite(radius) ? (1.0 - creepage.longitudinal) / radius : 0.0;
   const Vector3 e = axle_of(surface);
   const double beyond = creepage.spin - turning * e[2];
-  TangentialField slip{Field(grid.size()), Field(grid.size())};
+  slip.x.resize(grid.size());
+  slip.y.resize(grid.size());
   for (int j = 0; j < grid.ny; ++j) {
     const double y = lateral_place(grid.y(j));
     const double rise = climb(grid.y(j));
@@ -219,7 +227,6 @@ TangentialField ChartedGeometry::rigid_slip(const Creepage& creepage,
     slip.x += sample_lattice(values, 0, grid, "rolling.extra_slip_file");
     slip.y += sample_lattice(values, 1, grid, "rolling.extra_slip_file");
   }
-  return slip;
 }
 
 TangentialField ChartedGeometry::extra_slip(const Creepage& creepage,

@@ -89,6 +89,8 @@ class ChartedGeometry {
   /// A flat wheel leaves (xi - phi y, eta + phi x). ExtraSlip::none uses this for any surface,
   /// ExtraSlip::file adds the file's values to it. Throws as undeformed_distance.
   TangentialField rigid_slip(const Creepage& creepage, const ContactGrid& grid) const;
+  /// The same into an existing field.
+  void rigid_slip(const Creepage& creepage, const ContactGrid& grid, TangentialField& slip) const;
 
   /// rigid_slip less (xi - phi y, eta + phi x), with y of the grid.
   TangentialField extra_slip(const Creepage& creepage, const ContactGrid& grid) const;

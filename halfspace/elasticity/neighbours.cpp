@@ -4,6 +4,7 @@
 #include "contact/base/pi.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rollfem::halfspace {
@@ -113,54 +114,48 @@ void place_beside(const contact::ContactPlace& here, const contact::ContactPlace
   load.turn = contact::turn_between(here, there);
 }
 
-double neighbour_displacement(const std::vector<NeighbourLoad>& loads,
-                              const CombinedMaterial& material, double x, double y) {
+void add_displacement(const std::vector<NeighbourLoad>& loads, const CombinedMaterial& material,
+                      const ContactGrid& grid, Field& displacement) {
   const double flat = material.shear_modulus / material.contact_modulus;
-  double sum = 0.0;
-  for (const NeighbourLoad& load : loads)
-    sum +=
-        displacement_under(load, corner_change(load.turn, material), flat, x - load.x, y - load.y);
-  return sum / (contact::pi * material.shear_modulus);
+  const double factor = 1.0 / (contact::pi * material.shear_modulus);
+  for (const NeighbourLoad& load : loads) {
+    const CornerChange corner = corner_change(load.turn, material);
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+        displacement[grid.index(i, j)] +=
+            factor * displacement_under(load, corner, flat, grid.x(i) - load.x, grid.y(j) - load.y);
+  }
+}
+
+void add_slip(const std::vector<NeighbourLoad>& loads, const CombinedMaterial& material,
+              const ContactGrid& grid, TangentialField& slip) {
+  const double factor = 1.0 / (contact::pi * material.shear_modulus);
+  for (const NeighbourLoad& load : loads) {
+    const CornerChange corner = corner_change(load.turn, material);
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i) {
+        const double x = grid.x(i) - load.x, y = grid.y(j) - load.y;
+        const auto flat = flat_slip(load, material.poisson_ratio, x, y);
+        const auto turned = corner_slip(load, corner, x, y);
+        slip.x[grid.index(i, j)] += factor * (flat[0] + turned[0]);
+        slip.y[grid.index(i, j)] += factor * (flat[1] + turned[1]);
+      }
+  }
 }
 
 Field neighbour_displacement(const std::vector<NeighbourLoad>& loads,
                              const CombinedMaterial& material, const ContactGrid& grid) {
   if (loads.empty()) return {};
-  const double flat = material.shear_modulus / material.contact_modulus;
-  Field sum = Field::Zero(grid.size());
-  for (const NeighbourLoad& load : loads) {
-    const CornerChange corner = corner_change(load.turn, material);
-    sum += grid.sample([&](double x, double y) {
-      return displacement_under(load, corner, flat, x - load.x, y - load.y);
-    });
-  }
-  return sum / (contact::pi * material.shear_modulus);
-}
-
-std::array<double, 2> neighbour_slip(const std::vector<NeighbourLoad>& loads,
-                                     const CombinedMaterial& material, double x, double y) {
-  std::array<double, 2> slip{};
-  const double factor = 1.0 / (contact::pi * material.shear_modulus);
-  for (const NeighbourLoad& load : loads) {
-    const auto flat = flat_slip(load, material.poisson_ratio, x - load.x, y - load.y);
-    const auto turned =
-        corner_slip(load, corner_change(load.turn, material), x - load.x, y - load.y);
-    for (std::size_t d = 0; d < 2; ++d) slip[d] += factor * (flat[d] + turned[d]);
-  }
-  return slip;
+  Field displacement = Field::Zero(grid.size());
+  add_displacement(loads, material, grid, displacement);
+  return displacement;
 }
 
 TangentialField neighbour_slip(const std::vector<NeighbourLoad>& loads,
                                const CombinedMaterial& material, const ContactGrid& grid) {
   if (loads.empty()) return {};
-  TangentialField slip{Field(grid.size()), Field(grid.size())};
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const int k = grid.index(i, j);
-      const auto [x, y] = neighbour_slip(loads, material, grid.x(i), grid.y(j));
-      slip.x[k] = x;
-      slip.y[k] = y;
-    }
+  TangentialField slip{Field::Zero(grid.size()), Field::Zero(grid.size())};
+  add_slip(loads, material, grid, slip);
   return slip;
 }
 

@@ -10,7 +10,6 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/scene/scene.hpp"
 
-#include <array>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -38,22 +37,24 @@ CornerChange corner_change(double turn, const contact::CombinedMaterial& materia
 void place_beside(const contact::ContactPlace& here, const contact::ContactPlace& there,
                   contact::NeighbourLoad& load);
 
-/// Normal displacement difference (wheel minus rail, mm) at (x, y): an extra distance.
-double neighbour_displacement(const std::vector<contact::NeighbourLoad>& loads,
-                              const contact::CombinedMaterial& material, double x, double y);
-
-/// The same at the element centres; empty without loads.
+/// Normal displacement difference (wheel minus rail, mm) at the element centres: an extra distance;
+/// empty without loads.
 contact::Field neighbour_displacement(const std::vector<contact::NeighbourLoad>& loads,
                                       const contact::CombinedMaterial& material,
                                       const contact::ContactGrid& grid);
 
-/// Slip of steady rolling by the loads, along x and y: -du/dx at (x, y).
-std::array<double, 2> neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
-                                     const contact::CombinedMaterial& material, double x, double y);
-
-/// The same at the element centres; empty without loads.
+/// Slip of steady rolling by the loads, along x and y: -du/dx at the element centres; empty without
+/// loads.
 contact::TangentialField neighbour_slip(const std::vector<contact::NeighbourLoad>& loads,
                                         const contact::CombinedMaterial& material,
                                         const contact::ContactGrid& grid);
+
+// The same, added to a field of the grid.
+void add_displacement(const std::vector<contact::NeighbourLoad>& loads,
+                      const contact::CombinedMaterial& material, const contact::ContactGrid& grid,
+                      contact::Field& displacement);
+void add_slip(const std::vector<contact::NeighbourLoad>& loads,
+              const contact::CombinedMaterial& material, const contact::ContactGrid& grid,
+              contact::TangentialField& slip);
 
 }  // namespace rollfem::halfspace

@@ -49,10 +49,10 @@ std::optional<std::array<double, 2>> touched_beyond(
     const double x = ridge_point(profiles, geometry.lateral_place(y)).x;
     const ContactGrid place{1, 1, grid.dx, grid.dy, x, y};
     const double climb = geometry.climb(y);
-    const double opening =
-        geometry.undeformed_distance(place)[0] +
-        displacement_at(x, y, grid, point.fields.traction.n, scene.material.contact_modulus) +
-        neighbour_displacement(scene.neighbour_loads, scene.material, x, y);
+    Field distance = geometry.undeformed_distance(place);
+    add_displacement(scene.neighbour_loads, scene.material, place, distance);
+    const double opening = distance[0] + displacement_at(x, y, grid, point.fields.traction.n,
+                                                         scene.material.contact_modulus);
     // The bodies approach along the load; the plane uses its component along z.
     const double along_normal =
         geometry.curved()

@@ -27,6 +27,11 @@ halfspace::Displacement of_both(double x, double y) {
   return {2.0 * (along[0] + across[1]), 2.0 * (along[1] + across[0]), 2.0 * pressed[2]};
 }
 
+/// One element there.
+contact::ContactGrid at(double x, double y) {
+  return {1, 1, 1.0, 1.0, x, y};
+}
+
 }  // namespace
 
 TEST(LoadsBeside, DisplaceAsPointLoadsDo) {
@@ -61,8 +66,8 @@ TEST(LoadsBeside, OnOneFaceOfARightAnglePushOutTheOther) {
     for (std::size_t k = 0; k < 4; ++k) {
       const double from_edge = 5.0 * static_cast<double>(k + 1);
       const contact::NeighbourLoad on_other{0.0, 0.0, 0.0, 0.0, 10e3, 0.5 * contact::pi};
-      const double moved =
-          halfspace::neighbour_displacement({on_other}, corner.material, 0.0, 10.0 + from_edge);
+      const double moved = halfspace::neighbour_displacement({on_other}, corner.material,
+                                                             at(0.0, 10.0 + from_edge))[0];
       EXPECT_NEAR(1e3 * moved, corner.moved[k], 0.3);  // the half-space: +0.92 to +0.46
     }
 }
@@ -70,9 +75,10 @@ TEST(LoadsBeside, OnOneFaceOfARightAnglePushOutTheOther) {
 TEST(LoadsBeside, AroundASmallTurnDisplaceAsOnAPlane) {
   const contact::CombinedMaterial both = contact::combine(steel, steel);
   contact::NeighbourLoad pressed{0.0, 20.0, 0.0, 0.0, 30e3, 0.0};
-  const double flat = halfspace::neighbour_displacement({pressed}, both, 0.0, 0.0);
+  const double flat = halfspace::neighbour_displacement({pressed}, both, at(0.0, 0.0))[0];
   pressed.turn = contact::pi / 9.0;
-  EXPECT_NEAR(halfspace::neighbour_displacement({pressed}, both, 0.0, 0.0), flat, 0.08 * flat);
+  EXPECT_NEAR(halfspace::neighbour_displacement({pressed}, both, at(0.0, 0.0))[0], flat,
+              0.08 * flat);
 }
 
 // Betti: what a pressure moves along a tangent elsewhere, a tangential load there moves along the
@@ -83,15 +89,15 @@ TEST(LoadsBeside, AroundACornerAreReciprocal) {
   const contact::NeighbourLoad pressed{0.0, 0.0, 0.0, 0.0, force, turn};
   const contact::NeighbourLoad none{0.0, 0.0, 0.0, 0.0, force, 0.0};
   for (const auto& [x, y] : {std::pair{4.0, 18.0}, {-7.0, -25.0}, {2.0, -9.0}}) {
-    const auto slip = halfspace::neighbour_slip({pressed}, unlike, x, y);
-    EXPECT_EQ(halfspace::neighbour_slip({none}, unlike, x, y)[0], 0.0);
-    const auto moved = [&, y = y](double at, double longitudinal, double lateral) {
-      return halfspace::neighbour_displacement({{at, y, longitudinal, lateral, 0.0, turn}}, unlike,
-                                               0.0, 0.0);
+    const contact::TangentialField slip = halfspace::neighbour_slip({pressed}, unlike, at(x, y));
+    EXPECT_EQ(halfspace::neighbour_slip({none}, unlike, at(x, y)).x[0], 0.0);
+    const auto moved = [&, y = y](double from, double longitudinal, double lateral) {
+      return halfspace::neighbour_displacement({{from, y, longitudinal, lateral, 0.0, turn}},
+                                               unlike, at(0.0, 0.0))[0];
     };
-    EXPECT_NEAR(slip[0], -(moved(x + step, force, 0.0) - moved(x - step, force, 0.0)) / (2 * step),
-                1e-9);
-    EXPECT_NEAR(slip[1], -(moved(x + step, 0.0, force) - moved(x - step, 0.0, force)) / (2 * step),
-                1e-9);
+    EXPECT_NEAR(slip.x[0],
+                -(moved(x + step, force, 0.0) - moved(x - step, force, 0.0)) / (2 * step), 1e-9);
+    EXPECT_NEAR(slip.y[0],
+                -(moved(x + step, 0.0, force) - moved(x - step, 0.0, force)) / (2 * step), 1e-9);
   }
 }
