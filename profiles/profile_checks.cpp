@@ -2,13 +2,16 @@
 // Checks of the points of a profile, in the order in which a user can fix defects: size, side,
 // order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Repairs happen only on request.
 #include "contact/base/errors.hpp"
+#include "profiles/profile_curve.hpp"
 #include "profiles/profile_points.hpp"
+#include "profiles/smoothing_spline.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace rollfem::profiles {
@@ -16,11 +19,13 @@ namespace rollfem::profiles {
 namespace {
 
 using contact::InputError;
+using contact::LengthUnit;
 using contact::ProfileSource;
 
 constexpr std::size_t fewest_points = 8;
 constexpr double narrowest = 10.0, widest = 1000.0;  // mm
 constexpr double same_point = 1e-6;                  // mm
+constexpr double least_flange = 8.0;                 // mm
 
 void reverse(ProfilePoints& points) {
   std::reverse(points.list.begin(), points.list.end());
@@ -44,28 +49,39 @@ double distance(const ListedPoint& a, const ListedPoint& b) {
 }
 
 void check_count(const ProfilePoints& points) {
-  if (points.list.size() >= fewest_points) return;
-  throw InputError(
-      fmt::format("{}: has {} points; allowed: at least {} (some hundred for a meaningful "
-                  "curvature); do: give more points",
-                  points.file, points.list.size(), fewest_points));
+  if (points.list.size() < fewest_points)
+    throw PointFault{
+        0, fmt::format("has {} points", points.list.size()),
+        fmt::format("at least {} (some hundred for a meaningful curvature)", fewest_points),
+        "give more points"};
 }
 
-void check_size(const ProfilePoints& points, bool wheel) {
+double mm_in(LengthUnit unit) {
+  return unit == LengthUnit::m ? 1000.0 : unit == LengthUnit::inch ? 25.4 : 1.0;
+}
+
+PointRepair unit_repair(LengthUnit unit, const char* name) {
+  return {fmt::format("unit = \"{}\"", name), "",
+          [unit](ProfileSource& source) { source.unit = unit; }};
+}
+
+void check_size(const ProfilePoints& points, LengthUnit unit) {
   const auto [left, right] = range(points, &ListedPoint::y);
   const auto [lowest, highest] = range(points, &ListedPoint::z);
   const double width = right - left, height = highest - lowest;
   if (width >= narrowest && width <= widest && height <= widest) return;
-  std::string action = "do: check the columns and the unit";
-  if (width > 0.0 && width < 1.0)
-    action = fmt::format("are the lengths in m? do: put `unit = \"m\"` under {}",
-                         section_of_profile(wheel));
-  else if (width < narrowest && width > 1.0)
-    action = fmt::format("are the lengths in inches? do: put `unit = \"inch\"` under {}",
-                         section_of_profile(wheel));
-  throw InputError(
-      fmt::format("{}: the points span {:.4g} mm in y and {:.4g} mm in z; allowed: {} to {} mm; {}",
-                  points.file, width, height, narrowest, widest, action));
+  PointFault fault{0,
+                   fmt::format("the points span {:.4g} mm in y and {:.4g} mm in z", width, height),
+                   fmt::format("{} to {} mm", narrowest, widest), "check the columns and the unit"};
+  const double listed = points.own_unit ? 0.0 : width / mm_in(unit);
+  if (listed > 0.0 && listed < 1.0 && unit != LengthUnit::m)
+    fault.wrong += "; are the lengths in m?", fault.repairs = {unit_repair(LengthUnit::m, "m")};
+  else if (listed > 1.0 && listed < narrowest && unit != LengthUnit::inch)
+    fault.wrong += "; are the lengths in inches?",
+        fault.repairs = {unit_repair(LengthUnit::inch, "inch")};
+  else if (listed >= narrowest && unit != LengthUnit::mm)
+    fault.wrong += "; are the lengths in mm?", fault.repairs = {unit_repair(LengthUnit::mm, "mm")};
+  throw fault;
 }
 
 /// Height z of the curve at the middle of every step of y, so that dense points get no extra
@@ -87,40 +103,54 @@ std::vector<double> heights_by_width(const ProfilePoints& points) {
   return heights;
 }
 
-/// The wheel's flange and the sides of the rail's head must point from the tread towards +z; the
-/// flange is at small y.
-void check_side(const ProfilePoints& points, bool wheel) {
-  const std::vector<double> heights = heights_by_width(points);
-  const double level = median(heights);
+/// The wheel's flange and the sides of the rail's head must point from the tread towards +z. A
+/// flange measured on both sides is a valley of the heights, whatever else reaches far up or down.
+void check_upward(const ProfilePoints& points, const ProfileSource& source, bool wheel) {
+  const auto valley = [&](double sign) {
+    std::vector<double> heights;
+    for (const ListedPoint& point : points.list) heights.push_back(sign * point.z);
+    return deepest_valley(heights).depth;
+  };
+  const double flange = wheel ? valley(1.0) : 0.0, reverse_flange = wheel ? valley(-1.0) : 0.0;
+  const double level = median(heights_by_width(points));
   const auto [lowest, highest] = range(points, &ListedPoint::z);
-  const double below = highest - level;
   const double above = level - lowest;
   constexpr double clear = 2.0;  // mm; a lower one may be a measured tread without flange
-  if (above > clear && above > 1.5 * below)
-    throw InputError(
-        fmt::format("{}: z seems to point upward: {}; allowed: z down, on the wheel outward from "
-                    "the axle; do: put `flip = true` under {}",
-                    points.file,
-                    wheel ? fmt::format("the flange is {:.4g} mm towards -z", above)
-                          : fmt::format("the sides of the head are {:.4g} mm towards -z", above),
-                    section_of_profile(wheel)));
-  constexpr double flange = 8.0;  // mm
-  if (!wheel || below < flange) return;
+  if (std::max(flange, reverse_flange) > least_flange
+          ? flange > reverse_flange
+          : above <= clear || above <= 1.5 * (highest - level))
+    return;
+  throw PointFault{0,
+                   fmt::format("z seems to point upward: {} {:.4g} mm towards -z",
+                               wheel ? "the flange is" : "the sides of the head are", above),
+                   "z down, on the wheel outward from the axle",
+                   "",
+                   {repair("flip", &ProfileSource::flip, !source.flip)}};
+}
+
+/// The flange is at small y.
+void check_side(const ProfilePoints& points, const ProfileSource& source) {
+  const auto [lowest, highest] = range(points, &ListedPoint::z);
+  if (highest - median(heights_by_width(points)) < least_flange) return;
   // The last of several equal heights.
   const auto tip =
       std::find_if(points.list.rbegin(), points.list.rend(),
                    [top = highest](const ListedPoint& point) { return point.z == top; });
   const auto [left, right] = range(points, &ListedPoint::y);
   if (tip->y <= 0.5 * (left + right)) return;
-  throw InputError(fmt::format(
-      "{}: the flange is on the wrong side, at y = {:.4g} mm (the points span {:.4g} to {:.4g} "
-      "mm); allowed: the flange at the smaller y; do: put `mirror = true` under {}",
-      points.file, tip->y, left, right, section_of_profile(wheel)));
+  throw PointFault{0,
+                   fmt::format("the flange is on the wrong side, at y = {:.4g} mm (the points span "
+                               "{:.4g} to {:.4g} mm)",
+                               tip->y, left, right),
+                   "the flange at the smaller y",
+                   "",
+                   {repair("mirror", &ProfileSource::mirror, !source.mirror)}};
 }
 
-void check_direction(ProfilePoints& points, bool free, bool wheel) {
+void check_direction(ProfilePoints& points, const ProfileSource& source, bool wheel) {
   if (points.list.back().y >= points.list.front().y) return;
-  if (free) {
+  // Mirroring reverses the direction, so either direction is right then.
+  if (points.any_direction || source.mirror) {
     reverse(points);
     return;
   }
@@ -129,61 +159,27 @@ void check_direction(ProfilePoints& points, bool free, bool wheel) {
   for (std::size_t k = 1; k < points.list.size(); ++k)
     falling += points.list[k].y < points.list[k - 1].y;
   if (10 * falling < 9 * (points.list.size() - 1)) return;
-  throw InputError(fmt::format(
-      "{}:{}: the points run from large to small y ({:.4g} to {:.4g} mm); allowed: from the {} to "
-      "the field side; do: put `reverse = true` under {}",
-      points.file, points.list.front().line, points.list.front().y, points.list.back().y,
-      wheel ? "flange" : "gauge", section_of_profile(wheel)));
+  throw PointFault{points.list.front().line,
+                   fmt::format("the points run from large to small y ({:.4g} to {:.4g} mm)",
+                               points.list.front().y, points.list.back().y),
+                   fmt::format("from the {} to the field side", wheel ? "flange" : "gauge"),
+                   "",
+                   {repair("reverse", &ProfileSource::reverse, !source.reverse)}};
 }
 
-void treat_duplicates(ProfilePoints& points, bool drop, bool wheel) {
+void treat_duplicates(ProfilePoints& points, bool drop) {
   std::vector<ListedPoint> kept;
   for (const ListedPoint& point : points.list) {
     if (kept.empty() || distance(kept.back(), point) > same_point)
       kept.push_back(point);
     else if (!drop)
-      throw InputError(fmt::format(
-          "{}:{}: the point y = {:.6g}, z = {:.6g} mm repeats line {}; allowed: points more than "
-          "{} mm apart; do: remove it, or put `drop_duplicates = true` under {}",
-          points.file, point.line, point.y, point.z, kept.back().line, same_point,
-          section_of_profile(wheel)));
+      throw PointFault{point.line,
+                       fmt::format("the point y = {:.6g}, z = {:.6g} mm repeats line {}", point.y,
+                                   point.z, kept.back().line),
+                       fmt::format("points more than {} mm apart", same_point),
+                       "remove it",
+                       {repair("drop_duplicates", &ProfileSource::drop_duplicates, true)}};
   }
-  points.list = std::move(kept);
-}
-
-/// The curve turns back at a point when it turns by more than a right angle and y falls.
-bool goes_back(const ListedPoint& a, const ListedPoint& b, const ListedPoint& c) {
-  const double y1 = b.y - a.y, z1 = b.z - a.z;
-  const double y2 = c.y - b.y, z2 = c.z - b.z;
-  return y1 * y2 + z1 * z2 < 0.0 && std::min(y1, y2) < 0.0;
-}
-
-void check_order(const ProfilePoints& points, bool wheel) {
-  std::size_t back = 0, first = 0;
-  for (std::size_t k = 2; k < points.list.size(); ++k) {
-    if (!goes_back(points.list[k - 2], points.list[k - 1], points.list[k])) continue;
-    if (back == 0) first = k;
-    ++back;
-  }
-  if (back == 0) return;
-  const ListedPoint& at = points.list[first];
-  const std::string where = fmt::format("{}:{}: ", points.file, at.line);
-  if (back > std::max<std::size_t>(8, points.list.size() / 10))
-    throw InputError(fmt::format(
-        "{}the points are unordered: the curve turns back {} times; allowed: points in order along "
-        "the profile; do: put `sort = true` under {} if z is a function of y",
-        where, back, section_of_profile(wheel)));
-  throw InputError(fmt::format(
-      "{}zig-zag: the curve turns back at y = {:.6g}, z = {:.6g} mm ({} such places); allowed: "
-      "points in order along the profile; do: correct them, or put `drop_zigzag = true` under {}",
-      where, at.y, at.z, back, section_of_profile(wheel)));
-}
-
-void drop_zigzag(ProfilePoints& points) {
-  std::vector<ListedPoint> kept;
-  for (const ListedPoint& point : points.list)
-    if (kept.size() < 2 || !goes_back(kept[kept.size() - 2], kept.back(), point))
-      kept.push_back(point);
   points.list = std::move(kept);
 }
 
@@ -209,26 +205,115 @@ void thin(ProfilePoints& points, double length) {
 }
 
 /// Rejects smoothing of too many points at once, which takes seconds and loses digits.
-void check_smoothing(const ProfilePoints& points, double smoothing, bool wheel) {
+void check_smoothing(const ProfilePoints& points, double smoothing) {
   constexpr std::size_t most = 20000;
   if (smoothing == 0.0 || points.list.size() <= most) return;
-  throw InputError(
-      fmt::format("{}: smoothing of {} points; allowed: {}; do: put `thinning = 0.1` (mm, replaces "
-                  "the points in each such length by their mean) under {}",
-                  points.file, points.list.size(), most, section_of_profile(wheel)));
+  throw PointFault{0,
+                   fmt::format("smoothing of {} points", points.list.size()),
+                   fmt::format("{}", most),
+                   "",
+                   {repair("thinning", &ProfileSource::thinning, 0.1,
+                           " (mm, replaces the points in each such length by their mean)")}};
 }
 
-void check_gaps(const ProfilePoints& points, double longest, bool wheel) {
+void check_gaps(const ProfilePoints& points, double longest) {
+  std::size_t first = 0;
+  double largest = 0.0;
   for (std::size_t k = 1; k < points.list.size(); ++k) {
-    const ListedPoint &before = points.list[k - 1], &here = points.list[k];
-    const double gap = distance(before, here);
-    if (gap <= longest) continue;
-    throw InputError(fmt::format(
-        "{}:{}: gap of {:.4g} mm between y = {:.6g} and {:.6g} mm; allowed: {} mm; do: add points, "
-        "or put `longest_gap = {:.4g}` under {} to bridge it",
-        points.file, here.line, gap, before.y, here.y, longest, std::ceil(gap + 0.5),
-        section_of_profile(wheel)));
+    const double gap = distance(points.list[k - 1], points.list[k]);
+    if (gap > longest && first == 0) first = k;
+    largest = std::max(largest, gap);
   }
+  if (first == 0) return;
+  const ListedPoint &before = points.list[first - 1], &here = points.list[first];
+  throw PointFault{here.line,
+                   fmt::format("gap of {:.4g} mm between y = {:.6g} and {:.6g} mm",
+                               distance(before, here), before.y, here.y),
+                   fmt::format("{} mm", longest),
+                   "add points",
+                   {repair("longest_gap", &ProfileSource::longest_gap, std::ceil(largest + 0.5))}};
+}
+
+/// Points that would pass without smoothing, but scatter.
+void check_scatter(const ProfilePoints& points, const ProfileSource& source) {
+  std::vector<double> y, z;
+  for (const ListedPoint& point : points.list) {
+    y.push_back(point.y);
+    z.push_back(point.z);
+  }
+  const double scatter = std::max(scatter_of(y, z), least_smoothing(points, source));
+  if (scatter < least_scatter) return;
+  check_smoothing(points, scatter);
+  throw PointFault{0,
+                   fmt::format("the points scatter by {:.2g} mm across the profile", scatter),
+                   fmt::format("{} mm", least_scatter),
+                   "",
+                   {repair("smoothing", &ProfileSource::smoothing, smoothing_for(scatter))}};
+}
+
+/// `all`: also reports scatter, which is no defect by itself.
+void mend(ProfilePoints& points, const ProfileSource& source, bool wheel, bool all) {
+  check_count(points);
+  const double scale = mm_in(source.unit);
+  for (ListedPoint& point : points.list) {
+    point.y *= source.mirror ? -scale : scale;
+    point.z *= source.flip ? -scale : scale;
+  }
+  check_size(points, source.unit);
+  check_upward(points, source, wheel);
+  if (wheel) check_side(points, source);
+  if (source.reverse) reverse(points);
+  if (source.sort) sort(points);
+  check_direction(points, source, wheel);
+  if (source.thinning > 0.0) thin(points, source.thinning);
+  treat_duplicates(points, source.drop_duplicates);
+  if (source.drop_zigzag) {
+    drop_zigzag(points);
+    // The neighbours of a removed point may now be equal.
+    treat_duplicates(points, true);
+  }
+  check_order(points, source.drop_zigzag);
+  check_smoothing(points, source.smoothing);
+  check_gaps(points, source.longest_gap);
+  check_count(points);
+  if (all && source.smoothing == 0.0) check_scatter(points, source);
+  treat_corners(points, source);
+  check_count(points);
+}
+
+std::optional<PointFault> first_fault(ProfilePoints& points, const ProfileSource& source,
+                                      bool wheel, bool all) {
+  try {
+    mend(points, source, wheel, all);
+    return {};
+  } catch (const PointFault& fault) {
+    return fault;
+  }
+}
+
+/// Of the best repair; empty where there is none.
+std::string name_of_key(const PointFault& fault) {
+  if (fault.repairs.empty()) return "";
+  const std::string& key = fault.repairs.front().key;
+  return key.substr(0, key.find(' '));
+}
+
+/// Defects and the keys that repair them, in one line.
+std::string message_of(const std::vector<PointFault>& faults, const std::string& file, bool wheel) {
+  std::string wrong, keys, by_hand;
+  for (const PointFault& fault : faults) {
+    wrong += file + (fault.line > 0 ? fmt::format(":{}: ", fault.line) : ": ") + fault.wrong +
+             "; allowed: " + fault.allowed + "; ";
+    std::string ways;
+    for (const PointRepair& way : fault.repairs)
+      ways += fmt::format("{}`{}`{}", ways.empty() ? "" : " or ", way.key, way.note);
+    if (!ways.empty()) keys += (keys.empty() ? "" : ", ") + ways;
+    if (faults.size() == 1 || ways.empty()) by_hand = fault.by_hand;
+  }
+  if (!keys.empty())
+    keys = fmt::format("put {} under [{}_profile]", keys, wheel ? "wheel" : "rail");
+  if (!keys.empty() && !by_hand.empty()) by_hand += faults.size() == 1 ? ", or " : ", and ";
+  return wrong + "do: " + by_hand + keys;
 }
 
 }  // namespace
@@ -239,35 +324,27 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-std::string section_of_profile(bool wheel) {
-  return wheel ? "[wheel_profile]" : "[rail_profile]";
-}
-
 void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool wheel) {
-  check_count(points);
-  check_size(points, wheel);
-  if (source.flip)
-    for (ListedPoint& point : points.list) point.z = -point.z;
-  if (source.mirror)
-    for (ListedPoint& point : points.list) point.y = -point.y;
-  check_side(points, wheel);
-  if (source.reverse) reverse(points);
-  if (source.sort) sort(points);
-  // Mirroring reverses the direction, so either direction is right then.
-  check_direction(points, points.any_direction || source.mirror, wheel);
-  if (source.thinning > 0.0) thin(points, source.thinning);
-  treat_duplicates(points, source.drop_duplicates, wheel);
-  if (source.drop_zigzag) {
-    drop_zigzag(points);
-    // The neighbours of a removed point may now be equal.
-    treat_duplicates(points, true, wheel);
+  const ProfilePoints listed = points;
+  if (!first_fault(points, source, wheel, false)) return;
+  // Every defect is repaired on trial, so that one message names them all.
+  std::vector<PointFault> faults;
+  ProfileSource trial = source;
+  constexpr int most_tries = 16;  // more only where two repairs undo each other
+  for (int k = 0; k < most_tries; ++k) {
+    ProfilePoints mended = listed;
+    const auto fault = first_fault(mended, trial, wheel, true);
+    if (!fault) break;
+    const std::string key = name_of_key(*fault);
+    // A key that has to be changed once more supersedes its earlier value.
+    faults.erase(std::remove_if(faults.begin(), faults.end(),
+                                [&](const PointFault& one) { return name_of_key(one) == key; }),
+                 faults.end());
+    faults.push_back(*fault);
+    if (key.empty()) break;
+    fault->repairs.front().apply(trial);
   }
-  check_order(points, wheel);
-  check_smoothing(points, source.smoothing, wheel);
-  check_gaps(points, source.longest_gap, wheel);
-  check_count(points);
-  treat_corners(points, source, wheel);
-  check_count(points);
+  throw InputError(message_of(faults, points.file, wheel));
 }
 
 }  // namespace rollfem::profiles

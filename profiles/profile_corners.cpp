@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Corners of a profile's points: kinks, at which the curve turns once, and steps, there and back.
 // Error messages name the smallest repair that would help.
-#include "contact/base/errors.hpp"
 #include "profiles/profile_points.hpp"
 
 #include <fmt/format.h>
@@ -119,22 +118,19 @@ std::optional<double> least_rounding(const ProfilePoints& points, const std::vec
   return {};
 }
 
-/// The smallest of these that explains all corners, where their number suggests scatter.
-std::optional<double> least_smoothing(const ProfilePoints& points, const std::vector<char>& found,
-                                      const ProfileSource& source) {
-  const auto places = std::count_if(found.begin(), found.end(), [](char c) { return c != 0; });
-  if (places <= 8 || 50 * static_cast<std::size_t>(places) < found.size()) return {};
-  for (const double scatter :
-       {0.001, 0.002, 0.003, 0.005, 0.007, 0.01, 0.015, 0.02, 0.03, 0.05, 0.07, 0.1}) {
-    if (scatter <= source.smoothing) continue;
-    const std::vector<char> left = corners(points, source.largest_kink, scatter);
-    if (!has(left, kink) && !has(left, step)) return scatter;
+/// The largest of the kinks, rad; two points may share one.
+double largest_kink_of(const ProfilePoints& points, const std::vector<char>& found) {
+  double largest = 0.0, before = 0.0;
+  for (std::size_t k = 1; k + 1 < found.size(); ++k) {
+    const double here = found[k] == kink ? turn(points, k - 1, k, k + 1) : 0.0;
+    largest = std::max({largest, std::abs(here), std::abs(here + before)});
+    before = here;
   }
-  return {};
+  return largest;
 }
 
 [[noreturn]] void refuse_corner(const ProfilePoints& points, const std::vector<char>& found,
-                                const ProfileSource& source, bool wheel) {
+                                const ProfileSource& source) {
   auto k = static_cast<std::size_t>(
       std::find_if(found.begin(), found.end(), [](char c) { return c != 0; }) - found.begin());
   const bool is_step = found[k] == step;
@@ -151,27 +147,41 @@ std::optional<double> least_smoothing(const ProfilePoints& points, const std::ve
   const std::string allowed =
       is_step ? "points on one smooth curve"
               : fmt::format("{:.4g} degrees between two chords", source.largest_kink);
-  std::string ways;
-  if (const auto scatter = least_smoothing(points, found, source))
-    ways = fmt::format("`smoothing = {:g}` (mm, the scatter that would explain it)", *scatter);
+  PointFault fault{
+      points.list[k].line,
+      fmt::format("{} at y = {:.6g}, z = {:.6g} mm", what, points.list[k].y, points.list[k].z),
+      allowed, "correct the points"};
+  if (const double scatter = least_smoothing(points, source); scatter > 0.0)
+    fault.repairs.push_back(repair("smoothing", &ProfileSource::smoothing, scatter,
+                                   " (mm, the scatter that would explain it)"));
   if (const auto rounding = least_rounding(points, found, source))
-    ways += fmt::format("{}`rounding = {:g}` (mm, bridged on both sides)",
-                        ways.empty() ? "" : " or ", *rounding);
-  if (!is_step && std::abs(whole) < 100.0 * degree)
-    ways += fmt::format("{}`largest_kink = {:g}`", ways.empty() ? "" : " or ",
-                        std::ceil(std::abs(whole) / degree + 0.01));
-  throw contact::InputError(fmt::format(
-      "{}:{}: {} at y = {:.6g}, z = {:.6g} mm; allowed: {}; do: correct the points{}", points.file,
-      points.list[k].line, what, points.list[k].y, points.list[k].z, allowed,
-      ways.empty() ? "" : fmt::format(", or put {} under {}", ways, section_of_profile(wheel))));
+    fault.repairs.push_back(
+        repair("rounding", &ProfileSource::rounding, *rounding, " (mm, bridged on both sides)"));
+  if (const double largest = largest_kink_of(points, found) / degree; !is_step && largest < 100.0)
+    fault.repairs.push_back(
+        repair("largest_kink", &ProfileSource::largest_kink, std::ceil(largest + 0.01)));
+  throw fault;
 }
 
 }  // namespace
 
-void treat_corners(ProfilePoints& points, const ProfileSource& source, bool wheel) {
+double least_smoothing(const ProfilePoints& points, const ProfileSource& source) {
+  const std::vector<char> found = corners(points, source.largest_kink, source.smoothing);
+  const auto places = std::count_if(found.begin(), found.end(), [](char c) { return c != 0; });
+  if (places <= 8 || 50 * static_cast<std::size_t>(places) < found.size()) return 0.0;
+  for (const double scatter :
+       {0.001, 0.002, 0.003, 0.005, 0.007, 0.01, 0.015, 0.02, 0.03, 0.05, 0.07, 0.1}) {
+    if (scatter <= source.smoothing) continue;
+    const std::vector<char> left = corners(points, source.largest_kink, scatter);
+    if (!has(left, kink) && !has(left, step)) return scatter;
+  }
+  return 0.0;
+}
+
+void treat_corners(ProfilePoints& points, const ProfileSource& source) {
   const std::vector<char> found = corners(points, source.largest_kink, source.smoothing);
   if (!has(found, kink) && !has(found, step)) return;
-  if (source.rounding == 0.0) refuse_corner(points, found, source, wheel);
+  if (source.rounding == 0.0) refuse_corner(points, found, source);
   points = rounded(points, found, source.rounding);
 }
 

@@ -149,6 +149,20 @@ ProfileCurve ProfileCurve::mirrored() const {
   return ProfileCurve(std::move(result));
 }
 
+Valley deepest_valley(const std::vector<double>& z) {
+  std::vector<std::size_t> right(z.size());  // the highest place from each one on
+  for (std::size_t k = z.size(); k-- > 0;)
+    right[k] = k + 1 < z.size() && z[right[k + 1]] < z[k] ? right[k + 1] : k;
+  Valley deepest;
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < z.size(); ++k) {
+    if (z[k] < z[left]) left = k;
+    const double depth = z[k] - std::max(z[left], z[right[k]]);
+    if (depth > deepest.depth) deepest = {k, left, right[k], depth};
+  }
+  return deepest;
+}
+
 double parameter_near(const ProfileCurve& curve, double y, double z) {
   const ProfileKnots& knots = curve.knots();
   std::size_t nearest = 0;
@@ -264,7 +278,7 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
   ProfileFeatures result;
   result.start = curve.at(curve.first());
   result.end = curve.at(curve.last());
-  std::size_t top = 0, bottom = 0, level = 0;
+  std::size_t top = 0, bottom = 0;
   const auto sharper = [&](const ProfilePoint& place) {
     // Takes the first point of an arc, whose curvature is constant to rounding.
     constexpr double clearly = 1.0 + 1e-4;
@@ -275,7 +289,6 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
     if (k + 1 < n) result.length += length_of(knots, k);
     if (knots.z[k] < knots.z[top]) top = k;
     if (knots.z[k] > knots.z[bottom]) bottom = k;
-    if (std::abs(knots.y[k]) < std::abs(knots.y[level])) level = k;
     const ProfilePoint right = curve.at(knots.parameter[k]);
     sharper(right);
     if (k == 0 || k + 1 == n) continue;
@@ -288,7 +301,7 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
   }
   result.top = extreme(curve, top);
   result.bottom = extreme(curve, bottom);
-  result.gauge_face = wheel ? face(curve, level, 10.0) : face(curve, top, result.top.z + 14.0);
+  result.gauge_face = wheel ? face(curve, n - 1, 10.0) : face(curve, top, result.top.z + 14.0);
   return result;
 }
 

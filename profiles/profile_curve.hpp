@@ -55,6 +55,15 @@ class ProfileCurve {
   std::vector<double> highest_y_, lowest_y_;  ///< mm, of the knots up to each
 };
 
+/// The deepest place of a row of heights (z down) that has higher places on both sides: the groove
+/// between two heads, the tip of a flange.
+struct Valley {
+  std::size_t bottom = 0;
+  std::size_t left = 0, right = 0;  ///< the highest places on its sides
+  double depth = 0.0;               ///< mm below the lower one of these; 0: there is no valley
+};
+Valley deepest_valley(const std::vector<double>& z);
+
 /// Parameter of the knot nearest to a point.
 double parameter_near(const ProfileCurve& curve, double y, double z);
 

@@ -249,16 +249,62 @@ ProfilePoints read_simpack(std::string_view text, const std::string& name, bool 
         "type = {}; do: name the other file",
         name, wheel ? "rail" : "wheel", data.type, wheel ? "wheel" : "rail", wheel ? 1 : 0));
   ProfilePoints points = processed(listed, data);
-  points.any_direction = true;
+  points.any_direction = points.own_unit = true;
   return points;
 }
 
-ProfilePoints read_miniprof(std::string_view text, const std::string& name) {
+/// The points under one `[SECTION]` of a MiniProf file, or before any.
+struct MiniprofPart {
+  std::string section;
   ProfilePoints points;
+};
+
+/// The part that `source` names, or the only one.
+ProfilePoints chosen(const std::vector<MiniprofPart>& parts, const contact::ProfileSource& source,
+                     bool wheel) {
+  std::string found;
+  const MiniprofPart* last = nullptr;
+  std::size_t count = 0;
+  for (const MiniprofPart& part : parts) {
+    if (part.points.list.empty()) continue;
+    if (!source.section.empty() && part.section == source.section) return part.points;
+    found += fmt::format("{}{} ({} points)", found.empty() ? "" : ", ",
+                         part.section.empty() ? "points of no section" : part.section,
+                         part.points.list.size());
+    last = &part;
+    ++count;
+  }
+  if (count == 0) return {};
+  if (count == 1 && source.section.empty()) return last->points;
+  throw InputError(fmt::format(
+      "{}: {}; allowed: {}; do: put `section = \"{}\"`, or the name of another one, under "
+      "[{}_profile]",
+      source.name,
+      source.section.empty()
+          ? fmt::format("holds {} profiles", count)
+          : fmt::format("section = \"{}\" is not one of its profiles", source.section),
+      found, last->section, wheel ? "wheel" : "rail"));
+}
+
+/// Old headers are plain words, rows of numbers with words among them, and up to an empty line.
+ProfilePoints read_miniprof(std::string_view text, const contact::ProfileSource& source,
+                            bool wheel) {
+  std::vector<MiniprofPart> parts(1);
   std::array<std::size_t, 2> columns{0, 1};
+  bool in_words = false;
   for (TextLines lines(text); lines.next();) {
+    std::vector<ListedPoint>& list = parts.back().points.list;
     const std::string_view line = before_comment(lines.line());
-    if (line.empty()) continue;
+    if (line.empty()) {
+      if (!lines.line().empty()) continue;
+      if (in_words && list.size() == 1) list.clear();
+      in_words = false;
+      continue;
+    }
+    if (line.front() == '[' && line.back() == ']') {
+      parts.push_back({contact::printable(trimmed(line.substr(1, line.size() - 2))), {}});
+      continue;
+    }
     std::string key, value;
     if (key_and_value(line, key, value)) {
       if (key != "ColumnDef") continue;
@@ -270,14 +316,21 @@ ProfilePoints read_miniprof(std::string_view text, const std::string& name) {
       continue;
     }
     const Row row = numbers(line);
+    const bool complete = std::max(columns[0], columns[1]) < row.count;
     if (!row.wrong.empty()) {
-      // Only the header of old files contains plain words.
-      if (points.list.empty() && row.is_heading()) continue;
-      not_numbers(name, lines, row.wrong);
+      const bool header = list.empty() || (list.size() == 1 && in_words);
+      if (!row.is_heading() || (!header && !complete)) not_numbers(source.name, lines, row.wrong);
+      if (header && (in_words || !complete)) {
+        list.clear();
+        in_words = true;
+        continue;
+      }
     }
-    if (std::max(columns[0], columns[1]) >= row.count) too_few_numbers(name, lines);
-    add(points, row.values[columns[0]], row.values[columns[1]], lines);
+    if (!complete) too_few_numbers(source.name, lines);
+    list.push_back(
+        {row.values[columns[0]], row.values[columns[1]], static_cast<unsigned>(lines.number())});
   }
+  ProfilePoints points = chosen(parts, source, wheel);
   points.any_direction = true;
   return points;
 }
@@ -302,45 +355,41 @@ void check_is_table(std::string_view text, const std::string& name) {
                   name, last));
 }
 
-ProfilePoints points_in(std::string_view text, const std::string& name, bool wheel,
-                        const std::string& kind) {
-  if (kind == "prw" || kind == "prr") return read_simpack(text, name, wheel);
-  if (kind == "whl" || kind == "ban" || kind == "mpt") return read_miniprof(text, name);
-  return read_columns(text, name);
+ProfilePoints points_in(std::string_view text, const contact::ProfileSource& source, bool wheel) {
+  const std::string kind = ending(source.name);
+  if (kind == "whl" || kind == "ban" || kind == "mpt") return read_miniprof(text, source, wheel);
+  const auto refuse = [&](const char* key, const char* why) {
+    throw InputError(
+        fmt::format("{}: {} cannot be set for {}; do: remove `{}`", source.name, key, why, key));
+  };
+  if (!source.section.empty()) refuse("section", "a file that is not of MiniProf");
+  if (kind != "prw" && kind != "prr") return read_columns(text, source.name);
+  if (source.unit != contact::LengthUnit::mm)
+    refuse("unit", "a SIMPACK file, which specifies its unit (units.len.f)");
+  return read_simpack(text, source.name, wheel);
 }
 
 }  // namespace
 
-ProfilePoints read_profile_points(const std::string& path, const std::string& name, bool wheel,
-                                  contact::LengthUnit unit) {
+ProfilePoints read_profile_points(const std::string& path, const contact::ProfileSource& source,
+                                  bool wheel) {
   constexpr std::size_t largest_file = 100'000'000;
-  return parse_profile_points(contact::text_of_file(path, name, largest_file), name, wheel, unit);
+  return parse_profile_points(contact::text_of_file(path, source.name, largest_file), source,
+                              wheel);
 }
 
-ProfilePoints parse_profile_points(std::string_view text, const std::string& name, bool wheel,
-                                   contact::LengthUnit unit) {
+ProfilePoints parse_profile_points(std::string_view text, const contact::ProfileSource& source,
+                                   bool wheel) {
+  const std::string& name = source.name;
   if (text.find('\0') != std::string_view::npos)
     throw InputError(fmt::format(
         "{}: is a binary file, not a profile; do: give lines of two numbers, y and z", name));
   check_is_table(text, name);
-  const std::string kind = ending(name);
-  ProfilePoints points = points_in(text, name, wheel, kind);
+  ProfilePoints points = points_in(text, source, wheel);
   points.file = name;
   if (points.list.empty())
     throw InputError(
         fmt::format("{}: is empty; do: give lines of two numbers, y and z, in mm", name));
-  const double factor = unit == contact::LengthUnit::m      ? 1000.0
-                        : unit == contact::LengthUnit::inch ? 25.4
-                                                            : 1.0;
-  if ((kind == "prw" || kind == "prr") && factor != 1.0)
-    throw InputError(
-        fmt::format("{}: unit cannot be set for a SIMPACK file, which specifies its unit "
-                    "(units.len.f); do: remove `unit`",
-                    name));
-  for (ListedPoint& point : points.list) {
-    point.y *= factor;
-    point.z *= factor;
-  }
   return points;
 }
 

@@ -4,6 +4,9 @@
 
 #include "contact/case/track.hpp"
 
+#include <fmt/format.h>
+
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +14,7 @@
 namespace rollfem::profiles {
 
 struct ListedPoint {
-  double y = 0.0, z = 0.0;  ///< mm after reading
+  double y = 0.0, z = 0.0;  ///< mm after mending
   unsigned line = 0;        ///< of the file
 };
 
@@ -20,30 +23,60 @@ struct ProfilePoints {
   std::vector<ListedPoint> list;
   /// The format does not prescribe the direction of the list (SIMPACK, MiniProf).
   bool any_direction = false;
+  bool own_unit = false;  ///< the file states its unit (SIMPACK)
 };
 
 /// Two columns (text, CSV), SIMPACK .prw and .prr, MiniProf .whl, .ban and .mpt, distinguished by
-/// the file extension. Lengths are converted to mm by the file's own unit, otherwise by `unit`.
-/// `path`: location; `name`: name used in messages. Throws contact::InputError with line and value.
-ProfilePoints read_profile_points(const std::string& path, const std::string& name, bool wheel,
-                                  contact::LengthUnit unit);
+/// the file extension. Lengths of SIMPACK files are converted to mm. `path`: location;
+/// `source.name`: name used in messages. Throws contact::InputError with line and value.
+ProfilePoints read_profile_points(const std::string& path, const contact::ProfileSource& source,
+                                  bool wheel);
 
-/// The same from the text of such a file; the extension of `name` selects the format.
-ProfilePoints parse_profile_points(std::string_view text, const std::string& name, bool wheel,
-                                   contact::LengthUnit unit);
+/// The same from the text of such a file; the extension of `source.name` selects the format.
+ProfilePoints parse_profile_points(std::string_view text, const contact::ProfileSource& source,
+                                   bool wheel);
 
-/// Repairs the points as requested by `source` and rejects remaining defects. Throws
-/// contact::InputError naming the key that repairs them.
+/// Repairs the points as requested by `source` and rejects remaining defects. Throws one
+/// contact::InputError that names all defects and the keys that repair them together.
 void mend_and_check(ProfilePoints& points, const contact::ProfileSource& source, bool wheel);
 
 // Parts of mend_and_check.
 
+/// A key of [wheel_profile] or [rail_profile] that repairs a defect.
+struct PointRepair {
+  std::string key;   ///< "flip = true"
+  std::string note;  ///< follows it in a message, or empty
+  std::function<void(contact::ProfileSource&)> apply;
+};
+
+template <class Value>
+PointRepair repair(const char* key, Value contact::ProfileSource::*member, Value value,
+                   std::string note = "") {
+  return {fmt::format("{} = {}", key, value), std::move(note),
+          [member, value](contact::ProfileSource& source) { source.*member = value; }};
+}
+
+/// A defect of the points; thrown.
+struct PointFault {
+  unsigned line = 0;  ///< of the file; 0: of no single line
+  std::string wrong, allowed;
+  std::string by_hand;                 ///< the remedy without a key, or empty
+  std::vector<PointRepair> repairs{};  ///< keys that repair it, the best one first
+};
+
 double median(std::vector<double> values);
 
-/// The section of the case file with the repair keys: "[wheel_profile]".
-std::string section_of_profile(bool wheel);
+/// Throws PointFault where the curve turns back.
+void check_order(const ProfilePoints& points, bool drop_zigzag);
 
-/// Bridges kinks and steps over `rounding`, or rejects them. Throws contact::InputError.
-void treat_corners(ProfilePoints& points, const contact::ProfileSource& source, bool wheel);
+/// Drops the fewest points such that the curve nowhere turns back.
+void drop_zigzag(ProfilePoints& points);
+
+/// The least of some values of `smoothing` that explains all kinks and steps, where their number
+/// suggests scatter; otherwise 0.
+double least_smoothing(const ProfilePoints& points, const contact::ProfileSource& source);
+
+/// Bridges kinks and steps over `rounding`, or throws PointFault.
+void treat_corners(ProfilePoints& points, const contact::ProfileSource& source);
 
 }  // namespace rollfem::profiles

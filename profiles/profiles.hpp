@@ -19,6 +19,9 @@ struct ProfileReport {
   std::optional<SmoothingReport> smoothing;  ///< of a file
 };
 
+/// What to do where measured points scatter and are not smoothed; otherwise empty.
+std::string scatter_advice(const ProfileReport& report, bool wheel);
+
 /// `wheel`: else rail. Files are relative to the folder of `case_file`. Throws contact::InputError
 /// with file, line and value.
 ProfileCurve make_profile(const contact::ProfileSource& source, bool wheel,

@@ -2,7 +2,10 @@
 #include "profiles/smoothing_spline.hpp"
 
 #include "contact/base/root.hpp"
+#include "contact/base/text_fields.hpp"
 #include "profiles/curvature_smoothing.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -161,10 +164,15 @@ Values local_radius(const std::array<Fit, 2>& fit, const Values& step) {
   return radius;
 }
 
-/// Standard deviation of the points from a smooth curve, across it: third differences along the
-/// normal are (1, -3, 3, -1) times independent errors, whose squares sum to 20; the median is
-/// insensitive to corners.
-double scatter_of(const Values& y, const Values& z) {
+}  // namespace
+
+double smoothing_for(double scatter) {
+  return std::min(contact::number_of(fmt::format("{:.2g}", scatter)).value_or(scatter), 1.0);
+}
+
+double scatter_of(const std::vector<double>& y, const std::vector<double>& z) {
+  // Third differences along the normal are (1, -3, 3, -1) times independent errors, whose squares
+  // sum to 20; the median is insensitive to corners.
   Values sizes;
   for (std::size_t k = 3; k < y.size(); ++k) {
     const double ty = y[k] - y[k - 3], tz = z[k] - z[k - 3];
@@ -178,8 +186,6 @@ double scatter_of(const Values& y, const Values& z) {
   std::nth_element(sizes.begin(), middle, sizes.end());
   return *middle / (0.6744897501960817 * std::sqrt(20.0));  // median of |normal| is 0.674 sigma
 }
-
-}  // namespace
 
 ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<double>& z,
                               double scatter, SmoothingReport* report) {

@@ -19,6 +19,16 @@ struct SmoothingReport {
   double scatter = 0.0;  ///< mm, of the points across the profile, from their third differences
 };
 
+/// Scatter from which on points need smoothing, mm: a wave of this height and 2 mm of length in a
+/// profile changes the pressure between steel bodies by some 200 MPa.
+inline constexpr double least_scatter = 0.001;
+
+/// A value of `smoothing` for this scatter, mm.
+double smoothing_for(double scatter);
+
+/// Standard deviation of points from a smooth curve, across it, mm.
+double scatter_of(const std::vector<double>& y, const std::vector<double>& z);
+
 /// The first smoothing minimises the sum of squared distances + lambda * integral of (w |r''|)^2
 /// with lambda such that the rms distance is `scatter` (mm), the standard deviation of the points
 /// across the profile; w is the local radius of curvature, from a pass with w = 1. This pass only

@@ -12,6 +12,7 @@
 #include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/expected_choice.hpp"
+#include "profiles/profiles.hpp"
 #include "theories/registry.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +45,21 @@ std::string taken_by(const contact::Case& input, const contact::ModelRegistry& m
 /// Doubtful values, and reasons to refuse or doubt a result as far as the closed form shows them.
 std::vector<std::string> warnings_of(const contact::Case& input) {
   std::vector<std::string> warnings = contact::implausible_values(input);
-  if (input.has_profiles()) return warnings;
+  if (input.has_profiles()) {
+    for (const bool wheel : {true, false}) {
+      profiles::ProfileReport report;
+      static_cast<void>(profiles::profile_of_case(input, wheel, &report));
+      const std::string advice = profiles::scatter_advice(report, wheel);
+      if (advice.empty()) continue;
+      warnings.push_back(fmt::format(
+          "{}: {}.profile = \"{}\": its points scatter by {:.2g} mm, of which the pressure feels "
+          "waves; do: {}",
+          input.file, wheel ? "wheel" : "rail",
+          (wheel ? input.wheel.profile : input.rail.profile).name, report.smoothing->scatter,
+          advice));
+    }
+    return warnings;
+  }
   const std::string mark = "warning: ";
   try {
     for (const std::string& note : theories::models().run("hertz", input, {}).notes)

@@ -87,7 +87,9 @@ std::string described(const NamedProfile& profile) {
   if (profile.report.smoothing) {
     const profiles::SmoothingReport& smoothing = *profile.report.smoothing;
     line("points", fmt::format("{}", profile.report.points));
-    line("scatter of the points, mm", fmt::format("{:.2g}", smoothing.scatter));
+    const std::string advice = profiles::scatter_advice(profile.report, profile.wheel);
+    line("scatter of the points, mm",
+         fmt::format("{:.2g}{}", smoothing.scatter, advice.empty() ? "" : "; " + advice));
     line("distance from the points, mm",
          fmt::format("{:.3g} rms, {:.3g} largest", smoothing.rms, smoothing.largest));
   }

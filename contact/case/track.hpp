@@ -33,6 +33,7 @@ struct ProfileSource {
   std::array<double, 2> shift{0, 0};  ///< mm, along y and z
   // For files.
   LengthUnit unit = LengthUnit::mm;
+  std::string section;           ///< of a MiniProf file with several profiles
   bool flip = false;             ///< z -> -z: the file's z is upward
   bool reverse = false;          ///< the file's last point first
   bool sort = false;             ///< by increasing y

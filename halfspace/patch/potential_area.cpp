@@ -136,6 +136,13 @@ ContactGrid PatchSearch::line_grid(double dx, int margin) const {
   check_cells(scene_, {patch().length(), line.width}, dx, line.width, 0);
   const int nx = options.extent ? elements_within((*options.extent)[0], dx)
                                 : elements(patch().length(), dx, margin);
+  const double radius = std::abs(scene_.geometry.surface.rolling_radius);
+  if (nx * dx > 2.0 * line.reference && patch().length() > 2.0 * radius)
+    throw contact::InputError(fmt::format(
+        "{}: the patch of {:.4g} mm by Hertz is longer than the body, whose relative radius is "
+        "{:.4g} mm: no half-space; allowed: a patch that is short against the radius; do: check "
+        "the load (N), young_modulus (MPa) and the radius (mm)",
+        scene_.file, patch().length(), radius));
   if (nx * dx > 2.0 * line.reference)
     throw contact::InputError(fmt::format(
         "{}: geometry.reference_distance = {:g} mm: the contact grid is {:.4g} mm long; allowed: "

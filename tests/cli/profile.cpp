@@ -2,7 +2,10 @@
 // The command profile: its output, files, figures and refusals.
 #include <gtest/gtest.h>
 
+#include "support/profile_texts.hpp"
 #include "support/program.hpp"
+#include <random>
+#include <regex>
 
 namespace {
 
@@ -74,6 +77,49 @@ TEST(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
   expect_refused(call(folder, {"profile", "60E1", "--wheel"}), "belongs to a rail");
   expect_refused(call(folder, {"profile", "60E1", "--wheel", "--rail"}), "exclude each other");
   EXPECT_TRUE(folder.made().empty());
+}
+
+/// A measured rail with every kind of fault: the keys of one message, pasted into the case, mend
+/// it.
+TEST(Profile, TheKeysOfOneMessageMendAFile) {
+  const Folder folder;
+  Points points = points_of("60E1", 0.2);
+  std::reverse(points.begin(), points.end());
+  for (auto& q : points) q[1] = -q[1];
+  points.insert(points.begin() + 300, {points[299][0] + 0.5, points[299][1] + 0.1});
+  points.insert(points.begin() + 200, points[199]);
+  points.erase(points.begin() + 100, points.begin() + 130);
+  folder.file("rail.ban", "Gauge=1437.5\n\n" + columns(points));
+  const auto case_with = [&](const std::string& keys) {
+    return folder.file("c.toml", with_s1002("profile = \"rail.ban\"\n[rail_profile]\n" + keys));
+  };
+  const Outcome refused = call(folder, {"profile", case_with("")});
+  expect_refused(refused, "under [rail_profile]");
+  std::string keys;
+  const std::string list = refused.err.substr(refused.err.find("do: put"));
+  const std::regex key("`([^`]*)`");
+  for (std::sregex_iterator at(list.begin(), list.end(), key), end; at != end; ++at)
+    keys += (*at)[1].str() + '\n';
+  EXPECT_EQ(keys, "flip = true\ndrop_duplicates = true\ndrop_zigzag = true\nlongest_gap = 7\n");
+  const Outcome outcome = done(folder, {"profile", case_with(keys)});
+  EXPECT_TRUE(tells(outcome, "gauge face 14 mm below the top, mm  y = -35.98")) << outcome.out;
+}
+
+TEST(Profile, ScatterIsToldWithTheSmoothingThatItNeeds) {
+  const Folder folder;
+  Points points = points_of("60E1", 0.2);
+  std::mt19937 generator(4);
+  std::normal_distribution<double> normal(0.0, 0.004);
+  for (auto& q : points) q[1] += normal(generator);
+  folder.file("rail.txt", columns(points));
+  const std::string file = folder.file(
+      "c.toml", with_s1002("profile = \"rail.txt\"\n[rail_profile]\nlargest_kink = 60\n"));
+  EXPECT_TRUE(tells(done(folder, {"profile", file, "--rail"}), "put `smoothing = 0.00"));
+  EXPECT_TRUE(says(done(folder, {"check", file}).err,
+                   "warning: " + file + ": rail.profile = \"rail.txt\": its points scatter by 0.00",
+                   "do: put `smoothing = 0.00"));
+  const Outcome smoothed = done(folder, {"check", file, "--set", "rail_profile.smoothing=0.004"});
+  EXPECT_FALSE(says(smoothed.err, "scatter"));
 }
 
 TEST(Wheelset, TellsRadiiAnglesAndConicity) {

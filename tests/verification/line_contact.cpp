@@ -3,6 +3,7 @@
 // Hertz and Carter in closed form, antiplane shear, Bentall and Johnson's and Spence's unlike
 // bodies (reference/benchmarks.md, 2, 4 and 5), Nowell and Hills's rollers by quadrature, and the
 // quantities relative to the reference distance.
+#include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/scene/scene.hpp"
@@ -327,6 +328,30 @@ TEST(LineContact, RollsFromCattaneosShiftToCartersSteadyState) {
   EXPECT_NEAR(last.longitudinal_force / steady.longitudinal_force, 1.0, 0.02);
   EXPECT_LT(std::abs(history.points[0].longitudinal_force),
             0.5 * std::abs(steady.longitudinal_force));
+}
+
+/// Rubber on a small roller: Hertz's half width sqrt(4 F R / (pi E* l)) is 41 mm at R = 35 mm.
+TEST(LineContact, APatchLongerThanTheBodyIsSaidBeforeItsReference) {
+  const std::string roller = R"(
+[load]
+normal_force = 380.0
+[friction]
+coefficient = 0.0
+[wheel]
+young_modulus = 0.275
+poisson_ratio = 0.475
+[rail]
+young_modulus = inf
+[geometry]
+shape = "line"
+width = 28.0
+relative_radius = 35.0
+[rolling]
+problem = "frictionless"
+)";
+  const std::string message = testing::refusal<contact::InputError>([&] { run(roller); });
+  EXPECT_TRUE(testing::says(message, "the patch of 82.", "relative radius is 35 mm", "do: check"));
+  EXPECT_FALSE(testing::says(message, "reference_distance"));
 }
 
 TEST(LineContact, OtherModelsSayThatTheyCannotTakeIt) {

@@ -4,6 +4,8 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -104,19 +106,19 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
 
 }  // namespace
 
-WheelPoints wheel_points(const profiles::ProfileCurve& wheel) {
+WheelPoints wheel_points(const profiles::ProfileCurve& wheel, double tread_y) {
   WheelPoints result;
   const std::vector<double> at = parameters(wheel);
   for (const double parameter : at) result.points.push_back(wheel.at(parameter));
   result.start = static_cast<std::size_t>(
-      std::lower_bound(at.begin(), at.end(), wheel.parameter_at(0.0)) - at.begin());
+      std::lower_bound(at.begin(), at.end(), wheel.parameter_at(tread_y)) - at.begin());
   return result;
 }
 
 Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Axle& axle)
     : axle_(axle) {
   const AxleFrame frame = axle_frame(axle);
-  // From the running circle both ways, as far as the outline remains a height over y.
+  // From the tread both ways, as far as the outline remains a height over y.
   const auto start = static_cast<std::ptrdiff_t>(wheel.start);
   std::vector<Seen> inner, outer;
   inner.reserve(wheel.start);
@@ -140,9 +142,10 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
     if (all.empty() || point.place[1] > all.back().place[1] + 1e-6) all.push_back(point);
   if (all.size() < 2)
     throw contact::InputError(
-        "wheel.profile: no part of it near y = 0 is visible along x; allowed: a tread at y = 0 "
-        "that faces away from the axle; do: check rotation, shift and mirror under "
-        "[wheel_profile]");
+        fmt::format("wheel.profile: no part of it near y = {:.4g} mm is visible along x; allowed: "
+                    "a tread there that faces away from the axle; do: check rotation, shift and "
+                    "mirror under [wheel_profile]",
+                    wheel.points[wheel.start].y));
   std::vector<double> y, z, slope;
   for (auto* list : {&y, &z, &slope, &x_, &profile_y_}) list->reserve(all.size());
   for (const Seen& point : all) {

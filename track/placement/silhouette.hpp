@@ -24,9 +24,10 @@ struct OutlinePoint {
 /// Points of a wheel's profile, dense enough for an outline at any pose.
 struct WheelPoints {
   std::vector<profiles::ProfilePoint> points;
-  std::size_t start = 0;  ///< the first one with y >= 0
+  std::size_t start = 0;  ///< the first one from the place on the tread on
 };
-WheelPoints wheel_points(const profiles::ProfileCurve& wheel);
+/// `tread_y`: of a place on the tread, from where the outline is followed to both sides.
+WheelPoints wheel_points(const profiles::ProfileCurve& wheel, double tread_y);
 
 class Silhouette {
  public:

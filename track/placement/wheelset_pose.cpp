@@ -26,6 +26,14 @@ std::string where(const Case& input, int position, bool left) {
                      position, left ? "left" : "right");
 }
 
+/// The tape line, wherever the profile has its origin; that origin where the profile does not reach
+/// the tape line, as treads of rigs may.
+double tread_of(const contact::Wheelset& wheelset, const profiles::ProfileCurve& wheel) {
+  constexpr double tape_line = 70.0;  // mm from the back of the flange
+  const double y = wheelset.flange_back_position + tape_line;
+  return y > wheel.at(wheel.first()).y && y < wheel.at(wheel.last()).y ? y : 0.0;
+}
+
 /// Rejects a wheel that stands on the end of a profile or on its flange.
 void check_support(const Case& input, const SearchScene& scene, const VerticalGap& gap,
                    int position, bool left) {
@@ -42,11 +50,11 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
       static_cast<std::size_t>(std::max_element(knots.z.begin(), knots.z.end()) - knots.z.begin());
   const double profile_y = gap.wheel().at(first->y).profile_y;
   // A profile without flange is highest at its end.
-  const bool has_flange = tip > 0 && knots.y[tip] < 0.0 && knots.z[tip] > 10.0;
+  const bool has_flange = tip > 0 && knots.y[tip] < scene.tread_y && knots.z[tip] > 10.0;
   // Contact further down the flange (climbing) is a valid position.
   constexpr double tip_height = 2.0;
   const double height = gap.wheel().at(first->y).radius - input.wheel.rolling_radius;
-  if (has_flange && profile_y < 0.0 && height > knots.z[tip] - tip_height)
+  if (has_flange && profile_y < scene.tread_y && height > knots.z[tip] - tip_height)
     throw contact::SolveError(
         fmt::format("{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "
                     "left the rail; do: check gauge, flange_back_distance and lateral_shift",
@@ -143,10 +151,11 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
   scene.rail_place = rail_place(profiles.rail, input.track);
   scene.rail = place_rail(profiles.rail, scene.rail_place);
   scene.rail_head = rail_heights(scene.rail);
-  scene.wheel = wheel_points(profiles.wheel);
+  scene.tread_y = tread_of(input.wheelset, profiles.wheel);
+  scene.wheel = wheel_points(profiles.wheel, scene.tread_y);
   try {
     scene.wheel_tread =
-        profiles::height_over_y(profiles.wheel, parameter_near(profiles.wheel, 0.0, 0.0));
+        profiles::height_over_y(profiles.wheel, parameter_near(profiles.wheel, scene.tread_y, 0.0));
   } catch (const std::invalid_argument&) {
     scene.wheel_tread = {};
   }

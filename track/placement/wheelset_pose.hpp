@@ -14,11 +14,12 @@ namespace rollfem::track {
 /// them.
 struct SearchScene {
   ProfilePair profiles;
+  double tread_y = 0.0;  ///< mm, of a place on the tread in the wheel's profile coordinates
   WheelPoints wheel;
   RailPlace rail_place;
   profiles::ProfileCurve rail;     ///< placed, side frame
   contact::HeightCurve rail_head;  ///< the same as a height over y
-  /// The wheel's profile about its running circle as a height over y; empty where it is too steep.
+  /// The wheel's profile about that place as a height over y; empty where it is too steep.
   contact::HeightCurve wheel_tread;
 };
 

@@ -67,6 +67,10 @@ void add_mending(ProfileKeys& keys) {
       .says("Unit of the lengths in the file; SIMPACK files state their own.")
       .into(&Profile::unit,
             {{"mm", LengthUnit::mm}, {"m", LengthUnit::m}, {"inch", LengthUnit::inch}});
+  keys.text("section")
+      .otherwise("required by a MiniProf file with several profiles")
+      .says("Section of the points in a MiniProf file: `Profile1Points`.")
+      .into(&Profile::section);
   keys.toggle("flip").says("The file's z points upward: z becomes -z.").into(&Profile::flip);
   keys.toggle("reverse").says("Reverse the order of the points.").into(&Profile::reverse);
   keys.toggle("sort").says("Sort the points by y.").into(&Profile::sort);

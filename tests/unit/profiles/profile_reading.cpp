@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/profile_texts.hpp"
+#include <random>
 #include <regex>
 #include <string>
 
@@ -141,6 +142,143 @@ TEST(ProfileReading, AWheelMeasuredFromTheBackOfItsFlangeIsToldFromOneThatIsNot)
   input.wheel.profile.shift = {0.0, 0.0};
   input.wheelset.flange_back_position = 0.0;
   EXPECT_NEAR(*flange_tip(profile_of_case(input, true)), 15.0, 0.1);
+}
+
+/// S1002 with the back of its flange and its chamfer measured up to this height above the tread.
+Points measured_around(double height) {
+  Points points = points_of("S1002");
+  const auto first = points.front(), last = points.back();
+  for (double z = first[1] - 0.5; z > -height; z -= 0.5)
+    points.insert(points.begin(), {first[0], z});
+  for (double z = last[1] - 0.5; z > -height; z -= 0.5) points.push_back({last[0], z});
+  return points;
+}
+
+/// The flange is what the curve comes back from, however far the sides were measured.
+TEST(ProfileReading, AWheelIsKnownToBeUpsideDownByItsFlange) {
+  ProfileSource source;
+  source.largest_kink = 100.0;
+  for (const double height : {5.0, 23.0, 60.0}) {
+    Points points = measured_around(height);
+    EXPECT_NO_THROW(read(columns(points), true, source)) << height;
+    for (auto& q : points) q[1] = -q[1];
+    EXPECT_TRUE(says(refusal(columns(points), true, source), "upward", "`flip = true`")) << height;
+    ProfileSource flipped = source;
+    flipped.flip = true;
+    EXPECT_NO_THROW(read(columns(points), true, flipped)) << height;
+    // A right wheel that is flipped by mistake.
+    for (auto& q : points) q[1] = -q[1];
+    EXPECT_TRUE(says(refusal(columns(points), true, flipped), "`flip = false`")) << height;
+    flipped.mirror = true;
+    EXPECT_TRUE(says(refusal(columns(points), true, flipped), "`flip = false`, `mirror = false`"))
+        << height;
+  }
+}
+
+TEST(ProfileReading, AMiniprofFileOfSeveralProfilesIsReadByItsSection) {
+  const std::string rail = columns(points_of("60E1"));
+  const std::string text = "ProgramName=MiniProf\nColumnDef=X,Y\n[Profile1Points]\n" + rail +
+                           "[Profile2Points]\n" + columns(measured_around(5.0));
+  EXPECT_TRUE(
+      says(refusal(text, false, {}, "both.mpt"), "holds 2 profiles",
+           fmt::format("Profile1Points ({} points), Profile2Points", points_of("60E1").size()),
+           "`section = "));
+  ProfileSource source;
+  source.section = "Profile1Points";
+  EXPECT_LT(off(read(text, false, source, "both.mpt"), "60E1"), spline_tolerance);
+  source.section = "Profile2Points";
+  source.largest_kink = 100.0;
+  EXPECT_LT(off(read(text, true, source, "both.mpt"), "S1002"), spline_tolerance);
+  source.section = "Profile3Points";
+  EXPECT_TRUE(says(refusal(text, true, source, "both.mpt"), "\"Profile3Points\" is not one"));
+  EXPECT_TRUE(says(refusal(rail, false, source, "rail.txt"), "section cannot be set"));
+  // The only one needs no name.
+  EXPECT_LT(off(read("[ProfilePoints]\n" + rail, false, {}, "one.ban"), "60E1"), spline_tolerance);
+}
+
+TEST(ProfileReading, OldMiniprofHeadersAndRemarksNeedNoQuotes) {
+  std::string rows = columns(points_of("60E1"));
+  rows.insert(rows.find('\n'), "  added by hand (see 3)");
+  for (const char* const header :
+       {"MINIPROF 101 148 1994 3 24\nWheel ID....:\n32.58 37.11 14.71  (Sd/Sh/qR)\n\n",
+        "MINIPROF 2020\n32.58 37.11 14.71\n(Sd/Sh/qR)\n\n", "MINIPROF 2020\n32.58 37.11 14.71\n\n",
+        "Sh=1.2\n", ""}) {
+    const ProfileCurve curve = read(header + rows, false, {}, "rail.ban");
+    EXPECT_LT(off(curve, "60E1"), spline_tolerance) << header;
+    EXPECT_NEAR(curve.at(curve.first()).y, points_of("60E1").front()[0], 1e-9) << header;
+  }
+  rows.insert(rows.size() - 1, " last");
+  EXPECT_LT(off(read(rows, false, {}, "rail.ban"), "60E1"), spline_tolerance);
+}
+
+TEST(ProfileReading, TwoHeadsInOneSectionAreRefused) {
+  const TemporaryFolder folder;
+  contact::Case input;
+  input.file = folder.path("case.toml");
+  input.rail.profile.name = "rail.csv";
+  input.rail.profile.largest_kink = 100.0;
+  // 60E1 and a bar beside it whose flat top lies `lower` below the head's, with a groove between.
+  const auto read_with_bar = [&](double lower, double depth) {
+    Points points = points_of("60E1");
+    const double y = points.back()[0], z = points.back()[1];
+    for (double t = z + 0.5; t < depth; t += 0.5) points.push_back({y, t});
+    for (double t = 0.5; t < 40.0; t += 0.5) points.push_back({y + t, depth});
+    for (double t = depth; t > lower; t -= 0.5) points.push_back({y + 40.0, t});
+    for (double t = 0.5; t < 30.0; t += 0.5) points.push_back({y + 40.0 + t, lower});
+    folder.file("rail.csv", columns(points));
+    static_cast<void>(profile_of_case(input, false));
+  };
+  const auto refused = [&](double lower, double depth) {
+    return refusal<contact::InputError>([&] { read_with_bar(lower, depth); });
+  };
+  for (const double lower : {3.0, -1.0, 20.0})
+    EXPECT_TRUE(says(refused(lower, 50.0), "rail.profile = \"rail.csv\" has two heads",
+                     fmt::format("(z = {:.1f} mm)", lower),
+                     fmt::format("a groove {:.1f} mm deep", 50.0 - std::min(lower, 0.0)),
+                     "points of the head that carries the wheel"));
+  EXPECT_EQ(refused(48.0, 50.0), "");  // a ledge is no head
+  // A hollow above the gauge height hides no gauge face.
+  Points points;
+  for (double y = -40.0; y <= 40.0; y += 0.5)
+    points.push_back({y, 6.0 - 6.0 * std::cos(y * std::acos(-1.0) / 20.0)});
+  folder.file("rail.csv", columns(points));
+  input.track.gauge_height = 13.0;
+  EXPECT_NO_THROW(static_cast<void>(profile_of_case(input, false)));
+  input.track.gauge_height = 8.0;
+  EXPECT_THROW(static_cast<void>(profile_of_case(input, false)), contact::InputError);
+}
+
+/// Everything is wrong; what the message names mends it in one go.
+TEST(ProfileReading, AllRepairsAreNamedInOneMessage) {
+  std::mt19937 generator(3);
+  std::normal_distribution<double> normal(0.0, 0.01);
+  Points points = points_of("S1002", 0.2);
+  const Points smooth = points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto &a = smooth[k > 0 ? k - 1 : 0], &b = smooth[std::min(k + 1, points.size() - 1)];
+    const double part = normal(generator) / std::hypot(b[0] - a[0], b[1] - a[1]);
+    points[k] = {part * (b[1] - a[1]) - smooth[k][0], -part * (b[0] - a[0]) - smooth[k][1]};
+  }
+  points.erase(points.begin() + 400, points.begin() + 430);
+  points.insert(points.begin() + 300, points[299]);
+  points.insert(points.begin() + 200, {points[199][0] + 0.5, points[199][1] + 0.1});
+  const std::string text = columns(points, " ", 1000.0);
+  const std::string message = refusal(text, true);
+  EXPECT_TRUE(says(message, "profile.txt:302: the point", "profile.txt:201: zig-zag", "gap of 6."));
+  EXPECT_TRUE(says(message,
+                   "do: put `unit = \"m\"`, `flip = true`, `mirror = true`, "
+                   "`drop_duplicates = true`, `drop_zigzag = true`, `longest_gap = 7`, "
+                   "`smoothing = "));
+  EXPECT_FALSE(says(message, "\n"));
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(message, found, std::regex("`smoothing = ([0-9.]+)`"))) << message;
+  ProfileSource source;
+  source.smoothing = std::stod(found[1]);
+  EXPECT_NEAR(source.smoothing, 0.01, 0.0015);
+  source.unit = contact::LengthUnit::m;
+  source.flip = source.mirror = source.drop_duplicates = source.drop_zigzag = true;
+  source.longest_gap = 7.0;
+  EXPECT_LT(off(read(text, true, source), "S1002"), 0.02);
 }
 
 TEST(ProfileReading, AMeasuredTreadWithoutFlangeHasNoTip) {

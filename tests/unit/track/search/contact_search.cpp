@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
 #include <cmath>
 
@@ -108,6 +109,42 @@ TEST(Roll, IsFoundSuchThatBothSpheresTouch) {
   };
   EXPECT_GT(std::abs(pose.roll), 1e-5);
   EXPECT_NEAR(height(-1.0), height(1.0), 1e-8);
+}
+
+TEST(Origin, AWheelMeasuredFromTheBackOfItsFlangeIsPlacedTheSame) {
+  // From the tread to the flange, and one that has climbed onto its tip.
+  for (const double shift : {0.0, -6.0, 9.0, 24.0}) {
+    const contact::Case given = rollfem::testing::manchester_case(shift, 0.01);
+    contact::Case from_back = given;
+    from_back.wheelset.flange_back_position = 0.0;
+    track::ProfilePair pair = rollfem::testing::manchester_pair();
+    const auto scene = track::make_search_scene(given, pair);
+    pair.wheel = pair.wheel.moved(0.0, 70.0, 0.0);
+    const auto scene_from_back = track::make_search_scene(from_back, pair);
+    for (const bool left : {true, false}) {
+      if (shift > 20.0 && !left) {
+        const auto message = [](const contact::Case& input, const track::SearchScene& of) {
+          return rollfem::testing::refusal<contact::SolveError>([&] {
+            touching_pose(input, of, {24.0, 0.0, 0.0, 0.0}, 1, false);
+          });
+        };
+        EXPECT_TRUE(rollfem::testing::says(message(given, scene), "on the tip of its flange"));
+        EXPECT_TRUE(rollfem::testing::says(message(from_back, scene_from_back),
+                                           "on the tip of its flange"));
+      }
+      if (shift > 20.0) continue;
+      const auto one = contacts_of(given, scene, left);
+      const auto other = contacts_of(from_back, scene_from_back, left);
+      ASSERT_EQ(one.size(), other.size());
+      for (std::size_t k = 0; k < one.size(); ++k) {
+        EXPECT_NEAR(other[k].place.y_wheel, one[k].place.y_wheel + 70.0, 1e-7);
+        EXPECT_NEAR(other[k].place.y_track, one[k].place.y_track, 1e-7);
+        EXPECT_NEAR(other[k].place.contact_angle, one[k].place.contact_angle, 1e-9);
+        EXPECT_NEAR(other[k].place.rolling_radius, one[k].place.rolling_radius, 1e-7);
+        EXPECT_NEAR(other[k].place.roll, one[k].place.roll, 1e-12);
+      }
+    }
+  }
 }
 
 TEST(Mirror, RightWheelIsTheMirrorImageOfTheLeftOne) {
