@@ -29,7 +29,7 @@ struct Closed {
 Closed closed_form(int n) {
   const double unit = contact_modulus * steepness;
   // p = (32/9 pi) E* A s (a^2 + 2 r^2), s = sqrt(a^2 - r^2), largest at r^2 = a^2/2; and
-  // (96/5 pi) E* A (s^5/5 + 2 r^2 s^3/3 + r^4 s), largest at r^4 = (3 a^4 + 4 a^2 r^2)/8.
+  // (96/5 pi) E* A (s^5/5 + 2 r^2 s^3/3 + r^4 s), largest at r^2 = (1 + sqrt(3)) a^2/4.
   if (n == 2)
     return {64.0 / 15.0 * unit * half_width, 8.0 / 3.0 * steepness,
             32.0 / (9.0 * M_PI) * unit / half_width * std::sqrt(2.0),
@@ -104,7 +104,7 @@ TEST_P(Steuermann, TheClosedFormsAreSneddonsIntegrals) {
            });
   };
   EXPECT_NEAR(pressure(0.0) / exact.middle, 1.0, 1e-5);
-  const double r2 = n == 2 ? 0.5 : (4.0 + std::sqrt(16.0 + 96.0)) / 16.0;
+  const double r2 = n == 2 ? 0.5 : (1.0 + std::sqrt(3.0)) / 4.0;
   EXPECT_NEAR(pressure(half_width * std::sqrt(r2)) / exact.largest, 1.0, 1e-5);
 }
 
