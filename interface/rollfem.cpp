@@ -11,38 +11,7 @@
 #include "models/solving/solving.hpp"
 #include "postprocess/files/result_folder.hpp"
 
-#include <cstdlib>
-#include <memory>
-#include <mutex>
-
 namespace rollfem {
-
-namespace {
-
-/// MPI can be started once in a process: from the first parallel model to the end of the process.
-class Session {
- public:
-  static Session& only() {
-    static Session session;
-    return session;
-  }
-  const modelling::ParallelSession* get() const { return session_.get(); }
-  void need() {
-    if (session_) return;
-    static char name[] = "rollfem";
-    static char* arguments[] = {name, nullptr};
-    session_ = std::make_unique<modelling::ParallelSession>("models", 1, arguments);
-    // Ends the session before its libraries are unloaded.
-    std::atexit([] { only().session_.reset(); });
-  }
-  std::mutex& mutex() { return mutex_; }
-
- private:
-  std::unique_ptr<modelling::ParallelSession> session_;
-  std::mutex mutex_;
-};
-
-}  // namespace
 
 const contact::ModelRegistry& registry() {
   static const contact::ModelRegistry models = modelling::built_in_models();
@@ -54,11 +23,10 @@ Ready ready_for(const std::vector<std::string>& models, const contact::Progress&
   ready.how.models = &registry();
   ready.how.progress = progress;
   if (!modelling::any_parallel(registry(), models)) return ready;
-  Session& session = Session::only();
-  ready.one_at_a_time = std::unique_lock<std::mutex>(session.mutex());
-  ready.how.need_session = [&session] { session.need(); };
-  if (!modelling::any_choice(registry(), models)) session.need();
-  ready.how.session = session.get();
+  ready.one_at_a_time = modelling::lock_fem();
+  ready.how.need_session = [] { modelling::need_session("models"); };
+  if (!modelling::any_choice(registry(), models)) ready.how.need_session();
+  ready.how.session = modelling::ParallelSession::living();
   return ready;
 }
 

@@ -5,7 +5,6 @@
 #include "models/fem/fem_library.hpp"
 #include "models/solving/solving.hpp"
 
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ const contact::ModelRegistry& registry();
 /// How to solve with these models; parallel ones wait for each other while it lives.
 struct Ready {
   modelling::Solving how;
-  std::unique_lock<std::mutex> one_at_a_time;
+  modelling::FemLock one_at_a_time;
 };
 
 /// Starts MPI where a model needs it. Throws contact::InputError for a model that is not built.

@@ -15,6 +15,10 @@ using Shared = std::shared_ptr<const Result>;
 /// of the result without copies; each keeps the whole result alive.
 py::list models_of(const Shared& result);
 
+/// The state of a pickled result, and the result of a state.
+py::tuple packed(const Result& result);
+std::shared_ptr<Result> unpacked(const py::tuple& state);
+
 /// {name: (title, symbol, unit, meaning, percent_of)}, in the order of the files.
 py::dict quantities();
 /// {name: (unit, description, sign)}

@@ -86,7 +86,8 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("doubts",
                              [](const Case& input) { return contact::implausible_values(input); })
       .def("describe", [](const Case& input) { return rollfem::describe(input); });
-  py::class_<Result, std::shared_ptr<Result>>(module, "Result");
+  py::class_<Result, std::shared_ptr<Result>>(module, "Result")
+      .def(py::pickle(&python::packed, &python::unpacked));
   module.def("read_case", &read_case);
   module.def("parse_case", &parse_case);
   module.def("models", &models);

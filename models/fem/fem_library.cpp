@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace rollfem::modelling {
@@ -71,13 +72,44 @@ const fem::Entry& open_fem_library(const std::string& asked_by) {
 
 #endif
 
+FemLock lock_fem() {
+  static std::recursive_mutex one_at_a_time;
+  return FemLock(one_at_a_time);
+}
+
+namespace {
+
+const ParallelSession* living_session = nullptr;
+
+std::unique_ptr<ParallelSession>& lasting_session() {
+  static std::unique_ptr<ParallelSession> session;
+  return session;
+}
+
+}  // namespace
+
 ParallelSession::ParallelSession(const std::string& asked_by, int argc, char** argv)
     : entry_(open_fem_library(asked_by)) {
   entry_.start(argc, argv);
+  living_session = this;
 }
 
 ParallelSession::~ParallelSession() {
+  living_session = nullptr;
   entry_.stop();
+}
+
+const ParallelSession* ParallelSession::living() {
+  return living_session;
+}
+
+void need_session(const std::string& asked_by) {
+  if (living_session != nullptr) return;
+  static char name[] = "rollfem";
+  static char* arguments[] = {name, nullptr};
+  lasting_session() = std::make_unique<ParallelSession>(asked_by, 1, arguments);
+  // Ends the session before its libraries are unloaded.
+  std::atexit([] { lasting_session().reset(); });
 }
 
 }  // namespace rollfem::modelling

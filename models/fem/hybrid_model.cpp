@@ -28,6 +28,8 @@ SmoothParts found_here(const contact::Scene& scene, const contact::Progress& pro
   const CorrectionCache cache;
   const auto stored = cache.find(correction, scene.asks_for_stress());
   if (stored.parts) return *stored.parts;
+  const FemLock alone = lock_fem();
+  need_session("model hybrid");
   const contact::Stopwatch watch;
   SmoothParts parts = open_fem_library("model hybrid").find_smooth_parts(scene, progress);
   const std::string why = cache.keep(correction, parts, watch.seconds());

@@ -88,11 +88,6 @@ postprocess::StressReport stored_stress(const StressRequest& request,
   report.yield_shear_stress = yield_shear_stress(request);
 
   const ResultsFile file(request.result);
-  if (!file.sealed())
-    warnings.push_back(
-        file.path() +
-        " has no checksum (an earlier version or another program wrote it), so damage may go "
-        "unnoticed; do: if in doubt, run the case again");
   report.source = file.path();
   report.title = file.input().title;
   report.point_named = !request.points.empty() || !request.creepages.empty();

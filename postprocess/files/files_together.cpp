@@ -18,18 +18,25 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-/// Makes a write beyond the limit of file size fail with EFBIG instead of ending the program.
-class IgnoreFileSizeSignal {
+/// Makes a write beyond the limit of file size fail with EFBIG instead of ending the program; other
+/// threads keep their signals.
+class HoldFileSizeSignal {
  public:
-  IgnoreFileSizeSignal() : previous_(std::signal(SIGXFSZ, SIG_IGN)) {}
-  ~IgnoreFileSizeSignal() {
-    if (previous_ != SIG_ERR) std::signal(SIGXFSZ, previous_);
+  HoldFileSizeSignal() {
+    sigemptyset(&signal_);
+    sigaddset(&signal_, SIGXFSZ);
+    pthread_sigmask(SIG_BLOCK, &signal_, &before_);
   }
-  IgnoreFileSizeSignal(const IgnoreFileSizeSignal&) = delete;
-  IgnoreFileSizeSignal& operator=(const IgnoreFileSizeSignal&) = delete;
+  ~HoldFileSizeSignal() {
+    const timespec at_once{};
+    sigtimedwait(&signal_, nullptr, &at_once);  // removes the one that is pending
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  HoldFileSizeSignal(const HoldFileSizeSignal&) = delete;
+  HoldFileSizeSignal& operator=(const HoldFileSizeSignal&) = delete;
 
  private:
-  void (*previous_)(int);
+  sigset_t signal_{}, before_{};
 };
 
 /// Returns 0 or the error number.
@@ -54,7 +61,7 @@ void fail_to(const std::string& doing, const fs::path& path, int error) {
 }
 
 void write_file(const fs::path& path, std::string_view content) {
-  const IgnoreFileSizeSignal guard;
+  const HoldFileSizeSignal guard;
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) fail_to("write", path, errno);
   int error = write_all(file, content);
@@ -96,9 +103,9 @@ FilesTogether::~FilesTogether() {
   for (const std::string& name : names_) fs::remove(part_of(name), ignored);
 }
 
-/// A unique name, because two processes may write the same file.
+/// A unique name, because two threads or processes may write the same file.
 fs::path FilesTogether::part_of(const std::string& name) const {
-  return folder_ / fmt::format("{}.{}.part", name, ::getpid());
+  return folder_ / fmt::format("{}.{}.part", name, ::gettid());
 }
 
 void FilesTogether::write(const std::string& name, std::string_view content) {

@@ -167,11 +167,11 @@ void ResultFolder::commit() {
     if (entry.is_directory()) flush_folder(entry.path());
   flush_folder(partial_);
 
-  const bool replaces = fs::exists(target_, error) && !fs::is_empty(target_, error);
-  if (!replaces) {
-    if (::rename(partial_.c_str(), target_.c_str()) != 0)
-      fail_to("move the result to", target_, errno);
+  // The rename replaces an empty folder only; another thread may have filled it by now.
+  if (::rename(partial_.c_str(), target_.c_str()) == 0) {
     committed_ = true;
+  } else if (errno != ENOTEMPTY && errno != EEXIST) {
+    fail_to("move the result to", target_, errno);
   } else {
     fs::path old_folder =
         partial_;  // after the exchange the old result has the name of the partial one

@@ -38,7 +38,7 @@ std::string hdf5_seal(std::string_view data) {
   return seal_text(data.size(), crc_of(data));
 }
 
-Seal check_hdf5_seal(const std::string& path) {
+bool hdf5_seal_is_intact(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
     throw contact::FileError(
@@ -46,7 +46,7 @@ Seal check_hdf5_seal(const std::string& path) {
   std::string block(seal_size, '\0');
   file.read(block.data(), static_cast<std::streamsize>(block.size()));
   block.resize(static_cast<std::size_t>(file.gcount()));
-  if (begins_with(block, hdf5_signature)) return Seal::none;
+  if (begins_with(block, hdf5_signature)) return false;
   std::vector<char> buffer(1U << 20U);
   std::size_t bytes = 0;
   uLong crc = 0;
@@ -61,7 +61,7 @@ Seal check_hdf5_seal(const std::string& path) {
   if (!is_hdf5)
     throw contact::FileError(fmt::format(
         "{} is not a result of rollfem (no HDF5 file); do: name the results.h5 of a run", path));
-  return block == seal_text(bytes, crc) ? Seal::intact : Seal::broken;
+  return block == seal_text(bytes, crc);
 }
 
 std::string sealed_json(std::string text) {
@@ -71,11 +71,11 @@ std::string sealed_json(std::string text) {
   return text + fmt::format("{}{:08x}\"\n}}\n", json_member, crc_of(text));
 }
 
-Seal check_json_seal(std::string_view text) {
+bool json_seal_is_intact(std::string_view text) {
   const std::size_t at = text.rfind(json_member);
-  if (at == text.npos) return Seal::none;
+  if (at == text.npos) return false;
   const std::string wanted = fmt::format("{:08x}\"\n}}\n", crc_of(text.substr(0, at)));
-  return text.substr(at + json_member.size()) == wanted ? Seal::intact : Seal::broken;
+  return text.substr(at + json_member.size()) == wanted;
 }
 
 }  // namespace rollfem::postprocess

@@ -4,7 +4,7 @@
 //
 // results.h5 begins with an HDF5 user block, which HDF5 libraries skip: 512 bytes of text with size
 // and CRC-32 of the data that follow. JSON files end with a member `checksum`: the CRC-32 of all
-// the text before it. A file without a checksum comes from an earlier version or another program.
+// the text before it. A file without a checksum counts as damaged: its head may be cut off.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,13 @@ inline constexpr std::size_t seal_size = 512;
 /// The user block for this data.
 std::string hdf5_seal(std::string_view data);
 
-enum class Seal { intact, none, broken };
-
-/// Checks a file that should be results.h5 without using HDF5. Throws contact::InputError if it
-/// cannot be read or is not an HDF5 file.
-Seal check_hdf5_seal(const std::string& path);
+/// Whether the checksum of a file that should be results.h5 is there and right, without using HDF5,
+/// which may crash on a damaged file. Throws contact::InputError if it cannot be read or is not an
+/// HDF5 file.
+bool hdf5_seal_is_intact(const std::string& path);
 
 /// The text of a JSON object with its checksum as the last member.
 std::string sealed_json(std::string text);
-Seal check_json_seal(std::string_view text);
+bool json_seal_is_intact(std::string_view text);
 
 }  // namespace rollfem::postprocess

@@ -87,7 +87,13 @@ Handle::~Handle() {
   if (id_ >= 0) H5Idec_ref(id_);
 }
 
-Handle create_file_in_memory() {
+File::Alone File::alone() {
+  static std::recursive_mutex one_at_a_time;
+  return Alone(one_at_a_time);
+}
+
+File create_file_in_memory() {
+  File::Alone alone = File::alone();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
   check(H5Pset_fapl_core(access, 1U << 20U, false), "H5Pset_fapl_core");
   // The name is never used on disk, but must not name an existing file.
@@ -95,7 +101,8 @@ Handle create_file_in_memory() {
   check(H5Pset_userblock(creation, seal_size), "H5Pset_userblock");
   // Every dataset is a single chunk; the default index would take 2 kB.
   check(H5Pset_istore_k(creation, 1), "H5Pset_istore_k");
-  return {H5Fcreate("rollfem-results-in-memory.h5", H5F_ACC_TRUNC, creation, access), "H5Fcreate"};
+  return {std::move(alone),
+          H5Fcreate("rollfem-results-in-memory.h5", H5F_ACC_TRUNC, creation, access), "H5Fcreate"};
 }
 
 std::string sealed_image(hid_t file) {

@@ -7,7 +7,9 @@
 
 #include <array>
 #include <map>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rollfem::postprocess::hdf5 {
@@ -28,9 +30,25 @@ class Handle {
   hid_t id_;
 };
 
+/// An open file. Debian's HDF5 is not thread-safe, and the files in memory share a name: the thread
+/// that has a file open keeps all others waiting until it is closed. Other objects belong to a
+/// file, so they need no lock of their own.
+class File {
+ public:
+  using Alone = std::unique_lock<std::recursive_mutex>;
+  /// `alone`: taken before any call of HDF5.
+  static Alone alone();
+  File(Alone alone, hid_t id, const char* call) : alone_(std::move(alone)), file_(id, call) {}
+  operator hid_t() const { return file_; }  // NOLINT: as Handle
+
+ private:
+  Alone alone_;
+  Handle file_;
+};
+
 /// Creates a file in memory. Its bytes on disk start with a user block that holds the checksum
 /// (seal.hpp).
-Handle create_file_in_memory();
+File create_file_in_memory();
 std::string sealed_image(hid_t file);
 
 /// A new group; `comment` is shown by h5dump -H.
@@ -69,7 +87,7 @@ void write_rows(hid_t group, const char* name, const std::vector<std::array<Numb
 
 /// Opens a file for reading; std::runtime_error if it is not an HDF5 file or damaged. HDF5 prints
 /// nothing.
-Handle open_file(const std::string& path);
+File open_file(const std::string& path);
 
 /// Whether an object has a member (a group, a dataset), or an attribute, of that name.
 bool has_member(hid_t group, const std::string& name);

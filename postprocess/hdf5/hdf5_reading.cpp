@@ -103,11 +103,12 @@ herr_t keep_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /*in
 
 }  // namespace
 
-Handle open_file(const std::string& path) {
+File open_file(const std::string& path) {
+  File::Alone alone = File::alone();
   const Silence silence;
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail("HDF5 cannot open", path);
-  return {id, "H5Fopen"};
+  return {std::move(alone), id, "H5Fopen"};
 }
 
 bool has_member(hid_t group, const std::string& name) {

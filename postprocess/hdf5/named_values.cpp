@@ -15,7 +15,7 @@ namespace {
 using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 std::string image_of(const NamedValues& values) {
-  const hdf5::Handle file = hdf5::create_file_in_memory();
+  const hdf5::File file = hdf5::create_file_in_memory();
   for (const auto& [name, text] : values.texts) hdf5::write_attribute(file, name, text);
   for (const auto& [name, number] : values.numbers) hdf5::write_attribute(file, name, number);
   for (const auto& [name, matrix] : values.matrices) {
@@ -49,7 +49,7 @@ void write_named_values(const fs::path& path, const NamedValues& values) {
 
 std::optional<NamedValues> read_named_values(const fs::path& path) {
   try {
-    if (check_hdf5_seal(path.string()) != Seal::intact) return {};
+    if (!hdf5_seal_is_intact(path.string())) return {};
     return values_of(hdf5::open_file(path.string()));
   } catch (const std::runtime_error&) {
     return {};

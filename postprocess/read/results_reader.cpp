@@ -53,16 +53,18 @@ std::string find_file(const std::string& path) {
   return file.string();
 }
 
-/// Whether the file has a checksum. HDF5's library must not see a damaged file: it may crash.
-bool check_seal(const std::string& path) {
-  const Seal seal = check_hdf5_seal(path);
-  if (seal == Seal::broken)
-    throw FileError(fmt::format(
-        "{} is truncated or damaged: its checksum does not match; {}, or use a copy", path, again));
-  return seal == Seal::intact;
+/// The file meant by `path`, with the right checksum.
+std::string sound_file(const std::string& path) {
+  std::string file = find_file(path);
+  if (!hdf5_seal_is_intact(file))
+    throw FileError(
+        fmt::format("{} is truncated or damaged: its checksum is missing or does not match; {}, or "
+                    "use a copy",
+                    file, again));
+  return file;
 }
 
-Handle open_checked(const std::string& path) {
+File open_checked(const std::string& path) {
   try {
     return open_file(path);
   } catch (const std::runtime_error&) {
@@ -224,9 +226,8 @@ PointResult read_point(hid_t group, const contact::ContactGrid& grid) {
 
 }  // namespace
 
-ResultsFile::ResultsFile(const std::string& path)
-    : path_(find_file(path)), sealed_(check_seal(path_)) {
-  const Handle file = open_checked(path_);
+ResultsFile::ResultsFile(const std::string& path) : path_(sound_file(path)) {
+  const File file = open_checked(path_);
   guarded(path_, [&] {
     check_format(file, path_);
     input_ = read_case(file);
@@ -240,7 +241,7 @@ std::string ResultsFile::directory() const {
 }
 
 ModelResult ResultsFile::read(const StoredModel& model) const {
-  const Handle file = open_checked(path_);
+  const File file = open_checked(path_);
   return guarded(path_, [&] {
     const Handle group = open_group(open_group(file, "models"), model.key);
     ModelResult result;
@@ -268,7 +269,7 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
 
 void ResultsFile::read_bodies(const StoredModel& model, std::size_t point,
                               ModelResult& result) const {
-  const Handle file = open_checked(path_);
+  const File file = open_checked(path_);
   guarded(path_, [&] {
     const Handle group = open_group(open_group(file, "models"), model.key);
     result.points.at(point).bodies = read_body_values(group, point, result.bodies);

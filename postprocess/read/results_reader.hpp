@@ -30,8 +30,6 @@ class ResultsFile {
   explicit ResultsFile(const std::string& path);
 
   const std::string& path() const { return path_; }
-  /// False: written by an earlier version without a checksum, so that damage may go unnoticed.
-  bool sealed() const { return sealed_; }
   /// Folder that holds the file.
   std::string directory() const;
   /// Only title, file, text, friction coefficient, radii and materials of the case.
@@ -48,7 +46,6 @@ class ResultsFile {
 
  private:
   std::string path_;
-  bool sealed_ = false;
   contact::Case input_;
   std::vector<StoredModel> models_;
 };

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files: written completely or not at all, with checksums that detect damage (postprocess/files/seal.hpp); a file
-without a checksum comes from an earlier version."""
+"""Files: written completely or not at all, with checksums that detect damage (postprocess/files/seal.hpp)."""
 import contextlib
 import os
 import re
 import zlib
 
 _SEAL = 512  # bytes of the user block before the HDF5 data
-_HDF5 = b"\x89HDF\r\n\x1a\n"
 
 
 @contextlib.contextmanager
@@ -29,12 +27,9 @@ def write_whole(path, text):
 
 
 def results_are_sound(path):
-    """False if the checksum of results.h5 does not match."""
+    """False if the checksum of results.h5 is missing or does not match."""
     with open(path, "rb") as file:
-        block = file.read(_SEAL)
-        if block.startswith(_HDF5):
-            return True
-        found = re.match(rb"rollfem results\nbytes: (\d+)\ncrc32: ([0-9a-f]{8})\n", block)
+        found = re.match(rb"rollfem results\nbytes: (\d+)\ncrc32: ([0-9a-f]{8})\n", file.read(_SEAL))
         size, crc = 0, 0
         while part := file.read(1 << 20):
             size, crc = size + len(part), zlib.crc32(part, crc)
@@ -52,7 +47,7 @@ def seal_results(path):
 
 
 def json_is_sound(text):
-    """False if the checksum of a JSON file does not match."""
+    """False if the checksum of a JSON file is missing or does not match."""
     text = text.encode("utf-8")
     at = text.rfind(b'"checksum": "crc32 ')
-    return at < 0 or text[at + 19:] == b'%08x"\n}\n' % zlib.crc32(text[:at])
+    return at >= 0 and text[at + 19:] == b'%08x"\n}\n' % zlib.crc32(text[:at])

@@ -25,6 +25,7 @@ Json number_in(const contact::Bounds& bounds, const char* type) {
   const double lower = bounds.magnitude ? -bounds.upper : bounds.lower;
   if (std::isfinite(lower)) schema["minimum"] = lower;
   if (std::isfinite(bounds.upper) && !bounds.infinite) schema[upper] = bounds.upper;
+  if (bounds.zero) return {{"anyOf", {schema, {{"const", 0}}}}};
   if (two_sided) return schema;
   if (bounds.infinite) schema.erase("minimum");
   // Magnitude above the lower bound, with either sign.

@@ -321,7 +321,7 @@ void write_pairs(hid_t file, const std::vector<PlacedPair>& pairs) {
 }  // namespace
 
 std::string results_hdf5(const RunRecord& run) {
-  const Handle file = create_file_in_memory();
+  const File file = create_file_in_memory();
   write_comment(file, std::string("rollfem result, layout: docs/results.md. ") + conventions);
   write_attribute(file, "format", std::string("rollfem results"));
   write_attribute(file, "format_version", static_cast<long>(hdf5_format_version));

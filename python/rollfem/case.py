@@ -16,6 +16,7 @@ import numpy as np
 from . import _core
 from ._core import FileError, InputError
 from .ellipse import curvatures
+from .names import path_of, refuse_unused
 
 BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -81,44 +82,33 @@ def _merge(into: dict[str, Any], other: Mapping[str, Any]) -> None:
             into[name] = _plain(value)
 
 
-def nested(changes: Mapping[str, Any]) -> dict[str, Any]:
+def nested(changes: Mapping[str, Any], data: Mapping[str, Any], call: str = "") -> dict[str, Any]:
     """{"friction.coefficient": 0.3} and {"friction__coefficient": 0.3} as sections; a name without a section is
-    looked for in all of them."""
+    looked for in those that `call` uses (names.path_of)."""
     found: dict[str, Any] = {}
+    given = {name for name, value in changes.items() if isinstance(value, dict)}
+    once: dict[str, str] = {}
     for name, value in changes.items():
         if not isinstance(name, str):
             raise InputError(f"{name!r} is not a key; allowed: strings")
         parts = name.replace("__", ".").split(".")
         if len(parts) == 1 and not isinstance(value, dict):
-            parts = path_of(name)
+            parts = path_of(name, value, {*data, *given}, call)
+        if (other := once.setdefault(".".join(parts), name)) != name:
+            raise InputError(f"{name}: is the same key as {other}; do: give it once")
         for part in reversed(parts):
             value = {part: value}
         _merge(found, value)
     return found
 
 
-def merged(data: dict[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+def merged(data: dict[str, Any], changes: Mapping[str, Any], call: str = "") -> dict[str, Any]:
     """`data` with changed keys; those that are None are removed."""
-    asked = nested(changes)
+    asked = nested(changes, data, call)
+    refuse_unused(asked, data, call)
     _drop(data, asked)
     _merge(data, asked)
     return data
-
-
-def path_of(name: str) -> list[str]:
-    """Section and name of a key given by its name alone: "spin" is ["rolling", "spin"]. An unknown one is returned as it
-    is, and the reader rejects it. InputError where several sections have the key."""
-    sections = [section for section, key in _core.keys() if key == name]
-    if "" in sections or not sections:
-        return [name]
-    for less in ("history", "table"):  # what these have of the same name is for single steps, and for an axis
-        if len(sections) > 1 and less in sections:
-            sections.remove(less)
-    if len(sections) > 1:
-        raise InputError(f"{name}: several sections have this key; allowed: "
-                         + ", ".join(f"{section}.{name}" for section in sections)
-                         + f"; do: write {sections[0]}={{'{name}': ...}} or **{{'{sections[0]}.{name}': ...}}")
-    return [sections[0], name]
 
 
 class Case:
@@ -150,6 +140,10 @@ class Case:
     _read: _core.Case
 
     def __init__(self, source: "str | os.PathLike[str] | Mapping[str, Any] | Case | None" = None, /, **sections: Any) -> None:
+        self._take(source, sections)
+
+    def _take(self, source: Any, sections: Mapping[str, Any], call: str = "") -> None:
+        """`call`: for which the case is made, with sections that it must use."""
         self._file, data, core = "", {}, None
         if isinstance(source, Case):
             self._file, data = source._file, source.data
@@ -162,7 +156,7 @@ class Case:
         try:
             if isinstance(source, dict):
                 data = _plain(source)
-            self._data = merged(data, sections)
+            self._data = merged(data, sections, call)
             self._read = core if core is not None and not sections else self._parsed()
         except RecursionError:
             raise InputError("the case contains itself, or its sections nest too deeply") from None
@@ -174,6 +168,13 @@ class Case:
         case._file, case._data = file, data
         case._read = case._parsed()
         return case
+
+    @classmethod
+    def for_call(cls, call: str, source: Any, sections: Mapping[str, Any]) -> "Case":
+        """The case of a call that is given a case and keys."""
+        made = cls.__new__(cls)
+        made._take(source, sections, call)
+        return made
 
     @classmethod
     def from_ellipse(cls, semi_axis_x: float, semi_axis_y: float, normal_force: float, **sections: Any) -> "Case":
@@ -209,7 +210,7 @@ class Case:
                              "force > 0; do: give them in mm and N")
         bodies = {"load.normal_force": normal_force, "wheel.rolling_radius": 1.0, "wheel.transverse_radius": math.inf,
                   "rail.transverse_radius": 300.0}
-        case = cls.of("", merged(nested(sections), bodies))
+        case = cls.of("", merged(nested(sections, {}), bodies))
         along, across = curvatures(semi_axis_x, semi_axis_y, normal_force, case.core.contact_modulus)
         return case.with_({"wheel.rolling_radius": 0.5 / along, "rail.transverse_radius": 0.5 / across})
 
@@ -228,8 +229,8 @@ class Case:
         Parameters
         ----------
         changes : dict, optional
-            {"friction.coefficient": 0.3}; a key without its section where only one section has it: {"spin": 1e-4}; or
-            whole sections.
+            {"friction.coefficient": 0.3}; a key without its section where it fits one only (keys of [history] and
+            [table] where the case has these): {"spin": 1e-4}; or whole sections.
         **keys
             The same with __ in place of the dot: friction__coefficient=0.3. A key set to None is removed.
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from . import plot
 from .frames import Tabular, dataset_of, html_table
+from .names import known
 from .point import FIELDS, QUANTITIES, Point, array_of, attribute, text_of
 
 #: What tables of notebooks show.
@@ -104,6 +105,11 @@ class ModelResult(Tabular):
         numpy.ndarray
             In the unit of the quantity; nan where there are none.
 
+        Raises
+        ------
+        KeyError
+            If there is no such quantity.
+
         Examples
         --------
         >>> result["halfspace"].bars("longitudinal_force")
@@ -130,13 +136,14 @@ class ModelResult(Tabular):
         Raises
         ------
         KeyError
-            If the model does not give the field.
+            If there is no such field or axis, or the model does not give the field.
 
         Examples
         --------
         >>> x, traction = result["halfspace"].middle("traction_x")
         """
-        values = self.points[point][field]
+        values = self.points[point].fields[known(field, FIELDS, "a field")]
+        known(axis, ("x", "y"), "an axis")
         across, size = (self.y, self.dy) if axis == "x" else (self.x, self.dx)
         distance = np.abs(across)
         lines = np.flatnonzero(distance < distance.min() + 1e-6 * size)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from .names import known
 
 
 @dataclass(frozen=True)
@@ -86,6 +87,7 @@ class Point:
 
     def __getitem__(self, name: str) -> Any:
         """A quantity or field; KeyError where the model does not give it."""
+        known(name, [*QUANTITIES, *FIELDS], "a quantity or field")
         return self.fields[name] if name in self.fields else self.scalars[name]
 
     def bar(self, name: str) -> float | None:
@@ -94,18 +96,23 @@ class Point:
         Parameters
         ----------
         name : str
-            Of a quantity.
+            One of rollfem.QUANTITIES.
 
         Returns
         -------
         float or None
             In the unit of the quantity; None where it has none.
 
+        Raises
+        ------
+        KeyError
+            If there is no such quantity.
+
         Examples
         --------
         >>> result.points[0].bar("max_pressure")
         """
-        return self.error_estimate.get(name)
+        return self.error_estimate.get(known(name, QUANTITIES))
 
     def __repr__(self) -> str:
         at = ", ".join(f"{QUANTITIES[name].symbol} = {self.scalars[name]:.4g}"
@@ -115,8 +122,7 @@ class Point:
 
 
 def array_of(points: Sequence[Point], name: str) -> np.ndarray:
-    if name not in QUANTITIES:
-        raise KeyError(f"{name}: not a quantity; allowed: {', '.join(QUANTITIES)}")
+    known(name, QUANTITIES)
     values = [point.scalars.get(name) for point in points]
     return np.array([np.nan if value is None else value for value in values])
 

@@ -61,8 +61,8 @@ def read(path: str | os.PathLike[str]) -> Any:
         stored = reader.read_result(name)
     except (reader.ResultError, OSError) as error:
         raise _core.FileError(str(error)) from error
-    return Result(StoredCase(stored), [_model(model) for model in stored.models], provenance=stored.provenance,
-                  folder=stored.directory)
+    case = StoredCase(stored.case_file, str(stored.title), str(stored.case_text))
+    return Result(case, [_model(model) for model in stored.models], provenance=stored.provenance, folder=stored.directory)
 
 
 def _files(kind: str, folder: str) -> Study | Comparison | Stress:
@@ -84,9 +84,12 @@ class StoredCase(Case):
     """The case of a stored result. It is parsed only if more than title and text is needed, because missing files of
     the case must not prevent showing the result."""
 
-    def __init__(self, stored: Any) -> None:
-        self._stored, self._file = stored, stored.case_file
-        self._data = tomllib.loads(stored.case_text)
+    def __init__(self, file: str, title: str, text: str) -> None:
+        self._file, self._title, self._text = file, title, text
+        self._data = tomllib.loads(text)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return StoredCase, (self._file, self._title, self._text)
 
     @property
     def core(self) -> _core.Case:
@@ -96,12 +99,12 @@ class StoredCase(Case):
     @property
     def title(self) -> str:
         """Of the stored case."""
-        return str(self._stored.title)
+        return self._title
 
     @property
     def text(self) -> str:
         """Of the stored case."""
-        return str(self._stored.case_text)
+        return self._text
 
     def __repr__(self) -> str:
         return f"<rollfem.Case {self.title!r}, stored>"

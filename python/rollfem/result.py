@@ -43,6 +43,11 @@ class Result(Tabular):
         """From results of the library."""
         return cls(case, [ModelResult(record) for record in _core.models_of(core)], core, missing=missing)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._core is None:
+            return Result, (self.case, self.models, None, self.provenance, self.folder)
+        return Result.of, (self.case, self._core, self.missing)
+
     @property
     def title(self) -> str:
         """The title of the case."""

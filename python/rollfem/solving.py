@@ -36,11 +36,11 @@ def names_of(model: str | None, models: Any) -> list[str]:
     return names
 
 
-def checked(case: Any, sections: dict[str, Any] | None = None, stacklevel: int = 3) -> Case:
+def checked(case: Any, sections: dict[str, Any] | None = None, call: str = "") -> Case:
     """A Case of what a call was given, with warnings about its values."""
-    made = case if isinstance(case, Case) and not sections else Case(case, **(sections or {}))
+    made = case if isinstance(case, Case) and not sections else Case.for_call(call, case, sections or {})
     for doubt in made.core.doubts:
-        warnings.warn(doubt, UnitWarning, stacklevel=stacklevel)
+        warnings.warn(doubt, UnitWarning, stacklevel=3)
     return made
 
 
@@ -59,7 +59,7 @@ def solve(case: Any = None, /, *, model: str | None = None, models: Any = None, 
     progress : callable, optional
         Called with a rollfem.Progress at every iteration; an exception raised by it ends the solution.
     **sections
-        Keys that replace those of the case, as of `Case`; None removes a key.
+        Keys that replace those of the case, as of `Case`, but for [table]; None removes a key.
 
     Returns
     -------
@@ -83,7 +83,7 @@ def solve(case: Any = None, /, *, model: str | None = None, models: Any = None, 
     >>> result = rollfem.solve("cases/thesis_a.toml", model="halfspace", spin=1e-4)
     """
     names = names_of(model, models)
-    case = checked(case, sections)
+    case = checked(case, sections, "solve")
     result = Result.of(case, _core.solve(case.core, names, progress, False)[0])
     for each in result.models:
         if each.shortfall:
@@ -136,4 +136,4 @@ def forecast(case: Any = None, /, **sections: Any) -> list[Forecast]:
     --------
     >>> print(rollfem.forecast("cases/thesis_a.toml")[0].sentence)
     """
-    return [Forecast(*each) for each in _core.forecast(checked(case, sections).core)]
+    return [Forecast(*each) for each in _core.forecast(checked(case, sections, "forecast").core)]

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Solves one case at every combination of given values."""
 import itertools
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -11,17 +10,14 @@ from . import plot
 from ._core import InputError, SolveError
 from .case import Case, nested
 from .frames import Tabular, dataset_of, html_table
+from .names import CREEPAGES, known, refuse_unused
+from .patches import bar_of, to_the_right, whole
 from .point import QUANTITIES, Point
 from .result import Result
 from .solving import Told, names_of, solve
 
-# : Keys of [rolling] that take lists; all their combinations become load points of one solution.
-CREEPAGES = ("longitudinal_creepage", "lateral_creepage", "spin")
+NAMES = ("force_to_the_right", *QUANTITIES)
 MOST_POINTS = 1000  # of a list in a case
-#: Of a wheel with several patches: sums, and those that have no sum as each patch has a frame of its own.
-SUMS = ("normal_force", "longitudinal_force", "vertical_force", "contact_area", "adhesion_area", "patch_count",
-        "elastic_energy", "frictional_work", "creepage_work", "iterations", "seconds")
-OWN_FRAME = ("lateral_force", "lateral_pressure", "spin_moment")
 Index = tuple[int, ...]
 
 
@@ -49,6 +45,20 @@ class Sweep(Tabular):
         self.results: list[Result] = []
         self.failures: dict[Index, str] = {}
         self._patches: dict[str, np.ndarray] = {}
+        self._indices: list[Sequence[Index]] = []  # of the load points of every result
+
+    @classmethod
+    def of(cls, axes: dict[str, np.ndarray], results: Sequence[Result], indices: Sequence[Sequence[Index]],
+           failures: dict[Index, str]) -> "Sweep":
+        """From results and the indices of their load points."""
+        made = cls(axes)
+        made.failures = failures
+        for result, at in zip(results, indices):
+            made._add(result, at)
+        return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Sweep.of, (self.axes, self.results, self._indices, self.failures)
 
     @property
     def shape(self) -> Index:
@@ -127,11 +137,9 @@ class Sweep(Tabular):
         --------
         >>> sweep.values("longitudinal_force", model="fastsim")
         """
-        if name == "force_to_the_right":
-            return self._map(model, lambda patches: sum(map(_to_the_right, patches)) if patches else None)
-        if name not in QUANTITIES:
-            raise KeyError(f"{name}: not a quantity; allowed: force_to_the_right, {', '.join(QUANTITIES)}")
-        return self._map(model, lambda patches: _whole(name, patches, lambda point, what: point.scalars.get(what)))
+        if known(name, NAMES) == "force_to_the_right":
+            return self._map(model, lambda patches: sum(map(to_the_right, patches)) if patches else None)
+        return self._map(model, lambda patches: whole(name, patches, lambda point, what: point.scalars.get(what)))
 
     def bars(self, name: str, model: str | None = None) -> np.ndarray:
         """Error bars of a quantity over the grid; of a sum, the sum of the bars.
@@ -146,11 +154,17 @@ class Sweep(Tabular):
         numpy.ndarray
             In the unit of the quantity; nan where there are none.
 
+        Raises
+        ------
+        KeyError
+            If there is no such quantity or model.
+
         Examples
         --------
         >>> sweep.bars("longitudinal_force")
         """
-        return self._map(model, lambda patches: _bar(name, patches))
+        known(name, NAMES)
+        return self._map(model, lambda patches: bar_of(name, patches) if name in QUANTITIES else None)
 
     def _map(self, model: str | None, get: Callable[[list[Point]], Any], kind: type = float) -> np.ndarray:
         patches = self.patches(model)
@@ -162,7 +176,7 @@ class Sweep(Tabular):
         return found
 
     def __getattr__(self, name: str) -> np.ndarray:
-        if name in QUANTITIES or name == "force_to_the_right":
+        if name in NAMES:
             return self.values(name)
         raise AttributeError(f"a sweep has no {name}")
 
@@ -218,8 +232,10 @@ class Sweep(Tabular):
 
     plot = plot.surface
 
-    def _add(self, index: Index, result: Result, number: int) -> None:
-        """Load point `number` of a result at an index of the grid."""
+    def _add(self, result: Result, indices: Sequence[Index]) -> None:
+        """A result, whose load points have these indices in the grid."""
+        self.results.append(result)
+        self._indices.append(indices)
         for model in result:
             if model.place is not None and model.place["position"] > 1:
                 raise InputError("the case has several positions; do: sweep over them (lateral_shift=[...])")
@@ -228,8 +244,9 @@ class Sweep(Tabular):
                 self._patches[name] = np.empty(self.shape, dtype=object)
                 for each in np.ndindex(self.shape):
                     self._patches[name][each] = []
-            # What knows no creepage has one load point for all of them.
-            self._patches[name][index].append(model.points[number if len(model) > 1 else 0])
+            for number, index in enumerate(indices):
+                # What knows no creepage has one load point for all of them.
+                self._patches[name][index].append(model.points[number if len(model) > 1 else 0])
 
     def __repr__(self) -> str:
         grid = " x ".join(f"{name} ({len(values)})" for name, values in self.axes.items())
@@ -241,43 +258,6 @@ class Sweep(Tabular):
         grids = [grid.ravel() for grid in np.meshgrid(*self.axes.values(), indexing="ij")]
         return html_table(repr(self), heads, (row for model in self._patches for row in zip(
             *grids, itertools.repeat(model), *(self.values(name, model).ravel() for name in heads[-2:]))))
-
-
-def _whole(name: str, patches: Sequence[Point], get: Callable[[Point, str], Any]) -> Any:
-    """A number of a wheel from those of its patches; None where there is none."""
-    if len(patches) < 2:
-        return get(patches[0], name) if patches else None
-    if name in OWN_FRAME:
-        return None
-    if name == "traction_coefficient":
-        forces = [[get(point, each) for point in patches] for each in ("longitudinal_force", "normal_force")]
-        return None if None in forces[0] or not sum(forces[1]) else -sum(forces[0]) / sum(forces[1])
-    values = [get(point, name) for point in patches]
-    if name in SUMS:
-        return None if None in values else sum(values)
-    known = [value for value in values if value is not None]
-    if name.startswith("max_") or name == "residual":
-        return max(known, default=None)
-    return min(known, default=None) if name == "converged" else values[0]
-
-
-def _bar(name: str, patches: Sequence[Point]) -> float | None:
-    if len(patches) > 1 and name == "traction_coefficient":
-        bars = [point.bar("longitudinal_force") for point in patches]
-        known = [bar for bar in bars if bar is not None]
-        return sum(known) / sum(point.normal_force for point in patches) if len(known) == len(bars) else None
-    if len(patches) > 1 and name.startswith("max_"):
-        return max(patches, key=lambda point: point.scalars.get(name) or 0.0).bar(name)
-    found: float | None = _whole(name, patches, lambda point, what: point.bar(what))
-    return found
-
-
-def _to_the_right(point: Point) -> float:
-    """Force on the wheel along y of the track, N (docs/track.md); of a case without a track its lateral force."""
-    if point.place is None:
-        return float(point.lateral_force)
-    angle, tilt = point.place["contact_angle"], 1 if point.place["wheel"] == "left" else -1
-    return float(-point.lateral_force * math.cos(angle) + tilt * point.normal_force * math.sin(angle))
 
 
 def _lists(case: Case, without: Sequence[str] = ()) -> dict[str, list[Any]]:
@@ -302,9 +282,7 @@ def _solve_into(sweep: Sweep, case: Case, indices: Sequence[Index], how: Mapping
         for number, index in enumerate(indices):
             _solve_into(sweep, case.with_({name: values[number] for name, values in lists.items()}), [index], how, skip)
         return
-    sweep.results.append(result)
-    for number, index in enumerate(indices):
-        sweep._add(index, result, number)
+    sweep._add(result, indices)
 
 
 def _separate(case: Case) -> bool:
@@ -354,19 +332,21 @@ def sweep(case: Any, axes: Mapping[str, Any] | None = None, /, *, model: str | N
     if not asked or not all(asked.values()):
         raise InputError("a sweep needs at least one key and its values, as in spin=[0.0, 1e-4]")
     names = list(asked)
-    paths = {name: _path(name) for name in names}
-    inner = [name for name in names if _separate(case) and paths[name][0] == "rolling" and paths[name][-1] in CREEPAGES]
+    key = {name: _key(case, name, values[0]) for name, values in asked.items()}
+    if len(set(key.values())) < len(names):
+        raise InputError(f"{', '.join(names)}: two of these are the same key; do: give it once")
+    inner = [name for name in names if _separate(case) and key[name] in {f"rolling.{each}" for each in CREEPAGES}]
     outer = [name for name in names if name not in inner]
-    first = case.with_({name: asked[name][0] for name in outer}) if outer else case
-    own_lists, own_count, own_axis = _own_points(first, [paths[name][-1] for name in inner])
+    first = case.with_({key[name]: asked[name][0] for name in outer}) if outer else case
+    own_lists, own_count, own_axis = _own_points(first, [key[name].split(".")[1] for name in inner])
     found = Sweep({**{name: np.array(values) for name, values in asked.items()}, **own_axis})
     how = {"models": names_of(model, models) or None, "progress": progress}
     for fixed in itertools.product(*(range(len(asked[name])) for name in outer)):
-        at = case.with_({name: asked[name][k] for name, k in zip(outer, fixed)}) if outer else case
+        at = case.with_({key[name]: asked[name][k] for name, k in zip(outer, fixed)}) if outer else case
         combinations = list(itertools.product(*(range(len(asked[name])) for name in inner), range(own_count)))
         for begin in range(0, len(combinations), MOST_POINTS if inner else len(combinations)):
             part = combinations[begin:begin + MOST_POINTS] if inner else combinations
-            lists = {name: [asked[name][c[k]] for c in part] for k, name in enumerate(inner)}
+            lists = {key[name]: [asked[name][c[k]] for c in part] for k, name in enumerate(inner)}
             lists.update((name, [values[c[-1]] for c in part]) for name, values in own_lists.items())
             indices = [tuple(_in_order(names, outer, fixed, inner, c)) + (c[-1:] if own_axis else ()) for c in part]
             _solve_into(found, at.with_(lists) if inner else at, indices, how, skip_failures)
@@ -390,11 +370,14 @@ def _own_points(case: Case, swept: Sequence[str]) -> tuple[dict[str, list[Any]],
     return lists, count, {"point_index": np.arange(count)}
 
 
-def _path(name: str) -> list[str]:
-    """Section and key that a name stands for."""
-    at: Any = nested({name: 0})
+def _key(case: Case, name: str, value: Any) -> str:
+    """The key "section.name" that a name stands for, which solving uses."""
+    at: Any = nested({name: value}, case.data, "sweep")
+    refuse_unused(at, case.data, "sweep")
+    if isinstance(value, dict):
+        return name.replace("__", ".")
     path = []
     while isinstance(at, dict):
         path.append(next(iter(at)))
         at = at[path[-1]]
-    return path
+    return ".".join(path)

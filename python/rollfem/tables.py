@@ -90,6 +90,9 @@ class Table(Tabular):
         if found["over_shifts"] or self.only_for:
             self.shear_modulus, self.friction_coefficient = found["shear_modulus"], found["friction_coefficient"]
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _unpickled, (self._core.files()["table.h5"],)
+
     @property
     def shape(self) -> tuple[int, ...]:
         """Number of values of each axis."""
@@ -331,6 +334,12 @@ class Table(Tabular):
             [name, len(values), float(values[0]), float(values[-1])] for name, values in self.axes.items()))
 
 
+def _unpickled(contents: bytes) -> Table:
+    with tempfile.TemporaryDirectory() as folder:
+        _core.write_files(folder, {"table.h5": contents})
+        return Table(folder)
+
+
 def _or_only(value: ArrayLike | None) -> ArrayLike:
     """0: the only value of an axis."""
     return 0.0 if value is None else value
@@ -386,4 +395,4 @@ def table(case: Any, /, *, progress: Told = None, **sections: Any) -> Table:
     --------
     >>> table = rollfem.table("cases/thesis_a.toml", table={"axis_ratio": [0.5, 1.0, 2.0]})
     """
-    return Table.of(_core.fill_table(checked(case, sections).core, progress))
+    return Table.of(_core.fill_table(checked(case, sections, "table").core, progress))

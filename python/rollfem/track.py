@@ -119,7 +119,7 @@ def wheelset(case: Any, /, reach: float = 10.0, step: float = 0.1, **sections: A
     if not (0.2 <= reach <= 30.0 and 0.001 <= step <= 0.5 * reach):
         raise _core.InputError(f"wheelset(reach={reach!r}, step={step!r}): allowed: reach 0.2 to 30 mm, step 0.001 mm to half "
                                "of it; do: give values in these ranges")
-    case = checked(case, sections)
+    case = checked(case, sections, "wheelset")
     return Wheelset(case.title, _core.wheelset(case.core, reach, step))
 
 
@@ -150,7 +150,7 @@ def contact_points(case: Any, /, **sections: Any) -> list[dict[str, Any]]:
     --------
     >>> [place["contact_angle"] for place in rollfem.contact_points(case, lateral_shift=3.0)]
     """
-    return _core.contact_points(checked(case, sections).core)
+    return _core.contact_points(checked(case, sections, "contact_points").core)
 
 
 class Profile(Tabular):
@@ -219,9 +219,7 @@ class Profile(Tabular):
             ending = os.path.splitext(name)[1].lower()
             body = {".prw": "wheel", ".whl": "wheel", ".prr": "rail", ".ban": "rail"}.get(
                 ending, _core.built_in_profiles().get(name))
-        if body not in ("wheel", "rail"):
-            raise _core.InputError(f"Profile({name!r}, {body!r}): may be a wheel or a rail; allowed: \"wheel\", \"rail\"; do: "
-                                   "name one of them")
+        body = _body(body, f"Profile({name!r}, {body!r})")
         # All but this profile is of no account.
         bodies: dict[str, dict[str, Any]] = {
             "wheel": {"profile": "S1002", "rolling_radius": 460.0}, "rail": {"profile": "60E1"},
@@ -252,6 +250,7 @@ class Profile(Tabular):
         --------
         >>> rollfem.Profile.of("cases/manchester_A22.toml", "wheel").figure()
         """
+        body = _body(body, f"Profile.of(..., {body!r})")
         case = checked(case)
         made = cls.__new__(cls)
         made._take(body, case.data.get(body, {}).get("profile", ""), case)
@@ -318,3 +317,9 @@ class Profile(Tabular):
 
     def _repr_html_(self) -> str:
         return f"<p>{escape(repr(self))}</p>{self.figure().svg()}"
+
+
+def _body(given: str | None, call: str) -> str:
+    if given not in ("wheel", "rail"):
+        raise _core.InputError(f"{call}: may be a wheel or a rail; allowed: \"wheel\", \"rail\"; do: name one of them")
+    return given

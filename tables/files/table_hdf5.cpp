@@ -230,7 +230,7 @@ void read_interpolation(hid_t file, CreepTable& table) {
 }  // namespace
 
 std::string table_hdf5(const CreepTable& table) {
-  const Handle file = create_file_in_memory();
+  const File file = create_file_in_memory();
   write_attribute(file, "format", std::string(table_format));
   write_attribute(file, "format_version", table_version);
   const bool shifts = table.over_shifts();
@@ -261,10 +261,10 @@ CreepTable read_table(const std::string& path) {
   const std::string file_name =
       fs::is_directory(path) ? (fs::path(path) / "table.h5").string() : path;
   if (!fs::exists(file_name)) refuse_file(file_name, "there is no such file");
-  if (postprocess::check_hdf5_seal(file_name) == postprocess::Seal::broken)
-    refuse_file(file_name, "is damaged");
+  if (!postprocess::hdf5_seal_is_intact(file_name))
+    refuse_file(file_name, "is damaged: its checksum is missing or does not match");
   try {
-    const Handle file = open_file(file_name);
+    const File file = open_file(file_name);
     if (!has_attribute(file, "format") || read_text(file, "format") != table_format)
       refuse_file(file_name, "is not a table");
     const double version = read_number(file, "format_version");

@@ -37,6 +37,12 @@ class FemStress : public ::testing::Test {
   Folder folder;
 };
 
+TEST_F(FemStress, OfTheHybridIsComputedAgainWhereNoCorrectionIsKept) {
+  const std::string file = folder.file("h.toml", coarse_output_case("0.001", ""));
+  done(folder, {"run", file, "-o", "h", "--model", "hybrid", "-q", "--no-report"});
+  EXPECT_GT(stress("h", {}).size(), 1000U);
+}
+
 TEST_F(FemStress, AtAnyLoadPointIsThatOfARunWithItAlone) {
   const std::string all = "[output]\nbody_fields = \"all\"\n";
   run("curve", "[0.001, 0.003, 0.006]", all);

@@ -5,12 +5,15 @@
 #include "postprocess/files/seal.hpp"
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/results_hdf5.hpp"
+#include "tables/files/table_files.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/damage.hpp"
 #include "support/output_synthetic_run.hpp"
+#include "support/shifted_table.hpp"
 #include "support/temporary_folder.hpp"
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -26,8 +29,7 @@ TEST(DamagedResults, AreRefusedBeforeHdf5SeesThem) {
   postprocess::RunRecord run = synthetic_run();
   run.models.resize(1);
   const std::string sound = postprocess::results_hdf5(run);
-  ASSERT_EQ(postprocess::check_hdf5_seal(folder.file("sound.h5", sound)),
-            postprocess::Seal::intact);
+  ASSERT_TRUE(postprocess::hdf5_seal_is_intact(folder.file("sound.h5", sound)));
   for (int k = 0, files = damaged_files(500); k < files; ++k) {
     Damage damage(static_cast<unsigned long long>(k));
     fs::remove(folder.path("r.h5"));
@@ -38,13 +40,28 @@ TEST(DamagedResults, AreRefusedBeforeHdf5SeesThem) {
   }
 }
 
+TEST(DamagedResults, TablesAreRefusedWithOrWithoutTheirHead) {
+  const TemporaryFolder folder;
+  const std::string sound = tables::table_hdf5(table_of_shifts(2));
+  EXPECT_EQ(tables::read_table(folder.file("sound.h5", sound)).title, "shifts");
+  for (int k = 0, files = damaged_files(500); k < files; ++k) {
+    Damage damage(static_cast<unsigned long long>(k));
+    const std::string bytes = k == 0 ? sound : damage.of(sound);
+    fs::remove(folder.path("t.h5"));
+    const std::size_t begin = k % 2 == 0 ? postprocess::seal_size : 0;
+    const std::string path = folder.file("t.h5", bytes.substr(std::min(begin, bytes.size())));
+    const std::string said = refusal<contact::InputError>([&] { tables::read_table(path); });
+    EXPECT_NE(said.find("do: "), std::string::npos) << k << ": " << said;
+  }
+}
+
 TEST(DamagedResults, AJsonFileDoesNotFitItsChecksum) {
   const std::string sound =
       postprocess::sealed_json("{\n  \"a\": [1, 2.5, {}],\n  \"b\": \"}\"\n}\n");
-  EXPECT_EQ(postprocess::check_json_seal(sound), postprocess::Seal::intact);
+  EXPECT_TRUE(postprocess::json_seal_is_intact(sound));
   for (int k = 0, files = damaged_files(2000); k < files; ++k) {
     Damage damage(static_cast<unsigned long long>(k));
-    EXPECT_NE(postprocess::check_json_seal(damage.of(sound)), postprocess::Seal::intact) << k;
+    EXPECT_FALSE(postprocess::json_seal_is_intact(damage.of(sound))) << k;
   }
 }
 

@@ -77,6 +77,36 @@ class Cases(unittest.TestCase):
                      lambda: rollfem.read(ROOT), lambda: rollfem.sweep(SMALL)):
             self.assertRaises(rollfem.InputError, call)
 
+    def test_a_name_that_fits_several_keys_or_none_of_the_call_is_refused(self):
+        case, track = rollfem.Case(SMALL), ROOT / "cases/manchester_A22.toml"
+        for call, words in ((lambda: rollfem.solve(case, load=100e3), ("load is a section", "normal_force", "table.load")),
+                            (lambda: rollfem.sweep(case, load=[50e3, 100e3]), ("load is a section", "table.load")),
+                            (lambda: case.with_(friction=0.1), ("friction is a section", "coefficient")),
+                            (lambda: case.with_(table={"axis_ratio": 1.0}, speed=1e4), ("rolling.speed, table.speed",)),
+                            (lambda: case.with_({"rolling.spin": 0.1}, spin=0.2), ("same key",)),
+                            (lambda: rollfem.sweep(case, {"rolling.spin": 0.1}, spin=0.2), ("same key",)),
+                            (lambda: rollfem.solve(case, table={"load": 1e5}), ("table.load: rollfem.solve does not use",)),
+                            (lambda: rollfem.sweep(case, axis_ratio=[1.0]), ("table.axis_ratio: rollfem.sweep does not",)),
+                            (lambda: rollfem.table(case, spin=1e-4), ("rolling.spin: rollfem.table does not use",)),
+                            (lambda: rollfem.wheelset(track, coefficient=0.1), ("friction.coefficient: rollfem.wheelset",)),
+                            (lambda: rollfem.contact_points(track, spin=0.1), ("rolling.spin: rollfem.contact_points",))):
+            with self.assertRaises(rollfem.InputError) as caught:
+                call()
+            for word in words:
+                self.assertIn(word, str(caught.exception))
+        self.assertEqual(case.with_(speed=1e4)["rolling.speed"], 1e4)
+        loads = rollfem.sweep(case, normal_force=[50e3, 400e3], model="hertz")  # Hertz: p0 as the cube root
+        self.assertAlmostEqual(loads.max_pressure[1] / loads.max_pressure[0], 2.0, 9)
+
+    def test_an_unknown_quantity_is_an_error_with_a_suggestion(self):
+        result, sweep = rollfem.solve(SMALL, model="fastsim"), rollfem.sweep(SMALL, spin=[0.0], model="fastsim")
+        for call in (result.points[0].bar, result.points[0].__getitem__, result[0].bars, result[0].values, sweep.bars,
+                     sweep.values):
+            with self.assertRaisesRegex(KeyError, "did you mean max_pressure?"):
+                call("max_presure")
+        self.assertRaisesRegex(KeyError, "not an axis", result[0].middle, "pressure", "z")
+        self.assertRaises(rollfem.InputError, rollfem.Profile.of, ROOT / "cases/manchester_A22.toml", "weel")
+
     def test_calls_that_make_no_sense_are_refused_at_once(self):
         endless = {}
         endless["load"] = endless

@@ -172,8 +172,7 @@ def steuermann(bench):
         "steuermann", "Steuermann: bodies flatter than paraboloids",
         "Steel, h = 0.001 mm (r/a)^4 and (r/a)^6 with a = 5 mm, given point by point in a file; the force is that of the "
         "closed form, P = 64 E* A a^5/15 and 192 E* A a^7/35.",
-        "Steuermann (1939; Johnson 1985, 5.24, from memory), derived again from Sneddon's integrals: approach 8 A "
-        "a^4/3 and "
+        "Steuermann (1939) by Sneddon's integrals, which the test evaluates by quadrature: approach 8 A a^4/3 and "
         "16 A a^6/5, pressure 32 E* A sqrt(a^2 - r^2) (a^2 + 2 r^2)/(9 pi) for the fourth power, largest not in the "
         "middle but at "
         "r = a/sqrt(2).",

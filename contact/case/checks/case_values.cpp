@@ -23,27 +23,17 @@ std::optional<double> known_normal_force(const Case& input, std::size_t k) {
   return input.load.normal_force;
 }
 
-/// Below this value squares of tractions underflow, and the tractions vanish beside the pressure.
-constexpr double least_friction = 1e-12;
-
 /// Below this part of the largest coefficient rows of elements have next to no bound.
 constexpr double least_part_of_largest = 1e-3;
 
 void check_friction(const GivenCase& given, const Case& input) {
-  const auto fail_here = [&](const std::string& wrong, const std::string& allowed,
-                             const std::string& action) {
-    fail_at(given, "friction.coefficient", *given.find("friction", "coefficient"), wrong, allowed,
-            action);
-  };
   const double mu = input.friction_coefficient;
-  if (mu > 0.0 && mu < least_friction)
-    fail_here("is too small to differ from no friction",
-              fmt::format("0, or {:g} to 1000", least_friction), "give 0 for no friction");
   for (const FrictionVariation::Point& point : input.friction_variation.points)
     if (point.coefficient < least_part_of_largest * mu)
-      fail_here(fmt::format("has next to no friction at a point, {:g}", point.coefficient),
-                fmt::format("at least {:g} times the largest, {:g}", least_part_of_largest, mu),
-                "give it a small coefficient, 0.01 say");
+      fail_at(given, "friction.coefficient", *given.find("friction", "coefficient"),
+              fmt::format("has next to no friction at a point, {:g}", point.coefficient),
+              fmt::format("at least {:g} times the largest, {:g}", least_part_of_largest, mu),
+              "give it a small coefficient, 0.01 say");
 }
 
 /// The places of friction that varies: as many as points, ascending.

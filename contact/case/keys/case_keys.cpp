@@ -67,7 +67,7 @@ const Declarations& declarations() {
 }  // namespace
 
 bool Bounds::contains(double value) const {
-  if (infinite && value == infinity) return true;
+  if ((infinite && value == infinity) || (zero && value == 0.0)) return true;
   if (!std::isfinite(value)) return false;
   const double bounded = magnitude ? std::abs(value) : value;
   return bounded >= lower && (upper_open ? bounded < upper : bounded <= upper);

@@ -33,6 +33,7 @@ struct Bounds {
   bool upper_open = false;  ///< the upper bound itself is outside
   bool magnitude = false;   ///< bounds apply to the absolute value
   bool infinite = false;    ///< inf is allowed
+  bool zero = false;        ///< 0 is allowed, although it is below the lower bound
   bool contains(double value) const;
 };
 

@@ -164,6 +164,11 @@ class KeyBuilder {
 
   KeyBuilder& between(double lower, double upper) { return put(key_.bounds, {lower, upper}); }
   KeyBuilder& positive() { return between(smallest, largest); }
+  /// Lengths, velocities and densities that may vanish, but not almost: work grows as their
+  /// inverse.
+  KeyBuilder& zero_or(double lower, double upper) {
+    return put(key_.bounds, {lower, upper, false, false, false, true});
+  }
   /// Bounds of the absolute value.
   KeyBuilder& sized(double lower, double upper) {
     return put(key_.bounds, {lower, upper, false, true});

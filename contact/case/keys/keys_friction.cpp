@@ -110,7 +110,7 @@ void add_parts(Keys<Case>& keys) {
   into_points(
       keys.reals("second_part")
           .symbol("mu_2")
-          .between(0.0, 1000.0)
+          .zero_or(1e-14, 1000.0)
           .otherwise("0")
           .says("Part of the fall that has its own second_half_velocity."),
       [](Point & at) -> auto& { return at.fall.second_part; });
@@ -155,7 +155,7 @@ void add_parts(Keys<Case>& keys) {
   into_fall(keys.real("memory_distance")
                 .symbol("d_c")
                 .unit("mm")
-                .between(0.0, largest)
+                .zero_or(smallest, largest)
                 .otherwise("0")
                 .says("Sliding distance over which friction follows the slip velocity, some "
                       "micrometres; 0: at once."),
@@ -210,12 +210,12 @@ SectionWithKeys friction_section() {
   into_points(
       keys.reals("coefficient")
           .symbol("mu")
-          .between(0.0, 1000.0)
+          // Below this value squares of tractions underflow.
+          .zero_or(1e-12, 1000.0)
           .required("0.55")
-          .says(
-              "Coefficient of friction, of a falling law at rest; 0 is frictionless, otherwise at "
-              "least 1e-12. Lists, here and below, belong to inclination, track_position or "
-              "lateral_position."),
+          .says("Coefficient of friction, of a falling law at rest; 0 is frictionless. Lists, here "
+                "and below, belong to inclination, track_position or "
+                "lateral_position."),
       [](Point & at) -> auto& { return at.coefficient; });
   add_fall(keys);
   add_parts(keys);

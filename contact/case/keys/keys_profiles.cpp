@@ -82,7 +82,7 @@ void add_mending(ProfileKeys& keys) {
       .into(&Profile::drop_zigzag);
   keys.real("thinning")
       .unit("mm")
-      .between(0.0, 10.0)
+      .zero_or(smallest, 10.0)
       .says("Merge points closer than this into their mean; 0: keep all.")
       .into(&Profile::thinning);
   keys.real("longest_gap")
@@ -99,14 +99,14 @@ void add_mending(ProfileKeys& keys) {
       .into(&Profile::largest_kink);
   keys.real("rounding")
       .unit("mm")
-      .between(0.0, 100.0)
+      .zero_or(smallest, 100.0)
       .says(
           "Drop points within this distance of a kink or step and bridge the gap smoothly; 0: "
           "kinks are errors.")
       .into(&Profile::rounding);
   keys.real("smoothing")
       .unit("mm")
-      .between(0.0, 1.0)
+      .zero_or(smallest, 1.0)
       .says(
           "Standard deviation of measured points across the profile; 0: the curve passes through "
           "the points.")

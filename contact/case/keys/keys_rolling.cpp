@@ -30,7 +30,7 @@ void add_motion(RollingKeys& keys) {
   keys.real("speed")
       .symbol("V")
       .unit("mm/s")
-      .between(0.0, 1e8)
+      .zero_or(smallest, 1e8)
       .says(
           "Rolling speed, for a friction.law of the slip velocity and for fem.inertia; all else is "
           "quasi-static.")

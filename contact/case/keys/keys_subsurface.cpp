@@ -115,7 +115,7 @@ SectionWithKeys subsurface_surface_section() {
   add_end(keys, "to", "The other end.", &Request::to);
   keys.real("depth")
       .unit("mm")
-      .between(0.0, 1e6)
+      .zero_or(smallest, 1e6)
       .example("0.0")
       .otherwise("0, on the surface")
       .says(

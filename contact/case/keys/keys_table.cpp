@@ -10,7 +10,7 @@ void add_list(Keys<TableOptions>& keys, const std::string& name, const std::stri
               const std::string& sentence, std::vector<double> TableOptions::*list) {
   keys.reals(name)
       .symbol(symbol)
-      .between(0.0, 1000.0)
+      .zero_or(smallest, 1000.0)
       .otherwise("from points and largest")
       .says(sentence)
       .into(list);

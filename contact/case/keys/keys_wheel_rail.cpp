@@ -42,7 +42,7 @@ void add_material(Keys<Body>& keys) {
   keys.real("density")
       .symbol("rho")
       .unit("t/mm^3")
-      .between(0.0, 1e-7)
+      .zero_or(1e-15, 1e-7)
       .says(
           "Mass density, of steel by default (1 t/mm^3 = 1e12 kg/m^3); matters only with "
           "fem.inertia.")

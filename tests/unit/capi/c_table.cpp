@@ -7,9 +7,12 @@
 #include "rollfem/rollfem.h"
 #include "support/shifted_table.hpp"
 #include "support/temporary_folder.hpp"
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace {
 
@@ -75,6 +78,26 @@ TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNone) {
 
 Table opened(const std::string& file) {
   return {rollfem_table_open(file.c_str(), nullptr, 0), rollfem_table_close};
+}
+
+TEST(CTable, ThreadsOpenOneFile) {
+  const rollfem::testing::TemporaryFolder folder;
+  const std::string file = folder.file("table.h5", tables::table_hdf5(some_table()));
+  std::atomic<int> right = 0;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 8; ++t)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 25; ++k) {
+        const Table table = opened(file);
+        const rollfem_ellipse ellipse{sizeof ellipse, 6.0, 5.0, 80e3, 15e3, 0.001, 0.0, 0.0, 0.0};
+        rollfem_creep_forces forces;
+        forces.struct_size = sizeof forces;
+        if (table && rollfem_table_forces(table.get(), &ellipse, &forces, nullptr, 0) == ROLLFEM_OK)
+          ++right;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(right, 200);
 }
 
 TEST(CTable, OfShiftsSaysWhatTheTableSaysInEveryUnit) {

@@ -86,9 +86,10 @@ TEST(KalkerCoefficients, ArePrintedWithinTheirDigitsWhereThePatchIsNearlyRound) 
 
 TEST(KalkerCoefficients, ArePrintedWithinOnePointTwoPercent) {
   // Kalker's own accuracy of 1967; the farthest are C22 and C11 of long patches and C23 of short
-  // ones.
+  // ones. C33 has no second source and is held to 0.9 %.
   each_printed([](double ratio, double nu, std::size_t c, double printed) {
-    EXPECT_NEAR(values(kalker_coefficients(ratio, 1.0, nu))[c] / printed, 1.0, 0.012)
+    EXPECT_NEAR(values(kalker_coefficients(ratio, 1.0, nu))[c] / printed, 1.0,
+                c == 3 ? 0.0091 : 0.012)
         << names[c] << ", a/b " << ratio << ", nu " << nu;
   });
 }

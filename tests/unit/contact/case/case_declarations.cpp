@@ -80,6 +80,16 @@ TEST(CaseDeclarations, TheReaderRefusesWhatIsOutOfBoundsAndSaysWhatIsAllowed) {
   EXPECT_GT(bounded, 60);
 }
 
+TEST(CaseDeclarations, AlmostNothingIsRefusedWhereNothingIsNegative) {
+  // The work of some solvers grows as the inverse of a length or velocity.
+  for (const Section& section : case_sections())
+    for (const Key& key : section)
+      if (!key.unit.empty() && !key.bounds.contains(-1e-3)) {
+        EXPECT_FALSE(key.bounds.contains(1e-310)) << key.path();
+        EXPECT_FALSE(key.bounds.contains(1e-30)) << key.path();
+      }
+}
+
 TEST(CaseDeclarations, CheckTemplateAndReferenceNameEveryKey) {
   const std::string new_case = case_template();
   const std::string page = case_reference_markdown();

@@ -2,7 +2,9 @@
 // A result appears completely or not at all, and foreign files are never lost.
 #include "contact/base/errors.hpp"
 #include "postprocess/files/result_folder.hpp"
+#include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/output.hpp"
+#include "postprocess/write/results_hdf5.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +15,9 @@
 #include <fstream>
 #include <sstream>
 #include <sys/resource.h>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -49,6 +53,28 @@ TEST_F(ResultFolderTest, HoldsAllFilesAndNothingIsLeftBeside) {
     EXPECT_GT(fs::file_size(fs::path(target()) / name), 0U) << name;
   EXPECT_EQ(entries(), 1U);
   EXPECT_EQ(contents(fs::path(target()) / "case.toml"), synthetic_run().input.text);
+}
+
+TEST_F(ResultFolderTest, ThreadsWriteAndReadOneResultAndTheirOwn) {
+  const RunRecord run = synthetic_run();
+  const std::string alone = results_hdf5(run);
+  std::vector<std::string> faults(8);
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < faults.size(); ++t)
+    threads.emplace_back([&, t] {
+      for (const std::string& folder : {target(), target() + std::to_string(t), target()}) try {
+          write_results(folder, run);
+          const ResultsFile file(folder);
+          if (file.read(file.models().front()).points.size() != run.models.front().points.size() ||
+              contents(fs::path(folder) / "results.h5") != alone)
+            faults[t] = "another result";
+        } catch (const std::exception& error) {
+          faults[t] = error.what();
+        }
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::string& fault : faults) EXPECT_EQ(fault, "");
+  EXPECT_EQ(entries(), 1 + faults.size());
 }
 
 TEST_F(ResultFolderTest, HoldsOnlyWhatTheCaseAsksFor) {

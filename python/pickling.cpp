@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Results as bytes and back, for the processes of a pool: bit for bit, by the records of
+// checkpoints.
+#include "contact/base/errors.hpp"
+#include "contact/result/record.hpp"
+#include "models/program/version.hpp"
+#include "python/bindings.hpp"
+
+#include <cstring>
+
+namespace rollfem::python {
+
+namespace {
+
+using contact::Record;
+
+/// A list whose entries `each` exchanges.
+template <class Entry, class Each>
+void list(Record& record, std::vector<Entry>& entries, const Each& each) {
+  std::size_t count = entries.size();
+  record.value(count);
+  entries.resize(count);
+  for (Entry& entry : entries) each(entry);
+}
+
+/// Members one after the other, without pointers.
+template <class Plain>
+void plain(Record& record, Plain& value) {
+  static_assert(std::is_trivially_copyable_v<Plain>);
+  std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+  record.value(bytes);
+  std::memcpy(&value, bytes.data(), std::min(bytes.size(), sizeof value));
+}
+
+void exchange(Record& record, postprocess::Provenance& made) {
+  record.values(made.version, made.commit, made.host, made.started, made.command, made.processes,
+                made.labels);
+}
+
+void exchange(Record& record, ModelResult& model) {
+  record.values(model.name, model.label, model.seconds, model.unknowns, model.contact_elements);
+  plain(record, model.grid);
+  list(record, model.points, [&](PointResult& point) { record.value(point); });
+  record.value(model.bodies);
+  list(record, model.notes, [&](std::string& note) { record.value(note); });
+  record.values(model.model_error_source, model.choice, model.shortfall);
+  bool placed = model.place.has_value();
+  record.value(placed);
+  if (!placed) return;
+  if (!model.place) model.place.emplace();
+  plain(record, *model.place);
+}
+
+/// All but the case.
+void exchange(Record& record, Result& result) {
+  exchange(record, result.provenance);
+  list(record, result.models, [&](ModelResult& model) { exchange(record, model); });
+  list(record, result.pairs, [&](postprocess::PlacedPair& pair) {
+    record.values(pair.left, pair.position);
+    for (auto* outline : {&pair.rail, &pair.wheel})
+      list(record, *outline, [&](std::array<double, 2>& point) { plain(record, point); });
+  });
+  list(record, result.wheelset, [&](auto& position) { plain(record, position); });
+  list(record, result.rigid_row, [&](auto& position) { plain(record, position); });
+}
+
+std::string program() {
+  return modelling::version() + ' ' + modelling::commit();
+}
+
+}  // namespace
+
+py::tuple packed(const Result& result) {
+  Result copy = result;
+  Record record;
+  exchange(record, copy);
+  return py::make_tuple(program(), copy.input.text, copy.input.file, copy.input.models,
+                        py::bytes(record.bytes()));
+}
+
+std::shared_ptr<Result> unpacked(const py::tuple& state) {
+  if (state[0].cast<std::string>() != program())
+    throw InputError("a pickled result belongs to another version of rollfem (" +
+                     state[0].cast<std::string>() + "); do: unpickle it there, and write it");
+  auto result = std::make_shared<Result>();
+  result->input = parse_case(state[1].cast<std::string>(), state[2].cast<std::string>());
+  result->input.models = state[3].cast<std::vector<std::string>>();
+  Record record(state[4].cast<std::string>());
+  exchange(record, *result);
+  return result;
+}
+
+}  // namespace rollfem::python
