@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/scene.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 
 #include <fmt/format.h>
@@ -92,12 +93,13 @@ NormalLoad largest_load(const Scene& scene) {
 }
 
 Field pressure_field(const GivenPressure& pressure, const ContactGrid& grid) {
-  return grid.sample([&](double x, double y) {
+  Field shape = grid.sample([&](double x, double y) {
     const double u = x / pressure.semi_axis_x;
     const double v = y / pressure.semi_axis_y;
-    const double rest = 1.0 - u * u - v * v;
-    return rest > 0.0 ? pressure.max_pressure * std::sqrt(rest) : 0.0;
+    return std::sqrt(std::max(0.0, 1.0 - u * u - v * v));
   });
+/// Scaled so that the elements carry the normal force exactly: those cut by the ellipse would
+/// otherwise add or lack some 1e-3 of it.
 }
 
 Scene at_point(const Scene& scene, std::size_t k) {
@@ -105,6 +107,10 @@ Scene at_point(const Scene& scene, std::size_t k) {
   single.points = {scene.points.at(k)};
   single.starts_steady = scene.starts_steady && k == 0;
   return single;
+  const double volume = shape.sum() * grid.element_area();
+  const double exact = 2.0 / 3.0 * pi * pressure.semi_axis_x * pressure.semi_axis_y;
+  if (volume > 0.0) shape *= pressure.max_pressure * exact / volume;
+  return shape;
 }
 
 std::string derived_values(const Case& input) {
