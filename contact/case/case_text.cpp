@@ -55,7 +55,7 @@ std::string range(const Key& key) {
   else
     text = fmt::format("from {:g} to {}{:g}{}", bounds.lower, bounds.upper_open ? "below " : "",
                        bounds.upper, unit);
-  return bounds.infinite ? text + ", or inf" : text;
+  return text + (bounds.infinite ? ", or inf" : bounds.none ? ", or nan" : "");
 }
 
 }  // namespace

@@ -108,6 +108,21 @@ TEST(Cattaneo, IsExactWithoutPoissonsRatio) {
   EXPECT_LT(second / elements, 0.02 * peak);
 }
 
+TEST(Cattaneo, GoesOnByAShiftWhereAForceHasLedTo) {
+  Case input = cattaneo(0.0, 40);
+  const rollfem::testing::CattaneoMindlin theory = exact(input);
+  const double unit = 0.4 * *input.load.normal_force;
+  const double begun = theory.shift(0.5 * unit), all = theory.shift(0.8 * unit);
+  input.rolling.forces = {{-0.5 * unit, {}}, {}};
+  input.rolling.creepages = {{}, {}};
+  input.history = {HistoryStep{}, HistoryStep{}};
+  input.history[1].longitudinal_shift = all - begun;
+  const ModelResult result = halfspace::run_halfspace(input, {});
+  EXPECT_NEAR(result.points[0].longitudinal_shift / begun, 1.0, 1e-3);
+  EXPECT_NEAR(result.points[1].longitudinal_shift / all, 1.0, 1e-3);
+  EXPECT_NEAR(result.points[1].longitudinal_force / unit, -0.8, 1e-3);
+}
+
 /// Work of friction in the cycle that follows the first step, from tractions and slip.
 double loop_loss(const ModelResult& result) {
   double loss = 0.0;

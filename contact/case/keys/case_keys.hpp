@@ -33,6 +33,7 @@ struct Bounds {
   bool upper_open = false;  ///< the upper bound itself is outside
   bool magnitude = false;   ///< bounds apply to the absolute value
   bool infinite = false;    ///< inf is allowed
+  bool none = false;        ///< nan is allowed, for no number
   bool contains(double value) const;
 };
 
