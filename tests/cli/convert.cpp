@@ -156,14 +156,14 @@ TEST(Convert, CheckAcceptsWhatIsWrittenOfTheReferenceInputs) {
   for (const char* set : {"contact_examples", "contact_testbank"}) {
     const fs::path from = reference_folder() / set;
     if (!fs::exists(from)) GTEST_SKIP() << "the files are not here";
-    // Inputs name profiles beside them, and beside their folder.
+    // Inputs name profiles beside them, in a folder there, or beside their own folder.
     const fs::path inputs = folder.work() / set / "inputs";
     fs::create_directories(inputs);
     for (const fs::path& place : {inputs, inputs.parent_path()})
       fs::create_directory_symlink(from / "profiles", place / "profiles");
-    for (const auto& entry : fs::directory_iterator(from))
-      if (entry.path().extension() != ".ref_out" && entry.is_regular_file())
-        fs::copy(entry.path(), inputs);
+    for (const fs::path& place : {reference_folder(), from})
+      for (const auto& entry : fs::directory_iterator(place))
+        if (entry.is_regular_file()) fs::copy(entry.path(), inputs);
     for (const auto& entry : fs::directory_iterator(inputs))
       if (entry.path().extension() == ".inp")
         files += accepted(folder, entry.path().string(), entry.path().stem().string());
