@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "convert/input_lines.hpp"
+#include <algorithm>
 #include <initializer_list>
 #include <iterator>
 #include <map>
@@ -242,6 +243,7 @@ ProfileFile read_profile(InputLines& lines, const char* what) {
   const auto given = lines.named(what, {"MIRRORY", "SCALE", "SMOOTH"}, 2);
   ProfileFile profile;
   profile.name = given.text;
+  std::replace(profile.name.begin(), profile.name.end(), '\\', '/');  // of Windows
   profile.mirror_y = lines.integer(given.numbers[0], "MIRRORY", -1, 1);
   profile.scale = given.numbers[1];
   profile.smooth = given.numbers[2];

@@ -42,7 +42,7 @@ struct UndeformedDistance {
 };
 
 struct ProfileFile {
-  std::string name;  ///< as written in the file
+  std::string name;  ///< as written in the file, with /
   int mirror_y = 0, mirror_z = 0;
   double scale = 1.0, smooth = 0.0;
   bool has_options = false;  ///< further options of smoothing

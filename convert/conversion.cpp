@@ -8,6 +8,7 @@
 #include "convert/equivalent.hpp"
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <regex>
 #include <sstream>
 #include <utility>
@@ -16,26 +17,54 @@ namespace rollfem::convert {
 
 namespace {
 
+/// Values of a load point by `section.key`.
+using Point = std::map<std::string, double>;
+
 /// Cases that share a case file.
 struct Group {
   Equivalent first;
   std::vector<int> cases;
-  std::vector<std::map<std::string, double>> points;
+  std::vector<Point> points;
   std::vector<std::string> notes;
   bool starts_steady = false;
 };
 
-/// Whether the keys are equal, and the values of load keys too.
-bool same_keys(const std::map<std::string, double>& a, const std::map<std::string, double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](auto& x, auto& y) {
-    return x.first == y.first && (x.first.rfind("load.", 0) != 0 || x.second == y.second);
-  });
+bool starts_with(const std::string& text, const std::string& start) {
+  return text.rfind(start, 0) == 0;
+}
+
+/// Whether the keys are equal, one of them may have a list of load points, and the values of load
+/// keys are equal, which may not.
+bool same_keys(const Point& a, const Point& b) {
+  const auto is_load = [](auto& entry) { return starts_with(entry.first, "load."); };
+  return !std::all_of(a.begin(), a.end(), is_load) &&
+         std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](auto& x, auto& y) {
+           return x.first == y.first && (!is_load(x) || x.second == y.second);
+         });
+}
+
+/// Removes the forces where none is prescribed, and the motion where forces are prescribed in all
+/// points.
+void keep_what_acts(std::vector<Point>& points) {
+  for (const std::string name : {"longitudinal", "lateral"}) {
+    const std::string force = "rolling." + name + "_force";
+    const auto prescribed = std::count_if(points.begin(), points.end(), [&](const Point& point) {
+      const auto found = point.find(force);
+      return found != point.end() && !std::isnan(found->second);
+    });
+    for (Point& point : points) {
+      if (prescribed == 0) point.erase(force);
+      if (prescribed < static_cast<std::ptrdiff_t>(points.size())) continue;
+      point.erase("rolling." + name + "_creepage");
+      point.erase("history." + name + "_shift");
+    }
+  }
 }
 
 /// Turns a shift from rest into the first step of a transient (of any length), so that all steps
 /// are of one kind. `next` is the step that rolls.
 void roll_first_step(Group& group, const Equivalent& next) {
-  std::map<std::string, double>& point = group.points.front();
+  Point& point = group.points.front();
   const double length = point["history.step_length"] = next.varied.at("history.step_length");
   for (const auto& [shift, creepage] :
        {std::pair("history.longitudinal_shift", "rolling.longitudinal_creepage"),
@@ -68,12 +97,13 @@ bool start_steadily(std::vector<Group>& groups, const Equivalent& next) {
     steps.notes.push_back(
         fmt::format("INISLP of case {} is taken to be that of the steps", steps.cases.front()));
   steps.first.from_sliding = next.from_sliding;
-  std::map<std::string, double>& point = steps.points.front();
-  for (const char* load : {"normal_force", "approach"})
-    if (auto found = point.extract(std::string("load.") + load)) {
-      found.key() = std::string("history.") + load;
-      point.insert(std::move(found));
-    }
+  Point& point = steps.points.front();
+  for (const std::string load : {"normal_force", "approach"})
+    if (next.varied.count("history." + load) != 0)
+      if (auto found = point.extract("load." + load)) {
+        found.key() = "history." + load;
+        point.insert(std::move(found));
+      }
   point["history.step_length"] = next.varied.at("history.step_length");
   if (!joins(steps, next)) return false;
   last.cases.pop_back();
@@ -107,9 +137,10 @@ void add(Group& group, int number, const Equivalent& made) {
       group.notes.push_back(note);
 }
 
-/// One number if all are equal, otherwise a list with ten numbers per line.
-std::string values_text(const std::string& key, const std::vector<double>& values) {
-  if (std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); }))
+/// One number if all are equal, otherwise, or if `listed`, a list with ten numbers per line.
+std::string values_text(const std::string& key, const std::vector<double>& values, bool listed) {
+  if (!listed &&
+      std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); }))
     return fmt::format("{} = {:.12g}", key, values.front());
   std::string text = key + " = [";
   for (std::size_t k = 0; k < values.size(); ++k)
@@ -136,27 +167,32 @@ constexpr std::array<const char*, 17> sections{"load",
                                                "halfspace",
                                                "fastsim"};
 
-/// Text of a section of the case file `name`; empty without keys. `several`: set if a list
-/// determines the number of load points.
-std::string section_text(const Group& group, const std::string& section, const std::string& name,
-                         bool& several) {
+/// Whether there are several load points and no value tells how many.
+bool are_alike(const std::vector<Point>& points) {
+  return points.size() > 1 && std::all_of(points.begin(), points.end(), [&](const Point& point) {
+           return point == points.front();
+         });
+}
+
+/// Text of a section of the case file `name`; empty without keys.
+std::string section_text(const Group& group, const std::string& section, const std::string& name) {
   std::string text;
   const auto add = [&](const std::string& line) { text += line + "\n"; };
   if (section == "rolling" && group.first.problem != "steady")
     add(fmt::format("problem = \"{}\"", group.first.problem));
   if (const auto fixed = group.first.fixed.find(section); fixed != group.first.fixed.end())
     for (const std::string& line : fixed->second) add(line);
+  const bool alike = are_alike(group.points);
+  bool listed = alike && !group.first.history() && section != "load";
   for (const auto& [key, value] : group.points.front()) {
-    if (key.rfind(section + ".", 0) != 0) continue;
+    if (!starts_with(key, section + ".")) continue;
     std::vector<double> values;
-    for (const auto& point : group.points) values.push_back(point.at(key));
-    const std::string line = values_text(key.substr(section.size() + 1), values);
-    several = several || line.find('[') != std::string::npos;
-    add(line);
+    for (const Point& point : group.points) values.push_back(point.at(key));
+    add(values_text(key.substr(section.size() + 1), values, std::exchange(listed, false)));
   }
   if (section == "friction" && group.first.from_sliding) add("branch = \"sliding\"");
   if (section == "history" && group.starts_steady) add("start = \"steady\"");
-  if (section == "history" && !several && group.points.size() > 1)
+  if (section == "history" && group.first.history() && alike)
     add(fmt::format("steps = {}", group.points.size()));
   if (section == "undeformed_distance" && !group.first.files.empty())
     add("file = " + quoted(name + "_distance.csv"));
@@ -173,8 +209,7 @@ std::string case_text(const Group& group, const std::string& name, const std::st
   text += "# Units: mm, N, MPa, rad. Keys: docs/case-file.md\n";
   for (const std::string& note : group.notes) text += "# note: " + note + "\n";
   text += fmt::format("\ntitle = {}\nmodels = [\"{}\"]\n", quoted(which), group.first.model);
-  bool several = false;
-  for (const char* section : sections) text += section_text(group, section, name, several);
+  for (const char* section : sections) text += section_text(group, section, name);
   return text + group.first.stresses;
 }
 
@@ -256,7 +291,8 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
   }
   const std::size_t digits =
       std::to_string(cases.size()).size();  // leading zeros, so that files sort
-  for (const Group& group : groups) {
+  for (Group& group : groups) {
+    keep_what_acts(group.points);
     const std::string name = groups.size() == 1 && group.cases.size() == cases.size()
                                  ? stem
                                  : fmt::format("{}_{:0{}}", stem, group.cases.front(), digits);

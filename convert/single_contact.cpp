@@ -70,11 +70,16 @@ void judge_values(const ContactCase& given, Equivalent& made) {
          "the curvatures differ so much that this is a line contact");
 }
 
+bool has_given_pressure(const ContactCase& given) {
+  return given.potential.ipotcn < 0 && !is_simplified(given.digits) && given.digits.B == 2;
+}
+
 void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
   const Digits& digits = given.digits;
   const auto& k = given.kinematics;
   const bool shift = made.problem == "shift";
-  made.varied[std::string(made.history() ? "history." : "load.") +
+  const bool by_step = made.history() && !has_given_pressure(given);
+  made.varied[std::string(by_step ? "history." : "load.") +
               (digits.N == 0 ? "approach" : "normal_force")] = k[0];
   if (digits.T == 0) return;
   made.refuse(digits.F > 0 && digits.N == 0,
@@ -85,10 +90,12 @@ void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
   for (std::size_t direction = 0; direction < 2; ++direction) {
     const double value = sign * k[1 + direction] + 0.0;  // no -0
     const std::string& name = names[direction];
-    if (digits.F > static_cast<int>(direction))
-      made.varied["rolling." + name + "_force"] = value * given.friction.front().fstat * k[0];
-    else
-      made.varied[shift ? "history." + name + "_shift" : "rolling." + name + "_creepage"] = value;
+    const bool by_force = digits.F > static_cast<int>(direction);
+    // Cases with forces and cases with creepages may share a file.
+    made.varied["rolling." + name + "_force"] =
+        by_force ? value * given.friction.front().fstat * k[0] : std::nan("");
+    made.varied[shift ? "history." + name + "_shift" : "rolling." + name + "_creepage"] =
+        by_force ? 0.0 : value;
   }
   made.varied[shift ? "history.spin_shift" : "rolling.spin"] = k[3];
   if (made.problem == "transient") made.varied["history.step_length"] = given.rolling[1];
@@ -190,7 +197,7 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   const double scale = potential.size[2];
   const double a = ellipse.hertz.semi_axis_x, b = ellipse.hertz.semi_axis_y;
   const bool simplified = is_simplified(given.digits);
-  if (!simplified && given.digits.B == 2) {
+  if (has_given_pressure(given)) {
     made.set("given_pressure", "semi_axis_x", a, "mm");
     made.set("given_pressure", "semi_axis_y", b, "mm");
   } else {
@@ -282,8 +289,8 @@ void fill_line(const ContactCase& given, Area area, double modulus, double sign,
   made.set("geometry", "relative_radius", radius,
            given.distance.ibase == 2 ? std::string("mm, RX1")
                                      : fmt::format("mm, B1 = {:g} /mm", given.distance.values[0]));
-  made.set("geometry", "reference_distance", area.dy,
-           "mm, so that the approach is that of elements of this length");
+  made.fixed["geometry"].push_back(
+      "reference_distance = inf      # displacements as in elements of that length");
   area.y = -0.5 * area.dy;
   set_grid(given, area, sign, made);
   made.varied.erase("rolling.spin");

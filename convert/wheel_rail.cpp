@@ -39,7 +39,7 @@ void fill_profile(const ProfileFile& profile, const std::string& body,
 void fill_track(const WheelRail& pair, const std::string& profile_folder, Equivalent& made) {
   const auto& [height, sequence, gauge, cant] = pair.track;
   made.refuse(height <= 0.0, "GAUGHT <= 0: a rail placed by RAILY0, RAILZ0 instead of the gauge");
-  made.refuse(sequence > 1.0,
+  made.refuse(height > 0.0 && sequence > 1.0,
               fmt::format("GAUGSQ = {:g}: the gauge is always measured at the first gauge point",
                           sequence));
   made.refuse(any(pair.rail_deviations), "DY to VROLL: a displaced or moving rail");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem._core: the C++ base of the Python package rollfem/. Cases and results are opaque here;
 // solving lets other Python threads run and checks for Ctrl-C at every iteration.
+#include "contact/case/case_edit.hpp"
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
 #include "python/caller.hpp"
@@ -85,7 +86,8 @@ PYBIND11_MODULE(_core, module) {
           })
       .def_property_readonly("doubts",
                              [](const Case& input) { return contact::implausible_values(input); })
-      .def("describe", [](const Case& input) { return rollfem::describe(input); });
+      .def("describe", [](const Case& input) { return rollfem::describe(input); })
+      .def("text_in_folder", &contact::text_in_folder);
   py::class_<Result, std::shared_ptr<Result>>(module, "Result")
       .def(py::pickle(&python::packed, &python::unpacked));
   module.def("read_case", &read_case);

@@ -2,9 +2,12 @@
 #include "app/input/convert.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
+#include "halfspace/patch/patch_search.hpp"
 #include "models/registry.hpp"
+#include "models/solving/case_scenes.hpp"
 #include "postprocess/files/files_together.hpp"
 
 #include <fmt/format.h>
@@ -12,9 +15,11 @@
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -93,14 +98,56 @@ void add(Refused& refused, const std::vector<std::string>& reasons, const std::v
   refused.push_back({reasons, more});
 }
 
-/// Why `run` cannot read the case; otherwise empty.
-std::string why_not_read(const fs::path& path, const contact::ModelRegistry& models) {
-  try {
-    contact::read_case(path.string(), modelling::model_words(models));
-  } catch (const contact::InputError& error) {
-    return error.what();
+using Cells = std::array<double, 2>;
+
+/// The cells of the case, halved until the patches of all wheels have elements enough.
+Cells fine_cells(const contact::Case& input, const modelling::Placed& placed) {
+  // A result needs four; the box of a patch may be a little wider than its elements.
+  constexpr double fewest = 5.0, most_halvings = 4;
+  Cells cells = *input.contact_grid.cell_size;
+  for (const contact::Scene& scene : modelling::scenes_of(input, placed).list) {
+    const halfspace::PatchExtent extent = halfspace::PatchSearch(scene).extent();
+    for (int halving = 0; halving < most_halvings; ++halving) {
+      if (extent.length < fewest * cells[0]) cells[0] *= 0.5;
+      if (extent.width < fewest * cells[1]) cells[1] *= 0.5;
+    }
   }
-  return {};
+  return cells;
+}
+
+/// Reads a written case and, with profiles, places its wheels, as `check` does; false where one is
+/// refused, with the reason, and `cells` if the case needs others.
+bool is_accepted(const fs::path& path, const contact::ModelRegistry& models, std::string& wrong,
+                 std::optional<Cells>& cells) {
+  try {
+    const contact::Case input = contact::read_case(path.string(), modelling::model_words(models));
+    if (!input.has_profiles()) return true;
+    const modelling::Placed placed = modelling::placed_wheels(input);
+    try {
+      cells = fine_cells(input, placed);
+      if (cells == input.contact_grid.cell_size) cells.reset();
+    } catch (const contact::SolveError&) {
+      // There is no balance: `run` says why.
+    }
+  } catch (const contact::FileError&) {
+    // A profile that is missing is warned of; it may come.
+  } catch (const std::runtime_error& error) {
+    wrong = error.what();
+  }
+  return wrong.empty();
+}
+
+/// The case file with finer cells than CONTACT's, and a note on them.
+convert::CaseFile with_cells(convert::CaseFile made, const Cells& cells) {
+  const std::string given = "cell_size = ", title = "\ntitle = ";
+  const std::size_t at = made.text.find(given), end = made.text.find('\n', at);
+  made.text.replace(at, end - at, fmt::format("{}[{:.12g}, {:.12g}]", given, cells[0], cells[1]));
+  const std::string note = fmt::format(
+      "elements of {:g} by {:g} mm instead of DX by DS, which are too few across a patch", cells[0],
+      cells[1]);
+  made.text.insert(made.text.find(title), fmt::format("# note: {}\n", note));
+  made.notes.push_back(note);
+  return made;
 }
 
 void refuse(const std::string& file, const Refused& refused, bool nothing_left) {
@@ -145,7 +192,7 @@ convert::Conversion conversion_of(const ConvertRequest& request,
                                 profile_folder(file, directory), chosen);
 }
 
-/// Writes the case files and returns those that `run` can read; the others are refused.
+/// Writes the case files and returns those that `check` accepts; the others are refused.
 std::vector<convert::CaseFile> written_cases(const convert::Conversion& conversion,
                                              const fs::path& directory,
                                              const contact::ModelRegistry& models, Written& written,
@@ -154,14 +201,18 @@ std::vector<convert::CaseFile> written_cases(const convert::Conversion& conversi
   for (const convert::CaseFile& made : conversion.files) {
     for (const auto& [name, content] : made.attached_files) written.write(name, content);
     written.write(made.name, made.text);
-    const std::string wrong = why_not_read(directory / made.name, models);
-    if (wrong.empty()) {
-      kept.push_back(made);
+    std::string wrong;
+    std::optional<Cells> cells;
+    if (!is_accepted(directory / made.name, models, wrong, cells)) {
+      add(refused, {wrong}, made.cases);
+      for (const auto& [name, content] : made.attached_files) written.remove(directory / name);
+      written.remove(directory / made.name);
       continue;
     }
-    add(refused, {wrong}, made.cases);
-    for (const auto& [name, content] : made.attached_files) written.remove(directory / name);
+    kept.push_back(cells ? with_cells(made, *cells) : made);
+    if (!cells) continue;
     written.remove(directory / made.name);
+    written.write(made.name, kept.back().text);
   }
   return kept;
 }

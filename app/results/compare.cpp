@@ -2,6 +2,7 @@
 #include "app/results/compare.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/case_edit.hpp"
 #include "contact/case/case_reader.hpp"
 #include "models/program/version.hpp"
 #include "models/registry.hpp"
@@ -67,7 +68,9 @@ bool is_sound(const Task& task, const nlohmann::json& summary) {
 /// Whether the result of an earlier call is valid: same case, program and models, complete and
 /// undamaged.
 bool is_done(const Task& task) {
-  if (contents_of(task.folder / "case.toml") != task.input.text) return false;
+  if (contents_of(task.folder / "case.toml") !=
+      contact::text_in_folder(task.input, task.folder.string()))
+    return false;
   const std::string text = contents_of(task.folder / "summary.json");
   if (!postprocess::json_seal_is_intact(text)) {
     if (!text.empty())

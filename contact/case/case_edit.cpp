@@ -2,6 +2,7 @@
 #include "contact/case/case_edit.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/case_text.hpp"
 #include "contact/case/toml/toml_library.hpp"
 #include "contact/case/toml/toml_reader.hpp"
 
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -126,6 +129,30 @@ std::string with_changes(std::string text, const std::string& file,
   for (const std::string& change : changes) {
     static_cast<void>(read_toml(text, file, models.known));
     make(read_change(change, models), file, text);
+  }
+  return text;
+}
+
+std::string text_in_folder(const Case& input, const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::string text = input.text;
+  for (const auto& [section, name] : {std::pair("wheel", "profile"),
+                                      {"rail", "profile"},
+                                      {"wheel", "mesh"},
+                                      {"rail", "mesh"},
+                                      {"undeformed_distance", "file"},
+                                      {"rolling", "extra_slip_file"}}) {
+    const KeyValue value = find_key(section, name)->get(input);
+    const auto* file = std::get_if<std::string>(&value);
+    // Built-in profiles have names without dots and slashes.
+    if (file == nullptr || file->find_first_of("./") == std::string::npos ||
+        fs::path(*file).is_absolute())
+      continue;
+    std::error_code error;
+    const fs::path there = fs::path(input.file).parent_path() / *file;
+    const std::string way = fs::relative(there, folder, error).generic_string();
+    if (!error && !way.empty() && way != *file)
+      make({section, name, toml_text(KeyValue(way))}, input.file, text);
   }
   return text;
 }

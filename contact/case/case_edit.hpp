@@ -3,6 +3,7 @@
 // edited, so that the case stored with the results is the one that was solved.
 #pragma once
 
+#include "contact/case/case.hpp"
 #include "contact/case/model_words.hpp"
 
 #include <string>
@@ -16,5 +17,9 @@ namespace rollfem::contact {
 /// unknown key or an invalid value.
 std::string with_changes(std::string text, const std::string& file,
                          const std::vector<std::string>& changes, const ModelWords& models = {});
+
+/// The text of the case for a file in another folder: paths of files, which are relative to the
+/// case file, lead from there.
+std::string text_in_folder(const Case& input, const std::string& folder);
 
 }  // namespace rollfem::contact

@@ -56,7 +56,7 @@ std::string range(const Key& key) {
     text = fmt::format("from {:g} to {}{:g}{}", bounds.lower, bounds.upper_open ? "below " : "",
                        bounds.upper, unit);
   if (bounds.zero) text += ", or 0";
-  return bounds.infinite ? text + ", or inf" : text;
+  return text + (bounds.infinite ? ", or inf" : bounds.none ? ", or nan" : "");
 }
 
 }  // namespace

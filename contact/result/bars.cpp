@@ -47,7 +47,7 @@ void add_creepage_bars(const LoadPoint& load_point, PointResult& point) {
 /// Quantities prescribed by the case at this load point.
 bool is_given(const Scene& scene, const ModelResult& result, std::size_t k,
               const std::string& name) {
-  if (scene.given_pressure) return false;
+  if (scene.given_pressure && name != "normal_force") return false;
   if (scene.geometry.line &&
       (name == "contact_width" || name == "semi_axis_y" || name == "patch_y_middle"))
     return true;
@@ -62,7 +62,8 @@ bool is_given(const Scene& scene, const ModelResult& result, std::size_t k,
 /// Quantities of a line contact that depend on the reference distance, because displacements of
 /// half-planes are known up to a constant.
 bool is_relative(const Scene& scene, const std::string& name) {
-  return scene.geometry.line && (name == "approach" || name == "elastic_energy");
+  return scene.geometry.line && std::isfinite(scene.geometry.line->reference) &&
+         (name == "approach" || name == "elastic_energy");
 }
 
 /// Quantities of the problem without friction.

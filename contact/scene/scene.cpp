@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/scene.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,13 @@ namespace rollfem::contact {
 
 namespace {
 
+/// Without the creepages and shifts in whose place a force is prescribed.
+LoadPoint without_unknowns(LoadPoint point) {
+  if (point.force.longitudinal) point.creepage.longitudinal = point.longitudinal_shift = 0.0;
+  if (point.force.lateral) point.creepage.lateral = point.lateral_shift = 0.0;
+  return point;
+}
+
 /// Load point k of a case; values missing in a step of a history come from the whole case.
 LoadPoint load_point(const Case& input, std::size_t k) {
   LoadPoint point;
@@ -19,7 +27,7 @@ LoadPoint load_point(const Case& input, std::size_t k) {
   if (k < input.rolling.forces.size()) point.force = input.rolling.forces[k];
   point.load.force = input.load.normal_force;
   point.load.approach = input.load.approach;
-  if (k >= input.history.size()) return point;
+  if (k >= input.history.size()) return without_unknowns(point);
   const HistoryStep& step = input.history[k];
   if (step.normal_force || step.approach) {
     point.load.force = step.normal_force;
@@ -29,7 +37,7 @@ LoadPoint load_point(const Case& input, std::size_t k) {
   point.lateral_shift = step.lateral_shift;
   point.spin_shift = step.spin_shift;
   point.step_length = step.step_length;
-  return point;
+  return without_unknowns(point);
 }
 
 }  // namespace
@@ -91,13 +99,18 @@ NormalLoad largest_load(const Scene& scene) {
   return largest;
 }
 
+/// Scaled so that the elements carry the normal force exactly: those cut by the ellipse would
+/// otherwise add or lack some 1e-3 of it.
 Field pressure_field(const GivenPressure& pressure, const ContactGrid& grid) {
-  return grid.sample([&](double x, double y) {
+  Field shape = grid.sample([&](double x, double y) {
     const double u = x / pressure.semi_axis_x;
     const double v = y / pressure.semi_axis_y;
-    const double rest = 1.0 - u * u - v * v;
-    return rest > 0.0 ? pressure.max_pressure * std::sqrt(rest) : 0.0;
+    return std::sqrt(std::max(0.0, 1.0 - u * u - v * v));
   });
+  const double volume = shape.sum() * grid.element_area();
+  const double exact = 2.0 / 3.0 * pi * pressure.semi_axis_x * pressure.semi_axis_y;
+  if (volume > 0.0) shape *= pressure.max_pressure * exact / volume;
+  return shape;
 }
 
 Scene at_point(const Scene& scene, std::size_t k) {

@@ -145,7 +145,7 @@ HertzContact hertz_of_scene(const contact::Scene& scene) {
   if (const auto& line = scene.geometry.line) {
     const double force = load.force.value_or(0.0);
     const LineHertz hertz =
-        line_hertz(0.5 / curvatures.A, modulus_of(scene), force / line->width, line->reference);
+        line_hertz(0.5 / curvatures.A, modulus_of(scene), force / line->width, reference_of(*line));
     return {hertz.half_width, 0.5 * line->width, hertz.max_pressure, hertz.approach, force};
   }
   return load.force ? hertz_from_force(curvatures.A, curvatures.B, modulus_of(scene), *load.force)
@@ -170,6 +170,10 @@ double hertz_displacement(const HertzContact& contact, double contact_modulus, d
       contact.semi_axis_x * contact.semi_axis_y * contact.max_pressure / contact_modulus;
   return scale * (ellint_rf(l, a2 + l, b2 + l) - x * x / 3.0 * ellint_rd(l, b2 + l, a2 + l) -
                   y * y / 3.0 * ellint_rd(l, a2 + l, b2 + l));
+}
+
+double reference_of(const contact::LineContact& line) {
+  return std::isinf(line.reference) ? line.width : line.reference;
 }
 
 LineHertz line_hertz(double radius, double contact_modulus, double force_per_length,

@@ -124,7 +124,7 @@ Influence rectangle_influence(double x, double y, double dx, double dy,
 }
 
 Influence line_influence(double x, double dx, double reference,
-                         const contact::CombinedMaterial& material) {
+                         const contact::CombinedMaterial& material, bool finite) {
   const double x0 = x - 0.5 * dx;
   const double x1 = x + 0.5 * dx;
   // Integral of -ln|s / reference| from 0 to s.
@@ -136,13 +136,20 @@ Influence line_influence(double x, double dx, double reference,
   Influence result;
   result.xx = result.nn = scale * (1.0 - material.poisson_ratio) * integral;
   result.yy = scale * integral;  // antiplane shear
+  if (finite) {
+    result.xx += scale * material.poisson_ratio * dx;
+    result.yy -= scale * material.poisson_ratio * dx;
+  }
   result.xn = -material.difference / material.shear_modulus * (std::abs(x1) - std::abs(x0));
   return result;
 }
 
 Influence element_influence(const contact::ContactGrid& grid, int i, int j,
                             const contact::CombinedMaterial& material) {
-  if (grid.is_line()) return line_influence(i * grid.dx, grid.dx, grid.line_reference, material);
+  const bool finite = std::isinf(grid.line_reference);
+  if (grid.is_line())
+    return line_influence(i * grid.dx, grid.dx, finite ? grid.dy : grid.line_reference, material,
+                          finite);
   return rectangle_influence(i * grid.dx, j * grid.dy, grid.dx, grid.dy, material);
 }
 

@@ -30,10 +30,12 @@ Influence rectangle_influence(double x, double y, double dx, double dy,
 
 /// The same for a laterally endless element of dx mm in plane strain, relative to the displacement
 /// at the distance `reference` (mm) from a line load: the rectangle's coefficient without its
-/// constant, in closed form (Johnson 1985, eq. 2.30 to 2.33). For nn this is the middle of a load
-/// as wide as `reference`.
+/// constant, in closed form (Johnson 1985, eq. 2.30 to 2.33). `finite`: relative to distant points,
+/// in the middle of a load of length L = `reference` (L >> |x|). The integrals along y of 1/R,
+/// Y^2/R^3 and X^2/R^3 are 2 ln(L/|x|), 2 ln(L/|x|) - 2 and 2, which leaves nn as it is, adds
+/// nu dx to xx/scale and takes it from yy/scale, scale = 2/(pi G).
 Influence line_influence(double x, double dx, double reference,
-                         const contact::CombinedMaterial& material);
+                         const contact::CombinedMaterial& material, bool finite = false);
 
 /// Effect of an element of the grid on the element i columns and j rows farther.
 Influence element_influence(const contact::ContactGrid& grid, int i, int j,

@@ -5,6 +5,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/state_record.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
@@ -65,7 +66,7 @@ class HalfspaceElasticity : public contact::Elasticity {
   }
   Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
     return scene_.geometry.line
-               ? line_shift_stiffness(patch, scene_.geometry.line->reference, scene_.material)
+               ? line_shift_stiffness(patch, reference_of(*scene_.geometry.line), scene_.material)
                : halfspace::shift_stiffness(patch, scene_.material);
   }
   contact::Field extra_distance() const override {

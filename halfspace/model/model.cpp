@@ -161,9 +161,11 @@ void add_notes(const Scene& scene, ModelResult& result) {
   if (const auto& line = scene.geometry.line)
     result.notes.push_back(
         fmt::format("line contact: endless rollers in plane strain; forces, moments, areas and "
-                    "work refer to a width of {:g} mm; approach and elastic energy are relative to "
-                    "the surface at {:g} mm from a line load",
-                    line->width, line->reference));
+                    "work refer to a width of {:g} mm; displacements are relative to {}",
+                    line->width,
+                    std::isinf(line->reference)
+                        ? "distant points, in the middle of this width"
+                        : fmt::format("the surface at {:g} mm from a line load", line->reference)));
   if (scene.follows_surface > 0.0 && scene.follows_surface < 1.0)
     result.notes.push_back(
         fmt::format("the normals of this contact spread too much for a plane and too little for "

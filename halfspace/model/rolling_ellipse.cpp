@@ -67,11 +67,8 @@ LevelResult solve_level(const Scene& scene, const ContactGrid& grid, const Level
   return run.take_result();
 }
 
-/// The pressure of elements cut by the ellipse is not their mean: forces are fractions of the total
-/// carried by the elements.
 ScaledForces forces_of(const contact::PointResult& point) {
-  const double bound = point.normal_force;
-  return {point.longitudinal_force / bound, point.lateral_force / bound, point.spin_moment / bound};
+  return {point.longitudinal_force, point.lateral_force, point.spin_moment};
 }
 
 /// Ratio of the change from `coarse` to `fine` to the change from `fine` to the limit: order 3/2.

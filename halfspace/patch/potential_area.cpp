@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
 
 #include <fmt/format.h>
@@ -128,7 +129,8 @@ void PatchSearch::check_shape_of_cells(double dx, double dy) const {
 }
 
 /// A grid within twice the reference distance keeps the compliance positive: its logarithm is
-/// positive up to four times the reference distance.
+/// positive up to four times the reference distance. Within a fifth of a finite width, displacement
+/// differences are those of endless rollers to some 1 %.
 ContactGrid PatchSearch::line_grid(double dx, int margin) const {
   const contact::GridOptions& options = scene_.contact_grid;
   const contact::LineContact& line = *scene_.geometry.line;
@@ -136,19 +138,22 @@ ContactGrid PatchSearch::line_grid(double dx, int margin) const {
   check_cells(scene_, {patch().length(), line.width}, dx, line.width, 0);
   const int nx = options.extent ? elements_within((*options.extent)[0], dx)
                                 : elements(patch().length(), dx, margin);
+  const bool finite = std::isinf(line.reference);
+  const double given = reference_of(line);
+  const double least = (finite ? 5.0 : 0.5) * nx * dx;
   const double radius = std::abs(scene_.geometry.surface.rolling_radius);
-  if (nx * dx > 2.0 * line.reference && patch().length() > 2.0 * radius)
+  if (given < least && patch().length() > 2.0 * radius)
     throw contact::InputError(fmt::format(
         "{}: the patch of {:.4g} mm by Hertz is longer than the body, whose relative radius is "
         "{:.4g} mm: no half-space; allowed: a patch that is short against the radius; do: check "
         "the load (N), young_modulus (MPa) and the radius (mm)",
         scene_.file, patch().length(), radius));
-  if (nx * dx > 2.0 * line.reference)
+  if (given < least)
     throw contact::InputError(fmt::format(
-        "{}: geometry.reference_distance = {:g} mm: the contact grid is {:.4g} mm long; allowed: "
-        "at least {:.4g} mm, half of that; do: give a larger one, or a shorter "
-        "contact_grid.extent",
-        scene_.file, line.reference, nx * dx, 0.5 * nx * dx));
+        "{}: geometry.{} = {:g} mm: the contact grid is {:.4g} mm long; allowed: at least {:.4g} "
+        "mm, {} that; do: give a larger one, or a shorter contact_grid.extent",
+        scene_.file, finite ? "width" : "reference_distance", given, nx * dx, least,
+        finite ? "with reference_distance = inf five times" : "half of"));
   ContactGrid grid = ContactGrid::centred(nx, 1, dx, line.width, options.middle[0], 0.0);
   grid.line_reference = line.reference;
   return grid;

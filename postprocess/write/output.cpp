@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/output.hpp"
 
+#include "contact/case/case_edit.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/record_check.hpp"
@@ -63,7 +64,7 @@ void write_body_files(ResultFolder& folder, const contact::ModelResult& model) {
 void write_results(const std::string& directory, const RunRecord& run) {
   check_record(run);
   ResultFolder folder(directory);
-  folder.write("case.toml", run.input.text);
+  folder.write("case.toml", contact::text_in_folder(run.input, directory));
   folder.write("summary.json", summary_json(run));
   folder.write("creep_curve.csv", creep_curve_csv(run));
   const auto& paths = run.input.output.paths;

@@ -29,9 +29,12 @@ const char* const conventions =
 
 /// Directions in which a force is prescribed: "", "x", "y" or "xy".
 std::string prescribed_forces(const contact::Case& input) {
-  if (input.rolling.forces.empty()) return {};
-  const contact::PrescribedForce& first = input.rolling.forces.front();
-  return std::string(first.longitudinal ? "x" : "") + (first.lateral ? "y" : "");
+  const auto any = [&](std::optional<double> contact::PrescribedForce::*direction) {
+    return std::any_of(input.rolling.forces.begin(), input.rolling.forces.end(),
+                       [&](const contact::PrescribedForce& force) { return force.*direction; });
+  };
+  return std::string(any(&contact::PrescribedForce::longitudinal) ? "x" : "") +
+         (any(&contact::PrescribedForce::lateral) ? "y" : "");
 }
 
 /// A law that falls with the slip velocity, tabulated for figures and reports.

@@ -308,7 +308,7 @@ class Case:
         return self.core.describe()
 
     def write(self, file: str | os.PathLike[str]) -> str | os.PathLike[str]:
-        """Writes the case file.
+        """Writes the case file; paths in it are changed to lead from its folder.
 
         Parameters
         ----------
@@ -331,7 +331,7 @@ class Case:
         """
         try:
             with open(file, "w", encoding="utf-8") as out:
-                out.write(self.text)
+                out.write(self.core.text_in_folder(os.path.dirname(os.path.abspath(file))))
         except OSError as error:
             raise FileError(f"{os.fspath(file)}: cannot be written: {error.strerror}") from error
         return file

@@ -6,12 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include "support/contact_inputs.hpp"
+#include "support/profile_texts.hpp"
 #include "support/program.hpp"
+#include "support/reference_folder.hpp"
 #include <cmath>
+#include <filesystem>
 
 namespace {
 
 using namespace rollfem::testing;
+namespace fs = std::filesystem;
 
 TEST(Convert, PushedBallHasTheShiftOfCattaneoAndMindlin) {
   const Folder folder;
@@ -120,6 +124,72 @@ TEST(Convert, PointwiseDistanceIsRead) {
       rollfem::halfspace::hertz_from_force(0.022, 0.018, 300.0 / 0.75, 20.0).max_pressure;
   EXPECT_NEAR(summary["models"][0]["points"][0]["max_pressure"].get<double>(), expected,
               0.003 * expected);
+}
+
+/// Number of files written, all of which `check` accepts.
+int accepted(const Folder& folder, const std::string& file, const std::string& into) {
+  const Outcome made = call(folder, {"convert", file, "--partial", "-o", into});
+  if (made.status == 2) EXPECT_TRUE(says(made.err, "no equivalent")) << made.err;
+  int files = 0;
+  for (const std::string& name : folder.made()) {
+    if (name.rfind(into + "/", 0) != 0 || fs::path(name).extension() != ".toml") continue;
+    ++files;
+    const Outcome checked = call(folder, {"check", name});
+    EXPECT_EQ(checked.status, 0) << name << ": " << checked.err;
+  }
+  return files;
+}
+
+TEST(Convert, CheckAcceptsWhatIsWritten) {
+  const Folder folder;
+  int number = 0;
+  for (const std::string& text : {pushed_ball, rolling_ellipse, rolled_twice, driven_roller,
+                                  pushed_ellipse, pushed_then_rolled, pressed_twice()}) {
+    const std::string name = "input_" + std::to_string(++number);
+    EXPECT_EQ(accepted(folder, folder.file(name + ".inp", text), name), 1) << text;
+  }
+}
+
+TEST(Convert, CheckAcceptsWhatIsWrittenOfTheReferenceInputs) {
+  const Folder folder;
+  int files = 0;
+  for (const char* set : {"contact_examples", "contact_testbank"}) {
+    const fs::path from = reference_folder() / set;
+    if (!fs::exists(from)) GTEST_SKIP() << "the files are not here";
+    // Inputs name profiles beside them, in a folder there, or beside their own folder.
+    const fs::path inputs = folder.work() / set / "inputs";
+    fs::create_directories(inputs);
+    for (const fs::path& place : {inputs, inputs.parent_path()})
+      fs::create_directory_symlink(from / "profiles", place / "profiles");
+    for (const fs::path& place : {reference_folder(), from})
+      for (const auto& entry : fs::directory_iterator(place))
+        if (entry.is_regular_file()) fs::copy(entry.path(), inputs);
+    for (const auto& entry : fs::directory_iterator(inputs))
+      if (entry.path().extension() == ".inp")
+        files += accepted(folder, entry.path().string(), entry.path().stem().string());
+  }
+  EXPECT_GT(files, 40);
+}
+
+/// Profiles of our own beside the input of the left wheel.
+std::string with_profiles(const Folder& folder, const std::string& text) {
+  folder.file("work/wheel.csv", columns(points_of("S1002")));
+  folder.file("work/rail.csv", columns(points_of("60E1")));
+  return folder.file("work/wheel.inp", text);
+}
+
+TEST(Convert, ElementsThatAreTooFewAreHalved) {
+  const Folder folder;
+  const std::string usual =
+      replaced(left_wheel, "'wheel.csv' 1 1.0 0.0 1", "'wheel.csv' 0 1.0 0.0");
+  done(folder, {"convert", with_profiles(folder, usual), "-o", "usual"});
+  EXPECT_TRUE(says(folder.text("usual/wheel.toml"), "cell_size = [0.25, 0.2] "));
+  const Outcome made = done(
+      folder,
+      {"convert", with_profiles(folder, replaced(usual, " 0.25 0.2 ", " 2.5 0.2 ")), "-o", "few"});
+  EXPECT_TRUE(says(made.out, "note: elements of 1.25 by 0.2 mm instead of DX by DS"));
+  EXPECT_TRUE(says(folder.text("few/wheel.toml"), "cell_size = [1.25, 0.2]\n", "# note: elements"));
+  done(folder, {"run", "few/wheel.toml", "-o", "out", "--no-report"});
 }
 
 TEST(Convert, ProfilesThatAreNotThereAreWarnedOf) {

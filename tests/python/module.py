@@ -42,6 +42,14 @@ class Cases(unittest.TestCase):
             texts = {rollfem.Case(source).text for source in (file, SMALL)} | {rollfem.Case(**SMALL).text}
         self.assertEqual(len(texts), 1)
 
+    def test_written_elsewhere_a_case_finds_its_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            profiles = {"wheel": {"profile": "S1002", "rolling_radius": 460.0}, "rail": {"profile": "here/rail.csv"}}
+            os.makedirs(f"{folder}/here")
+            case = rollfem.Case.of(f"{folder}/case.toml", {**SMALL, **profiles, "load": {"vertical_force": 1e5}})
+            there = rollfem.Case(case.write(f"{folder}/here/case.toml"))
+        self.assertEqual((there["wheel.profile"], there["rail.profile"]), ("S1002", "rail.csv"))
+
     def test_every_committed_case_goes_through_a_dict(self):
         for file in sorted((ROOT / "cases").glob("*.toml")):
             case = rollfem.Case(file)

@@ -68,6 +68,20 @@ inline const std::string driven_roller = R"( 3 module
  0
 )";
 
+/// An ellipse of 5 by 3 mm under Hertz's pressure, pushed by half of what friction bears.
+inline const std::string pushed_ellipse = R"( 3 module
+ 221110   P-B-T-N-F-S
+ 022020   L-D-C-M-Z-E
+ 0001341  H-G-I-A-O-W-R
+ 200 100 30 1 1e-6
+ 40000. 0.5 0.0 0.0               FN FX CETA CPHI
+ 0.35 0.35
+ 0.28 0.28 82000. 82000.
+  -3
+ 22 22 5.0 3.0 1.1                MX MY AA BB SCALE
+ 0
+)";
+
 /// The left wheel of a wheelset that is 1.5 mm to the right, yawed and turns a little too fast.
 inline const std::string left_wheel = R"( 1 module
  0203100  C-P-B-T-N-F-S
@@ -91,5 +105,18 @@ inline const std::string left_wheel = R"( 1 module
 inline std::string replaced(std::string text, const std::string& piece, const std::string& by) {
   return text.replace(text.find(piece), piece.size(), by);  // at throws where there is none
 }
+
+/// The ball, pushed by a force and then rolled at a creepage.
+inline const std::string pushed_then_rolled = replaced(pushed_ball, " 0 module", R"( 3 module
+ 002100
+ 102000
+ 0111341
+ 20.0 0.0001 0.0 0.0
+ 0.0 0.1 1000.
+ 0.25 0.25 300. 300.
+ 0 module)");
+
+/// The first two cases of the ellipse are the same.
+inline const std::string rolled_twice = replaced(rolling_ellipse, "40000. 0.0008", "40000. 0.0004");
 
 }  // namespace rollfem::testing

@@ -165,7 +165,31 @@ TEST(GivenPressure, GivesBenchmark9ThroughTheModel) {
   EXPECT_NEAR(point.longitudinal_force / 10240.0, 1.0, 0.005);
   EXPECT_NEAR(point.lateral_force / -7057.0, 1.0, 0.005);
   EXPECT_NEAR(point.spin_moment / -1150.0, 1.0, 0.05);
-  EXPECT_NEAR(point.normal_force / 82000.0, 1.0, 0.002);
+  EXPECT_NEAR(point.normal_force / 82000.0, 1.0, 1e-12);
+}
+
+TEST(GivenPressure, CarriesTheForceOnAnyGrid) {
+  constexpr double force = 82000.0, friction = 0.3, largest = 1.5 * force / (M_PI * 24.0);
+  Case input;
+  input.file = "test.toml";
+  input.wheel.rolling_radius = 500.0;
+  input.wheel.material = input.rail.material = {2.0 * 82000.0 * 1.28, 0.28};
+  input.friction_coefficient = friction;
+  input.given_pressure = contact::GivenPressure{6.0, 4.0, largest};
+  input.load.normal_force = force;
+  input.rolling.creepages = {{0.0, 0.5, 0.0}};
+  for (const int across : {8, 15, 32, 63}) {
+    input.contact_grid.elements_across = across;
+    const PointResult point = halfspace::run_halfspace(input, {}).points[0];
+    EXPECT_NEAR(point.normal_force / force, 1.0, 1e-12) << across;
+    // Everything slips; the elastic part of the slip turns it by less than 1e-2.
+    EXPECT_NEAR(point.lateral_force / (friction * force), -1.0, 5e-5) << across;
+    EXPECT_NEAR(point.max_pressure / largest, 1.0, std::pow(across, -1.5)) << across;
+    EXPECT_EQ(point.no_bar.at("normal_force"), contact::no_bar::given) << across;
+    if (across > 8) {
+      EXPECT_NEAR(point.max_pressure, largest, point.error_estimate.at("max_pressure")) << across;
+    }
+  }
 }
 
 TEST(Derived, FrictionalWorkIsWhatTheCreepForcesPutIn) {

@@ -93,8 +93,7 @@ TEST(Cattaneo, IsExactWithoutPoissonsRatio) {
               2e-3 * loaded.longitudinal_shift);
   // Tractions here are on the wheel and against the push. In the mean, for they have kinks.
   const double peak = 0.4 * loaded.max_pressure;
-  double first = 0.0;
-  double second = 0.0;
+  double first = 0.0, second = 0.0;
   for (int j = 0; j < result.grid.ny; ++j)
     for (int i = 0; i < result.grid.nx; ++i) {
       const double r = std::hypot(result.grid.x(i), result.grid.y(j));
@@ -106,6 +105,18 @@ TEST(Cattaneo, IsExactWithoutPoissonsRatio) {
   const double elements = M_PI / result.grid.element_area();
   EXPECT_LT(first / elements, 0.01 * peak);
   EXPECT_LT(second / elements, 0.02 * peak);
+}
+
+TEST(Cattaneo, GoesOnByAShiftWhereAForceHasLedTo) {
+  Case input = cattaneo(0.0, 40);
+  const double unit = 0.4 * *input.load.normal_force, all = exact(input).shift(0.8 * unit);
+  input.rolling.forces = {{-0.5 * unit, {}}, {}};
+  input.rolling.creepages.resize(2);
+  input.history.resize(2);
+  input.history[1].longitudinal_shift = all - exact(input).shift(0.5 * unit);
+  const PointResult point = halfspace::run_halfspace(input, {}).points.at(1);
+  EXPECT_NEAR(point.longitudinal_shift / all, 1.0, 1e-3);
+  EXPECT_NEAR(point.longitudinal_force / unit, -0.8, 1e-3);
 }
 
 /// Work of friction in the cycle that follows the first step, from tractions and slip.
@@ -149,11 +160,7 @@ Case pressed_sphere(const std::vector<double>& forces) {
   input.rail.material = {infinity, 0.0};
   input.friction_coefficient = 0.2986;
   input.rolling.problem = Problem::shift;
-  for (const double force : forces) {
-    HistoryStep step;
-    step.normal_force = force;
-    input.history.push_back(step);
-  }
+  for (const double force : forces) input.history.emplace_back().normal_force = force;
   input.rolling.creepages.assign(forces.size(), {});
   return input;
 }

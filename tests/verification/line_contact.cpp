@@ -165,6 +165,60 @@ TEST(LineContact, ForcesAreThoseOfTheWidthAndTheReferenceMovesTheApproachAlone) 
   EXPECT_EQ(a.points[0].no_bar.at("contact_width"), contact::no_bar::given);
 }
 
+/// Steel rollers 20 mm wide that are pushed by half of what friction bears.
+std::string pushed(const char* direction, const char* reference) {
+  std::string text = steel(fmt::format("problem = \"shift\"\n{}_force = {:.12g}\n", direction,
+                                       0.5 * friction * 3577.925),
+                           across(200));
+  text.replace(text.find("178.89625"), 9, "3577.925");
+  return text.replace(text.find("\"line\"\n"), 7,
+                      fmt::format("\"line\"\nwidth = 20.0\n{}\n", reference));
+}
+
+TEST(LineContact, OfFiniteWidthShiftsAsTheMiddleOfALineLoad) {
+  // Cattaneo: mu times Hertz's pressure, less mu times that of the width c with c^2/a^2 = 1/2. The
+  // middle of Hertz's pressure moves by 2 P/(pi E*) (ln(2 d/a) + 1/2); d of a load of length L is
+  // L exp(nu/(1 - nu)) along x, L exp(-nu) along y, where 1/(1 - nu) more gives way.
+  constexpr double nu = 0.28, length = 20.0, load = 178.89625;
+  const auto shift = [&](double distance) {
+    const auto middle = [&](double force, double half_width) {
+      return 2.0 * force / (M_PI * modulus) * (std::log(2.0 * distance / half_width) + 0.5);
+    };
+    return friction * (middle(load, 1.0) - middle(0.5 * load, std::sqrt(0.5)));
+  };
+  const double along = shift(length * std::exp(nu / (1.0 - nu)));
+  const double across_it = shift(length * std::exp(-nu)) / (1.0 - nu);
+  const PointResult x = run(pushed("longitudinal", "reference_distance = inf")).points.at(0);
+  const PointResult y = run(pushed("lateral", "reference_distance = inf")).points.at(0);
+  EXPECT_NEAR(x.longitudinal_shift / along, -1.0, 1e-3);
+  EXPECT_NEAR(y.lateral_shift / across_it, -1.0, 1e-3);
+  // The same relative to the surface at 20 mm: all of the patch moves alike, by 2 nu F/(pi G L).
+  const PointResult near = run(pushed("longitudinal", "reference_distance = 20.0")).points.at(0);
+  const double force = 0.5 * friction * load * length;
+  const double moved = 2.0 * nu * force / (M_PI * 82000.0 * length);
+  EXPECT_NEAR((near.longitudinal_shift - x.longitudinal_shift) / moved, 1.0, 1e-4);
+  EXPECT_NEAR((*x.elastic_energy - *near.elastic_energy) / (0.5 * force * moved), 1.0, 1e-4);
+  EXPECT_EQ(x.no_bar.count("approach"), 0U);
+  EXPECT_EQ(x.no_bar.count("elastic_energy"), 0U);
+}
+
+TEST(LineContact, OfFiniteWidthIsAnElementOfContact) {
+  // CONTACT 2707, one row of elements of 200 mm, whose layer yields: shift -1.976e-3 mm, approach
+  // 6.492e-3 mm, elastic energy 0.1221 J.
+  const PointResult point =
+      run("[load]\nnormal_force = 35780.0\n[friction]\ncoefficient = 0.5\n"
+          "[layer]\nyield_stress = 35.0\nhardening = 123e3\n"
+          "[wheel]\nyoung_modulus = 209920.0\npoisson_ratio = 0.28\n"
+          "[rail]\nyoung_modulus = 209920.0\npoisson_ratio = 0.28\n"
+          "[geometry]\nshape = \"line\"\nrelative_radius = 500.0\nwidth = 200.0\n"
+          "reference_distance = inf\n[rolling]\nproblem = \"shift\"\nlongitudinal_force = 10734.0\n"
+          "[contact_grid]\ncell_size = [0.08, 200.0]\nextent = [2.4, 200.0]\n")
+          .points.at(0);
+  EXPECT_NEAR(point.longitudinal_shift, -1.976e-3, 1e-6);
+  EXPECT_NEAR(point.approach, 6.492e-3, 1e-6);
+  EXPECT_NEAR(*point.elastic_energy, 122.1, 0.1);
+}
+
 constexpr double unlike_load = 16.2019;  // N/mm
 
 /// Aluminium on steel, rollers of 50 mm, a = 0.1 mm; F_x of the wheel over mu P. CONTACT's creepage

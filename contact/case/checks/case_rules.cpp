@@ -211,6 +211,9 @@ const std::vector<Exclusion>& exclusions_of_problems() {
 
 const std::vector<Rivals>& rivals() {
   static const char* const shape = "either a profile or what replaces the shapes, not both";
+  static const char* const along_x = ", which also determines the creepage along x";
+  static const char* const one_along_x =
+      "at most one of free_rolling, rotation_change, longitudinal_creepage and longitudinal_force";
   static const std::vector<Rivals> all{
       {{"wheel.transverse_radius", "wheel.profile"},
        "",
@@ -226,20 +229,25 @@ const std::vector<Rivals>& rivals() {
       {{"undeformed_distance.*", "wheel.profile"}, "", shape},
       {{"given_pressure.*", "wheel.profile"}, "", shape},
       {{"given_pressure.*", "undeformed_distance.*"}, "", "at most one of the two sections"},
-      {{"wheelset.free_rolling", "wheelset.rotation_change", "rolling.longitudinal_creepage",
-        "rolling.longitudinal_force"},
-       ", which also determines the creepage along x",
-       "at most one of free_rolling, rotation_change, longitudinal_creepage and "
-       "longitudinal_force"},
+      {{"wheelset.free_rolling", "wheelset.rotation_change", "rolling.longitudinal_creepage"},
+       along_x,
+       one_along_x},
+      {{"wheelset.free_rolling", "wheelset.rotation_change", "rolling.longitudinal_force"},
+       along_x,
+       one_along_x},
+      {{"rolling.longitudinal_creepage", "rolling.longitudinal_force"}, along_x, one_along_x, true},
       {{"rolling.lateral_creepage", "rolling.lateral_force"},
        ", which follows from the force",
-       "at most one of lateral_force and lateral_creepage"},
+       "at most one of lateral_force and lateral_creepage",
+       true},
       {{"history.longitudinal_shift", "rolling.longitudinal_force"},
        ", which follows from the force",
-       "at most one of longitudinal_force and longitudinal_shift"},
+       "at most one of longitudinal_force and longitudinal_shift",
+       true},
       {{"history.lateral_shift", "rolling.lateral_force"},
        ", which follows from the force",
-       "at most one of lateral_force and lateral_shift"},
+       "at most one of lateral_force and lateral_shift",
+       true},
       {{"load.normal_force", "load.approach", "load.vertical_force", "given_pressure.max_pressure",
         "history.normal_force", "history.approach"},
        "",

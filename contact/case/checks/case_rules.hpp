@@ -37,6 +37,7 @@ struct Rivals {
   std::vector<const char*> keys;
   const char* why;  ///< added to "contradicts ..."; may be empty
   const char* allowed;
+  bool by_point = false;  ///< a list with nan leaves these load points to the other key
 };
 
 const std::vector<Rivals>& rivals();

@@ -64,11 +64,17 @@ void check_exclusion(const GivenCase& given, const Exclusion& rule) {
   }
 }
 
+bool leaves_points(const GivenValue& value) {
+  const auto* list = std::get_if<std::vector<double>>(&value.value);
+  return list != nullptr &&
+         std::any_of(list->begin(), list->end(), [](double one) { return std::isnan(one); });
+}
+
 void check_rivals(const GivenCase& given, const Rivals& rule) {
   Found first;
   for (const char* pattern : rule.keys) {
     const Found found = find_match(given, pattern, is_none);
-    if (found.key == nullptr) continue;
+    if (found.key == nullptr || (rule.by_point && leaves_points(*found.value))) continue;
     if (first.key != nullptr)
       fail_at(given, found.key->path(), *found.value,
               fmt::format("contradicts {} = {} of line {}{}", first.key->path(), first.value->text,

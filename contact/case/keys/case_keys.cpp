@@ -68,13 +68,15 @@ const Declarations& declarations() {
 
 bool Bounds::contains(double value) const {
   if ((infinite && value == infinity) || (zero && value == 0.0)) return true;
+  if (none && std::isnan(value)) return true;
   if (!std::isfinite(value)) return false;
   const double bounded = magnitude ? std::abs(value) : value;
   return bounded >= lower && (upper_open ? bounded < upper : bounded <= upper);
 }
 
 KeyValue shortened(Numbers values) {
-  if (values.empty()) return {};
+  if (std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
+    return {};
   const bool same = std::all_of(values.begin(), values.end(),
                                 [&](double value) { return value == values.front(); });
   if (same) values.resize(1);

@@ -34,6 +34,7 @@ struct Bounds {
   bool magnitude = false;   ///< bounds apply to the absolute value
   bool infinite = false;    ///< inf is allowed
   bool zero = false;        ///< 0 is allowed, although it is below the lower bound
+  bool none = false;        ///< nan is allowed, for no number
   bool contains(double value) const;
 };
 

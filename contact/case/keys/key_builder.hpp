@@ -11,6 +11,7 @@
 
 #include "contact/case/keys/case_keys.hpp"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -94,6 +95,11 @@ template <class Member>
 void assign(std::optional<Member>& member, const KeyValue& value) {
   assign(member.emplace(), value);
 }
+/// nan, where it is allowed, stands for no number.
+inline void assign(std::optional<double>& member, const KeyValue& value) {
+  const double number = std::get<double>(value);
+  member = std::isnan(number) ? std::nullopt : std::optional(number);
+}
 
 /// The value of a word, for a member that may be absent.
 template <class Member>
@@ -105,7 +111,7 @@ struct Chosen<std::optional<Member>> {
   using Value = Member;
 };
 
-/// A single number when all entries are the same.
+/// A single number when all entries are the same; nothing when all are nan.
 KeyValue shortened(Numbers values);
 
 /// Resizes all lists over load points (steps) to `count`.
@@ -177,6 +183,7 @@ class KeyBuilder {
   /// The upper bound itself is outside.
   KeyBuilder& upper_open() { return put(key_.bounds.upper_open, true); }
   KeyBuilder& or_inf() { return put(key_.bounds.infinite, true); }
+  KeyBuilder& or_nan() { return put(key_.bounds.none, true); }
 
   /// The member set by the key, at the end of a path from the section's part.
   template <class... Path>
@@ -215,7 +222,8 @@ class KeyBuilder {
       Numbers numbers;
       for (const Entry& entry : find(c)->*list) {
         const KeyValue value = value_of(follow(entry, path...));
-        if (const auto* number = std::get_if<double>(&value)) numbers.push_back(*number);
+        const auto* number = std::get_if<double>(&value);
+        numbers.push_back(number != nullptr ? *number : std::nan(""));
       }
       return shortened(numbers);
     };

@@ -31,10 +31,12 @@ SectionWithKeys geometry_section() {
   keys.real("reference_distance")
       .unit("mm")
       .positive()
+      .or_inf()
       .otherwise("the relative radius")
       .says(
           "Line contact: displacements are relative to the surface at this distance from a line "
-          "load; approach, elastic energy, shifts and transients depend on it.")
+          "load, with inf to distant points, in the middle of a load as long as `width`; approach, "
+          "elastic energy, shifts and transients depend on it.")
       .into(&ContactShapeCase::reference_distance);
   return keys;
 }

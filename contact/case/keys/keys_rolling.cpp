@@ -80,15 +80,18 @@ void add_problem(RollingKeys& keys) {
       .symbol("F_x")
       .unit("N")
       .within(largest_force)
+      .or_nan()
       .otherwise("creepage or shift applies")
       .says(
           "Force on the wheel along x, instead of longitudinal_creepage or longitudinal_shift; "
-          "negative when braking, of magnitude below mu F_z.")
+          "negative when braking, of magnitude below mu F_z; nan: at this load point the creepage "
+          "or shift applies.")
       .into_each(&Rolling::forces, &PrescribedForce::longitudinal);
   keys.reals("lateral_force")
       .symbol("F_y")
       .unit("N")
       .within(largest_force)
+      .or_nan()
       .otherwise("creepage or shift applies")
       .says("The same along y.")
       .into_each(&Rolling::forces, &PrescribedForce::lateral);

@@ -150,7 +150,7 @@ class ValueReader {
   double number() const {
     if (!node_.is_number()) fail_value("expected a number, got " + kind_is(node_));
     const double value = node_.value_or(0.0);
-    if (std::isnan(value)) fail_value("is not a number");
+    if (std::isnan(value) && !key_.bounds.none) fail_value("is not a number");
     if (std::isinf(value) && !key_.bounds.contains(value))
       fail_value("is infinite, which is not allowed here");
     if (!key_.bounds.contains(value)) fail_value("is out of bounds");

@@ -93,6 +93,39 @@ TEST(ConvertedCase, CasesThatDifferInCreepageAreLoadPoints) {
   EXPECT_NEAR((*input.contact_grid.cell_size)[0], 0.5, 1e-12);  // 2 SCALE AA / MX
 }
 
+TEST(ConvertedCase, EqualCasesAreLoadPointsToo) {
+  const Case input = only(rolled_twice);
+  ASSERT_EQ(input.rolling.creepages.size(), 3U);
+  EXPECT_EQ(input.rolling.creepages[0].longitudinal, input.rolling.creepages[1].longitudinal);
+  // Nothing of the file varies.
+  const Case same = only(replaced(rolled_twice, "40000. 0.0012", "40000. 0.0004"));
+  EXPECT_EQ(same.rolling.problem, contact::Problem::steady);
+  EXPECT_EQ(same.rolling.creepages.size(), 3U);
+  // Pressed alone, a file has one load point.
+  std::string pressed = rolled_twice;
+  for (int k = 0; k < 3; ++k) pressed = replaced(pressed, " 203100", " 200100");
+  const Conversion made =
+      converted(replaced(pressed, " 0.0 0.5 20000.                   CHI DQ VELOC\n", ""));
+  EXPECT_EQ(made.files.size(), 3U);
+}
+
+TEST(ConvertedCase, HertzsPressureHoldsInAShift) {
+  const Case made = only(pushed_ellipse);
+  EXPECT_EQ(made.rolling.problem, contact::Problem::shift);
+  EXPECT_EQ(made.given_pressure->semi_axis_x, 5.0);
+  EXPECT_EQ(*made.load.normal_force, 40000.0);
+  EXPECT_DOUBLE_EQ(*made.rolling.forces.at(0).longitudinal, 0.5 * 0.35 * 40000.0);
+}
+
+TEST(ConvertedCase, ForceIsFollowedByACreepage) {
+  const Case made = only(pushed_then_rolled);
+  EXPECT_EQ(made.rolling.problem, contact::Problem::transient);
+  ASSERT_EQ(made.rolling.forces.size(), 2U);
+  EXPECT_DOUBLE_EQ(*made.rolling.forces[0].longitudinal, -0.5 * 0.3 * 20.0);
+  EXPECT_FALSE(made.rolling.forces[1].longitudinal);
+  EXPECT_DOUBLE_EQ(made.rolling.creepages[1].longitudinal, 1e-4);
+}
+
 TEST(ConvertedCase, LayersMayYield) {
   const auto with_layer = [](const char* numbers) {
     std::string text =
@@ -117,7 +150,7 @@ TEST(ConvertedCase, OneRowOfLongElementsIsALineContact) {
   EXPECT_EQ(made.geometry.shape, contact::ContactShape::line);
   EXPECT_DOUBLE_EQ(made.geometry.width, 250.0);
   EXPECT_NEAR(*made.geometry.relative_radius, 300.0, 1e-9);
-  EXPECT_DOUBLE_EQ(*made.geometry.reference_distance, 250.0);
+  EXPECT_TRUE(std::isinf(*made.geometry.reference_distance));
   EXPECT_DOUBLE_EQ((*made.contact_grid.cell_size)[0], 0.04);
   EXPECT_DOUBLE_EQ((*made.contact_grid.extent)[1], 250.0);
   EXPECT_DOUBLE_EQ(made.contact_grid.middle[0], 0.0);
@@ -230,6 +263,20 @@ TEST(ConvertedCase, WheelAndRailHaveTheirOrderAndMotion) {
                    "rotation_change = 0.001 ", "lateral_velocity = 0.002 ", "yaw_velocity = 1e-05 ",
                    "inclination = 0.025", "profile = \"../profiles/wheel.csv\"",
                    "[wheel_profile]\nmirror = true\nflip = true\n", "cell_size = [0.25, 0.2]"));
+}
+
+TEST(ConvertedCase, ProfilesOfWindowsAreFound) {
+  const std::string text =
+      converted(replaced(left_wheel, "'wheel.csv'", "'worn\\wheel.csv'")).files.at(0).text;
+  EXPECT_TRUE(says(text, "profile = \"../profiles/worn/wheel.csv\""));
+}
+
+TEST(ConvertedCase, RailPlacedWithoutAGaugeIsOneReason) {
+  // RAILY0 and RAILZ0 stand where GAUGSQ and GAUGWD do.
+  const Conversion made = converted(replaced(left_wheel, " 14.5 0 1435.0", " 0.0 750. 0.2"));
+  EXPECT_EQ(made.refused.at(0).reasons,
+            std::vector<std::string>{
+                "GAUGHT <= 0: a rail placed by RAILY0, RAILZ0 instead of the gauge"});
 }
 
 TEST(ConvertedCase, FrictionOverTheRailHasPoints) {

@@ -110,3 +110,29 @@ TEST(CaseEdit, SaysOfTheCallWhatIsWrongWithIt) {
   EXPECT_EQ(refusal("title=\"a\"\n[load]"), refusal("title=\x7f"));
   EXPECT_EQ(refusal("load.normal_force=1", "x = \n").find("case.toml:1"), 0u);
 }
+
+TEST(TextInFolder, PathsLeadFromThere) {
+  const rollfem::testing::TemporaryFolder folder;
+  std::string points;
+  for (int k = 0; k < 16; ++k)
+    points +=
+        std::to_string(k % 4) + " " + std::to_string(k / 4) + " 0." + std::to_string(k) + "\n";
+  folder.file("mine/points.csv", points);
+  const std::string head = "[load]\nnormal_force = 1.0\n[friction]\ncoefficient = 0.3\n";
+  const Case given = read_case(folder.file(
+      "mine/case.toml", head + "[undeformed_distance]\nfile = \"points.csv\"  # measured\n"));
+  const std::string moved = text_in_folder(given, folder.path("out/deep"));
+  EXPECT_TRUE(says(moved, "file = \"../../mine/points.csv\"  # measured"));
+  const Case again = read_case(folder.file("out/deep/case.toml", moved));
+  EXPECT_EQ(again.undeformed_distance.values->values, given.undeformed_distance.values->values);
+  EXPECT_EQ(text_in_folder(given, folder.path("mine")), given.text);
+  // Built-in profiles are no files.
+  const std::string profiles =
+      "[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n[rail]\nprofile = "
+      "\"worn/rail.csv\"\n[track]\ninclination = \"1:40\"\n";
+  const Case pair =
+      parse_case("[load]\nvertical_force = 1e5\n[friction]\ncoefficient = 0.3\n" + profiles,
+                 folder.path("mine/pair.toml"));
+  EXPECT_TRUE(
+      says(text_in_folder(pair, folder.path("out")), "\"S1002\"", "\"../mine/worn/rail.csv\""));
+}

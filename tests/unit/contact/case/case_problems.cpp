@@ -5,6 +5,7 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/case/lattice.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,22 @@ TEST(PrescribedForce, ArrivesForEveryLoadPoint) {
   EXPECT_FALSE(input.rolling.forces[1].lateral);
   EXPECT_EQ(input.rolling.creepages[1].lateral, 0.001);
   EXPECT_EQ(input.rolling.creepages[1].longitudinal, 0.0);
+}
+
+TEST(PrescribedForce, LeavesLoadPointsToTheCreepage) {
+  const Case input = parse_case(
+      plus("[rolling]\nlongitudinal_force = [-1e3, nan]\nlongitudinal_creepage = [0.7, 0.001]\n"),
+      "c.toml");
+  EXPECT_EQ(input.rolling.forces.at(0).longitudinal, -1e3);
+  EXPECT_FALSE(input.rolling.forces.at(1).longitudinal);
+  const contact::Scene scene(input);
+  EXPECT_EQ(scene.points.at(0).creepage.longitudinal, 0.0);  // is found
+  EXPECT_EQ(scene.points.at(1).creepage.longitudinal, 0.001);
+  EXPECT_TRUE(says(contact::describe(input), "[-1000, nan]"));
+  EXPECT_EQ(error_of(plus("[rolling]\nproblem = \"shift\"\nlateral_force = [1.0, nan]\n[history]\n"
+                          "lateral_shift = 0.1\n")),
+            "");
+  expect_error(plus("[rolling]\nlongitudinal_creepage = [0.1, nan]\n"), {"nan", "is not a number"});
 }
 
 TEST(PrescribedForce, BeyondFrictionOrBesideItsCreepageIsRefused) {

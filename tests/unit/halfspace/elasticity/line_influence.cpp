@@ -119,14 +119,24 @@ TEST(LineInfluence, IsTheHalfspaceUnderVeryLongElements) {
   }
 }
 
-TEST(LineInfluence, IsTheMiddleOfAnElementAsLongAsTheReference) {
+TEST(LineInfluence, OfFiniteWidthIsTheMiddleOfALongElement) {
   const double dx = 0.05, length = 1e4;
   for (const int k : {0, 1, 5, 40}) {
-    const auto line = halfspace::line_influence(k * dx, dx, length, unlike());
+    const auto line = halfspace::line_influence(k * dx, dx, length, unlike(), true);
     const auto rectangle = halfspace::rectangle_influence(k * dx, 0.0, dx, length, unlike());
+    EXPECT_NEAR(line.xx / rectangle.xx, 1.0, 1e-6) << k;
+    EXPECT_NEAR(line.yy / rectangle.yy, 1.0, 1e-6) << k;
     EXPECT_NEAR(line.nn / rectangle.nn, 1.0, 1e-6) << k;
     EXPECT_NEAR(line.xn, rectangle.xn, 1e-3 * std::abs(rectangle.xn)) << k;
   }
+}
+
+TEST(LineInfluence, OfFiniteWidthIsPositive) {
+  ContactGrid grid = ContactGrid::centred(40, 1, 0.05, 10.0);
+  grid.line_reference = contact::infinity;
+  const halfspace::HalfspaceCompliance line(grid, unlike());
+  const SurfaceField p = testing::random_field(grid, 1);
+  EXPECT_GT(testing::dot(p, line.apply(p)), 0.0);
 }
 
 TEST(LineInfluence, AWidenedLineStaysOneRow) {
