@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hybrid/model.hpp"
 
+#include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
@@ -10,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -31,13 +33,45 @@ constexpr double uncertain_part = 0.1;
 /// Grid for the difference to the half-space, which is as smooth as the correction.
 constexpr int elements_of_difference = 10;
 
+/// Refuses contact where the correction is only continued.
+class HybridElasticity : public halfspace::PreconditionedElasticity {
+ public:
+  HybridElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
+                   const ContactGrid& grid, const halfspace::SmoothParts& parts)
+      : PreconditionedElasticity(scene, grid,
+                                 std::make_unique<HybridCompliance>(scene, geometry, grid, parts)),
+        scene_(scene),
+        parts_(parts) {}
+
+  void check_patch(const contact::PatchSize& patch) const override {
+    for (const halfspace::SmoothMap* map : {&parts_.wheel, &parts_.rail}) {
+      const halfspace::SmoothBox& box = map->fields;
+      if (map->empty() ||
+          (std::max(-patch.x_lower, patch.x_upper) <= box.half_length &&
+           std::max(box.middle - patch.y_lower, patch.y_upper - box.middle) <= box.half_width))
+        continue;
+      throw contact::SolveError(fmt::format(
+          "{}the contact reaches from x = {:.4g} to {:.4g} mm and from y = {:.4g} to {:.4g} mm, "
+          "the "
+          "correction for wheel and rail from {:.4g} to {:.4g} and from {:.4g} to {:.4g} mm; do: "
+          "run with --model fem",
+          scene_.patch_prefix(), patch.x_lower, patch.x_upper, patch.y_lower, patch.y_upper,
+          -box.half_length, box.half_length, box.middle - box.half_width,
+          box.middle + box.half_width));
+    }
+  }
+
+ private:
+  const Scene& scene_;
+  const halfspace::SmoothParts& parts_;
+};
+
 halfspace::GridElasticity elasticity_of(const halfspace::SmoothParts& parts) {
   halfspace::GridElasticity elasticity;
   elasticity.model = "hybrid";
   elasticity.make = [&parts](const Scene& scene, const contact::ChartedGeometry& geometry,
                              const ContactGrid& grid) -> std::unique_ptr<contact::Elasticity> {
-    return std::make_unique<halfspace::PreconditionedElasticity>(
-        scene, grid, std::make_unique<HybridCompliance>(scene, geometry, grid, parts));
+    return std::make_unique<HybridElasticity>(scene, geometry, grid, parts);
   };
   return elasticity;
 }

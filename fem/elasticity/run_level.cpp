@@ -10,9 +10,11 @@
 #include "fem/elasticity/shared_elasticity.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/trace/far_error.hpp"
+#include "halfspace/patch/coverage.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -78,9 +80,31 @@ void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
   const std::string why = contact::why_flanks_touch(scene.geometry, border);
   if (!why.empty()) throw contact::SolveError(why);
   throw contact::SolveError(fmt::format(
-      "the contact patch reaches the border of the potential contact area ({:.3g} x {:.3g} mm): "
-      "the segments are too compliant for their size; give a larger [fem] extent",
-      grid.nx * grid.dx, grid.ny * grid.dy));
+      "the contact patch reaches the border of the potential contact area ({:.3g} x {:.3g} mm): {}",
+      grid.nx * grid.dx, grid.ny * grid.dy,
+      scene.contact_grid.extent ? "give a larger contact_grid.extent"
+                                : "the segments are too compliant for their size; give a larger "
+                                  "[fem] extent"));
+}
+
+void refuse_further_patches(const Scene& scene, const contact::ChartedGeometry& geometry,
+                            const contact::ContactGrid& grid,
+                            const std::vector<PointResult>& points) {
+  const halfspace::PatchSearch area(scene);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto beyond =
+        halfspace::touched_beyond(scene, geometry, area, grid, points[k], scene.points[k].load);
+    if (!beyond) continue;
+    const double lower = std::min((*beyond)[0], grid.y(0)) - grid.dy;
+    const double upper = std::max((*beyond)[1], grid.y(grid.ny - 1)) + grid.dy;
+    throw contact::SolveError(fmt::format(
+        "{}: {}wheel and rail also touch between y = {:.4g} and {:.4g} mm, beyond the potential "
+        "contact area from {:.4g} to {:.4g} mm; do: give contact_grid.extent = [{:.3g}, {:.3g}] "
+        "and middle = [0, {:.3g}]",
+        scene.file, scene.patch_prefix(), (*beyond)[0], (*beyond)[1], grid.y(0) - 0.5 * grid.dy,
+        grid.y(grid.ny - 1) + 0.5 * grid.dy, grid.nx * grid.dx, 1.1 * (upper - lower),
+        0.5 * (lower + upper)));
+  }
 }
 
 /// The part of the first process: everything except the collective work of SharedElasticity.
@@ -106,6 +130,7 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   };
   if (!run.solve(layout.grid, make)) refuse_border(scene, geometry, layout.grid);
   contact::LevelResult level = run.take_result();
+  refuse_further_patches(scene, geometry, layout.grid, level.points);
   if (std::string note = contact::steep_friction_note(level, scene.friction()); !note.empty())
     result.notes.push_back(std::move(note));
   result.unknowns = start.unknowns;

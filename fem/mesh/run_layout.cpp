@@ -23,10 +23,10 @@ constexpr double default_reach = 1.1;
 constexpr const char* of_grid = "contact elements across the patch (fem.cell_size)";
 
 /// Elements of the potential contact area beyond the expected patch, each side.
-constexpr int margin = 3;
+constexpr int usual_margin = 3;
 
 /// On the lattice of the FE faces, an even number of elements in each direction.
-ContactGrid lattice_grid(const PatchBox& patch, double cell) {
+ContactGrid lattice_grid(const PatchBox& patch, double cell, int margin) {
   const int half_x = contact::count_of(std::ceil(patch.half_length / cell), of_grid) + margin;
   const int half_y = contact::count_of(std::ceil(patch.half_width / cell), of_grid) + margin;
   return ContactGrid::centred(2 * half_x, 2 * half_y, cell, cell, 0.0, patch.middle);
@@ -49,6 +49,19 @@ double default_extent(const Scene& scene, const PatchBox& patch) {
   };
   while (reaches_in(extent) > most && extent * in_steps_of > least) extent *= in_steps_of;
   return extent;
+}
+
+/// The part of the surface that contact elements cover, without margin: contact_grid.extent, or the
+/// expected patch.
+PatchBox covered(const Scene& scene, const PatchSearch& search) {
+  PatchBox box = search.box();
+  const contact::GridOptions& grid = scene.contact_grid;
+  if (!grid.extent) return box;
+  search.check_extent();
+  box.half_length = 0.5 * (*grid.extent)[0] + std::abs(grid.middle[0]);
+  box.half_width = 0.5 * (*grid.extent)[1];
+  box.middle = grid.middle[1];
+  return box;
 }
 
 /// Meshed surfaces of a patch of true profiles.
@@ -97,8 +110,10 @@ BodyOptions body_options(const Scene& scene, const PatchBox& patch, const Contac
   options.fine_half_length = std::max(reach * patch.half_length, 0.5 * grid.nx * grid.dx);
   options.fine_half_width = std::max(reach * patch.half_width, 0.5 * grid.ny * grid.dy);
   options.middle = patch.middle;
-  options.extent = scene.options.fem.extent.value_or(default_extent(scene, patch));
-  options.half = scene.is_symmetric();
+  options.extent = scene.options.fem.extent.value_or(
+      std::max(default_extent(scene, PatchSearch(scene).box()),
+               2.0 * std::max(options.fine_half_length, options.fine_half_width)));
+  options.half = scene.is_symmetric() && patch.middle == 0.0;
   options.degree = scene.options.fem.degree;
   if (scene.feels_inertia()) options.speed = scene.speed;
   set_segment_sizes(scene, options);
@@ -115,14 +130,15 @@ double default_cell_size(const Scene& scene) {
 
 RunLayout run_layout(const Scene& scene, double cell) {
   RunLayout layout;
-  layout.patch = PatchSearch(scene).box();
+  layout.patch = covered(scene, PatchSearch(scene));
   // Aligns with the lattice; the displacement is added on both sides.
   const double exact = layout.patch.middle;
   layout.patch.middle = std::round(exact / cell) * cell;
   layout.patch.half_width += std::abs(layout.patch.middle - exact);
   // Linear displacements cannot follow an independent traction on every face: with elements of one
   // face the traction oscillates, and the contact iteration does not converge.
-  layout.grid = lattice_grid(layout.patch, scene.options.fem.degree == 1 ? 2.0 * cell : cell);
+  layout.grid = lattice_grid(layout.patch, scene.options.fem.degree == 1 ? 2.0 * cell : cell,
+                             scene.contact_grid.extent ? 0 : usual_margin);
   layout.bodies = body_options(scene, layout.patch, layout.grid, cell);
   return layout;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/smooth_map.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -24,9 +25,15 @@ MatrixXd chebyshev(int degree, const Field& at) {
   return values;
 }
 
-MatrixXd on_grid(const SmoothBox& box, int degree, const ContactGrid& grid) {
-  return polynomials(box, degree, grid.sample([](double x, double) { return x; }),
-                     grid.sample([](double, double y) { return y; }));
+MatrixXd on_grid(const SmoothBox& box, const SmoothBox& within, int degree,
+                 const ContactGrid& grid) {
+  return polynomials(box, degree, grid.sample([&](double x, double) {
+    return std::clamp(x, -within.half_length, within.half_length);
+  }),
+                     grid.sample([&](double, double y) {
+                       return std::clamp(y, within.middle - within.half_width,
+                                         within.middle + within.half_width);
+                     }));
 }
 
 }  // namespace
@@ -51,8 +58,8 @@ MatrixXd polynomials(const SmoothBox& box, int degree, const Field& x, const Fie
 
 SmoothMapOnGrid::SmoothMapOnGrid(const SmoothMap& map, const ContactGrid& grid)
     : coefficients_(map.coefficients),
-      loads_(grid.element_area() * on_grid(map.loads, map.load_degree, grid)),
-      fields_(on_grid(map.fields, map.field_degree, grid)) {}
+      loads_(grid.element_area() * on_grid(map.loads, map.fields, map.load_degree, grid)),
+      fields_(on_grid(map.fields, map.fields, map.field_degree, grid)) {}
 
 SurfaceField SmoothMapOnGrid::apply(const SurfaceField& traction) const {
   const Index count = loads_.cols();

@@ -69,6 +69,8 @@ struct SmoothParts {
 };
 
 /// A map with its polynomials at the elements of a grid whose y runs along the common surface.
+/// Beyond the box of the displacement, where polynomials soon exceed all bounds, it has the values
+/// of the nearest place in it.
 class SmoothMapOnGrid {
  public:
   SmoothMapOnGrid(const SmoothMap& map, const contact::ContactGrid& grid);

@@ -139,7 +139,7 @@ Scene correction_scene(const Scene& scene) {
 std::string correction_key(const Scene& correction) {
   std::string text;
   const PatchBox box = PatchSearch(correction).box();
-  add(text, "patch", box.half_length, box.half_width, box.middle);
+  add(text, "patch", box.half_length, box.half_width, box.middle, box.half_loaded);
   add_surface(text, correction.geometry.surface);
   for (const auto* material : {&correction.wheel.material, &correction.rail.material})
     add(text, "material", material->young_modulus, material->poisson_ratio);

@@ -3,8 +3,8 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/pi.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
+#include "halfspace/patch/near_misses.hpp"
 
 #include <fmt/format.h>
 
@@ -22,56 +22,6 @@ namespace {
 
 /// Overlaps below this fraction of the approach are due to the point loads, not to the bodies.
 constexpr double least_overlap = 1e-3;
-
-/// Normal displacement at (x, y) of the grid by pressure elsewhere on it, mm.
-double displacement_at(double x, double y, const ContactGrid& grid, const contact::Field& pressure,
-                       double modulus) {
-  double sum = 0.0;
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      if (const double p = pressure[grid.index(i, j)]; p > 0.0)
-        sum += p / std::hypot(x - grid.x(i), y - grid.y(j));
-  return sum * grid.element_area() / (contact::pi * modulus);
-}
-
-/// Range of the grid's lateral coordinate, mm: first and last position beyond the grid where the
-/// bodies would overlap under this load point, with each element of the patch as a point load on
-/// the half-space. Empty for bodies without profiles. There is no contact where the undeformed
-/// distance exceeds the approach, because displacement always opens the gap.
-std::optional<std::array<double, 2>> touched_beyond(
-    const contact::Scene& scene, const contact::ChartedGeometry& geometry, const PatchSearch& area,
-    const ContactGrid& grid, const contact::PointResult& point, const contact::NormalLoad& load) {
-  if (!scene.has_profiles() || !scene.geometry.has_surfaces() || scene.given_pressure) return {};
-  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
-  const Overlap overlap = area.ridge().overlap(point.approach);
-  std::optional<std::array<double, 2>> touched;
-  const auto look_at = [&](double y) {
-    const double x = ridge_point(profiles, geometry.lateral_place(y)).x;
-    const ContactGrid place{1, 1, grid.dx, grid.dy, x, y};
-    const double climb = geometry.climb(y);
-    Field distance = geometry.undeformed_distance(place);
-    add_displacement(scene.neighbour_loads, scene.material, place, distance);
-    const double opening = distance[0] + displacement_at(x, y, grid, point.fields.traction.n,
-                                                         scene.material.contact_modulus);
-    // The bodies approach along the load; the plane uses its component along z.
-    const double along_normal =
-        geometry.curved()
-            ? (1.0 - climb * load.direction[0] / load.direction[1]) / std::sqrt(1.0 + climb * climb)
-            : 1.0;
-    const double gap = opening - point.approach * along_normal;
-    if (gap > -least_overlap * point.approach) return;
-    if (!touched) touched = {y, y};
-    (*touched)[0] = std::min((*touched)[0], y);
-    (*touched)[1] = std::max((*touched)[1], y);
-  };
-  for (const RidgeRegion& region : overlap.regions) {
-    for (int j = -1; geometry.lateral_place(grid.y(j)) > region.y_lower; --j)
-      if (geometry.lateral_place(grid.y(j)) < region.y_upper) look_at(grid.y(j));
-    for (int j = grid.ny; geometry.lateral_place(grid.y(j)) < region.y_upper; ++j)
-      if (geometry.lateral_place(grid.y(j)) > region.y_lower) look_at(grid.y(j));
-  }
-  return touched;
-}
 
 /// Throws contact::SolveError where pressure reaches a limit of the contact
 /// (PatchGeometry::limits).
@@ -92,6 +42,41 @@ void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& g
 }
 
 }  // namespace
+
+std::optional<std::array<double, 2>> touched_beyond(
+    const contact::Scene& scene, const contact::ChartedGeometry& geometry, const PatchSearch& area,
+    const ContactGrid& grid, const contact::PointResult& point, const contact::NormalLoad& load) {
+  if (!scene.has_profiles() || !scene.geometry.has_surfaces() || scene.given_pressure) return {};
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  const Overlap overlap = area.ridge().overlap(point.approach);
+  std::optional<std::array<double, 2>> touched;
+  const auto look_at = [&](double y) {
+    const double x = ridge_point(profiles, geometry.lateral_place(y)).x;
+    const ContactGrid place{1, 1, grid.dx, grid.dy, x, y};
+    const double climb = geometry.climb(y);
+    contact::Field distance = geometry.undeformed_distance(place);
+    add_displacement(scene.neighbour_loads, scene.material, place, distance);
+    const double opening = distance[0] + displacement_beside(x, y, grid, point.fields.traction.n,
+                                                             scene.material.contact_modulus);
+    // The bodies approach along the load; the plane uses its component along z.
+    const double along_normal =
+        geometry.curved()
+            ? (1.0 - climb * load.direction[0] / load.direction[1]) / std::sqrt(1.0 + climb * climb)
+            : 1.0;
+    const double gap = opening - point.approach * along_normal;
+    if (gap > -least_overlap * point.approach) return;
+    if (!touched) touched = {y, y};
+    (*touched)[0] = std::min((*touched)[0], y);
+    (*touched)[1] = std::max((*touched)[1], y);
+  };
+  for (const RidgeRegion& region : overlap.regions) {
+    for (int j = -1; geometry.lateral_place(grid.y(j)) > region.y_lower; --j)
+      if (geometry.lateral_place(grid.y(j)) < region.y_upper) look_at(grid.y(j));
+    for (int j = grid.ny; geometry.lateral_place(grid.y(j)) < region.y_upper; ++j)
+      if (geometry.lateral_place(grid.y(j)) > region.y_lower) look_at(grid.y(j));
+  }
+  return touched;
+}
 
 ContactGrid grid_of_all_patches(const contact::Scene& scene,
                                 const contact::ChartedGeometry& geometry, const PatchSearch& area,

@@ -9,6 +9,7 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/patch/near_misses.hpp"
 
 #include <fmt/format.h>
 
@@ -60,6 +61,10 @@ struct Found {
   ContactGrid grid;
   std::vector<std::array<double, 2>> loaded;
   double gaps = 0.0;  ///< mm
+  Box near;           ///< the patch with near misses
+
+  /// mm, unloaded rows within it.
+  double unloaded() const { return near.y_upper - near.y_lower - (size.width - gaps); }
 };
 
 /// Runs of rows with pressure, the outermost ends as found below the element size.
@@ -97,7 +102,9 @@ std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs) {
   return {elements_of_box, contact::count_of(std::ceil(elements_of_box * times - 1e-9), of_search)};
 }
 
-Found solve_on(const Scene& scene, const ContactGrid& grid, const contact::NormalLoad& load) {
+/// `ridge`: null for bodies given point by point.
+Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
+               const contact::NormalLoad& load) {
   Found found;
   found.grid = grid;
   const HalfspaceCompliance compliance(found.grid, scene.material.uncoupled());
@@ -111,15 +118,20 @@ Found solve_on(const Scene& scene, const ContactGrid& grid, const contact::Norma
   found.loaded = loaded_rows(found.grid, found.normal.pressure, found.size);
   for (std::size_t k = 0; k + 1 < found.loaded.size(); ++k)
     found.gaps += found.loaded[k + 1][0] - found.loaded[k][1];
+  const contact::PatchSize& size = found.size;
+  found.near = {size.x_lower, size.x_upper, size.y_lower, size.y_upper};
+  if (ridge != nullptr)
+    found.near = with_near_misses(found.near, *ridge, found.normal.approach, grid,
+                                  found.normal.pressure, scene.material.contact_modulus);
   return found;
 }
 
-Found solve_in(const Scene& scene, const Box& box, const contact::NormalLoad& load,
-               const std::array<int, 2>& n) {
+Found solve_in(const Scene& scene, const Ridge* ridge, const Box& box,
+               const contact::NormalLoad& load, const std::array<int, 2>& n) {
   const double dx = (box.x_upper - box.x_lower) / n[0];
   const double dy = (box.y_upper - box.y_lower) / n[1];
-  return solve_on(scene, {n[0], n[1], dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy},
-                  load);
+  return solve_on(scene, ridge,
+                  {n[0], n[1], dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy}, load);
 }
 
 /// mm, loaded length along a line of elements of size h: the extent for a parabolic load.
@@ -139,17 +151,16 @@ std::array<double, 2> carrying_lengths(const Found& found) {
   return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
 }
 
-/// The patch with a box_margin.
+/// The patch and near misses, so that no small patch is lost between elements, with a box_margin.
 Box next_box(const Found& found) {
-  const auto grow = [](double& lower, double& upper, double step) {
-    const double extent = std::max(upper - lower, 2.0 * step);
-    lower -= box_margin * extent;
-    upper += box_margin * extent;
+  const auto grow = [](double& lower, double& upper, double extent, double step) {
+    const double margin = box_margin * std::max(extent, 2.0 * step);
+    lower -= margin;
+    upper += margin;
   };
-  const contact::PatchSize& size = found.size;
-  Box next{size.x_lower, size.x_upper, size.y_lower, size.y_upper};
-  grow(next.x_lower, next.x_upper, found.grid.dx);
-  grow(next.y_lower, next.y_upper, found.grid.dy);
+  Box next = found.near;
+  grow(next.x_lower, next.x_upper, found.size.length, found.grid.dx);
+  grow(next.y_lower, next.y_upper, found.size.width, found.grid.dy);
   return next;
 }
 
@@ -194,6 +205,7 @@ ExpectedPatch summary(const Found& found) {
   patch.area = found.size.area;
   patch.loaded = found.loaded;
   patch.gaps = found.gaps;
+  patch.near = found.near;
   const auto [length, width] = carrying_lengths(found);
   patch.carrying_length = length;
   patch.carrying_width = width;
@@ -206,12 +218,12 @@ ExpectedPatch patch_of_points(const Scene& scene) {
   const Box all{points.x_first, points.x_first + (points.nx - 1) * points.dx, points.y_first,
                 points.y_first + (points.ny - 1) * points.dy};
   const contact::NormalLoad load = contact::largest_load(scene);
-  Found found = solve_in(scene, all, load, counts(all, 0.0, 1));
+  Found found = solve_in(scene, nullptr, all, load, counts(all, 0.0, 1));
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
     const Box next = next_box(found);
     const Box within{std::max(next.x_lower, all.x_lower), std::min(next.x_upper, all.x_upper),
                      std::max(next.y_lower, all.y_lower), std::min(next.y_upper, all.y_upper)};
-    found = solve_in(scene, within, load, counts(within, found.gaps, found.loaded.size()));
+    found = solve_in(scene, nullptr, within, load, counts(within, found.gaps, found.loaded.size()));
   }
   return summary(found);
 }
@@ -231,7 +243,7 @@ ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDe
           scene.file, level, ridge.least_distance()));
     // There is no contact outside the overlap: the elastic displacement always opens the gap, so
     // that h < approach wherever there is pressure.
-    return solve_in(scene, overlap.box, load,
+    return solve_in(scene, &ridge, overlap.box, load,
                     counts(overlap.box, overlap.gaps, overlap.regions.size()));
   };
   Found found = solve_overlap();
@@ -241,10 +253,11 @@ ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDe
   }
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
     const Box box = next_box(found);
-    found = solve_in(scene, box, load, counts(box, found.gaps, found.loaded.size()));
+    found = solve_in(scene, &ridge, box, load, counts(box, found.unloaded(), found.loaded.size()));
   }
   check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
-  return summary(detail == SearchDetail::box ? found : solve_on(scene, lattice_over(found), load));
+  return summary(detail == SearchDetail::box ? found
+                                             : solve_on(scene, &ridge, lattice_over(found), load));
 }
 
 ExpectedPatch patch_of_ellipse(const Scene& scene) {
@@ -258,6 +271,7 @@ ExpectedPatch patch_of_ellipse(const Scene& scene) {
   patch.max_pressure = hertz.max_pressure;
   patch.normal_force = hertz.normal_force;
   patch.area = (scene.geometry.line ? 4.0 : contact::pi) * hertz.semi_axis_x * hertz.semi_axis_y;
+  patch.near = {patch.x_lower, patch.x_upper, patch.y_lower, patch.y_upper};
   patch.carrying_length = patch.length();
   patch.carrying_width = patch.width();
   return patch;
@@ -337,7 +351,9 @@ const Ridge& PatchSearch::ridge() const {
 
 PatchBox PatchSearch::box() const {
   const ExpectedPatch& found = patch();
-  return {std::max(-found.x_lower, found.x_upper), 0.5 * found.width(), found.y_middle()};
+  const Box& near = found.near;
+  return {std::max(-near.x_lower, near.x_upper), 0.5 * (near.y_upper - near.y_lower),
+          0.5 * (near.y_lower + near.y_upper), 0.5 * found.covered_width()};
 }
 
 void check_profiles_reach(const Scene& scene, double y_lower, double y_upper) {

@@ -26,6 +26,7 @@ struct ExpectedPatch {
   /// Ranges of y with pressure, mm: the first begins at y_lower, the last ends at y_upper.
   std::vector<std::array<double, 2>> loaded;
   double gaps = 0.0;  ///< mm, of the width: unloaded rows between regions
+  Box near;           ///< mm, with the places where the bodies nearly touch (near_misses.hpp)
   /// mm, loaded extents along x and y: 6/5 (integral f)^2 / integral f^2 of the load f per mm, the
   /// axes of an ellipse under Hertz's pressure. Unlike the box, they change continuously while
   /// patches appear, join and vanish.
@@ -38,13 +39,16 @@ struct ExpectedPatch {
   double y_middle() const { return 0.5 * (y_lower + y_upper); }
 };
 
-/// Expected position of the patch, around which bodies are laid out.
+/// Expected position of the patch with the places where the bodies nearly touch, around which
+/// bodies are laid out.
 struct PatchBox {
   double half_length = 0.0;  ///< mm, to both sides of x = 0
   double half_width = 0.0;   ///< mm, to both sides of y = middle
   double middle = 0.0;       ///< mm
+  double half_loaded = 0.0;  ///< mm, half of the width with pressure
   double larger() const { return half_length > half_width ? half_length : half_width; }
-  double smaller() const { return half_length > half_width ? half_width : half_length; }
+  /// Determines the size of cells.
+  double smaller() const { return half_length > half_loaded ? half_loaded : half_length; }
 };
 
 /// Extent in which elements_across are counted: the loaded part of the expected patch, without the
@@ -86,10 +90,12 @@ class PatchSearch {
   contact::ContactGrid grid(double dx, double dy, int margin) const;
   /// The same with the elements of [contact_grid].
   contact::ContactGrid grid(int margin = 3) const;
+  /// Throws contact::InputError where contact_grid.extent cannot hold the patch, or is far too
+  /// large.
+  void check_extent() const;
 
  private:
   contact::ContactGrid line_grid(double dx, int margin) const;
-  void check_extent() const;
   void check_extent_of_profiles() const;
 
   const contact::Scene& scene_;

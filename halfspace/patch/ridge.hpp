@@ -46,7 +46,9 @@ class Ridge {
   explicit Ridge(const contact::PatchGeometry& patch);
 
   Overlap overlap(double level) const;
-  double least_distance() const;  ///< mm
+  double least_distance() const;                            ///< mm
+  const std::vector<double>& places() const { return y_; }  ///< y of the samples, mm
+  const std::vector<RidgePoint>& points() const { return points_; }
 
  private:
   std::vector<double> y_;

@@ -68,6 +68,7 @@ contact::Case shifted() {
 halfspace::SmoothParts springs(double softness) {
   halfspace::SmoothParts parts;
   halfspace::SmoothMap& map = parts.rail;
+  map.fields = {50.0, 50.0, 0.0};
   map.coefficients = Eigen::MatrixXd::Zero(3, 3);
   map.coefficients(2, 2) = softness;
   return parts;

@@ -17,6 +17,7 @@
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
+#include "support/two_humps.hpp"
 #include "support/worn_wheels.hpp"
 #include <algorithm>
 #include <array>
@@ -31,31 +32,10 @@ namespace {
 using contact::pi;
 
 constexpr double half_distance = 15.0;  // mm
-constexpr double hump_radius = 80.0;
-constexpr double wheel_radius = 460.0;
 
-/// A cylindrical wheel over two humps, of which the one at larger y is lower by `lower` (mm).
 contact::Scene two_humps(double lower, double force) {
-  const double crest = half_distance * half_distance / (2.0 * hump_radius);
-  const auto rail = rollfem::testing::sampled_curve(-30.0, 30.0, 0.05, [&](double y) {
-    const double across = std::abs(y) - half_distance;
-    const double drop = across * across / (2.0 * hump_radius);
-    // Half of the drop on each side, so that the rail passes through the origin in the valley.
-    const double step = y > 0.0 ? -lower * (1.0 - std::exp(-y * y / 4.0)) : 0.0;
-    const double step_slope = y > 0.0 ? -lower * 0.5 * y * std::exp(-y * y / 4.0) : 0.0;
-    return rollfem::testing::HeightAndSlope{
-        crest - drop + step, -(y > 0.0 ? 1.0 : -1.0) * across / hump_radius + step_slope};
-  });
-  const auto radius = rollfem::testing::sampled_curve(-30.0, 30.0, 1.0, [](double) {
-    return rollfem::testing::HeightAndSlope{wheel_radius, 0.0};
-  });
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
-  input.load = {};
-  input.load.normal_force = force;
-  input.rolling.problem = contact::Problem::frictionless;
+  rollfem::testing::PatchCase input = rollfem::testing::two_humps(lower, force, half_distance);
   input.contact_grid.cell_size = {0.25, 0.1};
-  input.patch = std::make_shared<contact::PatchGeometry>(
-      rail, radius, contact::Axle{{0.0, 0.0, wheel_radius + crest}, {0.0, 1.0, 0.0}}, -30.0, 30.0);
   return input;
 }
 
@@ -192,7 +172,8 @@ TEST(JoinedPatches, ShareAsHertzAndTheirDistanceSay) {
     EXPECT_EQ(result.points[0].patch_count, 2);
     EXPECT_NEAR(parts[0].normal_force + parts[1].normal_force, force, 1e-6 * force);
     const double modulus = scene.material.contact_modulus;
-    const Approach hump = approach_of(wheel_radius, hump_radius, modulus);
+    const Approach hump =
+        approach_of(rollfem::testing::wheel_over_humps, rollfem::testing::hump_radius, modulus);
     const double exact = force_on_second(hump, hump, modulus, 2.0 * half_distance, -lower, force);
     // Each by itself: 1.7 % more on the higher hump at 0.01 mm, 5 % at 0.03 mm.
     EXPECT_NEAR(parts[0].normal_force, exact, 2e-3 * force);

@@ -27,8 +27,8 @@ SectionWithKeys contact_grid_section() {
       .positive()
       .otherwise("from the size of the patch")
       .says(
-          "Extent of the potential contact area, [along x, along y], if Hertz's ellipse does not "
-          "cover it (several patches).")
+          "Extent of the potential contact area, [along x, along y], also of fem, if the expected "
+          "patches do not cover it.")
       .into(&GridOptions::extent);
   keys.pair("middle")
       .unit("mm")

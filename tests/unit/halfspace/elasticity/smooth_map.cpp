@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -68,5 +69,21 @@ TEST(SmoothMap, TakesMomentsAndGivesPolynomialsOnAnyGrid) {
       const double y = (across(grid)[e] - box.middle) / box.half_width;
       EXPECT_NEAR(u.n[e], 2e-7 * force * x * y * y, 1e-15 * force);
     }
+  }
+}
+
+TEST(SmoothMap, BeyondItsBoxItHasTheValuesOfTheNearestPlace) {
+  // x y^2 would be 1000 times as large at ten times the box.
+  const ContactGrid grid = ContactGrid::centred(41, 41, 2.0, 4.5, 0.0, 1.5);
+  const halfspace::SmoothMapOnGrid map(one_entry(2e-7), grid);
+  const Field none = Field::Zero(grid.size());
+  SurfaceField load{none, none, none};
+  load.x[grid.index(20, 20)] = 10.0;
+  const double force = 10.0 * grid.element_area();
+  const SurfaceField u = map.apply(load);
+  for (int e = 0; e < grid.size(); ++e) {
+    const double x = std::clamp(along(grid)[e] / box.half_length, -1.0, 1.0);
+    const double y = std::clamp((across(grid)[e] - box.middle) / box.half_width, -1.0, 1.0);
+    EXPECT_NEAR(u.n[e], 2e-7 * force * x * y * y, 1e-15 * force);
   }
 }

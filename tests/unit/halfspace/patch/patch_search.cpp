@@ -4,6 +4,7 @@
 #include "halfspace/patch/patch_search.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "track/motion/placed_scenes.hpp"
 
@@ -13,6 +14,7 @@
 #include "support/profile_patches.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
+#include "support/two_humps.hpp"
 #include "support/worn_wheels.hpp"
 
 using namespace rollfem;
@@ -144,23 +146,13 @@ TEST(ExpectedPatch, RefusesAnApproachThatDoesNotTouch) {
 }
 
 TEST(ExpectedPatch, SaysWhichRowsOfSeveralPatchesAreLoaded) {
-  // Two humps of radius 80 mm, 30 mm apart, under a cylinder: each carries half, and is as wide as
-  // Hertz has it under half the load.
-  constexpr double crest = 15.0 * 15.0 / 160.0;
-  const auto rail = rollfem::testing::sampled_curve(-30.0, 30.0, 0.05, [](double y) {
-    const double across = std::abs(y) - 15.0;
-    return rollfem::testing::HeightAndSlope{crest - across * across / 160.0,
-                                            y > 0.0 ? -across / 80.0 : across / 80.0};
-  });
-  const auto wheel = rollfem::testing::sampled_curve(-30.0, 30.0, 1.0, [](double) {
-    return rollfem::testing::HeightAndSlope{405.0, 0.0};
-  });
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
-  input.patch = std::make_shared<contact::PatchGeometry>(
-      rail, wheel, contact::Axle{{0.0, 0.0, 405.0 + crest}, {0.0, 1.0, 0.0}}, -30.0, 30.0);
+  // Two equal humps, 30 mm apart, under a cylinder: each carries half, and is as wide as Hertz has
+  // it under half the load.
+  const contact::Scene input = rollfem::testing::two_humps(0.0, 50e3);
   const ExpectedPatch patch = PatchSearch(input).patch();
   ASSERT_EQ(patch.loaded.size(), 2U);
-  const auto half = halfspace::hertz_from_force(0.5 / 405.0, 0.5 / 80.0,
+  const auto half = halfspace::hertz_from_force(0.5 / rollfem::testing::wheel_over_humps,
+                                                0.5 / rollfem::testing::hump_radius,
                                                 contact::combine({}, {}).contact_modulus, 25e3);
   EXPECT_NEAR(patch.covered_width(), 4.0 * half.semi_axis_y, 0.03 * 4.0 * half.semi_axis_y);
   EXPECT_NEAR(patch.loaded[0][0], -15.0 - half.semi_axis_y, 0.05 * half.semi_axis_y);
@@ -201,4 +193,28 @@ TEST(ExpectedPatch, WhatCarriesTheLoadChangesSteadily) {
     (patch.loaded.size() > 1 ? two : one) = true;
   }
   EXPECT_TRUE(one && two);
+}
+
+TEST(ExpectedPatch, BodiesAreLaidOutAroundNearMissesToo) {
+  // Two humps 12 mm apart. One carries the load alone if the other is lower by more than Hertz's
+  // approach less what a point load displaces at that distance.
+  constexpr double force = 20e3, half_distance = 6.0;
+  const double modulus = contact::combine({}, {}).contact_modulus;
+  const auto hertz =
+      halfspace::hertz_from_force(0.5 / rollfem::testing::wheel_over_humps,
+                                  0.5 / rollfem::testing::hump_radius, modulus, force);
+  const double displaced = force / (contact::pi * modulus * 2.0 * half_distance);
+  const auto search = [&](double lower) {
+    const contact::Scene scene = rollfem::testing::two_humps(lower, force, half_distance);
+    const PatchSearch found(scene);
+    EXPECT_EQ(found.patch().loaded.size(), 1U) << lower;
+    EXPECT_NEAR(found.box().smaller(), hertz.semi_axis_y, 0.02 * hertz.semi_axis_y) << lower;
+    return found.box();
+  };
+  // Half-spaces miss by a tenth of what is displaced, or by all of it and more.
+  const halfspace::PatchBox near = search(hertz.approach - 0.9 * displaced);
+  EXPECT_GT(near.middle + near.half_width, half_distance);
+  const halfspace::PatchBox far = search(hertz.approach + 0.1 * displaced);
+  EXPECT_NEAR(far.half_width, hertz.semi_axis_y, 0.02 * hertz.semi_axis_y);
+  EXPECT_NEAR(far.middle, -half_distance, 0.1);
 }

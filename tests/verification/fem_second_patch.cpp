@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A small second patch or a near miss beside the main one: finite elements and the hybrid cover it,
+// and the hybrid's correction stays small wherever its contact grid goes.
+#include "contact/base/errors.hpp"
+#include "contact/scene/scene.hpp"
+#include "fem/elasticity/run_level.hpp"
+#include "fem/mesh/run_layout.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/model.hpp"
+#include "hybrid/compliance.hpp"
+#include "hybrid/correction/smooth_parts.hpp"
+#include "hybrid/model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/mpi_environment.hpp"
+#include "support/recorded.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/two_humps.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace rollfem;
+using rollfem::testing::refusal;
+using rollfem::testing::says;
+
+constexpr double half_distance = 4.0;  // mm
+constexpr double cell = 0.6;           // mm, three in the smaller semi-axis
+
+/// Rigid wheel over two humps, of which the second carries about a tenth by itself.
+contact::Scene second_patch() {
+  rollfem::testing::PatchCase input = rollfem::testing::two_humps(0.01, 20e3, half_distance);
+  input.wheel.material.young_modulus = contact::infinity;
+  input.rolling.problem = contact::Problem::steady;
+  input.rolling.creepages = {{0.0, 0.0005, 0.0}};
+  input.contact_grid.cell_size = {cell, cell};
+  return input;
+}
+
+contact::ModelResult finite_elements(const contact::Scene& scene) {
+  return fem::run_level(scene, {cell, "", false}, {});
+}
+
+void expect_like_half_spaces(const contact::ModelResult& result, const std::string& name) {
+  const contact::PointResult half = halfspace::run_halfspace(second_patch(), {}).points.front();
+  const contact::PointResult& point = result.points.front();
+  const double bound = 0.55 * half.normal_force;
+  EXPECT_EQ(half.patch_count, 2);
+  EXPECT_EQ(point.patch_count, 2);
+  rollfem::testing::record(name + "_area", point.contact_area / half.contact_area);
+  rollfem::testing::record(name + "_lateral", (point.lateral_force - half.lateral_force) / bound);
+  EXPECT_NEAR(point.contact_area, half.contact_area, 0.04 * half.contact_area);
+  EXPECT_NEAR(point.lateral_force, half.lateral_force, 0.03 * bound);
+}
+
+}  // namespace
+
+TEST(SecondPatch, FiniteElementsFindIt) {
+  expect_like_half_spaces(finite_elements(second_patch()), "fem");
+}
+
+TEST(SecondPatch, TheHybridFindsIt) {
+  expect_like_half_spaces(hybrid::run_hybrid(second_patch(), {}, nullptr, fem::find_smooth_parts),
+                          "hybrid");
+}
+
+TEST(SecondPatch, FiniteElementsKeepToAnExtentAndSayWhatItLeavesOut) {
+  contact::Scene scene = second_patch();
+  scene.contact_grid.extent = {{14.0, 6.0}};
+  scene.contact_grid.middle = {{0.0, -half_distance}};
+  const contact::ContactGrid grid = fem::run_layout(scene, cell).grid;
+  EXPECT_NEAR(grid.ny * grid.dy, 6.0, 2.0 * cell);
+  EXPECT_NEAR(grid.y(0) + grid.y(grid.ny - 1), -2.0 * half_distance, cell);
+  EXPECT_TRUE(says(refusal<contact::SolveError>([&] { finite_elements(scene); }),
+                   "wheel and rail also touch between"));
+}
+
+TEST(SecondPatch, TheCorrectionStaysSmallOnALargeGrid) {
+  // Curvature changes what half-spaces are displaced by a fraction of the order of the patch over
+  // the radius, at the patch and wherever the grid ends: some 5 patches away.
+  contact::Case input = rollfem::testing::thesis_case('b');
+  input.wheel.rolling_radius = 460.0;
+  input.rail.transverse_radius = 300.0;
+  contact::Scene scene(input);
+  scene.follows_surface = 1.0;
+  const auto hertz = halfspace::hertz_of_scene(scene);
+  const auto grid = contact::ContactGrid::centred(80, 80, 0.75, 0.75);
+  const contact::Field pressure = rollfem::testing::hertz_pressure(
+      grid, hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure);
+  const contact::Field none = contact::Field::Zero(grid.size());
+  const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
+  const hybrid::HybridCompliance whole(scene, geometry, grid, fem::find_smooth_parts(scene, {}));
+  const halfspace::HalfspaceCompliance half(grid, scene.material);
+  const contact::Field correction =
+      whole.apply({0.0 * pressure, none, pressure}).n - half.apply({none, none, pressure}).n;
+  const double curvature = hertz.semi_axis_x / 300.0;
+  const double most = correction.cwiseAbs().maxCoeff() / hertz.approach;
+  rollfem::testing::record("correction_in_curvature", most / curvature);
+  EXPECT_LT(most, curvature);
+}
