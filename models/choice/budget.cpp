@@ -23,18 +23,22 @@ double Budget::needed() const {
 }
 
 double Budget::allowed() const {
-  if (current_ + 1 >= needs_.size()) return std::max(0.0, left_) / times_;
+  const double times = times_ / had_of_gross_;
+  if (current_ + 1 >= needs_.size()) return std::max(0.0, left_) / times;
   const auto later = needs_.begin() + static_cast<std::ptrdiff_t>(current_ + 1);
-  const double kept = times_ * std::accumulate(later, needs_.end(), 0.0);
+  const double kept = times * std::accumulate(later, needs_.end(), 0.0);
   const double share = left_ / static_cast<double>(needs_.size() - current_);
-  return std::max({0.0, left_ - kept, share}) / times_;
+  return std::max({0.0, left_ - kept, share}) / times;
 }
 
-double Budget::spend(double predicted, double taken) {
+double Budget::spend(double predicted, double taken, double had) {
+  if (had > 0.0) had_ = had;
   const double expected = times_ * predicted;
   const bool wrong = taken > least_gross && taken > gross * expected;
   left_ -= wrong ? taken : expected;
-  return wrong && expected > 0.0 ? taken / expected : 1.0;
+  if (!wrong) return 1.0;
+  had_of_gross_ = had_;
+  return expected > 0.0 ? std::max(1.0, had_ * taken / expected) : 1.0;
 }
 
 }  // namespace rollfem::modelling

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <limits>
 #include <optional>
@@ -56,6 +57,28 @@ std::string not_taken(const Forecast& forecast, double accuracy, double times = 
   return fmt::format("{} is not expected to suffice", forecast.label);
 }
 
+/// Shorter levels say nothing about the speed of a machine: they are mostly overhead, s.
+constexpr double worth_timing = 0.1;
+
+struct Cost {
+  double seconds = 0.0;  ///< wall time
+  double had = 0.0;      ///< part of a processor, at most 1; 0: unknown
+};
+
+class CostWatch {
+ public:
+  Cost cost() const {
+    constexpr double least = 0.01;
+    const double seconds = watch_.seconds();
+    const double cpu = static_cast<double>(std::clock() - begin_) / CLOCKS_PER_SEC;
+    return {seconds, seconds > worth_timing ? std::clamp(cpu / seconds, least, 1.0) : 0.0};
+  }
+
+ private:
+  contact::Stopwatch watch_;
+  std::clock_t begin_ = std::clock();  ///< CPU time of all threads
+};
+
 /// The last attempt of a candidate.
 struct Attempt {
   int across = 0;
@@ -76,7 +99,7 @@ class Choice {
         accuracy_(*wanted.accuracy.relative),
         attempts_(candidates_.size()),
         failed_once_(candidates_.size(), false),
-        times_(wanted.times) {
+        budget_(wanted.budget != nullptr ? *wanted.budget : unlimited_) {
     for (const Candidate& candidate : candidates_) forecasts_.push_back(candidate.forecast);
   }
 
@@ -107,8 +130,7 @@ class Choice {
 
   /// Levels are ordered by increasing time.
   void leave_out_slow(std::vector<Level>& levels) const {
-    if (wanted_.budget == nullptr) return;
-    const double allowed = wanted_.budget->allowed();
+    const double allowed = budget_.allowed();
     while (!levels.empty() && levels.back().seconds > allowed && !levels.back().solved)
       levels.pop_back();
   }
@@ -121,10 +143,10 @@ class Choice {
     Forecast& forecast = forecasts_[plan.model];
     const int across = forecast.levels[plan.level].across;
     announce(forecast, forecast.levels[plan.level]);
-    const contact::Stopwatch watch;
+    const CostWatch watch;
     try {
       ModelResult result = candidates_[plan.model].solve(across);
-      judge(plan, watch.seconds(), std::move(result));
+      judge(plan, watch.cost(), std::move(result));
     } catch (const contact::UnfitGrid& error) {
       count_failed(watch);
       leave_out_grid(plan, error.what());
@@ -145,24 +167,30 @@ class Choice {
     event.stage = "tried next";
     event.finished = true;  // keep its line on the terminal
     event.note =
-        fmt::format("{} across, about {}", level.across, duration(wanted_.times * level.seconds));
+        fmt::format("{} across, about {}", level.across, duration(times() * level.seconds));
     contact::report(wanted_.progress, event);
   }
 
-  void count_failed(const contact::Stopwatch& watch) const {
-    if (wanted_.budget != nullptr) wanted_.budget->spend(0.0, watch.seconds());
+  void count_failed(const CostWatch& watch) {
+    const Cost cost = watch.cost();
+    budget_.spend(0.0, cost.seconds, cost.had);
   }
 
   /// A gross misprediction also applies to the model's finer grids and to the model that corrects
-  /// it.
-  void count(const Plan& plan, double predicted, double seconds) {
-    if (wanted_.budget == nullptr) return;
-    const double times = wanted_.budget->spend(predicted, seconds);
+  /// it. Any other is taken for the speed of this machine, except of corrected models, because
+  /// their correction may come from the cache.
+  void count(const Plan& plan, double predicted, const Cost& cost) {
+    const double wrong = budget_.spend(predicted, cost.seconds, cost.had);
     const std::string& model = forecasts_[plan.model].model;
-    for (Forecast& forecast : forecasts_)
-      if (forecast.model == model || forecast.corrects == model)
-        for (Level& level : forecast.levels)
-          if (!level.solved) level.seconds *= times;
+    if (budget_.limited() && wrong > 1.0) {
+      for (Forecast& forecast : forecasts_)
+        if (forecast.model == model || forecast.corrects == model)
+          for (Level& level : forecast.levels)
+            if (!level.solved) level.seconds *= wrong;
+    } else if (std::min(cost.seconds, predicted) > worth_timing &&
+               forecasts_[plan.model].corrects.empty()) {
+      slower_ = cost.seconds / (predicted * budget_.times());
+    }
   }
 
   /// While an exception is handled.
@@ -181,26 +209,25 @@ class Choice {
     if (!failure_) failure_ = std::current_exception();
   }
 
-  void judge(const Plan& plan, double seconds, ModelResult result) {
+  void judge(const Plan& plan, Cost cost, ModelResult result) {
     const Candidate& candidate = candidates_[plan.model];
     Forecast& forecast = forecasts_[plan.model];
     Reached reached = reached_by(result, wanted_.accuracy, wanted_.friction_coefficient,
                                  !candidate.estimates_model_error || result.has_model_error());
     if (candidate.largest_model_error > 0.0)
       reached.set_largest_model(candidate.largest_model_error);
-    agree(reached, seconds);
+    agree(reached, cost);
     const double predicted = forecast.levels[plan.level].seconds;
-    calibrate(plan, seconds);
-    learn(forecast, plan.level, reached.most_discretisation, seconds);
+    learn(forecast, plan.level, reached.most_discretisation, cost.seconds);
     if (candidate.estimates_model_error || candidate.largest_model_error > 0.0) {
       forecast.model_error = reached.most_model;
       forecast.model_error_found = true;
     }
     for (Forecast& other : forecasts_)
       if (&other != &forecast) learn_from(other, forecast, plan.level);
-    count(plan, predicted, seconds);
+    count(plan, predicted, cost);
     const bool better = !best_ || reached.together() < reached_best();
-    attempts_[plan.model] = Attempt{forecast.levels[plan.level].across, seconds, reached};
+    attempts_[plan.model] = Attempt{forecast.levels[plan.level].across, cost.seconds, reached};
     met_ = reached.together() <= accuracy_;
     if (candidate.largest_model_error > 0.0)
       result.model_error_source =
@@ -210,10 +237,10 @@ class Choice {
   }
 
   /// Only the first of several processes holds complete results.
-  void agree(Reached& reached, double& seconds) const {
+  void agree(Reached& reached, Cost& cost) const {
     if (!wanted_.agree) return;
     const std::string text = wanted_.agree(
-        fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", seconds,
+        fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", cost.seconds, cost.had,
                     reached.discretisation, reached.model, reached.most_discretisation,
                     reached.most_model, reached.point, reached.quantity));
     std::istringstream words(text);
@@ -222,7 +249,8 @@ class Choice {
       words >> word;
       return std::strtod(word.c_str(), nullptr);
     };
-    seconds = number();
+    cost.seconds = number();
+    cost.had = number();
     reached.discretisation = number();
     reached.model = number();
     reached.most_discretisation = number();
@@ -255,17 +283,11 @@ class Choice {
     if (const auto& attempt = attempts_[m])
       return fmt::format("{}, {} across, {}, has {}", forecast.label, attempt->across,
                          duration(attempt->seconds), attempt->reached.text());
-    return not_taken(forecast, accuracy_, times_);
+    return not_taken(forecast, accuracy_, times());
   }
 
-  /// Speed of this machine under its present load, relative to the reference machine of the
-  /// predictions. Corrected models are left out, because their correction may come from the cache.
-  void calibrate(const Plan& plan, double seconds) {
-    constexpr double worth_it = 0.1;  // s; shorter times are mostly overhead
-    const double predicted = forecasts_[plan.model].levels[plan.level].seconds;
-    if (seconds > worth_it && predicted > worth_it && forecasts_[plan.model].corrects.empty())
-      times_ = seconds / predicted;
-  }
+  /// Seconds to expect per predicted second.
+  double times() const { return slower_ * budget_.times(); }
 
   ModelResult finished() {
     ModelResult result = std::move(best_->result);
@@ -279,7 +301,7 @@ class Choice {
   }
 
   void fail(ModelResult& result) const {
-    if (wanted_.budget == nullptr) {
+    if (!budget_.limited()) {
       result.shortfall =
           fmt::format("accuracy = {:g} was not reached: {}; do: request less accuracy", accuracy_,
                       result.choice);
@@ -301,7 +323,9 @@ class Choice {
   std::vector<bool> failed_once_;
   std::optional<Best> best_;
   std::exception_ptr failure_;
-  double times_;
+  Budget unlimited_{{}, 1.0, std::numeric_limits<double>::infinity()};
+  Budget& budget_;
+  double slower_ = 1.0;  ///< than predicted for this machine
   bool met_ = false;
 };
 

@@ -37,9 +37,9 @@ struct Candidate {
 struct Wanted {
   contact::AccuracyRequest accuracy;  ///< `relative` is set
   double friction_coefficient = 0.0;
-  /// Time budget if no accuracy was requested; missing the default accuracy is then no failure.
+  /// Where it is limited, no accuracy was requested, and missing the default accuracy is no
+  /// failure. Null: one of its own without limit.
   Budget* budget = nullptr;
-  double times = 1.0;  ///< seconds on this machine per predicted second
   /// True: a model that fails is left out. False: its exception ends the choice.
   bool go_on = true;
   /// Receives the next model and its expected time before each solution. May be empty.

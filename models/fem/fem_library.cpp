@@ -18,17 +18,31 @@ namespace {
 
 #if ROLLFEM_WITH_FEM
 
-/// The two bodies are factorised side by side, one core each, and MPI processes share the cores:
-/// threads inside OpenBLAS would only compete with them. Waiting threads sleep or yield, because a
-/// spinning core is lost to the other body, the other process or other users. Libraries read these
-/// settings when they are loaded.
-void leave_cores_to_others() {
+/// The fastest kernels of OpenBLAS for this processor; null where its own choice is right.
+const char* openblas_kernels() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
+#endif
+  return nullptr;
+}
+
+/// Defaults of variables that libraries read when they are loaded. The two bodies are factorised
+/// side by side, one core each, and MPI processes share the cores: threads inside OpenBLAS would
+/// only compete with them. Waiting threads sleep or yield (app/program.cpp), because a spinning
+/// core is lost to the other body, the other process or other users. On processors newer than
+/// itself OpenBLAS falls back to SSE3, a quarter of the speed.
+void set_defaults() {
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   setenv("OMP_WAIT_POLICY", "passive", 0);
   setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+  if (const char* const kernels = openblas_kernels()) setenv("OPENBLAS_CORETYPE", kernels, 0);
 }
 
 void* open_library() {
+  set_defaults();
   const std::filesystem::path program = program_directory(), code = code_directory();
   std::string problems;
   for (const auto& folder :
@@ -50,8 +64,7 @@ void* open_library() {
 #if ROLLFEM_WITH_FEM
 
 const fem::Entry& open_fem_library(const std::string&) {
-  leave_cores_to_others();
-  void* library = open_library();
+  static void* const library = open_library();  // once: it changes the environment
   using EntryFunction = const fem::Entry* (*)();
   const auto entry = reinterpret_cast<EntryFunction>(dlsym(library, "rollfem_fem_entry"));
   if (entry == nullptr)

@@ -110,6 +110,11 @@ double machine_times() {
   return speed ? speed->times : 1.0;
 }
 
+/// Time limit of the choice: a requested accuracy has none.
+double seconds_for(const Scene& scene) {
+  return scene.accuracy.relative ? contact::infinity : modelling::seconds_by_default;
+}
+
 /// Why a model cannot take the scene; otherwise empty.
 std::string out_of_question(const contact::ModelInfo& model, const Scene& scene) {
   if (!model.built) return "not in this build";
@@ -291,7 +296,9 @@ double accuracy_of(const contact::AccuracyRequest& asked) {
 
 Budget budget_of(const std::vector<Scene>& scenes, const ModelRegistry& models) {
   std::vector<double> needs;
+  double limit = modelling::seconds_by_default;
   for (const Scene& scene : scenes) {
+    limit = seconds_for(scene);  // the same for all scenes of a case
     needs.push_back(0.0);
     try {
       needs.back() = seconds_of_first(forecasts_of(scene, models), accuracy_of(scene.accuracy));
@@ -299,7 +306,7 @@ Budget budget_of(const std::vector<Scene>& scenes, const ModelRegistry& models) 
       // No patch, so no expectation: the solver will report it.
     }
   }
-  return Budget(std::move(needs), machine_times());
+  return Budget(std::move(needs), machine_times(), limit);
 }
 
 contact::ModelResult solve_by_choice(const Scene& scene, const contact::Progress& progress,
@@ -311,9 +318,8 @@ contact::ModelResult solve_by_choice(const Scene& scene, const contact::Progress
   Wanted wanted;
   wanted.accuracy = scene.accuracy;
   wanted.accuracy.relative = accuracy_of(scene.accuracy);
-  Budget alone({}, machine_times());
-  if (!scene.accuracy.relative) wanted.budget = how.budget != nullptr ? how.budget : &alone;
-  wanted.times = machine_times();
+  Budget alone({}, machine_times(), seconds_for(scene));
+  wanted.budget = how.budget != nullptr ? how.budget : &alone;
   wanted.progress = progress;
   wanted.friction_coefficient = scene.friction_coefficient();
   wanted.go_on = how.together;

@@ -34,7 +34,7 @@ std::vector<Forecast> forecasts_of(const contact::Scene& scene,
 /// The accuracy that auto aims for: requested by the scene, or 1 %.
 double accuracy_of(const contact::AccuracyRequest& asked);
 
-/// Time budget of the choices for these scenes if they request no accuracy.
+/// Time budget of the choices for these scenes.
 Budget budget_of(const std::vector<contact::Scene>& scenes, const contact::ModelRegistry& models);
 
 /// The result of the chosen model, with its name. Collective in a parallel run.

@@ -40,10 +40,10 @@ struct Solving {
   Placed placed;  ///< wheels in position; null: `solve` places them
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
-  Budget* budget = nullptr;  ///< of choices without requested accuracy; null: their own
-  contact::Share share;      ///< positions of the wheelset that this call solves
-  bool first = true;         ///< first process of a parallel run, which alone runs serial models
-  bool together = true;      ///< this is the only process
+  Budget* budget = nullptr;                   ///< of the choices; null: their own
+  contact::Share share;                       ///< positions of the wheelset that this call solves
+  bool first = true;     ///< first process of a parallel run, which alone runs serial models
+  bool together = true;  ///< this is the only process
   /// True: a model that cannot take the case, or fails, is listed as missing. False: its exception
   /// ends the call.
   bool go_on = false;

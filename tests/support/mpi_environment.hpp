@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
+#include <sched.h>
 
 namespace rollfem::testing {
 
@@ -30,6 +32,9 @@ class MpiEnvironment : public ::testing::Environment {
     static char name[] = "test";
     static char* arguments[] = {name, nullptr};
     static char** argv = arguments;
+    // Waiting sleeps as in the program: this links its sched_yield.
+    setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+    sched_yield();
     mpi_ = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) {
       auto& listeners = ::testing::UnitTest::GetInstance()->listeners();

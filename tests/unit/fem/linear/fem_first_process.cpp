@@ -14,6 +14,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <sys/resource.h>
 #include <thread>
 #include <vector>
 
@@ -91,6 +92,20 @@ TEST(FirstProcess, OthersSleepWhileItWorks) {
   });
   if (!first.here()) {
     EXPECT_LT(cpu_seconds() - begin, 0.05);
+  }
+}
+
+/// Not the CPU time, which yielding does not take either on a busy machine.
+TEST(FirstProcess, OthersSleepInAnyCallOfMpi) {
+  const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  MPI_Barrier(MPI_COMM_WORLD);
+  rusage begin{}, end{};
+  getrusage(RUSAGE_THREAD, &begin);
+  if (first) std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_EQ(dealii::Utilities::MPI::sum(1, MPI_COMM_WORLD), processes());
+  getrusage(RUSAGE_THREAD, &end);
+  if (!first) {
+    EXPECT_GT(end.ru_nvcsw - begin.ru_nvcsw, 50);  // 500 naps of 1 ms
   }
 }
 

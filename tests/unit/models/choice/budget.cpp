@@ -35,6 +35,17 @@ TEST(Budget, CountsByTheClockWhatWasGrosslyMispredicted) {
   EXPECT_DOUBLE_EQ(budget.allowed(), 0.0);
 }
 
+TEST(Budget, TellsABusyMachineFromAWrongPrediction) {
+  Budget budget({});
+  EXPECT_DOUBLE_EQ(budget.spend(10.0, 20.0, 0.5), 1.0);
+  EXPECT_DOUBLE_EQ(budget.times(), 2.0);
+  EXPECT_DOUBLE_EQ(budget.allowed(), 50.0);  // the same choice as on a quiet one
+  EXPECT_DOUBLE_EQ(budget.spend(4.0, 16.0, 0.25), 1.0);
+  EXPECT_DOUBLE_EQ(budget.allowed(), (50.0 - 16.0) * 0.25);
+  EXPECT_DOUBLE_EQ(budget.spend(1.0, 10.0, 0.4), 4.0);
+  EXPECT_DOUBLE_EQ(budget.times(), 2.5);
+}
+
 TEST(Budget, AllowsASlowMachineLess) {
   Budget budget({0.0, 5.0}, 2.0);
   EXPECT_DOUBLE_EQ(budget.needed(), 10.0);

@@ -8,7 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "support/temporary_folder.hpp"
+#include <chrono>
 #include <cmath>
+#include <ctime>
+#include <thread>
 #include <utility>
 
 namespace {
@@ -190,7 +193,8 @@ TEST(Choice, SaysWhatIsTriedAndHowLongItTakes) {
   Toys toys;
   toys.plain.model_error = 0.03;
   Wanted what = wanted(0.01);
-  what.times = 2.0;
+  Budget slow({}, 2.0, 1e9);
+  what.budget = &slow;
   std::vector<std::string> told;
   what.progress = [&](const contact::ProgressEvent& event) {
     told.push_back(event.model + ": " + event.note);
@@ -198,6 +202,36 @@ TEST(Choice, SaysWhatIsTriedAndHowLongItTakes) {
   choose(candidates(toys), what);
   EXPECT_EQ(told, (std::vector<std::string>{"plain: 32 across, about 8 s",
                                             "corrected: 64 across, about 5 min"}));
+}
+
+TEST(Choice, ExpectsAsMuchOfAProcessorAsTheLastSolutionHad) {
+  Toys toys;
+  toys.plain.model_error = 0.03;
+  auto all = candidates(toys);
+  double cpu = 0.0, wall = 0.0;
+  all[0].solve = [&](int across) {
+    // Works for a fifth of a second and waits for as long and longer.
+    const std::clock_t begin = std::clock();
+    const contact::Stopwatch watch;
+    while ((cpu = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC) < 0.2) continue;
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    wall = watch.seconds();
+    return result_of("plain", toys.plain, across);
+  };
+  Wanted what = wanted(0.01);
+  std::string told;
+  what.progress = [&](const contact::ProgressEvent& event) { told = event.note; };
+  all[0].forecast.levels[1].seconds = 0.05;  // too short to show the speed of the machine
+  const contact::ModelResult result = choose(all, what);
+  // The model that is tried next takes 160 s on a quiet machine, the last one 400.
+  const double slower = wall / cpu;
+  EXPECT_GT(slower, 2.5);
+  const std::string next = "64 across, about ", last = "full would take about ";
+  EXPECT_EQ(told.substr(0, next.size()), next);
+  EXPECT_NEAR(std::stod(told.substr(next.size())), slower * 160.0 / 60.0, 0.6);  // whole minutes
+  const std::size_t found = result.choice.find(last);
+  ASSERT_NE(found, std::string::npos) << result.choice;
+  EXPECT_NEAR(std::stod(result.choice.substr(found + last.size())), slower * 400.0 / 60.0, 0.6);
 }
 
 TEST(Choice, WhatIsUnknownDoesNotDo) {
@@ -240,8 +274,8 @@ TEST(Choice, AgreesWithTheFirstProcess) {
   Wanted what = wanted(0.01);
   int asked = 0;  // the first one has the plain model's error, this process nothing of it
   what.agree = [&](const std::string&) {
-    return ++asked == 1 ? "1 0.001 0.03 0.001 0.03 1 max_pressure"
-                        : "1 0.001 0 0.001 0 1 max_pressure";
+    return ++asked == 1 ? "1 1 0.001 0.03 0.001 0.03 1 max_pressure"
+                        : "1 1 0.001 0 0.001 0 1 max_pressure";
   };
   EXPECT_EQ(choose(candidates(toys), what).name, "corrected");
   EXPECT_EQ(asked, 2);
