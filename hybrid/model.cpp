@@ -52,9 +52,8 @@ class HybridElasticity : public halfspace::PreconditionedElasticity {
         continue;
       throw contact::SolveError(fmt::format(
           "{}the contact reaches over x = {:.4g} to {:.4g} mm, y = {:.4g} to {:.4g} mm, the "
-          "correction "
-          "for wheel and rail over {:.4g} to {:.4g} mm, {:.4g} to {:.4g} mm; do: run with --model "
-          "fem",
+          "correction for wheel and rail over {:.4g} to {:.4g} mm, {:.4g} to {:.4g} mm; do: run "
+          "with --model fem",
           scene_.patch_prefix(), patch.x_lower, patch.x_upper, patch.y_lower, patch.y_upper,
           -box.half_length, box.half_length, box.middle - box.half_width,
           box.middle + box.half_width));
