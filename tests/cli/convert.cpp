@@ -129,7 +129,7 @@ TEST(Convert, PointwiseDistanceIsRead) {
 /// Number of files written, all of which `check` accepts.
 int accepted(const Folder& folder, const std::string& file, const std::string& into) {
   const Outcome made = call(folder, {"convert", file, "--partial", "-o", into});
-  if (made.status == 2) EXPECT_TRUE(says(made.err, "no equivalent")) << made.err;
+  EXPECT_TRUE(made.status == 0 || made.status == 2) << made.status << ": " << made.err;
   int files = 0;
   for (const std::string& name : folder.made()) {
     if (name.rfind(into + "/", 0) != 0 || fs::path(name).extension() != ".toml") continue;

@@ -2,9 +2,11 @@
 // Steady rolling in three dimensions: prescribed forces against creep curves, Kalker's coefficients
 // over aspect ratio and Poisson's ratio, extra rigid slip against CONTACT, given pressure.
 #include "contact/base/errors.hpp"
+#include "contact/result/bars.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
+#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -180,7 +182,7 @@ TEST(GivenPressure, CarriesTheForceOnAnyGrid) {
   input.rolling.creepages = {{0.0, 0.5, 0.0}};
   for (const int across : {8, 15, 32, 63}) {
     input.contact_grid.elements_across = across;
-    const PointResult point = halfspace::run_halfspace(input, {}).points[0];
+    const PointResult point = theories::models().run("halfspace", input, {}).points.at(0);
     EXPECT_NEAR(point.normal_force / force, 1.0, 1e-12) << across;
     // Everything slips; the elastic part of the slip turns it by less than 1e-2.
     EXPECT_NEAR(point.lateral_force / (friction * force), -1.0, 5e-5) << across;
