@@ -55,9 +55,14 @@ double elongation(const ContactSize& size) {
   return std::max(size.half_length, size.half_width) / std::min(size.half_length, size.half_width);
 }
 
+/// Of the surface under the finest cells.
+double longer_than_square(const ContactSize& size) {
+  return elongation(size) * size.wider - 1.0;
+}
+
 double correction_seconds(const ContactSize& size) {
   if (size.correction_kept) return kept_correction;
-  const double longer = elongation(size) - 1.0;
+  const double longer = longer_than_square(size);
   return 0.5 * size.meshed_bodies * (size.true_sections ? sections_times : 1.0) *
          (size.symmetric ? halved_correction + halved_correction_of_length * longer
                          : whole_correction + whole_correction_of_length * longer);
@@ -173,7 +178,7 @@ Forecast fem_forecast(const ContactSize& size) {
   Forecast forecast;
   forecast.label = "finite elements";
   const double error = size.friction > 0.0 ? fem_error_with_friction : fem_error_without_friction;
-  const double unknowns = fem_unknowns + fem_unknowns_of_length * (elongation(size) - 1.0);
+  const double unknowns = fem_unknowns + fem_unknowns_of_length * longer_than_square(size);
   const double seconds = (size.symmetric ? 1.0 : fem_whole_times) *
                          (size.true_sections ? sections_times : 1.0) * unknowns *
                          (fem_start + fem_point * static_cast<double>(size.load_points));

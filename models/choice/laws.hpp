@@ -29,6 +29,7 @@ struct ContactSize {
   bool coupled = false;          ///< pressure and friction of a half-space influence each other
   int meshed_bodies = 2;         ///< neither rigid nor flat, for the hybrid
   bool correction_kept = false;  ///< the hybrid's correction is in the cache
+  double wider = 1.0;            ///< width that bodies are laid out around over the loaded width
 };
 
 /// Grids that are tried, by elements across.

@@ -80,6 +80,8 @@ ContactSize size_of(const Scene& scene) {
   ContactSize size;
   size.half_length = 0.5 * extent.length;
   size.half_width = 0.5 * extent.width;
+  const halfspace::PatchBox box = halfspace::PatchSearch(scene).box();
+  size.wider = box.half_width / box.half_loaded;
   size.bodies_known = bodies_known(scene);
   if (size.bodies_known) {
     size.rolling_radius = scene.geometry.surface.rolling_radius;

@@ -5,7 +5,11 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/result/patch_size.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/model.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -217,4 +221,26 @@ TEST(ExpectedPatch, BodiesAreLaidOutAroundNearMissesToo) {
   const halfspace::PatchBox far = search(hertz.approach + 0.1 * displaced);
   EXPECT_NEAR(far.half_width, hertz.semi_axis_y, 0.02 * hertz.semi_axis_y);
   EXPECT_NEAR(far.middle, -half_distance, 0.1);
+}
+
+TEST(ExpectedPatch, BodiesAreLaidOutAroundAPatchOfTheCurvedSurfaceAlone) {
+  // S1002 at the root of its flange: a second patch carries 1 % of the load on the curved surface
+  // and nothing in the plane of the search.
+  const contact::Case input = contact::parse_case(
+      "[load]\nvertical_force = 103e3\n[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n"
+      "[rail]\nprofile = \"60E1\"\n[track]\ninclination = \"1:40\"\n[wheelset]\nside = \"right\"\n"
+      "lateral_shift = 5.55\n[friction]\ncoefficient = 0.13\n[contact_grid]\n"
+      "elements_across = 12\n",
+      "case");
+  contact::Scene scene = track::make_scenes(input).at(0).scene;
+  scene.follows_surface = 1.0;
+  const auto result = halfspace::run_halfspace(scene, {});
+  const auto parts = contact::patch_parts(result.grid, result.points.front().fields);
+  ASSERT_EQ(parts.size(), 2U);
+  const contact::ChartedGeometry arc = halfspace::halfspace_geometry(scene);
+  const PatchSearch search(scene);
+  EXPECT_EQ(search.patch().loaded.size(), 1U);
+  const halfspace::PatchBox box = search.box();
+  for (const double end : {-0.5, 0.5})
+    EXPECT_NEAR(arc.lateral_place(parts[1].y + end * parts[1].width), box.middle, box.half_width);
 }
