@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rollfem::halfspace {
 
@@ -31,7 +32,7 @@ double displacement_beside(double x, double y, const ContactGrid& grid, const Fi
 Box with_near_misses(const Box& patch, const Ridge& ridge, double approach, const ContactGrid& grid,
                      const Field& pressure, double modulus) {
   Box box = patch;
-  double widest = 0.0;  // gap passed on the way from the patch
+  double widest = std::numeric_limits<double>::lowest();  // gap passed on the way from the patch
   const auto look_at = [&](double y, const RidgePoint& point) {
     const double overlap = approach - point.distance;
     const double gap = overlap > 0.0
@@ -48,7 +49,7 @@ Box with_near_misses(const Box& patch, const Ridge& ridge, double approach, cons
   const auto& points = ridge.points();
   for (std::size_t k = places.size(); k-- > 0;)
     if (places[k] < patch.y_lower) look_at(places[k], points[k]);
-  widest = 0.0;
+  widest = std::numeric_limits<double>::lowest();
   for (std::size_t k = 0; k < places.size(); ++k)
     if (places[k] > patch.y_upper) look_at(places[k], points[k]);
   return box;
