@@ -46,7 +46,8 @@ class Cases(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             profiles = {"wheel": {"profile": "S1002", "rolling_radius": 460.0}, "rail": {"profile": "here/rail.csv"}}
             os.makedirs(f"{folder}/here")
-            case = rollfem.Case.of(f"{folder}/case.toml", {**SMALL, **profiles, "load": {"vertical_force": 1e5}})
+            placed = {"load": {"vertical_force": 1e5}, "track": {"inclination": "1:40"}}
+            case = rollfem.Case.of(f"{folder}/case.toml", {**SMALL, **profiles, **placed})
             there = rollfem.Case(case.write(f"{folder}/here/case.toml"))
         self.assertEqual((there["wheel.profile"], there["rail.profile"]), ("S1002", "rail.csv"))
 
