@@ -104,7 +104,8 @@ std::vector<double> heights_by_width(const ProfilePoints& points) {
 }
 
 /// The wheel's flange and the sides of the rail's head must point from the tread towards +z. A
-/// flange measured on both sides is a valley of the heights, whatever else reaches far up or down.
+/// flange measured on both sides is a valley of the heights, whatever else reaches far up or down,
+/// but for a tread between two flanges, on which most of the width lies.
 void check_upward(const ProfilePoints& points, const ProfileSource& source, bool wheel) {
   const auto valley = [&](double sign) {
     std::vector<double> heights;
@@ -117,7 +118,7 @@ void check_upward(const ProfilePoints& points, const ProfileSource& source, bool
   const double above = level - lowest;
   constexpr double clear = 2.0;  // mm; a lower one may be a measured tread without flange
   if (std::max(flange, reverse_flange) > least_flange
-          ? flange > reverse_flange
+          ? flange > reverse_flange || above < 0.5 * reverse_flange
           : above <= clear || above <= 1.5 * (highest - level))
     return;
   throw PointFault{0,
