@@ -130,35 +130,6 @@ class Cases(unittest.TestCase):
             rollfem.solve({**SMALL, "wheel": {"rolling_radius": 0.4, "transverse_radius": math.inf}}, model="hertz")
 
 
-class Stresses(unittest.TestCase):
-    def test_measures_of_plain_states_are_those_of_textbooks(self):
-        states = np.zeros((2, 3, 6))
-        states[0, :, 0] = 100, -100, 0  # pull, push
-        states[1, :, 5] = 0, 40, -40  # shear xz
-        found = rollfem.stress_measures(states)
-        self.assertEqual(found["principal"].shape, (2, 3, 3))
-        np.testing.assert_allclose(found["hydrostatic"][0], [100 / 3, -100 / 3, 0], rtol=1e-14)
-        np.testing.assert_allclose(found["von_mises"], [[100, 100, 0], [0, 40 * 3**0.5, 40 * 3**0.5]], atol=1e-12)
-        np.testing.assert_allclose(found["tresca"], [[100, 100, 0], [0, 80, 80]], atol=1e-12)
-        np.testing.assert_allclose(found["orthogonal_shear"][1], [0, 40, 40], rtol=1e-14)
-        np.testing.assert_allclose(found["principal"][1, 1], [40, 0, -40], atol=1e-12)
-
-    def test_below_a_circle_von_mises_is_that_of_hertz(self):
-        # Johnson (1985), section 4.2: 0.620 p0 at 0.48 a for nu = 0.3, to the digits printed there.
-        case = rollfem.Case(SMALL).with_({"contact_grid.elements_across": 24})
-        circle = rollfem.solve(case, model="hertz").points[0]
-        line = {"body": "wheel", "from": [0, 0, 0], "to": [0, 0, circle.semi_axis_x], "points": 101}
-        point = rollfem.solve(case, model="halfspace", subsurface={"line": [line]}).points[0]
-        below = point.subsurface[0]
-        stress = rollfem.stress_measures(below["stress"])["von_mises"]
-        self.assertAlmostEqual(stress.max() / circle.max_pressure, 0.620, delta=0.003)
-        self.assertAlmostEqual(below["points"][stress.argmax(), 2] / circle.semi_axis_x, 0.48, delta=0.02)
-
-    def test_wrong_shapes_are_refused(self):
-        with self.assertRaisesRegex(ValueError, "six components"):
-            rollfem.stress_measures(np.zeros((6, 3)))
-
-
 class Results(unittest.TestCase):
     def test_numbers_and_arrays_are_those_of_the_program(self):
         case = rollfem.Case(SMALL).with_(longitudinal_creepage=[0.0, 0.002])

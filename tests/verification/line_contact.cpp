@@ -3,7 +3,6 @@
 // Hertz and Carter in closed form, antiplane shear, Bentall and Johnson's and Spence's unlike
 // bodies (reference/benchmarks.md, 2, 4 and 5), Nowell and Hills's rollers by quadrature, and the
 // quantities relative to the reference distance.
-#include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/scene/scene.hpp"
@@ -202,23 +201,6 @@ TEST(LineContact, OfFiniteWidthShiftsAsTheMiddleOfALineLoad) {
   EXPECT_EQ(x.no_bar.count("elastic_energy"), 0U);
 }
 
-TEST(LineContact, OfFiniteWidthIsAnElementOfContact) {
-  // CONTACT 2707, one row of elements of 200 mm, whose layer yields: shift -1.976e-3 mm, approach
-  // 6.492e-3 mm, elastic energy 0.1221 J.
-  const PointResult point =
-      run("[load]\nnormal_force = 35780.0\n[friction]\ncoefficient = 0.5\n"
-          "[layer]\nyield_stress = 35.0\nhardening = 123e3\n"
-          "[wheel]\nyoung_modulus = 209920.0\npoisson_ratio = 0.28\n"
-          "[rail]\nyoung_modulus = 209920.0\npoisson_ratio = 0.28\n"
-          "[geometry]\nshape = \"line\"\nrelative_radius = 500.0\nwidth = 200.0\n"
-          "reference_distance = inf\n[rolling]\nproblem = \"shift\"\nlongitudinal_force = 10734.0\n"
-          "[contact_grid]\ncell_size = [0.08, 200.0]\nextent = [2.4, 200.0]\n")
-          .points.at(0);
-  EXPECT_NEAR(point.longitudinal_shift, -1.976e-3, 1e-6);
-  EXPECT_NEAR(point.approach, 6.492e-3, 1e-6);
-  EXPECT_NEAR(*point.elastic_energy, 122.1, 0.1);
-}
-
 constexpr double unlike_load = 16.2019;  // N/mm
 
 /// Aluminium on steel, rollers of 50 mm, a = 0.1 mm; F_x of the wheel over mu P. CONTACT's creepage
@@ -382,30 +364,6 @@ TEST(LineContact, RollsFromCattaneosShiftToCartersSteadyState) {
   EXPECT_NEAR(last.longitudinal_force / steady.longitudinal_force, 1.0, 0.02);
   EXPECT_LT(std::abs(history.points[0].longitudinal_force),
             0.5 * std::abs(steady.longitudinal_force));
-}
-
-/// Rubber on a small roller: Hertz's half width sqrt(4 F R / (pi E* l)) is 41 mm at R = 35 mm.
-TEST(LineContact, APatchLongerThanTheBodyIsSaidBeforeItsReference) {
-  const std::string roller = R"(
-[load]
-normal_force = 380.0
-[friction]
-coefficient = 0.0
-[wheel]
-young_modulus = 0.275
-poisson_ratio = 0.475
-[rail]
-young_modulus = inf
-[geometry]
-shape = "line"
-width = 28.0
-relative_radius = 35.0
-[rolling]
-problem = "frictionless"
-)";
-  const std::string message = testing::refusal<contact::InputError>([&] { run(roller); });
-  EXPECT_TRUE(testing::says(message, "the patch of 82.", "relative radius is 35 mm", "do: check"));
-  EXPECT_FALSE(testing::says(message, "reference_distance"));
 }
 
 TEST(LineContact, OtherModelsSayThatTheyCannotTakeIt) {

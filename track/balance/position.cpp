@@ -6,15 +6,12 @@
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "track/balance/root.hpp"
-#include "track/motion/placed_scenes.hpp"
 #include "track/motion/wheelset_motion.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <utility>
 
 namespace rollfem::track {
 
@@ -172,14 +169,14 @@ class Position {
     set_beside(wheel, {halfspace::load_at(scenes_of(wheel), sinking)});
   }
 
-  /// At load point k; zero where the forces are not known yet.
-  static std::vector<halfspace::FrictionRatio> friction_of(const Wheel& wheel, std::size_t k) {
-    std::vector<halfspace::FrictionRatio> ratios;
-    for (const Patch& patch : wheel.patches) {
-      ratios.emplace_back();
-      if (k < patch.force.size() && patch.force[k].normal > 0.0)
-        ratios.back() = {patch.force[k].longitudinal / patch.force[k].normal,
-                         patch.force[k].lateral / patch.force[k].normal};
+  /// Friction at load point k; null: none.
+  static std::vector<halfspace::FrictionRatio> ratios_of(const Wheel& wheel, const std::size_t* k) {
+    std::vector<halfspace::FrictionRatio> ratios(k != nullptr ? wheel.patches.size() : 0);
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+      const auto& force = wheel.patches[i].force;
+      if (*k >= force.size() || !(force[*k].normal > 0.0)) continue;
+      const double part = 1.0 / force[*k].normal;
+      ratios[i] = {part * force[*k].longitudinal, part * force[*k].lateral};
     }
     return ratios;
   }
@@ -244,12 +241,10 @@ class Position {
     };
     // Geometry and elasticity determine the sharing; friction changes the force to be shared.
     const std::vector<contact::Scene> scenes = scenes_of(wheel);
-    const auto friction =
-        k != nullptr ? friction_of(wheel, *k) : std::vector<halfspace::FrictionRatio>{};
     double to_share = load;
     constexpr int most_steps = 50;
     for (int step = 0; step < most_steps; ++step) {
-      halfspace::SharedLoad shared = halfspace::share_load(scenes, to_share, friction);
+      halfspace::SharedLoad shared = halfspace::share_load(scenes, to_share, ratios_of(wheel, k));
       const double sum = carried(shared);
       if (!(sum > 0.0)) refuse_lift(wheel);
       if (std::abs(sum - load) < 0.1 * load_tolerance * load) return shared;
