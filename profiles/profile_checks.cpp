@@ -104,13 +104,21 @@ std::vector<double> heights_by_width(const ProfilePoints& points) {
 }
 
 /// The wheel's flange and the sides of the rail's head must point from the tread towards +z. A
-/// flange measured on both sides is a valley of the heights, whatever else reaches far up or down,
-/// but for a tread between two flanges, on which most of the width lies.
+/// flange measured on both sides is a valley of the heights, whatever else reaches far up or down;
+/// a tread between two flanges is wider.
 void check_upward(const ProfilePoints& points, const ProfileSource& source, bool wheel) {
+  const auto [least_y, largest_y] = range(points, &ListedPoint::y);
+  const double widest_flange = 0.6 * (largest_y - least_y);
   const auto valley = [&](double sign) {
     std::vector<double> heights;
     for (const ListedPoint& point : points.list) heights.push_back(sign * point.z);
-    return deepest_valley(heights).depth;
+    const Valley found = deepest_valley(heights);
+    const double near = heights[found.bottom] - std::min(0.5 * found.depth, least_flange);
+    std::size_t first = found.bottom, last = found.bottom;
+    while (first > found.left && heights[first - 1] > near) --first;
+    while (last < found.right && heights[last + 1] > near) ++last;
+    const double width = std::abs(points.list[last].y - points.list[first].y);
+    return width < widest_flange ? found.depth : 0.0;
   };
   const double flange = wheel ? valley(1.0) : 0.0, reverse_flange = wheel ? valley(-1.0) : 0.0;
   const double level = median(heights_by_width(points));
@@ -118,7 +126,7 @@ void check_upward(const ProfilePoints& points, const ProfileSource& source, bool
   const double above = level - lowest;
   constexpr double clear = 2.0;  // mm; a lower one may be a measured tread without flange
   if (std::max(flange, reverse_flange) > least_flange
-          ? flange > reverse_flange || above < 0.5 * reverse_flange
+          ? flange > reverse_flange
           : above <= clear || above <= 1.5 * (highest - level))
     return;
   throw PointFault{0,
@@ -129,16 +137,21 @@ void check_upward(const ProfilePoints& points, const ProfileSource& source, bool
                    {repair("flip", &ProfileSource::flip, !source.flip)}};
 }
 
-/// The flange is at small y.
+/// The flange, or one of two, is at small y.
 void check_side(const ProfilePoints& points, const ProfileSource& source) {
   const auto [lowest, highest] = range(points, &ListedPoint::z);
-  if (highest - median(heights_by_width(points)) < least_flange) return;
+  const double level = median(heights_by_width(points));
+  if (highest - level < least_flange) return;
   // The last of several equal heights.
   const auto tip =
       std::find_if(points.list.rbegin(), points.list.rend(),
                    [top = highest](const ListedPoint& point) { return point.z == top; });
   const auto [left, right] = range(points, &ListedPoint::y);
-  if (tip->y <= 0.5 * (left + right)) return;
+  const double middle = 0.5 * (left + right);
+  if (std::any_of(points.list.begin(), points.list.end(), [&](const ListedPoint& point) {
+        return point.y <= middle && point.z - level >= least_flange;
+      }))
+    return;
   throw PointFault{0,
                    fmt::format("the flange is on the wrong side, at y = {:.4g} mm (the points span "
                                "{:.4g} to {:.4g} mm)",

@@ -175,6 +175,15 @@ TEST(ProfileReading, AWheelIsKnownToBeUpsideDownByItsFlange) {
   }
 }
 
+TEST(ProfileReading, AWheelWithTwoFlangesIsNotUpsideDown) {
+  Points points;
+  for (double y = -40.0; y <= 40.0; y += 0.5)
+    points.push_back({y, std::max(0.0, 2.0 * (std::abs(y) - 28.0))});
+  ProfileSource source;
+  source.largest_kink = 100.0;
+  EXPECT_NO_THROW(read(columns(points), true, source));
+}
+
 TEST(ProfileReading, AMiniprofFileOfSeveralProfilesIsReadByItsSection) {
   const std::string rail = columns(points_of("60E1"));
   const std::string text = "ProgramName=MiniProf\nColumnDef=X,Y\n[Profile1Points]\n" + rail +
