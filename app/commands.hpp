@@ -38,6 +38,7 @@ struct Call {
   std::string drawn_directory = {};
   std::string page = {};
   std::string cache_action = "list";
+  bool undrawn = false;  ///< a report or figure that was wanted
 };
 
 /// Adds the repeatable option `--set KEY=VALUE`.

@@ -9,13 +9,13 @@
 #include "models/program/provenance.hpp"
 #include "models/program/version.hpp"
 #include "models/registry.hpp"
+#include "postprocess/files/files_together.hpp"
 #include "postprocess/write/case_schema.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace rollfem::app {
@@ -30,12 +30,7 @@ void new_case(const std::string& file, const contact::ModelRegistry& models) {
   if (std::filesystem::exists(file))
     throw contact::InputError(
         fmt::format("new-case: {} already exists; do: name another file", file));
-  std::ofstream stream(file);
-  stream << contact::case_template(modelling::model_words(models));
-  stream.close();
-  if (!stream)
-    throw contact::InputError(
-        fmt::format("new-case: {} cannot be written; do: name another file", file));
+  postprocess::write_file(file, contact::case_template(modelling::model_words(models)));
 }
 
 void draw_report(const std::string& directory) {
@@ -105,7 +100,7 @@ void add_geometry_commands(CLI::App& program, Call& call) {
       "folder for the table (.csv) and the figure (.svg) (default: results/<name>_profile)");
   add_json_flag(*profile, call.profile.json);
   profile->footer("example: rollfem profile S1002 -o /tmp/profile");
-  profile->callback([&call] { app::profile(call.profile); });
+  profile->callback([&call] { app::profile(call.profile, call.undrawn); });
 
   CLI::App* wheelset = program.add_subcommand(
       "wheelset",
@@ -119,7 +114,7 @@ void add_geometry_commands(CLI::App& program, Call& call) {
   add_json_flag(*wheelset, call.wheelset.json);
   add_set_option(*wheelset, call.wheelset.changes);
   wheelset->footer("example: rollfem wheelset cases/manchester_A22.toml");
-  wheelset->callback([&call] { app::wheelset(call.wheelset, call.models); });
+  wheelset->callback([&call] { app::wheelset(call.wheelset, call.models, call.undrawn); });
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ void add_stress_command(CLI::App& program, Call& call) {
   stress->footer(
       "example: rollfem stress results/thesis_a --yield-strength 520 --places places.toml\n"
       "x along rolling, y lateral, z into the wheel: z > 0 in the wheel, z < 0 in the rail.");
-  stress->callback([&call] { app::stress(call.stress, call.models); });
+  stress->callback([&call] { app::stress(call.stress, call.models, call.undrawn); });
 }
 
 }  // namespace rollfem::app

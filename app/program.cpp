@@ -144,6 +144,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
     request->command = joined(argc, argv);
     request->argc = argc;
     request->argv = argv;
+    request->undrawn = &call.undrawn;
   }
   call.mesh.argc = argc;
   call.mesh.argv = argv;
@@ -168,7 +169,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   if (!std::cout && !reader_is_gone())
     throw contact::InputError(
         "standard output cannot be written; do: check whether its disk is full");
-  return 0;
+  return call.undrawn ? 1 : 0;
 }
 
 /// Process 0 reports the failure. The others wait for it to end them through mpirun, and report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Implements rollfem.h: unit conversion, and exceptions as status and text.
 #include "capi/guarded.hpp"
+#include "capi/units.hpp"
 #include "capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
@@ -17,6 +18,8 @@ using rollfem::capi::PatchForces;
 using rollfem::capi::SolvedPatch;
 using rollfem::capi::SolvedWheel;
 using rollfem::capi::taken;
+using rollfem::capi::Units;
+using rollfem::capi::units_of;
 using rollfem::capi::wanted;
 using rollfem::capi::WheelDerivatives;
 using rollfem::capi::WheelRailPair;
@@ -29,28 +32,6 @@ namespace {
 /// force.
 constexpr std::size_t first_definition = offsetof(rollfem_definition, kinetic_coefficient);
 constexpr std::size_t first_state = offsetof(rollfem_state, given);
-
-/// The caller's units in mm and N.
-struct Units {
-  double length = 1.0;
-  double force = 1.0;
-  double stress() const { return force / (length * length); }
-};
-
-Units units_of(rollfem_units units) {
-  switch (units) {
-    case ROLLFEM_MM_N:
-      return {1.0, 1.0};
-    case ROLLFEM_M_N:
-      return {1e3, 1.0};
-    case ROLLFEM_MM_KN:
-      return {1.0, 1e3};
-  }
-  throw contact::InputError(fmt::format(
-      "units = {}: is not known; allowed: ROLLFEM_MM_N, ROLLFEM_M_N, ROLLFEM_MM_KN; do: "
-      "fill the definition with rollfem_defaults",
-      static_cast<int>(units)));
-}
 
 const char* name_of(rollfem_side side) {
   if (side == ROLLFEM_LEFT) return "left";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Implements rollfem.h: tables of creep forces.
 #include "capi/guarded.hpp"
+#include "capi/units.hpp"
 #include "tables/files/table_files.hpp"
 
 #include "rollfem/rollfem.h"
@@ -12,6 +13,7 @@ struct rollfem_table {
 
 using rollfem::capi::Given;
 using rollfem::capi::taken;
+using rollfem::capi::units_of;
 using rollfem::capi::wanted;
 
 namespace {
@@ -64,9 +66,7 @@ rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
         const rollfem_shifted_wheel of = taken(wheel, "wheel", "a wheel at a lateral shift",
                                                offsetof(rollfem_shifted_wheel, load));
         const auto& reader = reader_of(table);
-        // The caller's units in mm and N.
-        const double length = of.units == ROLLFEM_M_N ? 1e3 : 1.0;
-        const double newtons = of.units == ROLLFEM_MM_KN ? 1e3 : 1.0;
+        const auto [length, newtons] = units_of(of.units);
         const rollfem::tables::TablePlace asked{length * of.lateral_shift, newtons * of.load,
                                                 length * of.speed};
         const auto place = reader.wheel_at({asked.first, asked.load});

@@ -220,13 +220,15 @@ void warn_of_doubts(const contact::Case& input) {
     std::cerr << "warning: " << doubt << '\n';
 }
 
-bool report_drawn(const std::string& directory) {
+bool report_drawn(const ComputingRequest& request, const std::string& directory) {
+  if (!request.report) return false;
   const std::string problem =
       postprocess::make_report(directory, modelling::script_directory().string());
-  if (!problem.empty())
-    std::cerr << "warning: the results were written, but the report was not drawn: " << problem
-              << '\n';
-  return problem.empty();
+  if (problem.empty()) return true;
+  std::cerr << "warning: the results were written, but the report was not drawn: " << problem
+            << '\n';
+  if (request.undrawn != nullptr) *request.undrawn = true;
+  return false;
 }
 
 }  // namespace rollfem::app

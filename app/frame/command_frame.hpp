@@ -26,12 +26,13 @@ struct ComputingRequest {
   std::vector<std::string> changes;  ///< of keys, from --set
   std::string directory;             ///< empty: a folder of results/
   bool quiet = false;
-  bool resume = false;   ///< continue an interrupted run
-  contact::Share share;  ///< --part: part of the work to do and store, without a result
-  int merge = 0;         ///< --merge: number of parts to put together
-  bool report = true;    ///< draw figures and page, which takes some seconds
-  std::string command;   ///< the whole call, for provenance
-  int argc = 0;          ///< of main, for MPI
+  bool resume = false;      ///< continue an interrupted run
+  contact::Share share;     ///< --part: part of the work to do and store, without a result
+  int merge = 0;            ///< --merge: number of parts to put together
+  bool report = true;       ///< draw figures and page, which takes some seconds
+  bool* undrawn = nullptr;  ///< set if that fails
+  std::string command;      ///< the whole call, for provenance
+  int argc = 0;             ///< of main, for MPI
   char** argv = nullptr;
 };
 
@@ -103,7 +104,7 @@ void refuse_other_result(const std::filesystem::path& directory, const std::stri
 /// Warns of values in the case that look like unit mistakes, even with -q.
 void warn_of_doubts(const contact::Case& input);
 
-/// Draws figures and report of a written folder. If it returns false, it has warned why.
-bool report_drawn(const std::string& directory);
+/// Draws figures and report of a written folder if they are wanted. Warns if that fails.
+bool report_drawn(const ComputingRequest& request, const std::string& directory);
 
 }  // namespace rollfem::app

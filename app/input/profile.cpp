@@ -220,30 +220,31 @@ void print(const std::vector<NamedProfile>& profiles) {
   print_result(json.dump(1));
 }
 
-void draw_and_tell(const fs::path& file) {
+void draw_and_tell(const fs::path& file, bool& undrawn) {
   const std::string problem =
       postprocess::make_report(file.string(), modelling::script_directory().string());
   if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
+  undrawn = undrawn || !problem.empty();
   std::cout << "table:  " << file.string() << '\n';
   if (problem.empty())
     std::cout << "figure: " << fs::path(file).replace_extension(".svg").string() << '\n';
 }
 
 /// For a case with both profiles: draws wheel on rail and prints their contacts.
-void tell_pair(const contact::Case& input, const fs::path& folder) {
+void tell_pair(const contact::Case& input, const fs::path& folder, bool& undrawn) {
   if (!input.has_profiles()) return;
   const track::SearchScene search = track::search_scene_of(input);
   std::cout << "where wheel and rail touch\n" << modelling::contacts_text(input, search);
   for (const auto& [name, table] : modelling::pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");
     postprocess::replace_file(file, table);
-    draw_and_tell(file);
+    draw_and_tell(file, undrawn);
   }
 }
 
 }  // namespace
 
-void profile(const ProfileRequest& request) {
+void profile(const ProfileRequest& request, bool& undrawn) {
   const std::vector<NamedProfile> profiles = asked_for(request);
   if (request.json) print(profiles);
   if (request.json && request.directory.empty()) return;
@@ -257,10 +258,10 @@ void profile(const ProfileRequest& request) {
           file.string()));
     postprocess::replace_file(file, table(profile));
     std::cout << described(profile) << list(profile.curve);
-    draw_and_tell(file);
+    draw_and_tell(file, undrawn);
   }
   if (fs::path(request.name).extension() == ".toml" && request.wheel == request.rail)
-    tell_pair(contact::read_case(request.name), folder);
+    tell_pair(contact::read_case(request.name), folder, undrawn);
 }
 
 }  // namespace rollfem::app

@@ -17,6 +17,6 @@ struct ProfileRequest {
 
 /// Writes profile.csv and profile.svg (of a case wheel.csv, wheel.svg, rail.csv, rail.svg) and
 /// prints the table. Throws contact::InputError and then writes nothing.
-void profile(const ProfileRequest& request);
+void profile(const ProfileRequest& request, bool& undrawn);
 
 }  // namespace rollfem::app

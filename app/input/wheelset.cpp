@@ -136,7 +136,7 @@ void tell(const WheelsetRequest& request, const contact::Case& input,
 
 }  // namespace
 
-void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models) {
+void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models, bool& undrawn) {
   const contact::Case input =
       contact::read_case(request.case_file, modelling::model_words(models), request.changes);
   check(request, input);
@@ -156,6 +156,7 @@ void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& mode
   const std::string problem =
       postprocess::make_report(table.string(), modelling::script_directory().string());
   if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
+  undrawn = !problem.empty();
   std::cout << "\ntable:  " << table.string() << '\n';
   if (problem.empty()) std::cout << "figure: " << (folder / "wheelset.svg").string() << '\n';
 }

@@ -26,6 +26,6 @@ void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord
 
 /// Prints the table, writes wheelset.csv and draws wheelset.svg. Throws contact::InputError if the
 /// case has no profiles, contact::SolveError if the wheelset does not stand on the track.
-void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models);
+void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models, bool& undrawn);
 
 }  // namespace rollfem::app

@@ -191,7 +191,7 @@ void write_data(const CompareRequest& request, const postprocess::ComparisonReco
 
 void report_and_tell(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
   const fs::path directory = directory_of(request);
-  const bool drawn = request.report && report_drawn(directory.string());
+  const bool drawn = report_drawn(request, directory.string());
   if (request.quiet) return;
   std::vector<postprocess::CaseStandings> all;
   for (const ComparedCase& compared : record.cases) {

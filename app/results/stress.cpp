@@ -39,7 +39,7 @@ void remove_figures(const fs::path& folder) {
 
 }  // namespace
 
-void stress(const StressCommand& request, const contact::ModelRegistry& models) {
+void stress(const StressCommand& request, const contact::ModelRegistry& models, bool& undrawn) {
   std::vector<std::string> warnings;
   const postprocess::StressReport report = modelling::stored_stress(request, models, warnings);
   if (request.json) {
@@ -61,6 +61,7 @@ void stress(const StressCommand& request, const contact::ModelRegistry& models) 
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
   if (!problem.empty())
     std::cerr << "warning: stresses are written, but figures were not drawn: " << problem << '\n';
+  undrawn = !problem.empty();
   if (!request.quiet)
     std::cout << stress_table(report) << "\nstresses: " << folder.string()
               << " (stress.csv, stress.json"

@@ -18,6 +18,6 @@ struct StressCommand : modelling::StressRequest {
 
 /// Writes stress.csv, stress.json and figures, prints a table. Throws contact::InputError; nothing
 /// is written then.
-void stress(const StressCommand& request, const contact::ModelRegistry& models);
+void stress(const StressCommand& request, const contact::ModelRegistry& models, bool& undrawn);
 
 }  // namespace rollfem::app

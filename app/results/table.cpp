@@ -123,7 +123,7 @@ void write_and_tell(const TableRequest& request, const CreepTable& table, double
   files.write("interpolation.csv", tables::interpolation_csv(table));
   if (table.over_shifts()) files.write("shifts.csv", tables::shifts_csv(table));
   files.commit();
-  const bool drawn = request.report && report_drawn(directory.string());
+  const bool drawn = report_drawn(request, directory.string());
   if (request.quiet) return;
   std::cout << summary_of(table, seconds) << "\nresults: " << directory.string() << '\n';
   if (drawn) std::cout << "report:  " << (directory / "table.html").string() << '\n';

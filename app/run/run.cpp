@@ -72,7 +72,7 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
                     const contact::ModelRegistry& models) {
   const fs::path directory = output_directory(request);
   store_results(directory.string(), record);
-  const bool drawn = request.report && report_drawn(directory.string());
+  const bool drawn = report_drawn(request, directory.string());
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n"
             << run_table(record.models)

@@ -32,7 +32,7 @@ void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord&
   files.write("study.json", postprocess::study_json(record));
   files.write("study.csv", postprocess::study_csv(record));
   files.commit();
-  const bool drawn = request.report && report_drawn(directory);
+  const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << record.title << "\n\n" << postprocess::study_table(record);
   for (const std::string& note : record.notes) std::cout << '\n' << note << '\n';

@@ -253,8 +253,12 @@ class Case:
 
     def __getitem__(self, name: str) -> Any:
         """case["friction.coefficient"], or a section as a dict. KeyError for keys the case does not set."""
+        if not isinstance(name, str):
+            raise InputError(f"case[{name!r}]: allowed: names of keys and sections, as \"friction.coefficient\"")
         found: Any = self._data
         for part in name.split("."):
+            if not isinstance(found, dict):
+                raise KeyError(name)
             found = found[part]
         return copy.deepcopy(found)
 

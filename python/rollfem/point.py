@@ -151,6 +151,10 @@ def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:
     --------
     >>> rollfem.stress_measures(point.subsurface[0]["stress"])["von_mises"].max()
     """
+    try:
+        stress = np.asarray(stress, dtype=float)
+    except (TypeError, ValueError):
+        raise _core.InputError(f"stress_measures({stress!r:.60}): allowed: numbers, six along the last axis") from None
     return _core.stress_measures(stress)
 
 

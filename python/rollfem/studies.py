@@ -184,6 +184,8 @@ def study(case: Any, /, *, model: str | None = None, models: Any = None, vary: s
     def listed(words: str | Sequence[str]) -> list[str]:
         return [words] if isinstance(words, str) else list(words)
 
+    if not hasattr(levels, "__index__") or abs(levels) >= 2**31:
+        raise _core.InputError(f"study: levels = {levels!r}: allowed: a whole number")
     names = names_of(model, models)
     try:
         contents, text, said = _core.study(checked(case).core, names, listed(vary), together, levels, listed(reference),

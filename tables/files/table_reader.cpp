@@ -210,9 +210,12 @@ TableForces CreepTableReader::of_wheel(const TablePlace& place, double friction_
   const Place here = locate(place);
   const auto on = [&](const Side& side) {
     const TableWheel wheel = wheel_of(side);
-    refuse_other_bound(friction_bound, table_.friction_coefficient * wheel.normal_force);
+    const double own = table_.friction_coefficient * wheel.normal_force;
+    if (&side == &here.near) refuse_other_bound(friction_bound, own);
+    // A table for one bound only has another one beyond a jump.
+    const double bound = table_.only_for.empty() ? friction_bound : own;
     const double c2 = wheel.semi_axis_x * wheel.semi_axis_y;
-    return unscaled(side, table_.shear_modulus * c2, std::sqrt(c2), friction_bound, creepage);
+    return unscaled(side, table_.shear_modulus * c2, std::sqrt(c2), bound, creepage);
   };
   TableForces found = on(here.near);
   if (here.beyond) widen(found, on(*here.beyond));

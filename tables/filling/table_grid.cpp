@@ -124,10 +124,12 @@ void check_wheel(const contact::Case& input) {
     refuse_key(
         "wheelset.side = \"both\": a table holds one wheel; allowed: \"left\" or "
         "\"right\"; do: make a table for each");
-  if (input.wheelset.yaw.size() > 1 || input.wheelset.roll.size() > 1)
+  if (input.wheelset.positions() > 1 || input.wheelset.yaw.size() > 1 ||
+      input.wheelset.roll.size() > 1)
     refuse_key(
-        "wheelset.yaw, wheelset.roll: are lists; allowed: one value with table.lateral_shift; do: "
-        "make a table for each");
+        "wheelset.lateral_shift, wheelset.yaw or wheelset.roll: is a list; allowed: one value "
+        "with table.lateral_shift; do: give shifts under [table] alone, make a table for each yaw "
+        "and roll");
   if (input.rolling.problem != contact::Problem::steady)
     refuse_key("rolling.problem: a table holds steady rolling; allowed: \"steady\"; do: remove it");
   if (!(input.friction_coefficient > 0.0))

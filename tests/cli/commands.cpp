@@ -55,7 +55,12 @@ TEST(NewCase, WritesANewFileButNeverOverAnother) {
   done(folder, {"new-case", "-o", "new.toml"});
   done(folder, {"check", "new.toml"});
   expect_refused(call(folder, {"new-case", "-o", "new.toml"}), "already exists");
-  expect_refused(call(folder, {"new-case", "-o", "no/such/folder.toml"}), "cannot be written");
+  expect_refused(call(folder, {"new-case", "-o", "no/such/folder.toml"}), "cannot write");
+  // A file that does not fit is not left truncated.
+  const Outcome full = execute(folder, {"/bin/sh", "-c", "ulimit -f 4; exec \"$0\" \"$@\"",
+                                        ROLLFEM_PROGRAM, "new-case", "-o", "full.toml"});
+  expect_refused(full, "ulimit -f");
+  EXPECT_FALSE(folder.holds("full.toml"));
 }
 
 TEST(Docs, CommittedPagesAreTheGeneratedOnes) {

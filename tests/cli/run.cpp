@@ -22,6 +22,20 @@ bool has_control_characters(const std::string& text) {
   });
 }
 
+TEST(Run, AReportThatCouldNotBeDrawnIsStatus1WithTheResultsWritten) {
+  const Folder folder;
+  const std::string file = folder.file("quick.toml", quick_run);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"run", file, "-o", "out"}, {"profile", "S1002", "-o", "out"}}) {
+    EXPECT_EQ(call(folder, words).status, 0) << words[0];
+    const Outcome outcome = call(folder, words, {"ROLLFEM_PYTHON=/nowhere/python3"});
+    EXPECT_EQ(outcome.status, 1) << words[0];
+    EXPECT_TRUE(says(outcome.err, "not drawn: ")) << outcome.err;
+  }
+  EXPECT_TRUE(fs::exists(folder.work() / "out/summary.json"));
+  EXPECT_TRUE(fs::exists(folder.work() / "out/profile.csv"));
+}
+
 TEST(Run, LeavesResultsAndSaysWhere) {
   const Folder folder;
   const Outcome outcome = done(folder, {"run", folder.file("quick.toml", quick_run)});

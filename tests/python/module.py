@@ -122,8 +122,12 @@ class Cases(unittest.TestCase):
         for call in (lambda: rollfem.solve(SMALL, models=[]), lambda: rollfem.solve(SMALL, models=5),
                      lambda: rollfem.Case(5), lambda: rollfem.Case(endless), lambda: rollfem.Case(SMALL).with_(5),
                      lambda: rollfem.Case(SMALL).with_({5: 1}), lambda: rollfem.Case(SMALL).with_(models={"x": None}),
-                     lambda: rollfem.read("/dev/zero")):
+                     lambda: rollfem.read("/dev/zero"), lambda: rollfem.Case(SMALL)[1],
+                     lambda: rollfem.stress_measures("abc"), lambda: rollfem.stress_measures([{}] * 6),
+                     lambda: rollfem.study(SMALL, levels="a"), lambda: rollfem.study(SMALL, levels=1e1),
+                     lambda: rollfem.study(SMALL, levels=10**12)):
             self.assertRaises(rollfem.InputError, call)
+        self.assertRaises(KeyError, rollfem.Case(SMALL).__getitem__, "load.normal_force.value")
 
     def test_a_slip_of_units_warns(self):
         with self.assertWarns(rollfem.UnitWarning):

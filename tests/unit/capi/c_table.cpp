@@ -9,6 +9,7 @@
 #include "support/temporary_folder.hpp"
 #include <atomic>
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <thread>
@@ -129,6 +130,26 @@ TEST(CTable, OfShiftsSaysWhatTheTableSaysInEveryUnit) {
     EXPECT_NEAR(length * forces.rolling_radius, 449.6, 1e-10);
     EXPECT_NEAR(forces.contact_angle, 0.12, 1e-14);
     EXPECT_EQ(forces.jumps, 0);
+  }
+}
+
+TEST(CTable, OfShiftsRefusesUnknownUnits) {
+  const rollfem::testing::TemporaryFolder folder;
+  const CreepTable truth = rollfem::testing::table_of_shifts(3);
+  const Table table = opened(folder.file("table.h5", tables::table_hdf5(truth)));
+  ASSERT_NE(table, nullptr);
+  char message[500];
+  rollfem_shifted_wheel wheel{};
+  wheel.struct_size = sizeof wheel;
+  for (const int units : {3, 9, -1}) {
+    std::memcpy(&wheel.units, &units, sizeof units);
+    rollfem_wheel_forces forces;
+    forces.struct_size = sizeof forces;
+    EXPECT_EQ(rollfem_table_wheel_forces(table.get(), &wheel, &forces, message, sizeof message),
+              ROLLFEM_REFUSED);
+    EXPECT_NE(std::strstr(message, "units = "), nullptr) << message;
+    EXPECT_NE(std::strstr(message, "ROLLFEM_MM_KN"), nullptr) << message;
+    EXPECT_EQ(forces.normal_force, 0.0);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "support/temporary_folder.hpp"
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace {
 
@@ -106,6 +107,27 @@ TEST(ShiftedTable, PhysicalForcesAreThoseOfTheScaledCreepages) {
                                            found.forces[1] - other.forces[1],
                                            found.along_normal - other.along_normal),
               1e-8);
+}
+
+TEST(ShiftedTable, BeyondAJumpATableForOneFrictionBoundHasAnotherOne) {
+  CreepTable table = table_of_shifts(4);
+  table.only_for = "falling friction";
+  for (std::size_t k = 3; k < 5; ++k) table.wheels[k].normal_force = 52e3;
+  const CreepTableReader reader(table);
+  const Scaled creepage{2e-4, -1e-4, 3e-5};
+  const auto left = reader.of_wheel(1.0, 15e3, creepage);
+  const auto right = reader.of_wheel(2.0, 15.6e3, creepage);
+  const double force =
+      std::hypot(left.forces[0] - right.forces[0], left.forces[1] - right.forces[1],
+                 left.along_normal - right.along_normal);
+  for (const auto& [shift, bound, side] : {std::tuple{1.2, 15e3, left}, {1.8, 15.6e3, right}}) {
+    const auto found = reader.of_wheel(shift, bound, creepage);
+    EXPECT_EQ(found.forces, side.forces);
+    EXPECT_NEAR(found.force_bar, side.force_bar + force, 1e-8);
+  }
+  // The bound of the other side stays refused.
+  EXPECT_THROW(reader.of_wheel(1.2, 15.6e3, creepage), contact::InputError);
+  EXPECT_THROW(reader.of_wheel(1.8, 15e3, creepage), contact::InputError);
 }
 
 TEST(ShiftedTable, RefusesShiftsOutsideAndQuestionsOfTheOtherKind) {

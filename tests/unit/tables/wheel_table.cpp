@@ -250,6 +250,10 @@ TEST(WheelTable, WrongInputIsSaid) {
   expect_refused(changed([](auto& c) { c.wheelset.side = contact::WheelSide::both; }),
                  "wheelset.side");
   expect_refused(changed([](auto& c) { c.wheelset.yaw = {0.0, 0.01}; }), "wheelset.yaw");
+  expect_refused(changed([](auto& c) {
+                   c.wheelset.lateral_shift = {0.0, 1.0};
+                 }),
+                 "shifts under [table]");
   expect_refused(changed([](auto& c) { c.friction_coefficient = 0.0; }), "friction.coefficient");
   expect_refused(changed([](auto& c) { c.rolling.problem = contact::Problem::frictionless; }),
                  "rolling.problem");
