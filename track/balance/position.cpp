@@ -102,7 +102,7 @@ class Position {
                                     [this](const Wheel& wheel) { return shares(wheel); }));
   }
 
-  /// Alternates between the rotation without torque and the shares of the load with friction.
+  /// Alternates between the free rotation and the shares of the load with friction.
   void settle() {
     constexpr int most_rounds = 30;
     for (int round = 0; round < most_rounds; ++round) {
@@ -303,10 +303,13 @@ class Position {
       patch.force = patch_forces(patch.placed.scene, elements_across_);
   }
 
+  /// To vanish: the moment about the axle, or F_x of a wheel as one.
   double torque(const Wheel& wheel, std::size_t k) const {
     double sum = 0.0;
     for (const Patch& patch : wheel.patches)
-      sum += driving_moment(patch.placed.contact, patch.force[k]);
+      sum += free_ == FreeRolling::force
+                 ? -patch.force[k].longitudinal * input_.wheel.rolling_radius
+                 : driving_moment(patch.placed.contact, patch.force[k]);
     return sum;
   }
   double torque(const std::vector<Wheel>& wheels, std::size_t k) const {
@@ -315,7 +318,7 @@ class Position {
     return sum;
   }
 
-  /// A wheel that turns faster is held back more by the rail: the moment about the axle falls.
+  /// A wheel that turns faster is held back more by the rail: the moment and -F_x fall.
   template <class Driven>
   void find_rotation(Driven& driven) {
     RootOptions options;
@@ -329,7 +332,7 @@ class Position {
       for (std::size_t k = 0; k < rotation.size(); ++k) values.push_back(torque(driven, k));
       return values;
     };
-    rotation_ = falling_roots(torques, rotation_, options, "rotation without torque");
+    rotation_ = falling_roots(torques, rotation_, options, "free rotation");
     turn(rotation_, driven);
   }
 
