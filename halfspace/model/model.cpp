@@ -10,6 +10,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/model/step_errors.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
@@ -216,6 +217,29 @@ std::string set_bars(const Scene& scene, Levels& levels) {
   return warning;
 }
 
+/// On cells of twice the size, because with four elements across the changes are uneven; the
+/// accuracy asked for must hold with these errors too.
+void count_steps(const Scene& scene, const PatchSearch& area, const std::vector<Cell>& cells,
+                 Levels& levels, const contact::Progress& progress,
+                 const GridElasticity& elasticity, ModelResult& result) {
+  if (scene.problem != contact::Problem::transient || !levels.coarse) return;
+  const DividedSteps steps = divided_steps(scene, area.extent().length);
+  const auto divided = coarser_level(steps.scene, area, cells[cells.size() - 2], nullptr, true,
+                                     progress, elasticity);
+  if (!divided) {
+    result.notes.push_back(
+        "error bars leave out the length of the steps: no solution with shorter ones");
+    return;
+  }
+  add_step_errors(levels.coarse->points, divided->points, steps, levels.fine->points);
+  if (!scene.accuracy.relative || !result.shortfall.empty()) return;
+  const contact::WorstError worst =
+      contact::worst_error(scene.accuracy, scene.friction_coefficient(), levels.fine->points);
+  if (worst.error > *scene.accuracy.relative)
+    result.shortfall = contact::shortfall_text(
+        scene.accuracy, worst, "the steps are too long; do: give a smaller history.step_length");
+}
+
 /// Subsurface stresses requested by the case, with their error bars.
 void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& levels,
                   ModelResult& result) {
@@ -321,6 +345,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
                                 rung_of(scene, area, cell), levels.fine->points, result))
       cells.push_back({0.5 * cell.dx, factor_across(scene, 0.5) * cell.dy, 2 * cell.across});
   }
+  count_steps(scene, area, cells, levels, progress, elasticity, result);
   add_stresses(scene, elasticity, levels, result);
   contact::LevelResult& fine = *levels.fine;
   result.grid = fine.grid;

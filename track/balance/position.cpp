@@ -24,17 +24,15 @@ namespace {
 constexpr double load_tolerance = 1e-4;
 /// Torque below this fraction of mu F_z R counts as zero.
 constexpr double torque_tolerance = 1e-5;
-/// Forces are accurate to about half a percent of mu F_z (docs/accuracy.md); their effect on the
-/// balance is smaller by the sine of the contact angle, and the rotation is affected equally by
-/// both wheels.
+/// Forces are good to half a percent of mu F_z (docs/accuracy.md); the sine of the contact angle
+/// lessens their effect on the balance, and the rotation feels both wheels alike.
 constexpr int elements_of_balance = 24;
 
 /// Tangential forces by the half-space on a coarse grid, one for each load point of the scene.
 std::vector<PatchForce> patch_forces(const contact::Scene& scene, int elements_across) {
-  const contact::ModelResult result =
-      halfspace::run_halfspace(halfspace::on_few_elements(scene, elements_across), {});
+  const auto few = halfspace::on_few_elements(scene, elements_across);
   std::vector<PatchForce> forces;
-  for (const contact::PointResult& point : result.points)
+  for (const contact::PointResult& point : halfspace::run_halfspace(few, {}).points)
     forces.push_back(
         {point.longitudinal_force, point.lateral_force, point.normal_force, point.spin_moment});
   return forces;
@@ -99,7 +97,7 @@ class Position {
                                     [this](const Wheel& wheel) { return shares(wheel); }));
   }
 
-  /// Alternates between the rotation without torque and the shares of the load with friction.
+  /// Alternates between the free rotation and the shares of the load with friction.
   void settle() {
     constexpr int most_rounds = 30;
     for (int round = 0; round < most_rounds; ++round) {
@@ -117,9 +115,8 @@ class Position {
                     *input_.load.vertical_force, most_rounds));
   }
 
-  /// Normal forces of all patches of a wheel under its load, and the displacements they cause under
-  /// each other; returns the largest change of a force relative to the load. With friction, the
-  /// tangential forces keep their ratio to the normal force.
+  /// Normal forces of a wheel's patches under its load; returns their largest change relative to
+  /// it. With friction, the tangential forces keep their ratio to the normal force.
   double share(Wheel& wheel, bool friction) {
     if (input_.load.approach) {
       drop_untouched(wheel);
@@ -264,19 +261,19 @@ class Position {
 
   static void drop_unloaded(Wheel& wheel, double load) {
     auto& all = wheel.patches;
-    const auto count_of = [](const Patch& patch) { return patch.placed.scene.points.size(); };
     const auto loaded = [&](const Patch& patch) {
       std::size_t count = 0;
-      for (std::size_t k = 0; k < count_of(patch); ++k)
+      for (std::size_t k = 0; k < patch.placed.scene.points.size(); ++k)
         if (asked_force(patch, k) > load_tolerance * load) ++count;
       return count;
     };
     for (const Patch& patch : all)
-      if (const auto count = loaded(patch); count > 0 && count < count_of(patch))
+      if (const auto count = loaded(patch), of = patch.placed.scene.points.size();
+          count > 0 && count < of)
         throw contact::SolveError(
             fmt::format("the {} wheel: a second patch carries load at only {} of {} load points; "
                         "do: solve these load points in separate cases",
-                        wheel.left ? "left" : "right", count, count_of(patch)));
+                        wheel.left ? "left" : "right", count, of));
     all.erase(std::remove_if(all.begin(), all.end(),
                              [&](const Patch& patch) { return loaded(patch) == 0; }),
               all.end());
@@ -289,7 +286,6 @@ class Position {
   void turn(const std::vector<double>& rotation, Wheel& wheel) {
     for (Patch& patch : wheel.patches) set_rotation_changes(patch.placed, input_, rotation);
   }
-
   void solve(std::vector<Wheel>& wheels) const {
     for (Wheel& wheel : wheels) solve(wheel);
   }
@@ -298,10 +294,13 @@ class Position {
       patch.force = patch_forces(patch.placed.scene, elements_across_);
   }
 
+  /// To vanish: the moment about the axle, or F_x of a wheel as one.
   double torque(const Wheel& wheel, std::size_t k) const {
     double sum = 0.0;
     for (const Patch& patch : wheel.patches)
-      sum += driving_moment(patch.placed.contact, patch.force[k]);
+      sum += free_ == FreeRolling::force
+                 ? -patch.force[k].longitudinal * input_.wheel.rolling_radius
+                 : driving_moment(patch.placed.contact, patch.force[k]);
     return sum;
   }
   double torque(const std::vector<Wheel>& wheels, std::size_t k) const {
@@ -310,7 +309,7 @@ class Position {
     return sum;
   }
 
-  /// A wheel that turns faster is held back more by the rail: the moment about the axle falls.
+  /// A wheel that turns faster is held back more by the rail: the moment and -F_x fall.
   template <class Driven>
   void find_rotation(Driven& driven) {
     RootOptions options;
@@ -324,7 +323,7 @@ class Position {
       for (std::size_t k = 0; k < rotation.size(); ++k) values.push_back(torque(driven, k));
       return values;
     };
-    rotation_ = falling_roots(torques, rotation_, options, "rotation without torque");
+    rotation_ = falling_roots(torques, rotation_, options, "free rotation");
     turn(rotation_, driven);
   }
 
@@ -369,8 +368,7 @@ void add_creepage_errors(const std::vector<contact::Scene>& coarse,
   if (coarse.size() != scenes.size()) return;
   for (std::size_t s = 0; s < scenes.size(); ++s)
     for (std::size_t k = 0; k < scenes[s].points.size() && k < coarse[s].points.size(); ++k) {
-      const contact::Creepage& a = scenes[s].points[k].creepage;
-      const contact::Creepage& b = coarse[s].points[k].creepage;
+      const contact::Creepage &a = scenes[s].points[k].creepage, &b = coarse[s].points[k].creepage;
       const auto error = [](double fine, double rough) {
         return contact::uneven_safety * std::abs(fine - rough);
       };

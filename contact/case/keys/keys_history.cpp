@@ -78,7 +78,9 @@ SectionWithKeys history_section() {
       .unit("mm")
       .positive()
       .otherwise("required by `transient`")
-      .says("Distance that the wheel rolls in each step (transient).")
+      .says(
+          "Distance that the wheel rolls in each step (transient); error bars count it. An element "
+          "or a tenth of the patch is short enough.")
       .into_each(&Case::history, &HistoryStep::step_length);
   return keys;
 }

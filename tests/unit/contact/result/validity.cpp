@@ -187,6 +187,24 @@ TEST(Validity, WarnsOfPatchApproachAndPressureWithTheirFigures) {
   EXPECT_EQ(validity_warnings(scene(), large, bodies).size(), 2u);
 }
 
+TEST(Validity, WarnsOfStepsBeyondAnElementAndATenthOfThePatch) {
+  Scene rolls = scene();
+  rolls.problem = Problem::transient;
+  ModelResult rolled = result();
+  rolled.grid.dx = 0.5;
+  rolled.points[1].contact_length = 10.0;
+  const auto warnings_at = [&](double length) {
+    rolls.points[1].step_length = length;
+    return validity_warnings(rolls, rolled);
+  };
+  EXPECT_TRUE(warnings_at(1.0).empty());
+  ASSERT_EQ(warnings_at(1.5).size(), 1u);
+  EXPECT_TRUE(says(warnings_at(1.5)[0], "warning: ", "1.5 mm against 10 mm", "load point 2", "0.15",
+                   "step_length"));
+  rolled.grid.dx = 2.0;
+  EXPECT_TRUE(warnings_at(1.5).empty());
+}
+
 /// The limit of the patch: the half-space is some 4 % off there, by Persson's closed form at the
 /// same load and clearance.
 TEST(Validity, LimitOfThePatchIsWhereHalfSpacesAreFourPerCentOff) {
