@@ -30,9 +30,10 @@ constexpr int elements_of_balance = 24;
 
 /// Tangential forces by the half-space on a coarse grid, one for each load point of the scene.
 std::vector<PatchForce> patch_forces(const contact::Scene& scene, int elements_across) {
-  const auto few = halfspace::on_few_elements(scene, elements_across);
+  const contact::ModelResult result =
+      halfspace::run_halfspace(halfspace::on_few_elements(scene, elements_across), {});
   std::vector<PatchForce> forces;
-  for (const contact::PointResult& point : halfspace::run_halfspace(few, {}).points)
+  for (const contact::PointResult& point : result.points)
     forces.push_back(
         {point.longitudinal_force, point.lateral_force, point.normal_force, point.spin_moment});
   return forces;
