@@ -130,7 +130,7 @@ def transient(bench):
     rows = [Row("-F_x/F_z after 28.8 mm", "", end, force[-1], 0.008, of=0.55, of_words="mu")]
     figure, axis = plt.subplots(figsize=(4.6, 3.0))
     axis.axhline(end, color=style.GREY, linestyle=(0, (5, 3)), linewidth=1.2, label="steady rolling")
-    axis.plot(distance, force, marker="o", markersize=3.5, color="#0072B2", label="in steps of 1.2 mm")
+    axis.plot(distance, force, marker="o", markersize=3.5, color="#0072B2", label="in steps of 0.9 mm")
     axis.axvline(steady.model("halfspace").points[0]["contact_length"], color=style.GREY, linewidth=0.8,
                  linestyle=(0, (1, 1.5)))
     axis.annotate("length of the patch", (steady.model("halfspace").points[0]["contact_length"], 0.02), rotation=90,
@@ -146,9 +146,9 @@ def transient(bench):
         "([case](../../cases/cattaneo_to_carter.toml)).",
         "the program's own steady solution on the same grid, which is an independent algorithm (no steps) on the same "
         "influence coefficients. With steps of one element the two agree to 5e-5 of mu F_z in the test; here the "
-        "steps are 2.4 elements long.",
+        "steps are 1.8 elements long.",
         rows, figures=[(name, "Force against distance rolled")],
-        cost=[Cost("24 steps", model.seconds["total"], model.unknowns)],
+        cost=[Cost("32 steps", model.seconds["total"], model.unknowns)],
         tests=["verification.TransientRolling.TendsToTheSteadySolutionOfTheSameOrder",
                "verification.TransientRolling.OtherStepsEndWithinTheDiscretisationError",
                "verification.TransientRolling.FromCattaneoToCarterAtConstantForce"])
