@@ -9,12 +9,6 @@
 
 namespace rollfem::halfspace {
 
-using contact::CombinedMaterial;
-using contact::ContactGrid;
-using contact::Field;
-using contact::NeighbourLoad;
-using contact::TangentialField;
-
 namespace {
 
 using contact::pi;
