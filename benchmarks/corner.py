@@ -86,16 +86,19 @@ class Wedge:
         index = (np.repeat(rows, 18, 1).ravel(), np.tile(rows, (1, 18)).ravel())
         return [sparse.csc_matrix((p.ravel(), index))[self.free][:, self.free] for p in parts]
 
-    def displacements(self, outs, along):
-        """mm per N: [direction of the load, place, direction, x], directions x, t (from the load to the place across
-        the edge), n (into the body)."""
+    def across_the_edge(self, outs, along):
+        return self.displacements(2 * self.width * int(np.argmin(abs(self.radii - LOAD_AT))),
+                                  [2 * self.width * i + self.width - 1 for i in outs], along)
+
+    def displacements(self, load, at, along, longest=3e-6, spread=0.0):
+        """mm per N by a load at a node: [direction of the load, node, direction, x], axes of the section. `longest`:
+        smallest wave number, 1/mm; `spread`: standard deviation of the load along the edge, mm."""
         nodes, weights = np.polynomial.legendre.leggauss(34)
-        lower, upper = np.log(3e-6), np.log(2.0)
+        lower, upper = np.log(longest), np.log(2.0)
         k = np.exp(lower + (upper - lower) * (nodes + 1) / 2)
-        load = 2 * self.width * int(np.argmin(abs(self.radii - LOAD_AT)))
-        at = [2 * self.width * i + self.width - 1 for i in outs]
-        found = np.zeros((3, len(outs), 3, len(along)))
-        for wave, weight in zip(k, weights * (upper - lower) / 2 * k / np.pi):
+        weights = weights * (upper - lower) / 2 * k / np.pi * np.exp(-0.5 * (spread * k) ** 2)
+        found = np.zeros((3, len(at), 3, len(along)))
+        for wave, weight in zip(k, weights):
             for sign, loads in ((1, [1, 2]), (-1, [0])):
                 matrix = self.parts[0] + sign * wave * self.parts[1] + wave**2 * self.parts[2]
                 forces = np.zeros((len(self.free), len(loads)))
@@ -104,12 +107,12 @@ class Wedge:
                               options={"SymmetricMode": True})
                 moved = np.zeros((self.size, len(loads)))
                 moved[self.free] = solver.solve(forces)
-                waves = [np.sin(wave * along), np.cos(wave * along), np.cos(wave * along)]
+                factors = [np.sin(wave * along), np.cos(wave * along), np.cos(wave * along)]
                 if sign < 0:
-                    waves = [waves[1], waves[0], waves[0]]
+                    factors = [factors[1], factors[0], factors[0]]
                 for column, d in enumerate(loads):
                     values = moved[:, column].reshape(-1, 3)[at]
-                    found[d] += weight * values[:, :, None] * np.array(waves)[None]
+                    found[d] += weight * values[:, :, None] * np.array(factors)[None]
         return found
 
 
@@ -135,7 +138,7 @@ def samples():
         turn = np.radians(degrees)
         wedge = Wedge(turn, 3e3)
         outs = [i for i, r in enumerate(wedge.radii) if 3.9 < r < 26]
-        found = in_frames(wedge.displacements(outs, ALONG), turn)
+        found = in_frames(wedge.across_the_edge(outs, ALONG), turn)
         rho = np.hypot(LOAD_AT + wedge.radii[outs][:, None], ALONG)
         for kind, (a, b, sign) in kinds.items():
             change = np.pi * G * rho * (found[a, :, b] + sign * found[b, :, a]) - half_space(kind, ALONG / rho)
@@ -159,7 +162,7 @@ def block(size):
     for degrees in (90, -90):
         wedge = Wedge(np.radians(degrees), size)
         outs = [i for i, r in enumerate(wedge.radii) if 4.5 < r < 21]
-        found = in_frames(wedge.displacements(outs, np.zeros(1)), np.radians(degrees))[2, :, 2, 0]
+        found = in_frames(wedge.across_the_edge(outs, np.zeros(1)), np.radians(degrees))[2, :, 2, 0]
         print(f"{degrees} degrees, 10 kN:",
               "; ".join(f"{wedge.radii[i]:.1f} mm {1e7 * u:.2f} um" for i, u in zip(outs, found)))
 

@@ -203,6 +203,11 @@ def profiles():
     yield Case("manchester_curved", "manchester_A22.toml", "near the flange, along the common surface", ["halfspace"],
                {"contact_grid.cell_size": "[0.4, 0.4]", "load.vertical_force": "80e3",
                 "wheelset.lateral_shift": "-5.0", "wheelset.yaw": "0.0", "wheelset.free_rolling": None, **CURVED})
+    yield Case("two_planes", "manchester_A22.toml", "flange and root, which displace each other around a corner",
+               ["fastsim", "halfspace"],
+               {"contact_grid.cell_size": "[0.6, 0.15]", "load.vertical_force": "50e3", "wheelset.lateral_shift": "5.9",
+                "wheelset.yaw": "0.03", "wheelset.roll": "-0.00087", "wheelset.side": '"right"',
+                "wheelset.free_rolling": None})
     yield Case("worn", "worn_hollow.toml", "patches that share the load", ["strip", "halfspace"],
                coarse(20, wheelset__lateral_shift="[0.0, 2.0]", **NO_SLIP))
 

@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "track/balance/balance_record.hpp"
+#include "track/balance/flange_bending.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>
@@ -126,7 +127,9 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
     std::vector<PlacedScene> here;
     for (const PlacedScene& scene : placed.scenes)
       if (scene.contact.place.position == position) here.push_back(scene);
-    for (contact::Scene& patch : kept_or_balanced(input, position, here, kept))
+    std::vector<contact::Scene> patches = kept_or_balanced(input, position, here, kept);
+    for (std::string& note : bending_notes(input, patches)) result.notes.push_back(std::move(note));
+    for (contact::Scene& patch : patches)
       if (asked_for(input, patch.place->left)) result.scenes.push_back(std::move(patch));
     for (const PlacedScene& scene : here)
       if (asked_for(input, scene)) result.placed.push_back(scene);
