@@ -4,6 +4,7 @@
 #include "capi/units.hpp"
 #include "capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/case/case.hpp"
 #include "contact/case/case_reader.hpp"
 
 #include <fmt/format.h>
@@ -57,13 +58,13 @@ std::string quoted(const char* what, const char* text) {
 const char* name_of(rollfem_law law) {
   switch (law) {
     case ROLLFEM_CONSTANT:
-      return "constant";
+      return word_of(contact::FallShape::none);
     case ROLLFEM_LINEAR:
-      return "linear";
+      return word_of(contact::FallShape::linear);
     case ROLLFEM_RATIONAL:
-      return "rational";
+      return word_of(contact::FallShape::rational);
     case ROLLFEM_EXPONENTIAL:
-      return "exponential";
+      return word_of(contact::FallShape::exponential);
   }
   throw contact::InputError(fmt::format(
       "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "

@@ -2,6 +2,7 @@
 #include "convert/equivalent.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/case.hpp"
 
 #include <fmt/format.h>
 
@@ -58,8 +59,10 @@ void fill_coefficients(const ContactCase& given, Equivalent& made) {
               "takes one for a planar contact");
   }
   if (!falls(given) || given.digits.T == 0) return;
-  constexpr std::array<const char*, 3> laws{"linear", "rational", "exponential"};
-  made.set_word("friction", "law", laws.at(static_cast<std::size_t>(given.friction_law - 2)));
+  using contact::FallShape;
+  constexpr std::array laws{FallShape::linear, FallShape::rational, FallShape::exponential};
+  const auto law = laws.at(static_cast<std::size_t>(given.friction_law - 2));
+  made.set_word("friction", "law", word_of(law));
   set("kinetic_coefficient", "", [](const FrictionSet& one) { return one.fkin; });
   set("half_velocity", "mm/s", [](const FrictionSet& one) { return one.fall[1]; });
   const bool second = std::any_of(sets.begin(), sets.end(),
@@ -270,9 +273,10 @@ void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& 
 
 Equivalent equivalent_of(const ContactCase& given, const std::string& profile_folder) {
   Equivalent made;
-  constexpr std::array<const char*, 3> problems{"frictionless", "shift", "transient"};
+  using contact::Problem;
+  constexpr std::array problems{Problem::frictionless, Problem::shift, Problem::transient};
   const auto T = static_cast<std::size_t>(given.digits.T);
-  made.problem = T < problems.size() ? problems[T] : "steady";
+  made.problem = word_of(T < problems.size() ? problems[T] : Problem::steady);
   // P = 1 uses the previous pressure only as a start; friction starts from zero, as with P = 2.
   made.continues = made.history() && given.digits.P == 0;
   judge_digits(given, made);

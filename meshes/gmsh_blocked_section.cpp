@@ -3,6 +3,7 @@
 // exactly, and free quadrilaterals in the remaining polygon around it.
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "meshes/true_section.hpp"
 
 #include <fmt/format.h>
@@ -85,7 +86,7 @@ std::vector<SectionPoint> spaced(const std::vector<SectionPoint>& way,
   double last = std::atan2(fine[1][1] - fine[0][1], fine[1][0] - fine[0][0]);
   for (std::size_t k = 1; k < fine.size(); ++k) {
     const double angle = std::atan2(fine[k][1] - fine[k - 1][1], fine[k][0] - fine[k - 1][0]);
-    const double turn = std::abs(std::remainder(angle - last, 2.0 * 3.14159265358979));
+    const double turn = std::abs(std::remainder(angle - last, 2.0 * contact::pi));
     last = angle;
     measure.push_back(measure.back() + std::max(distance(fine[k - 1], fine[k]) / length(fine[k]),
                                                 turn / largest_turn));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Corners of a profile's points: kinks, at which the curve turns once, and steps, there and back.
 // Error messages name the smallest repair that would help.
+#include "contact/base/pi.hpp"
 #include "profiles/profile_points.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ namespace {
 using contact::ProfileSource;
 
 constexpr double shortest_distance = 1e-6;  // mm
-constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double degree = contact::pi / 180.0;
 /// Marks of corners().
 constexpr char kink = 1, step = 2;
 

@@ -2,13 +2,14 @@
 #include "profiles/profile_rows.hpp"
 
 #include "contact/base/count.hpp"
+#include "contact/base/pi.hpp"
 
 #include <cmath>
 
 namespace rollfem::profiles {
 
 double angle_of(const ProfilePoint& place) {
-  constexpr double degrees = 180.0 / 3.14159265358979323846;
+  constexpr double degrees = 180.0 / contact::pi;
   return std::atan2(place.tangent_z, place.tangent_y) * degrees;
 }
 

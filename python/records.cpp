@@ -63,14 +63,12 @@ py::dict fields_of(const contact::ContactGrid& grid, const PointResult& point,
 }
 
 py::list subsurface_of(const PointResult& point, const Shared& owner) {
-  static const char* const kinds[] = {"point", "line", "plane", "surface"};
   py::list found;
   for (const contact::SubsurfaceField& field : point.subsurface)
-    found.append(py::dict("kind"_a = kinds[static_cast<int>(field.request.kind)],
-                          "body"_a = field.request.wheel ? "wheel" : "rail",
-                          "points"_a = rows(field.points, owner),
-                          "displacement"_a = rows(field.displacement, owner),
-                          "stress"_a = rows(field.stress, owner)));
+    found.append(py::dict(
+        "kind"_a = word_of(field.request.kind), "body"_a = field.request.wheel ? "wheel" : "rail",
+        "points"_a = rows(field.points, owner), "displacement"_a = rows(field.displacement, owner),
+        "stress"_a = rows(field.stress, owner)));
   return found;
 }
 

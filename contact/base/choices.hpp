@@ -13,6 +13,22 @@ enum class Problem {
   frictionless,  ///< only the normal problem, tangential tractions 0
 };
 
+/// Words of the members in case files and results. Without one for a new member the program does
+/// not compile.
+constexpr const char* word_of(Problem problem) {
+  switch (problem) {
+    case Problem::steady:
+      return "steady";
+    case Problem::shift:
+      return "shift";
+    case Problem::transient:
+      return "transient";
+    case Problem::frictionless:
+      return "frictionless";
+  }
+  return nullptr;
+}
+
 /// Order of the one-sided difference along the streamline.
 enum class UpwindOrder {
   first,   ///< (u_i - u_i+1) / dx, the spin taken dx/6 upstream, as in CONTACT

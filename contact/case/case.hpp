@@ -53,6 +53,20 @@ enum class FallShape {
   exponential,  ///< 2^(-s/s_hi)
 };
 
+constexpr const char* word_of(FallShape shape) {
+  switch (shape) {
+    case FallShape::none:
+      return "constant";
+    case FallShape::linear:
+      return "linear";
+    case FallShape::rational:
+      return "rational";
+    case FallShape::exponential:
+      return "exponential";
+  }
+  return nullptr;
+}
+
 /// Which state to find where a law that falls steeply has several.
 enum class FrictionBranch {
   sticking,  ///< with the most friction, which grows out of small creepage
@@ -214,6 +228,21 @@ struct SubsurfaceRequest {
   double depth = 0.0;               ///< mm below the surface of the body, kind surface
   std::array<int, 2> points{1, 1};  ///< along the first and the second side
 };
+
+constexpr const char* word_of(SubsurfaceRequest::Kind kind) {
+  using Kind = SubsurfaceRequest::Kind;
+  switch (kind) {
+    case Kind::point:
+      return "point";
+    case Kind::line:
+      return "line";
+    case Kind::plane:
+      return "plane";
+    case Kind::surface:
+      return "surface";
+  }
+  return nullptr;
+}
 
 /// Load points for which displacement and stress of the whole bodies are stored.
 enum class BodyFields { all, last, none };

@@ -76,7 +76,7 @@ struct PointResult {
   double contact_width = 0.0;   ///< mm, extent across, along the surface
   double contact_area = 0.0;    ///< mm^2
   double adhesion_area = 0.0;   ///< mm^2
-  int patch_count = 1;          ///< regions that do not touch each other (patch_parts.hpp)
+  int patch_count = 1;          ///< regions that do not touch each other
   int iterations = 0;           ///< outer iterations (FE solves) or Newton steps
   double residual = 0.0;        ///< relative residual at which the iteration stopped
   double seconds = 0.0;

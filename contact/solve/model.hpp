@@ -26,7 +26,7 @@ using Model = std::function<ModelResult(const ModelInput&, const Progress&)>;
 /// The same with finished load points stored in a checkpoint, which may be null.
 using ModelRun = std::function<ModelResult(const ModelInput&, const Progress&, Checkpoint*)>;
 
-/// Features of a problem that not every model supports. Key and words of each: demands.cpp.
+/// Features of a problem that not every model supports. Key and words of each: model.cpp.
 enum class Demand {
   history,                 ///< shift or transient
   tangential_force,        ///< prescribed

@@ -26,7 +26,7 @@ struct Preconditioner {
   UpwindOrder upwind_order;
   Motion motion = Motion::rolling;
   /// D A_half,tt of first order: with it a `rolling` of second order is fitted to the leading edge
-  /// of every pressure (contact/leading_edge.hpp). Null: `rolling` is used unchanged.
+  /// of every pressure (contact/iteration/leading_edge.hpp). Null: `rolling` is used unchanged.
   const TangentialOperator* first_order = nullptr;
   /// A_half with the coupling of unlike materials. The coupling has no kink at the leading edge and
   /// is not fitted to it. Null: like materials.

@@ -50,8 +50,7 @@ std::vector<Place> places_of(const SubsurfaceRequest& request, const SurfaceShap
 }
 
 std::string section_of(SubsurfaceRequest::Kind kind) {
-  static const char* const names[] = {"point", "line", "plane", "surface"};
-  return fmt::format("[[subsurface.{}]]", names[static_cast<int>(kind)]);
+  return fmt::format("[[subsurface.{}]]", word_of(kind));
 }
 
 [[noreturn]] void refuse_point(const contact::Scene& scene, std::size_t request, const Place& place,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/choice/laws.hpp"
 
+#include "contact/base/pi.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -94,8 +96,7 @@ constexpr double at_most = 2.0;
 
 /// Elements of the patch; a line contact has one row.
 double elements(const ContactSize& size, int across) {
-  constexpr double pi = 3.14159265358979323846;
-  return size.line ? across : 0.25 * pi * across * across * elongation(size);
+  return size.line ? across : 0.25 * contact::pi * across * across * elongation(size);
 }
 
 double law(double error, int at, double across) {

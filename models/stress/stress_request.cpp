@@ -31,7 +31,7 @@ std::vector<NamedRequest> named_requests(const StressRequest& request) {
   if (request.places.empty()) return all;
   std::map<std::string, int> counts;
   for (const contact::SubsurfaceRequest& places : contact::read_places(request.places)) {
-    const std::string kind = postprocess::kind_of(places);
+    const std::string kind = word_of(places.kind);
     const std::string name = fmt::format("{}_{}", kind, ++counts[kind]);
     if (!has_length(places))
       throw InputError(fmt::format("{}: {}: two of its points coincide; do: move one of them",

@@ -80,7 +80,7 @@ Json maxima_json(const std::vector<StressMaximum>& maxima, const PointResult& po
 Json set_json(const StressSet& set, const PointResult& point) {
   const contact::SubsurfaceRequest& request = set.field.request;
   Json entry{{"name", set.name},
-             {"kind", kind_of(request)},
+             {"kind", word_of(request.kind)},
              {"body", body_of(set)},
              {"points_along", request.points[0]},
              {"points_across", request.points[1]},
@@ -233,11 +233,6 @@ std::string shakedown_table(const StressReport& report, const StressOfModel& mod
 }
 
 }  // namespace
-
-const char* kind_of(const contact::SubsurfaceRequest& request) {
-  static const char* const kinds[] = {"point", "line", "plane", "surface"};
-  return kinds[static_cast<int>(request.kind)];
-}
 
 std::vector<StressMaximum> largest_stresses(const std::string& body,
                                             const std::vector<std::array<double, 3>>& places,

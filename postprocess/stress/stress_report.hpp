@@ -35,9 +35,6 @@ struct StressReport {
   std::vector<StressOfModel> models;
 };
 
-/// "point", "line", "plane" or "surface".
-const char* kind_of(const contact::SubsurfaceRequest& request);
-
 /// The largest value of every measure in a body, with its place. Ignores places nearer to z = 0
 /// than `least_depth`, but not on it.
 std::vector<contact::StressMaximum> largest_stresses(

@@ -42,8 +42,7 @@ void write_friction_law(hid_t group, const contact::Case& input) {
   const contact::Friction law = contact::friction_of(input);
   if (!law || !law->feels_slip()) return;
   const double speed = contact::slip_speed(input.rolling);
-  static const char* const laws[] = {"constant", "linear", "rational", "exponential"};
-  write_attribute(group, "law", std::string(laws[static_cast<int>(input.friction_fall.shape)]));
+  write_attribute(group, "law", std::string(word_of(input.friction_fall.shape)));
   write_attribute(group, "speed", speed);
   write_attribute(group, "memory_distance", input.friction_fall.memory_distance);
   constexpr int per_decade = 30;
@@ -79,8 +78,7 @@ void write_case(hid_t file, const contact::Case& input) {
   if (input.load.vertical_force)
     write_attribute(group, "vertical_force", *input.load.vertical_force);
   if (input.load.approach) write_attribute(group, "approach", *input.load.approach);
-  static const char* const problems[] = {"steady", "shift", "transient", "frictionless"};
-  write_attribute(group, "problem", std::string(problems[static_cast<int>(input.rolling.problem)]));
+  write_attribute(group, "problem", std::string(word_of(input.rolling.problem)));
   write_attribute(group, "prescribed_forces", prescribed_forces(input));
   if (input.given_pressure) {
     write_attribute(group, "given_semi_axis_x", input.given_pressure->semi_axis_x);
@@ -193,11 +191,10 @@ void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult&
 void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {
   if (fields.empty()) return;
   const Handle all = create_group(point, "subsurface", "Points below the surface, as requested");
-  static const char* const kinds[] = {"point", "line", "plane", "surface"};
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const contact::SubsurfaceField& field = fields[k];
     const Handle group = create_group(all, fmt::format("{:04}", k), "Points, first side fastest");
-    write_attribute(group, "kind", std::string(kinds[static_cast<int>(field.request.kind)]));
+    write_attribute(group, "kind", std::string(word_of(field.request.kind)));
     write_attribute(group, "body", std::string(field.request.wheel ? "wheel" : "rail"));
     write_attribute(group, "points_along", static_cast<long>(field.request.points[0]));
     write_attribute(group, "points_across", static_cast<long>(field.request.points[1]));

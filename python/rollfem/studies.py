@@ -118,7 +118,7 @@ class Files(Tabular):
         return folder
 
     def _write_results(self, folder: str) -> None:
-        """What belongs beside the files."""
+        """Hook: writes extra files next to `contents`."""
 
     def __repr__(self) -> str:
         return f"<rollfem.{type(self).__name__} {self.title!r}>"

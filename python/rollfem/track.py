@@ -220,7 +220,7 @@ class Profile(Tabular):
             body = {".prw": "wheel", ".whl": "wheel", ".prr": "rail", ".ban": "rail"}.get(
                 ending, _core.built_in_profiles().get(name))
         body = _body(body, f"Profile({name!r}, {body!r})")
-        # All but this profile is of no account.
+        # Only this profile matters; the rest is a placeholder.
         bodies: dict[str, dict[str, Any]] = {
             "wheel": {"profile": "S1002", "rolling_radius": 460.0}, "rail": {"profile": "60E1"},
             "track": {"inclination": "none"}, "load": {"vertical_force": 1e5}, "friction": {"coefficient": 0.3}}

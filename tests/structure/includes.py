@@ -139,6 +139,17 @@ def problems(root):
                     yield f"{path}:{number}: {line.strip()}: {wrong}"
 
 
+def stale_names(root):
+    """Files that comments name and that are gone."""
+    sources = [p for folder in [*{a.split("/")[0] for a in ALLOWED}, "tests", "benchmarks"] for p in (root / folder).rglob("*.?pp")]
+    ends = {"/".join(p.parts[-count:]) for p in sources for count in range(1, 5)}
+    for path in sources:
+        for number, line in enumerate(path.read_text("utf-8").splitlines(), 1):
+            for name in re.findall(r"[\w/]+\.[hc]pp\b", line.partition("//")[2]):
+                if name not in ends:
+                    yield f"{path.relative_to(root)}:{number}: names {name}, which is not there"
+
+
 def self_test():
     """Tests the checker itself, because one that cannot fail is useless."""
     def verdict(path, line):
@@ -171,7 +182,8 @@ def self_test():
 
 def main():
     self_test()
-    found = list(problems(pathlib.Path(sys.argv[1])))
+    root = pathlib.Path(sys.argv[1])
+    found = [*problems(root), *stale_names(root)]
     print("\n".join(found) if found else "includes run one way")
     return 1 if found else 0
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact points of the rigid, unloaded wheels of a wheelset as it moves sideways: the rolling
-// radii and contact angles for the conicity (conicity.hpp).
+// radii and contact angles for the conicity (wheelset_motion.hpp).
 #pragma once
 
 #include "contact/case/case.hpp"
@@ -35,7 +35,7 @@ std::vector<WheelsetTouch> rigid_touches(const contact::Case& input, const Searc
 
 struct WheelsetRow {
   WheelsetTouch touch;
-  /// Equivalent conicity at the amplitude of this shift (conicity.hpp), by harmonic linearisation
+  /// Equivalent conicity at the amplitude of this shift (wheelset_motion.hpp), by harmonic linearisation
   /// and by the wave of the free wheelset, and its wavelength in mm. None at 0, and where the
   /// wheelset does not recentre.
   std::optional<double> harmonic, wave, wave_length;

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -31,6 +32,14 @@ inline constexpr double largest_force = 1e12;
 /// Values of the words of a key.
 template <class Value>
 using Choices = std::vector<std::pair<const char*, Value>>;
+
+/// Of members of an enumeration that have words.
+template <class Value>
+Choices<Value> words_of(std::initializer_list<Value> members) {
+  Choices<Value> choices;
+  for (const Value member : members) choices.emplace_back(word_of(member), member);
+  return choices;
+}
 
 // Conversion between members of a case and values of keys.
 
@@ -201,17 +210,13 @@ class KeyBuilder {
   /// The same for a word with a value.
   template <class Member>
   void into(Member Part::*member, const Choices<typename Chosen<Member>::Value>& choices) {
-    for (const auto& [word, value] : choices) key_.words.emplace_back(word);
-    by(
-        [member, choices](const Part& part) -> KeyValue {
-          for (const auto& [word, value] : choices)
-            if (part.*member == value) return std::string(word);
-          return {};
-        },
-        [member, choices](Part& part, const KeyValue& given) {
-          for (const auto& [word, value] : choices)
-            if (std::get<std::string>(given) == word) part.*member = value;
-        });
+    into_chosen(
+        [member](auto& part) -> auto& { return part.*member; }, choices);
+  }
+  template <class Whole, class Member>
+  void into(Whole Part::*whole, Member Whole::*member, const Choices<Member>& choices) {
+    into_chosen(
+        [ whole, member ](auto& part) -> auto& { return part.*whole.*member; }, choices);
   }
 
   /// One number for each load point, in the entries of a list, which are created if missing.
@@ -250,6 +255,21 @@ class KeyBuilder {
   }
 
  private:
+  template <class Find, class Choice>
+  void into_chosen(Find find, const Choices<Choice>& choices) {
+    for (const auto& [word, value] : choices) key_.words.emplace_back(word);
+    by(
+        [find, choices](const Part& part) -> KeyValue {
+          for (const auto& [word, value] : choices)
+            if (find(part) == value) return std::string(word);
+          return {};
+        },
+        [find, choices](Part& part, const KeyValue& given) {
+          for (const auto& [word, value] : choices)
+            if (std::get<std::string>(given) == word) find(part) = value;
+        });
+  }
+
   template <class Member, class Value = Member>
   KeyBuilder& put(Member& member, Value value) {
     member = std::move(value);

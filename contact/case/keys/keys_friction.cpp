@@ -7,12 +7,6 @@ namespace rollfem::contact {
 
 namespace {
 
-/// In the order of FallShape.
-const Words& law_words() {
-  static const Words words{"constant", "linear", "rational", "exponential"};
-  return words;
-}
-
 using Point = FrictionVariation::Point;
 
 /// The points, at least `count`; new ones are as the case is so far.
@@ -77,16 +71,9 @@ void add_fall(Keys<Case>& keys) {
       .says(
           "How friction falls with the slip velocity (formulas in docs/friction.md); all but "
           "`constant` need rolling.speed, except in a shift.")
-      .among(law_words())
-      .by(
-          [](const Case& c) -> KeyValue {
-            return law_words().at(static_cast<std::size_t>(c.friction_fall.shape));
-          },
-          [](Case& c, const KeyValue& value) {
-            const auto found =
-                std::find(law_words().begin(), law_words().end(), std::get<std::string>(value));
-            c.friction_fall.shape = static_cast<FallShape>(found - law_words().begin());
-          });
+      .into(&Case::friction_fall, &FrictionFall::shape,
+            words_of(
+                {FallShape::none, FallShape::linear, FallShape::rational, FallShape::exponential}));
   into_points(
       keys.reals("kinetic_coefficient")
           .symbol("mu_kin")

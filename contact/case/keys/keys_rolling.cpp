@@ -72,10 +72,8 @@ void add_problem(RollingKeys& keys) {
           "`steady`: steady rolling, each load point separately; `shift`: pressing and shifting "
           "without rolling (Cattaneo), `transient`: rolling, both in steps, each from the previous "
           "state; `frictionless`: the normal problem alone.")
-      .into(&Rolling::problem, {{"steady", Problem::steady},
-                                {"shift", Problem::shift},
-                                {"transient", Problem::transient},
-                                {"frictionless", Problem::frictionless}});
+      .into(&Rolling::problem,
+            words_of({Problem::steady, Problem::shift, Problem::transient, Problem::frictionless}));
   keys.reals("longitudinal_force")
       .symbol("F_x")
       .unit("N")

@@ -127,11 +127,10 @@ SectionWithKeys subsurface_surface_section() {
 }
 
 void begin_entry(Case& input, const std::string& section) {
-  const auto is = [&](const char* name) { return section == std::string("subsurface.") + name; };
-  input.subsurface.emplace_back().kind = is("point")   ? Request::Kind::point
-                                         : is("line")  ? Request::Kind::line
-                                         : is("plane") ? Request::Kind::plane
-                                                       : Request::Kind::surface;
+  Request& request = input.subsurface.emplace_back();
+  for (const auto kind :
+       {Request::Kind::point, Request::Kind::line, Request::Kind::plane, Request::Kind::surface})
+    if (section == std::string("subsurface.") + word_of(kind)) request.kind = kind;
 }
 
 }  // namespace rollfem::contact
