@@ -86,7 +86,7 @@ GridBox QuickPatch::overlap_at(double sinking) const {
 bool QuickPatch::lay_over(const GridBox& box) {
   const double width = box.y[1] - box.y[0], nx = tables_.nx(), ny = tables_.ny();
   if (!(box.length > 0.0 && width > 0.0)) return false;
-  return lay(box.length / nx, width / ny, box.middle_along_x, 0.5 * (box.y[0] + box.y[1]));
+  return place_grid(box.length / nx, width / ny, box.middle_along_x, 0.5 * (box.y[0] + box.y[1]));
 }
 
 bool QuickPatch::lay_on_patch() {
@@ -94,14 +94,15 @@ bool QuickPatch::lay_on_patch() {
   const double dx = patch.length / (tables_.nx() - 2 * margin);
   const double dy = patch.width / (tables_.ny() - 2 * margin);
   if (!(dx > 0.0 && dy > 0.0)) return false;
-  if (!lay(dx, dy, 0.5 * (patch.x_lower + patch.x_upper), 0.5 * (patch.y_lower + patch.y_upper)))
+  if (!place_grid(dx, dy, 0.5 * (patch.x_lower + patch.x_upper),
+                  0.5 * (patch.y_lower + patch.y_upper)))
     return false;
   geometry_->rigid_slip(given_->creepage, grid_, own_slip_);
   slip_ = own_slip_;
   return true;
 }
 
-bool QuickPatch::lay(double dx, double dy, double x_middle, double y_middle) {
+bool QuickPatch::place_grid(double dx, double dy, double x_middle, double y_middle) {
   if (!tables_.interpolate(dy / dx, table_)) return false;
   grid_ = ContactGrid::centred(tables_.nx(), tables_.ny(), dx, dy, x_middle, y_middle);
   geometry_->undeformed_distance(grid_, distance_);
@@ -124,7 +125,7 @@ halfspace::NormalBlock QuickPatch::block() const {
   return {&table_, grid_, carried_.data(), &contact().place};
 }
 
-void QuickPatch::press(const double* forces) {
+void QuickPatch::set_forces(const double* forces) {
   const double area = grid_.element_area();
   for (int j = 0; j < grid_.ny; ++j)
     for (int i = 0; i < grid_.nx; ++i) {
@@ -145,7 +146,7 @@ bool QuickPatch::is_one_region() const {
   return changes == 2;
 }
 
-bool QuickPatch::rub(const contact::Friction& friction, bool anew, bool keeps_weights) {
+bool QuickPatch::solve_friction(const contact::Friction& friction, bool anew, bool keeps_weights) {
   static const contact::TangentialField none;
   if (!keeps_weights) contact::set_upwind_weights(grid_, pressure_, weights_);
   if (!rolling_.set(table_, pressure_, weights_, layer_ / grid_.dx)) return false;

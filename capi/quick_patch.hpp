@@ -70,7 +70,7 @@ class QuickPatch {
   const contact::Field& distance() const { return distance_; }
 
   /// Sets the forces of the elements along the load, N.
-  void press(const double* forces);
+  void set_forces(const double* forces);
   bool has_pressure() const { return pressure_.maxCoeff() > 0.0; }
   bool touches_border() const { return contact::touches_border(grid_, pressure_); }
   bool is_one_region() const;
@@ -82,7 +82,7 @@ class QuickPatch {
   /// Solves for the tractions under the present pressure, starting from the present tractions or,
   /// with `anew`, from full adhesion; `keeps_weights`: keeps the weights at the leading edge. False
   /// if there are too many elements.
-  bool rub(const contact::Friction& friction, bool anew, bool keeps_weights);
+  bool solve_friction(const contact::Friction& friction, bool anew, bool keeps_weights);
   /// Slip on this patch caused by the tractions of other patches, and its displacement along the
   /// load by their friction.
   void forget_neighbours();
@@ -111,7 +111,7 @@ class QuickPatch {
  private:
   bool reaches_only(const std::function<bool(double)>& good, double elements) const;
   double grid_place(double y) const;
-  bool lay(double dx, double dy, double x_middle, double y_middle);
+  bool place_grid(double dx, double dy, double x_middle, double y_middle);
   PatchSums sum(const contact::Field* pressure, const contact::TangentialField& traction) const;
   void spread(const Eigen::Ref<const Eigen::VectorXd>& of_elements,
               contact::TangentialField& field) const;

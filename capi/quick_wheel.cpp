@@ -97,7 +97,7 @@ bool QuickWheel::find_patches(double force) {
     for (std::size_t k = 0; k < loaded_.size(); ++k)
       if (!loaded_[k]->lay_over(boxes_[k])) return false;
     set_problem();
-    press(force, search_tolerance, true);
+    solve_normal(force, search_tolerance, true);
     drop_unloaded();
     if (loaded_.empty()) return false;
     const bool fits = !adjust_boxes();
@@ -202,7 +202,7 @@ void QuickWheel::set_distances() {
 
 /// Solves for the pressures that together carry `force`, or for those at a given sinking, starting
 /// from the present ones or, with `anew`, from zero.
-void QuickWheel::press(double force, double tolerance, bool anew) {
+void QuickWheel::solve_normal(double force, double tolerance, bool anew) {
   static const contact::Field none;
   contact::NormalOptions options;
   options.tolerance = tolerance;
@@ -214,7 +214,7 @@ void QuickWheel::press(double force, double tolerance, bool anew) {
     solver.solve_sum(normal_, joint_->distance, force, options, start);
   Eigen::Index first = 0;
   for (QuickPatch* patch : loaded_) {
-    patch->press(solver.pressure().data() + first);
+    patch->set_forces(solver.pressure().data() + first);
     first += patch->distance().size();
   }
 }
@@ -230,9 +230,9 @@ void QuickWheel::feel_neighbours(const QuickLoad& load) {
   set_distances();
 }
 
-bool QuickWheel::rub(const QuickLoad& load, int turn) {
+bool QuickWheel::solve_friction(const QuickLoad& load, int turn) {
   return std::all_of(loaded_.begin(), loaded_.end(), [&](QuickPatch* patch) {
-    return patch->rub(load.friction, turn == 0, turn >= turns_until_kept);
+    return patch->solve_friction(load.friction, turn == 0, turn >= turns_until_kept);
   });
 }
 
@@ -246,12 +246,12 @@ QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share)
     if (turn > 0) feel_neighbours(load);
     // At a given sinking, friction changes only the pressures of other contacts.
     if (turn == 0 || !given_sinking_ || loaded_.size() > 1)
-      press(share, pressure_tolerance, turn == 0);
+      solve_normal(share, pressure_tolerance, turn == 0);
     if (!every([](const QuickPatch& patch) {
           return patch.has_pressure() && !patch.touches_border();
         }))
       return Sharing::leaves_grid;
-    if (!rub(load, turn)) return Sharing::fails;
+    if (!solve_friction(load, turn)) return Sharing::fails;
     const bool settled = loaded_.size() == 1 || turn + 1 >= fewest_turns_of_several;
     if (given_sinking_) {
       const double before = std::exchange(carried, joint_->solver.pressure().sum());
@@ -280,11 +280,11 @@ QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share)
 bool QuickWheel::sums_at(double sinking, const QuickLoad& load, std::vector<PatchSums>& sums) {
   given_sinking_ = sinking;
   feel_neighbours(load);
-  press(0.0, pressure_tolerance_of_steps, false);
+  solve_normal(0.0, pressure_tolerance_of_steps, false);
   if (!every([](const QuickPatch& patch) {
         return patch.has_pressure() && !patch.touches_border();
       }) ||
-      !rub(load, 1))
+      !solve_friction(load, 1))
     return false;
   sums.clear();
   for (const QuickPatch* patch : loaded_) sums.push_back(patch->sums());

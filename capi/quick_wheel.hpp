@@ -73,7 +73,7 @@ class QuickWheel {
   void drop_unloaded();
   void set_problem();
   void set_distances();
-  void press(double force, double tolerance, bool anew);
+  void solve_normal(double force, double tolerance, bool anew);
   bool sums_at(double sinking, const QuickLoad& load, std::vector<PatchSums>& sums);
   bool lay_on_patches();
   Sharing share_load(const QuickLoad& load, double& share);
@@ -81,7 +81,7 @@ class QuickWheel {
   template <class Good>
   bool every(Good&& good) const;
   void feel_neighbours(const QuickLoad& load);
-  bool rub(const QuickLoad& load, int turn);
+  bool solve_friction(const QuickLoad& load, int turn);
   void check(const QuickLoad& load);
 
   bool any_;
