@@ -69,7 +69,7 @@ class Reader:
             code = re.sub(r"\brollfem (?:run|table|study|wheelset) (\S+)(.*)$", lambda line: " ".join(
                 ["rollfem check", line[1], *re.findall(r"--set \S+", line[2])]), code, flags=re.M)
         if how.startswith("with "):
-            code = re.sub(r"^((?:\S*/)?rollfem [^#\n]*)", lambda line: f"{line[1].rstrip()} {how[5:]} ", code, flags=re.M)
+            code = re.sub(r"((?<!\w)rollfem [^#\n]*)", lambda line: f"{line[1].rstrip()} {how[5:]} ", code)
         self.printed = call(["sh", "-ec", code], env=self.environment)
 
     def python(self, code, line, page):
