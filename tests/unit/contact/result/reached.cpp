@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Errors of a result relative to the scale of each quantity.
-#include "models/choice/reached.hpp"
+#include "contact/result/reached.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace {
 
 using namespace rollfem;
-using modelling::reached_by;
+using contact::reached_by;
 
 contact::ModelResult result() {
   contact::ModelResult made;
@@ -28,14 +28,14 @@ contact::ModelResult result() {
 
 TEST(Reached, IsTheWorstOfQuantitiesAndPointsByBothErrorsTogether) {
   const contact::AccuracyRequest all{0.01, {"max_pressure", "semi_axis_x", "traction_coefficient"}};
-  const modelling::Reached worst = reached_by(result(), all, 0.3, true);
+  const contact::Reached worst = reached_by(result(), all, 0.3, true);
   EXPECT_EQ(worst.quantity, "traction_coefficient");  // 1.5 % of mu; p0 0.6 %
   EXPECT_EQ(worst.point, 2);
   EXPECT_NEAR(worst.discretisation, 0.01, 1e-12);
   EXPECT_NEAR(worst.model, 0.005, 1e-12);
   EXPECT_EQ(worst.text(),
             "discretisation 1 %, model 0.5 % of mu (traction_coefficient at load point 2)");
-  const modelling::Reached pressure = reached_by(result(), {0.01, {"max_pressure"}}, 0.3, true);
+  const contact::Reached pressure = reached_by(result(), {0.01, {"max_pressure"}}, 0.3, true);
   EXPECT_EQ(pressure.text(), "discretisation 0.2 %, model 0.4 % (max_pressure at load point 1)");
 }
 
