@@ -76,7 +76,7 @@ class Choice {
   /// Solves the plan as far as nothing fails. False: the limit has passed by the clock, and there
   /// is a solution of every contact.
   bool solve(const Plan& plan) {
-    const bool complete = answer().has_value();
+    const bool complete = answer(forecasts_).has_value();
     for (std::size_t c = 0; c < subjects_.size(); ++c) {
       if (forecasts_[c][plan.model].levels[plan.levels[c]].reached) continue;
       if (complete && elapsed_ > wanted_.seconds) return false;
@@ -184,27 +184,7 @@ class Choice {
     words >> reached.quantity;
   }
 
-  bool complete(std::size_t m) const {
-    return std::all_of(attempts_.begin(), attempts_.end(),
-                       [&](const auto& attempts) { return attempts[m].has_value(); });
-  }
-
-  /// The solution by a complete model whose error is largest.
-  const Attempt& worst(std::size_t m) const {
-    return *(
-        *std::max_element(attempts_.begin(), attempts_.end(), [&](const auto& a, const auto& b) {
-          return a[m]->reached.together() < b[m]->reached.together();
-        }))[m];
-  }
-
-  /// The complete model with the smallest error; empty if none is complete.
-  std::optional<std::size_t> answer() const {
-    std::optional<std::size_t> best;
-    for (std::size_t m = 0; m < models_of(forecasts_); ++m)
-      if (complete(m) && (!best || worst(m).reached.together() < worst(*best).reached.together()))
-        best = m;
-    return best;
-  }
+  const Attempt& worst(std::size_t m) const { return *attempts_[worst_contact(forecasts_, m)][m]; }
 
   /// The first failure comes from the simplest model and is the most informative.
   [[noreturn]] void throw_why_none() const {
@@ -232,12 +212,13 @@ class Choice {
   }
 
   Chosen finished() {
-    const std::optional<std::size_t> best = answer();
+    const std::optional<std::size_t> best = answer(forecasts_);
     if (!best) throw_why_none();
     std::string others;
     for (std::size_t m = 0; m < models_of(forecasts_); ++m)
       if (m != *best)
-        others += "; " + (complete(m) ? all_text(m) : not_taken(forecasts_, m, accuracy_));
+        others +=
+            "; " + (all_solved(forecasts_, m) ? all_text(m) : not_taken(forecasts_, m, accuracy_));
     const bool limited = std::isfinite(wanted_.seconds);
     Chosen chosen;
     if (limited && worst(*best).reached.together() > accuracy_)
@@ -325,7 +306,7 @@ std::string not_taken(const Contacts& contacts, std::size_t model, double accura
     return fmt::format("{} {} {}", label,
                        most->model_error_found ? "neglects" : "is expected to neglect about",
                        percent(most->model_error));
-  return fmt::format("{} is not expected to suffice", label);
+  return fmt::format("{} would probably not suffice", label);
 }
 
 }  // namespace rollfem::modelling

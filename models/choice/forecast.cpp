@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rollfem::modelling {
@@ -38,60 +39,104 @@ bool able(const Contacts& contacts, std::size_t model) {
   });
 }
 
-/// The plan with the smallest error within the time; of several, the cheapest. With `stay`, a model
-/// that has not solved all contacts must meet the accuracy.
+/// The grid with the smallest cost whose error is at most `accuracy`; solved grids cost nothing.
+const Level* cheapest_level(const Forecast& forecast, double accuracy) {
+  const Level* best = nullptr;
+  if (forecast.cannot.empty())
+    for (const Level& level : forecast.levels)
+      if (forecast.error(level) <= accuracy && (best == nullptr || level.cost() < best->cost()))
+        best = &level;
+  return best;
+}
+
+/// As plan_of, but contacts that cannot meet the accuracy keep their solutions.
+std::optional<Plan> plan_or_keep(const Contacts& contacts, std::size_t model, double accuracy,
+                                 bool keep) {
+  Plan plan;
+  plan.model = model;
+  for (const std::vector<Forecast>& models : contacts) {
+    const Level* level = cheapest_level(models[model], accuracy);
+    if (level == nullptr && keep) level = best_solved(models[model]);
+    if (level == nullptr) return {};
+    plan.levels.push_back(static_cast<std::size_t>(level - models[model].levels.data()));
+    plan.seconds += level->cost();
+    plan.unsolved += level->reached ? 0 : 1;
+  }
+  return plan;
+}
+
+/// The cheapest model with grids of at most this error within the time. With `stay`, only models
+/// that have solved all contacts.
+std::optional<Plan> within(const Contacts& contacts, double target, double seconds, bool stay) {
+  std::optional<Plan> best;
+  for (std::size_t m = 0; m < models_of(contacts); ++m) {
+    if (stay && !all_solved(contacts, m)) continue;
+    std::optional<Plan> plan = plan_of(contacts, m, target);
+    if (plan && plan->seconds <= seconds && (!best || plan->seconds < best->seconds))
+      best = std::move(plan);
+  }
+  return best;
+}
+
+/// The plan with the smallest error above the accuracy within the time. Empty if the solutions are
+/// nearly as good.
 std::optional<Plan> closest(const Contacts& contacts, double accuracy, double seconds, bool stay) {
-  for (double target = accuracy; target < largest_target; target *= next_target) {
-    std::optional<Plan> best;
-    for (std::size_t m = 0; m < models_of(contacts); ++m) {
-      if (stay && target > accuracy && !all_solved(contacts, m)) continue;
-      std::optional<Plan> plan = plan_of(contacts, m, target);
-      if (plan && plan->seconds <= seconds && (!best || plan->seconds < best->seconds))
-        best = std::move(plan);
-    }
-    if (best) return best;
-    for (std::size_t m = 0; m < models_of(contacts); ++m)
-      if (std::optional<Plan> plan = plan_of(contacts, m, next_target * next_target * target))
-        if (plan->unsolved == 0) return plan;
+  for (double target = next_target * accuracy; target < largest_target; target *= next_target) {
+    if (const auto solved = within(contacts, next_target * target, 0.0, true)) return {};
+    if (auto plan = within(contacts, target, seconds, stay)) return plan;
   }
   return {};
+}
+
+/// What follows solutions of all contacts.
+std::optional<Plan> later_plan(const Contacts& contacts, double accuracy, double seconds) {
+  if (auto plan = within(contacts, accuracy, seconds, false)) return plan;
+  const std::size_t model = *answer(contacts);
+  const auto plan = plan_or_keep(contacts, model, accuracy, true);
+  if (plan && plan->unsolved > 0 && plan->seconds <= seconds) return plan;
+  return closest(contacts, accuracy, seconds, std::isfinite(seconds));
 }
 
 }  // namespace
 
 std::optional<Plan> plan_of(const Contacts& contacts, std::size_t model, double accuracy) {
-  Plan plan;
-  plan.model = model;
-  for (const std::vector<Forecast>& models : contacts) {
-    const Forecast& forecast = models[model];
-    std::optional<std::size_t> best;
-    const auto cost = [&](std::size_t k) {
-      return forecast.levels[k].reached ? 0.0 : forecast.levels[k].seconds;
-    };
-    for (std::size_t k = 0; k < forecast.levels.size() && forecast.cannot.empty(); ++k)
-      if (forecast.error(forecast.levels[k]) <= accuracy && (!best || cost(k) < cost(*best)))
-        best = k;
-    if (!best) return {};
-    plan.levels.push_back(*best);
-    plan.seconds += cost(*best);
-    plan.unsolved += forecast.levels[*best].reached ? 0 : 1;
-  }
-  return plan;
+  return plan_or_keep(contacts, model, accuracy, false);
 }
 
 std::optional<Plan> cheapest(const Contacts& contacts, double accuracy) {
-  std::optional<Plan> best;
-  for (std::size_t m = 0; m < models_of(contacts); ++m)
-    if (std::optional<Plan> plan = plan_of(contacts, m, accuracy))
-      if (!best || plan->seconds < best->seconds) best = std::move(plan);
+  return within(contacts, accuracy, std::numeric_limits<double>::infinity(), false);
+}
+
+const Level* best_solved(const Forecast& forecast) {
+  const Level* best = nullptr;
+  for (const Level& level : forecast.levels)
+    if (level.reached && (best == nullptr || *level.reached < *best->reached)) best = &level;
   return best;
 }
 
 bool all_solved(const Contacts& contacts, std::size_t model) {
   return std::all_of(contacts.begin(), contacts.end(), [&](const std::vector<Forecast>& models) {
-    const std::vector<Level>& levels = models[model].levels;
-    return std::any_of(levels.begin(), levels.end(), [](const Level& l) { return l.reached; });
+    return best_solved(models[model]) != nullptr;
   });
+}
+
+std::size_t worst_contact(const Contacts& contacts, std::size_t model) {
+  const auto worst =
+      std::max_element(contacts.begin(), contacts.end(),
+                       [&](const std::vector<Forecast>& a, const std::vector<Forecast>& b) {
+                         return *best_solved(a[model])->reached < *best_solved(b[model])->reached;
+                       });
+  return static_cast<std::size_t>(worst - contacts.begin());
+}
+
+std::optional<std::size_t> answer(const Contacts& contacts) {
+  const auto error = [&](std::size_t m) {
+    return *best_solved(contacts[worst_contact(contacts, m)][m])->reached;
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t m = 0; m < models_of(contacts); ++m)
+    if (all_solved(contacts, m) && (!best || error(m) < error(*best))) best = m;
+  return best;
 }
 
 std::optional<Plan> next_plan(const Contacts& contacts, double accuracy, double seconds) {
@@ -99,14 +144,16 @@ std::optional<Plan> next_plan(const Contacts& contacts, double accuracy, double 
   std::size_t first = 0;
   while (first < models_of(contacts) && !able(contacts, first)) ++first;
   if (first == models_of(contacts)) return {};
-  const bool begun = all_solved(contacts, first);
-  if (!begun)
-    for (std::vector<Forecast>& models : hoped) models = {models[first]};
-  std::optional<Plan> plan = closest(hoped, accuracy, seconds, begun && std::isfinite(seconds));
+  if (all_solved(contacts, first)) {
+    const auto plan = later_plan(hoped, accuracy, seconds);
+    return plan && plan->unsolved > 0 ? plan : std::nullopt;
+  }
+  for (std::vector<Forecast>& models : hoped) models = {models[first]};
+  std::optional<Plan> plan = within(hoped, accuracy, seconds, false);
+  if (!plan) plan = closest(hoped, accuracy, seconds, false);
   // Without any solution yet, the quickest is worth its time.
-  if (!plan && !begun) plan = plan_of(hoped, 0, largest_target);
-  if (!plan || plan->unsolved == 0) return {};
-  if (!begun) plan->model = first;
+  if (!plan) plan = plan_of(hoped, 0, largest_target);
+  if (plan) plan->model = first;
   return plan;
 }
 

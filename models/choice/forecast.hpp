@@ -18,6 +18,7 @@ struct Level {
   bool solved = false;  ///< discretisation and time are measured, not expected
   /// Total error of a solution that the run has; its grid costs nothing more.
   std::optional<double> reached = {};
+  double cost() const { return reached ? 0.0 : seconds; }
 };
 
 /// A model with the expected cost and error of its grids.
@@ -67,13 +68,23 @@ std::optional<Plan> plan_of(const Contacts& contacts, std::size_t model, double 
 /// The cheapest model with such grids; empty if there is none.
 std::optional<Plan> cheapest(const Contacts& contacts, double accuracy);
 
+/// The solution with the smallest error; null if there is none.
+const Level* best_solved(const Forecast& forecast);
+
 /// Whether every contact has a solution by the model.
 bool all_solved(const Contacts& contacts, std::size_t model);
 
+/// The contact whose best solution by a model has the largest error. All are solved.
+std::size_t worst_contact(const Contacts& contacts, std::size_t model);
+
+/// The model whose worst contact has the smallest error, of those that have solved all; empty if
+/// there is none.
+std::optional<std::size_t> answer(const Contacts& contacts);
+
 /// What a run solves next; empty if nothing would improve on its solutions. The first model that
 /// can take all contacts solves them first. After that, one model solves all contacts if it is
-/// expected to meet the accuracy within `seconds`; without limit, also if it is only expected to
-/// come closer than the solutions.
+/// expected to meet the accuracy within `seconds`; otherwise finer grids follow where they help.
+/// Without limit, so does a model that is only expected to come closer.
 std::optional<Plan> next_plan(const Contacts& contacts, double accuracy, double seconds);
 
 /// A run as expected before anything is solved.

@@ -85,19 +85,11 @@ double seconds_of(const std::vector<Forecast>& models) {
   return seconds;
 }
 
-/// The solved grid with the smallest error; null if none is solved.
-const Level* best_of(const Forecast& forecast) {
-  const Level* best = nullptr;
-  for (const Level& level : forecast.levels)
-    if (level.reached && (best == nullptr || *level.reached < *best->reached)) best = &level;
-  return best;
-}
-
 /// The contacts that miss the accuracy, as expected by the model that solves all at last.
 std::string missing_text(const ExpectedRun& run, std::size_t model, double accuracy) {
   const auto missing = std::count_if(
       run.contacts.begin(), run.contacts.end(),
-      [&](const auto& models) { return *best_of(models[model])->reached > accuracy; });
+      [&](const auto& models) { return *best_solved(models[model])->reached > accuracy; });
   return missing == 0 ? ""
                       : fmt::format("; {} of {} contacts {} expected to miss {}", missing,
                                     run.contacts.size(), missing == 1 ? "is" : "are",
@@ -122,7 +114,7 @@ ExpectedChoice expected_choice(const contact::Case& input, const contact::ModelR
   if (run.plans.empty()) return choice;
   const std::size_t last = run.plans.back().model;
   for (std::size_t c = 0; c < scenes.size(); ++c) {
-    Level level = *best_of(run.contacts[c][last]);
+    Level level = *best_solved(run.contacts[c][last]);
     level.seconds = choice.contacts[c].seconds;
     choice.contacts[c].sentence = grid_text(run.contacts[c][last], level);
   }

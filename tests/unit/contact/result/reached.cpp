@@ -50,4 +50,47 @@ TEST(Reached, WhatIsMissingIsUnknownUnlessItIsExact) {
   EXPECT_EQ(reached_by(made, axis, 0.3, true).together(), 0.0);
 }
 
+/// Chosen by auto: 0.6 % of p0 and 1.5 % of mu are its worst errors.
+contact::ModelResult chosen() {
+  contact::ModelResult made = result();
+  made.choice = "half-space, 24 across";
+  return made;
+}
+
+TEST(MissedText, CountsContactsAndNamesTheWorstOfEveryScale) {
+  const contact::AccuracyRequest all{0.005,
+                                     {"max_pressure", "semi_axis_x", "traction_coefficient"}};
+  contact::ModelResult good = chosen(), wide = chosen();
+  for (contact::PointResult& point : good.points) {
+    point.error_estimate = {
+        {"max_pressure", 1.0}, {"semi_axis_x", 0.0}, {"traction_coefficient", 0.0}};
+    point.model_error.clear();
+  }
+  wide.points[0].error_estimate["semi_axis_x"] = 0.08;  // 2 % of 4 mm
+  EXPECT_EQ(contact::missed_text({good, good}, all, 0.3), "");
+  EXPECT_EQ(contact::missed_text({chosen(), good, wide}, all, 0.3),
+            "2 of 3 contacts miss 0.5 %: worst 2 % (a), 1.5 % of mu (-F_x/F_z).");
+  EXPECT_EQ(contact::missed_text({good, chosen()}, all, 0.3),
+            "1 of 2 contacts misses 0.5 %: worst 0.6 % (p_0), 1.5 % of mu (-F_x/F_z).");
+  EXPECT_EQ(contact::missed_text({wide}, {{}, {"semi_axis_x"}}, 0.3),
+            "The result misses 1 %: worst 2 % (a).");
+}
+
+TEST(MissedText, ModelsByNameMissWhatTheyWereAskedForByTheirBarsAlone) {
+  const contact::AccuracyRequest all{0.008, {"max_pressure", "traction_coefficient"}};
+  contact::ModelResult named = result();
+  EXPECT_EQ(contact::missed_text({named}, all, 0.3), "");
+  named.shortfall = "accuracy = 0.008 was not reached";
+  EXPECT_EQ(contact::missed_text({named}, all, 0.3),
+            "The result misses 0.8 %: worst 1 % of mu (-F_x/F_z).");
+}
+
+TEST(MissedText, AnUnknownModelErrorIsNotMet) {
+  contact::ModelResult made = chosen();
+  made.model_error_source = "not estimated: no result on the curved bodies";
+  for (contact::PointResult& point : made.points) point.model_error.clear();
+  EXPECT_EQ(contact::missed_text({made}, {0.5, {"semi_axis_x"}}, 0.3),
+            "The result misses 50 %: worst unknown (a).");
+}
+
 }  // namespace

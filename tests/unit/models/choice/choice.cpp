@@ -308,7 +308,7 @@ TEST(Verdict, NamesWhatDoesAndWhatTheOthersCost) {
             "about 10 s; full would take about 2 min");
   EXPECT_EQ(verdict(all, 1e-5),
             "nothing is expected to suffice; plain is expected to neglect about 1.5 %; corrected "
-            "is not expected to suffice; full is not expected to suffice");
+            "would probably not suffice; full would probably not suffice");
 }
 
 }  // namespace

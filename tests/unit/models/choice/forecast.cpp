@@ -144,6 +144,17 @@ TEST(NextPlan, AFinerGridOfTheSameModelIsCheaperThanAnotherModel) {
   EXPECT_DOUBLE_EQ(plan->seconds, 4.0);
 }
 
+TEST(NextPlan, FinerGridsFollowWhereTheyHelpEvenIfAnotherContactStillMisses) {
+  Contacts contacts = run_of({0.002, 0.1}, 200.0);
+  solve(contacts, *next_plan(contacts, 0.01, 60.0));
+  contacts[0][0].levels[1].reached = 0.02;  // of this contact
+  const auto plan = next_plan(contacts, 0.01, 60.0);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->model, 0U);
+  EXPECT_EQ(plan->levels, (Levels{2, 0}));
+  EXPECT_EQ(plan->unsolved, 1U);
+}
+
 TEST(NextPlan, LittleTimeMeansCoarserGridsForAll) {
   const auto of_limit = [](double seconds) {
     return next_plan(run_of({0.006, 0.006}, 20.0), 0.01, seconds)->levels;
