@@ -63,6 +63,7 @@ Result solve(const Case& input, const std::vector<std::string>& models, const Pr
     missing->push_back({one.model, one.reason, one.failed});
   result.models = std::move(solved.results);
   result.pairs = std::move(solved.pairs);
+  result.verdict = std::move(solved.verdict);
   return result;
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Studies, comparisons and stresses as the files that their commands write, and auto's forecast.
-#include "models/caches/machine_speed.hpp"
 #include "models/registry.hpp"
-#include "models/solving/auto_model.hpp"
-#include "models/solving/case_scenes.hpp"
+#include "models/solving/expected_choice.hpp"
 #include "models/stress/stored_stress.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/output.hpp"
@@ -60,33 +58,25 @@ py::tuple stress_of(const modelling::StressRequest& request) {
   }));
 }
 
-py::dict forecast_dict(const modelling::Forecast& forecast, double times) {
+py::dict forecast_dict(const modelling::Forecast& forecast) {
   py::list levels;
   for (const modelling::Level& level : forecast.levels)
     levels.append(py::dict("elements_across"_a = level.across,
-                           "discretisation"_a = level.discretisation,
-                           "seconds"_a = level.seconds * times));
+                           "discretisation"_a = level.discretisation, "seconds"_a = level.seconds));
   return py::dict("model"_a = forecast.model, "cannot"_a = forecast.cannot,
                   "model_error"_a = forecast.model_error, "levels"_a = levels);
 }
 
 /// Of every contact of the case: (place, accuracy, sentence, forecasts of the models).
 py::list forecast_of(const Case& input) {
-  const auto speed = modelling::machine_speed();
-  const double times = speed ? speed->times : 1.0;
+  const modelling::ExpectedChoice choice = modelling::expected_choice(input, known_models());
   py::list found;
-  for (const contact::Scene& scene :
-       modelling::unbalanced_scenes(input, modelling::placed_wheels(input))) {
-    std::vector<modelling::Forecast> forecasts = modelling::forecasts_of(scene, known_models());
-    const double accuracy = modelling::accuracy_of(scene.accuracy);
+  for (const modelling::ExpectedContact& contact : choice.contacts) {
     py::list models;
-    for (modelling::Forecast& forecast : forecasts) {
-      models.append(forecast_dict(forecast, times));
-      for (modelling::Level& level : forecast.levels) level.seconds *= times;
-    }
-    const py::object place = scene.place ? py::object(dict_of(*scene.place)) : py::none();
-    found.append(
-        py::make_tuple(place, accuracy, modelling::verdict(forecasts, accuracy, true), models));
+    for (const modelling::Forecast& forecast : contact.forecasts)
+      models.append(forecast_dict(forecast));
+    const py::object place = contact.place ? py::object(dict_of(*contact.place)) : py::none();
+    found.append(py::make_tuple(place, choice.accuracy, contact.sentence, models));
   }
   return found;
 }

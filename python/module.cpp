@@ -89,6 +89,7 @@ PYBIND11_MODULE(_core, module) {
       .def("describe", [](const Case& input) { return rollfem::describe(input); })
       .def("text_in_folder", &contact::text_in_folder);
   py::class_<Result, std::shared_ptr<Result>>(module, "Result")
+      .def_readonly("verdict", &Result::verdict)
       .def(py::pickle(&python::packed, &python::unpacked));
   module.def("read_case", &read_case);
   module.def("parse_case", &parse_case);

@@ -54,6 +54,7 @@ void exchange(Record& record, ModelResult& model) {
 /// All but the case.
 void exchange(Record& record, Result& result) {
   exchange(record, result.provenance);
+  record.value(result.verdict);
   list(record, result.models, [&](ModelResult& model) { exchange(record, model); });
   list(record, result.pairs, [&](postprocess::PlacedPair& pair) {
     record.values(pair.left, pair.position);

@@ -7,9 +7,7 @@
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
 #include "contact/scene/scene.hpp"
-#include "models/caches/machine_speed.hpp"
 #include "models/registry.hpp"
-#include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/expected_choice.hpp"
 #include "profiles/profiles.hpp"
@@ -103,32 +101,28 @@ Json keys_json(const contact::Case& input) {
   return keys;
 }
 
-/// Forecasts of `auto` for a contact, in seconds of this machine.
-Json contact_json(const contact::Scene& scene, const contact::ModelRegistry& models) {
-  const auto speed = modelling::machine_speed();
-  std::vector<modelling::Forecast> forecasts = modelling::forecasts_of(scene, models);
-  const double accuracy = modelling::accuracy_of(scene.accuracy);
+/// A contact with its forecasts.
+Json contact_json(const modelling::ExpectedContact& contact, double accuracy) {
   Json json = Json::object();
-  if (scene.place)
-    json["place"] = {{"wheel", scene.place->left ? "left" : "right"},
-                     {"position", scene.place->position},
-                     {"patch", scene.place->patch}};
+  if (contact.place)
+    json["place"] = {{"wheel", contact.place->left ? "left" : "right"},
+                     {"position", contact.place->position},
+                     {"patch", contact.place->patch}};
   json["accuracy"] = accuracy;
   json["models"] = Json::array();
-  for (modelling::Forecast& forecast : forecasts) {
+  for (const modelling::Forecast& forecast : contact.forecasts) {
     Json levels = Json::array();
-    for (modelling::Level& level : forecast.levels) {
-      level.seconds *= speed ? speed->times : 1.0;
+    for (const modelling::Level& level : forecast.levels)
       levels.push_back({{"elements_across", level.across},
                         {"discretisation", level.discretisation},
                         {"seconds", level.seconds}});
-    }
     json["models"].push_back({{"name", forecast.model},
                               {"cannot", forecast.cannot},
                               {"model_error", forecast.model_error},
                               {"levels", levels}});
   }
-  json["expected"] = modelling::verdict(forecasts, accuracy, true);
+  json["expected"] = contact.sentence;
+  json["seconds"] = contact.seconds;
   return json;
 }
 
@@ -145,9 +139,11 @@ Json case_json(const contact::Case& input, const std::vector<std::string>& warni
   }
   json["contacts"] = Json::array();
   try {
-    for (const contact::Scene& scene :
-         modelling::unbalanced_scenes(input, modelling::placed_wheels(input)))
-      json["contacts"].push_back(contact_json(scene, models));
+    const modelling::ExpectedChoice choice = modelling::expected_choice(input, models);
+    for (const modelling::ExpectedContact& contact : choice.contacts)
+      json["contacts"].push_back(contact_json(contact, choice.accuracy));
+    json["expected"] = choice.sentence;
+    json["seconds"] = choice.seconds;
   } catch (const contact::SolveError& error) {
     json["warnings"].push_back(error.what());
   } catch (const contact::InputError& error) {
@@ -172,7 +168,7 @@ void check_case(const CheckRequest& request, const contact::ModelRegistry& model
   if (input.has_profiles())
     std::cout << "\nwhere wheel and rail touch\n"
               << modelling::contacts_text(input, track::search_scene_of(input));
-  std::cout << modelling::expected_choice(input, models);
+  std::cout << modelling::expected_choice_text(input, models);
 }
 
 }  // namespace rollfem::app

@@ -171,6 +171,7 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
     if (solved.results.empty() || !how.first) return compared;
     record.models = std::move(solved.results);
     record.pairs = std::move(solved.pairs);
+    record.verdict = std::move(solved.verdict);
     store_results(task.folder.string(), record);
     if (!failed) frame.forget_kept();
     compared.summary = contents_of(task.folder / "summary.json");

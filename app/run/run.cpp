@@ -40,8 +40,8 @@ void check_before(const RunRequest& request, const contact::Case& input,
     for (const std::string& name : input.models) models.check(scene, name);
 }
 
-/// The model shown for each position: the one with most patches (not every theory can take all of
-/// them, and auto may choose several), among equals the reference model.
+/// The model shown for each position: the one with most patches, because not every theory can take
+/// all of them; among equals the reference model.
 std::string model_to_tell(const postprocess::RunRecord& record,
                           const contact::ModelRegistry& models) {
   const auto patches = [&](const std::string& name) {
@@ -77,21 +77,25 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
   std::cout << record.input.title << "\n\n"
             << run_table(record.models)
             << postprocess::wheelset_table(record, model_to_tell(record, models));
-  std::cout << notes_text(record.models);
-  std::cout << "\n\nresults: " << directory.string() << '\n';
+  std::cout << '\n' << notes_text(record.models, false);
+  std::cout << "\nresults: " << directory.string() << '\n';
   if (drawn) std::cout << "report:  " << (directory / "report.html").string() << '\n';
   tell_what_is_not_stored(record, models);
+  std::cout << notes_text(record.models, true);
+  if (!record.verdict.empty()) std::cout << "warning: " << record.verdict << '\n';
 }
 
 /// Throws if sound results miss the requested accuracy: they are written, but the run fails.
 void refuse_shortfall(const postprocess::RunRecord& record) {
-  std::string text;
+  std::vector<const contact::ModelResult*> missed;
   for (const contact::ModelResult& model : record.models)
-    if (!model.shortfall.empty())
-      text += fmt::format("{}model {}: {}", text.empty() ? "" : "; ", model.name, model.shortfall);
-  if (!text.empty())
-    throw contact::SolveError(
-        fmt::format("{}: the results were written, but {}", record.input.file, text));
+    if (!model.shortfall.empty()) missed.push_back(&model);
+  if (missed.empty()) return;
+  const contact::ModelResult& first = *missed.front();
+  throw contact::SolveError(
+      fmt::format("{}: the results were written, but {}model {}: {}", record.input.file,
+                  missed.size() > 1 ? record.verdict + " " + first.key() + ", " : "", first.name,
+                  first.shortfall));
 }
 
 /// Reads the case and sets the models to run.
@@ -122,6 +126,7 @@ void run_at_once(const RunRequest& request, const contact::ModelRegistry& models
     if (!how.first || frame.ends_part()) return;
     record.models = std::move(solved.results);
     record.pairs = std::move(solved.pairs);
+    record.verdict = std::move(solved.verdict);
     if (placed) add_rigid_wheelset(placed->search, record);
     frame.clear_line();
     write_and_tell(request, record, models);

@@ -243,7 +243,7 @@ std::string run_table(const std::vector<ModelResult>& models) {
   return text;
 }
 
-std::string notes_text(const std::vector<ModelResult>& models) {
+std::string notes_text(const std::vector<ModelResult>& models, bool warnings) {
   struct Note {
     std::string words;  // with the model's name
     std::string text;
@@ -252,6 +252,7 @@ std::string notes_text(const std::vector<ModelResult>& models) {
   std::vector<Note> notes;
   for (const ModelResult& model : models)
     for (const std::string& text : told_of(model)) {
+      if ((text.rfind("warning: ", 0) == 0) != warnings) continue;
       const std::string words = model.name + without_numbers(text);
       const auto same = [&](const Note& note) { return note.words == words; };
       const auto found = std::find_if(notes.begin(), notes.end(), same);
@@ -262,12 +263,13 @@ std::string notes_text(const std::vector<ModelResult>& models) {
     }
   std::string text;
   for (const Note& note : notes) {
-    text += '\n' + note.text;
+    text += note.text;
     if (!note.others.empty())
       text += fmt::format(" (values differ for {})",
                           note.others.size() == 1
                               ? "1 other patch"
                               : fmt::format("{} other patches", note.others.size()));
+    text += '\n';
   }
   return text;
 }

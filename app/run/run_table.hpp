@@ -11,8 +11,8 @@ namespace rollfem::app {
 
 std::string run_table(const std::vector<contact::ModelResult>& models);
 
-/// Notes of the models on their results, one line each. A note that differs between patches only in
-/// its numbers appears once, with the numbers of the first patch.
-std::string notes_text(const std::vector<contact::ModelResult>& models);
+/// Notes of the models on their results, one line each, or those that warn. A note that differs
+/// between patches only in its numbers appears once, with the numbers of the first patch.
+std::string notes_text(const std::vector<contact::ModelResult>& models, bool warnings);
 
 }  // namespace rollfem::app

@@ -2,16 +2,13 @@
 #include "models/choice/choice.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/progress.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -21,321 +18,242 @@ namespace rollfem::modelling {
 namespace {
 
 using contact::ModelResult;
+using contact::percent;
+using contact::Reached;
 
-/// If no grid is expected to meet the accuracy, a cheaper grid within this factor of the best is
-/// accepted.
-constexpr double near_enough = 1.25;
-
-/// Expected model errors are known only to a factor of two or three. Until one is computed, this
-/// part of it counts, so that a guess neither rules out a cheap model nor makes its first grid too
-/// fine.
-constexpr double believed_of_expected = 1.0 / 3.0;
-
-/// Weight of expected model errors until they are computed.
-std::vector<Forecast> hopes(std::vector<Forecast> forecasts, double accuracy) {
-  for (Forecast& forecast : forecasts) {
-    if (forecast.model_error_found) continue;
-    forecast.model_error *= believed_of_expected;
-    // Fine grids wait until the model error is known.
-    if (forecast.model_error <= accuracy)
-      forecast.model_error = std::min(forecast.model_error, 0.5 * accuracy);
-  }
-  return forecasts;
-}
-
-/// Cost of a model that was not chosen, or why it is unavailable. `times`: seconds on this machine
-/// per predicted second.
-std::string not_taken(const Forecast& forecast, double accuracy, double times = 1.0) {
-  if (!forecast.cannot.empty()) return fmt::format("{}: {}", forecast.label, forecast.cannot);
-  if (const auto plan = cheapest({forecast}, accuracy))
-    return fmt::format("{} would take about {}", forecast.label,
-                       duration(times * forecast.levels[plan->level].seconds));
-  if (forecast.model_error > accuracy)
-    return fmt::format("{} {} {}", forecast.label,
-                       forecast.model_error_found ? "neglects" : "is expected to neglect about",
-                       percent(forecast.model_error));
-  return fmt::format("{} is not expected to suffice", forecast.label);
-}
-
-/// Shorter levels say nothing about the speed of a machine: they are mostly overhead, s.
-constexpr double worth_timing = 0.1;
-
-struct Cost {
-  double seconds = 0.0;  ///< wall time
-  double had = 0.0;      ///< part of a processor, at most 1; 0: unknown
-};
-
-class CostWatch {
- public:
-  Cost cost() const {
-    constexpr double least = 0.01;
-    const double seconds = watch_.seconds();
-    const double cpu = static_cast<double>(std::clock() - begin_) / CLOCKS_PER_SEC;
-    return {seconds, seconds > worth_timing ? std::clamp(cpu / seconds, least, 1.0) : 0.0};
-  }
-
- private:
-  contact::Stopwatch watch_;
-  std::clock_t begin_ = std::clock();  ///< CPU time of all threads
-};
-
-/// The last attempt of a candidate.
+/// The best solution of a contact by a model.
 struct Attempt {
   int across = 0;
   double seconds = 0.0;
   Reached reached;
-};
-
-struct Best {
-  std::size_t model = 0;
   ModelResult result;
 };
 
 class Choice {
  public:
-  Choice(std::vector<Candidate> candidates, const Wanted& wanted)
-      : candidates_(std::move(candidates)),
-        wanted_(wanted),
-        accuracy_(*wanted.accuracy.relative),
-        attempts_(candidates_.size()),
-        failed_once_(candidates_.size(), false),
-        budget_(wanted.budget != nullptr ? *wanted.budget : unlimited_) {
-    for (const Candidate& candidate : candidates_) forecasts_.push_back(candidate.forecast);
+  Choice(std::vector<Subject> subjects, const Wanted& wanted)
+      : subjects_(std::move(subjects)), wanted_(wanted), accuracy_(*wanted.accuracy.relative) {
+    for (const Subject& subject : subjects_) {
+      forecasts_.emplace_back();
+      for (const Candidate& candidate : subject.candidates)
+        forecasts_.back().push_back(candidate.forecast);
+      attempts_.emplace_back(subject.candidates.size());
+      failed_once_.emplace_back(subject.candidates.size(), false);
+    }
   }
 
-  ModelResult run() {
-    while (!met_) {
-      const std::optional<Plan> plan = next();
-      if (!plan) break;
-      attempt(*plan);
+  Chosen run() {
+    const ExpectedRun expected = expected_run(forecasts_, accuracy_, wanted_.seconds);
+    if (!expected.plans.empty()) tell(time_text(expected));
+    while (const auto plan = next_plan(forecasts_, accuracy_, wanted_.seconds - predicted_)) {
+      if (predicted_ > 0.0) announce(*plan);
+      if (!solve(*plan)) break;
     }
-    if (!best_) throw_why_none();
     return finished();
   }
 
  private:
-  double reached_best() const { return attempts_[best_->model]->reached.together(); }
+  const std::string& label(std::size_t m) const { return forecasts_.front()[m].label; }
 
-  /// The next plan to solve; empty if no plan improves on the results so far.
-  std::optional<Plan> next() const {
-    std::vector<Forecast> hoped = hopes(forecasts_, accuracy_);
-    for (Forecast& forecast : hoped) leave_out_slow(forecast.levels);
-    if (const auto plan = cheapest(hoped, accuracy_, true)) return plan;
-    const double least = near_enough * least_error(hoped, true);
-    if (best_ && reached_best() <= least) return {};
-    if (const auto plan = cheapest(hoped, least, true)) return plan;
-    // Without any result yet, a slow plan is still worth solving.
-    return best_ ? std::nullopt : quickest();
-  }
-
-  /// Levels are ordered by increasing time.
-  void leave_out_slow(std::vector<Level>& levels) const {
-    const double allowed = budget_.allowed();
-    while (!levels.empty() && levels.back().seconds > allowed && !levels.back().solved)
-      levels.pop_back();
-  }
-
-  std::optional<Plan> quickest() const {
-    return cheapest(forecasts_, std::numeric_limits<double>::max(), true);
-  }
-
-  void attempt(const Plan& plan) {
-    Forecast& forecast = forecasts_[plan.model];
-    const int across = forecast.levels[plan.level].across;
-    announce(forecast, forecast.levels[plan.level]);
-    const CostWatch watch;
-    try {
-      ModelResult result = candidates_[plan.model].solve(across);
-      judge(plan, watch.cost(), std::move(result));
-    } catch (const contact::UnfitGrid& error) {
-      count_failed(watch);
-      leave_out_grid(plan, error.what());
-    } catch (const contact::SolveError& error) {
-      count_failed(watch);
-      if (failed_once_[plan.model]) return leave_out(forecast, error.what());
-      failed_once_[plan.model] = true;
-      leave_out_grid(plan, error.what());  // another level may have a solution: retry once
-    } catch (const contact::InputError& error) {
-      leave_out(forecast, error.what());
-    }
-  }
-
-  /// The outcome is unknown, but the time it takes is known.
-  void announce(const Forecast& forecast, const Level& level) const {
+  void tell(const std::string& note) const {
     contact::ProgressEvent event;
-    event.model = forecast.model;
-    event.stage = "tried next";
+    event.model = "auto";
+    event.stage = "expected";
     event.finished = true;  // keep its line on the terminal
-    event.note =
-        fmt::format("{} across, about {}", level.across, duration(times() * level.seconds));
+    event.note = note;
     contact::report(wanted_.progress, event);
   }
 
-  void count_failed(const CostWatch& watch) {
-    const Cost cost = watch.cost();
-    budget_.spend(0.0, cost.seconds, cost.had);
+  void announce(const Plan& plan) const {
+    tell(fmt::format("{} for {}, about {} more", label(plan.model), contacts(plan.unsolved),
+                     duration(plan.seconds)));
   }
 
-  /// A gross misprediction also applies to the model's finer grids and to the model that corrects
-  /// it. Any other is taken for the speed of this machine, except of corrected models, because
-  /// their correction may come from the cache.
-  void count(const Plan& plan, double predicted, const Cost& cost) {
-    const double wrong = budget_.spend(predicted, cost.seconds, cost.had);
-    const std::string& model = forecasts_[plan.model].model;
-    if (budget_.limited() && wrong > 1.0) {
-      for (Forecast& forecast : forecasts_)
-        if (forecast.model == model || forecast.corrects == model)
-          for (Level& level : forecast.levels)
-            if (!level.solved) level.seconds *= wrong;
-    } else if (std::min(cost.seconds, predicted) > worth_timing &&
-               forecasts_[plan.model].corrects.empty()) {
-      slower_ = cost.seconds / (predicted * budget_.times());
+  static std::string contacts(std::size_t count) {
+    return count == 1 ? "1 contact" : fmt::format("{} contacts", count);
+  }
+
+  /// Solves the plan as far as nothing fails. False: the limit has passed by the clock, and there
+  /// is a solution of every contact.
+  bool solve(const Plan& plan) {
+    const bool complete = answer(forecasts_).has_value();
+    for (std::size_t c = 0; c < subjects_.size(); ++c) {
+      if (forecasts_[c][plan.model].levels[plan.levels[c]].reached) continue;
+      if (complete && elapsed_ > wanted_.seconds) return false;
+      if (!attempt(c, plan.model, plan.levels[c])) break;
     }
+    return true;
   }
 
-  /// While an exception is handled.
-  void leave_out_grid(const Plan& plan, const std::string& why) {
-    std::vector<Level>& levels = forecasts_[plan.model].levels;
-    if (!wanted_.go_on) throw;
-    if (!failure_) failure_ = std::current_exception();
-    levels.erase(levels.begin() + static_cast<std::ptrdiff_t>(plan.level));
-    if (levels.empty()) leave_out(forecasts_[plan.model], why);
+  /// False: it failed.
+  bool attempt(std::size_t c, std::size_t m, std::size_t at) {
+    const Level level = forecasts_[c][m].levels[at];
+    predicted_ += level.seconds;
+    const contact::Stopwatch watch;
+    try {
+      ModelResult result = subjects_[c].candidates[m].solve(level.across);
+      judge(c, m, at, watch.seconds(), std::move(result));
+      return true;
+    } catch (const contact::UnfitGrid& error) {
+      fail(c, m, error);
+      leave_out_grid(c, m, at, error.what());
+    } catch (const contact::SolveError& error) {
+      fail(c, m, error);
+      // Another grid may have a solution: retry once.
+      if (failed_once_[c][m])
+        leave_out(c, m, error.what());
+      else
+        leave_out_grid(c, m, at, error.what());
+      failed_once_[c][m] = true;
+    } catch (const contact::InputError& error) {
+      if (!wanted_.go_on) throw;
+      if (!failure_) failure_ = std::current_exception();
+      leave_out(c, m, error.what());
+    }
+    elapsed_ += watch.seconds();
+    return false;
   }
 
-  /// While an exception is handled.
-  void leave_out(Forecast& forecast, const std::string& why) {
-    if (!wanted_.go_on) throw;
-    forecast.cannot = why;
-    if (!failure_) failure_ = std::current_exception();
+  /// Keeps the first failure, or throws it.
+  void fail(std::size_t c, std::size_t m, const contact::SolveError& error) {
+    const contact::SolveError told(
+        fmt::format("{}model {}: {}", subjects_[c].name, forecasts_[c][m].model, error.what()));
+    if (!wanted_.go_on) throw told;
+    if (!failure_) failure_ = std::make_exception_ptr(told);
   }
 
-  void judge(const Plan& plan, Cost cost, ModelResult result) {
-    const Candidate& candidate = candidates_[plan.model];
-    Forecast& forecast = forecasts_[plan.model];
-    Reached reached = reached_by(result, wanted_.accuracy, wanted_.friction_coefficient,
-                                 !candidate.estimates_model_error || result.has_model_error());
+  void leave_out_grid(std::size_t c, std::size_t m, std::size_t at, const std::string& why) {
+    std::vector<Level>& levels = forecasts_[c][m].levels;
+    levels.erase(levels.begin() + static_cast<std::ptrdiff_t>(at));
+    if (levels.empty()) leave_out(c, m, why);
+  }
+
+  /// Solved grids remain.
+  void leave_out(std::size_t c, std::size_t m, const std::string& why) {
+    Forecast& forecast = forecasts_[c][m];
+    if (!attempts_[c][m]) forecast.cannot = why;
+    std::vector<Level>& levels = forecast.levels;
+    levels.erase(
+        std::remove_if(levels.begin(), levels.end(), [](const Level& l) { return !l.reached; }),
+        levels.end());
+  }
+
+  void judge(std::size_t c, std::size_t m, std::size_t at, double seconds, ModelResult result) {
+    const Candidate& candidate = subjects_[c].candidates[m];
+    Forecast& forecast = forecasts_[c][m];
+    Reached reached =
+        contact::reached_by(result, wanted_.accuracy, subjects_[c].friction_coefficient,
+                            !candidate.estimates_model_error || result.has_model_error());
     if (candidate.largest_model_error > 0.0)
       reached.set_largest_model(candidate.largest_model_error);
-    agree(reached, cost);
-    const double predicted = forecast.levels[plan.level].seconds;
-    learn(forecast, plan.level, reached.most_discretisation, cost.seconds);
+    agree(reached, seconds);
+    elapsed_ += seconds;
+    learn(forecast, at, reached.most_discretisation, seconds);
+    forecast.levels[at].reached = reached.together();
     if (candidate.estimates_model_error || candidate.largest_model_error > 0.0) {
       forecast.model_error = reached.most_model;
       forecast.model_error_found = true;
     }
-    for (Forecast& other : forecasts_)
-      if (&other != &forecast) learn_from(other, forecast, plan.level);
-    count(plan, predicted, cost);
-    const bool better = !best_ || reached.together() < reached_best();
-    attempts_[plan.model] = Attempt{forecast.levels[plan.level].across, cost.seconds, reached};
-    met_ = reached.together() <= accuracy_;
+    for (Forecast& other : forecasts_[c])
+      if (&other != &forecast) learn_from(other, forecast, at);
     if (candidate.largest_model_error > 0.0)
       result.model_error_source =
           fmt::format("not estimated: at most {} by the size of the contact, {} requested",
                       percent(candidate.largest_model_error), percent(accuracy_));
-    if (better || met_) best_ = Best{plan.model, std::move(result)};
+    std::optional<Attempt>& best = attempts_[c][m];
+    if (!best || reached.together() < best->reached.together())
+      best = Attempt{forecast.levels[at].across, seconds, reached, std::move(result)};
   }
 
   /// Only the first of several processes holds complete results.
-  void agree(Reached& reached, Cost& cost) const {
+  void agree(Reached& reached, double& seconds) const {
     if (!wanted_.agree) return;
     const std::string text = wanted_.agree(
-        fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", cost.seconds, cost.had,
+        fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {} {}", seconds,
                     reached.discretisation, reached.model, reached.most_discretisation,
                     reached.most_model, reached.point, reached.quantity));
     std::istringstream words(text);
-    const auto number = [&] {  // includes infinity
-      std::string word;
+    for (double* number : {&seconds, &reached.discretisation, &reached.model,
+                           &reached.most_discretisation, &reached.most_model}) {
+      std::string word;  // includes infinity
       words >> word;
-      return std::strtod(word.c_str(), nullptr);
-    };
-    cost.seconds = number();
-    cost.had = number();
-    reached.discretisation = number();
-    reached.model = number();
-    reached.most_discretisation = number();
-    reached.most_model = number();
+      *number = std::strtod(word.c_str(), nullptr);
+    }
     words >> reached.point;
     reached.quantity.clear();
     words >> reached.quantity;
   }
 
+  const Attempt& worst(std::size_t m) const { return *attempts_[worst_contact(forecasts_, m)][m]; }
+
   /// The first failure comes from the simplest model and is the most informative.
   [[noreturn]] void throw_why_none() const {
     if (failure_) std::rethrow_exception(failure_);
     std::string text;
-    for (const Forecast& forecast : forecasts_)
-      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", forecast.label, forecast.cannot);
+    for (std::size_t m = 0; m < models_of(forecasts_); ++m)
+      text += fmt::format("{}{}", m > 0 ? "; " : "", not_taken(forecasts_, m, accuracy_));
     throw contact::InputError("no model can solve this case: " + text +
                               "; do: change the case, or name a model");
   }
 
-  /// The model and level that were chosen.
-  std::string taken() const {
-    const Attempt& attempt = *attempts_[best_->model];
-    return fmt::format("{}, {} across, {}: {}", forecasts_[best_->model].label, attempt.across,
-                       duration(attempt.seconds),
-                       attempt.reached.text(candidates_[best_->model].no_model_error));
+  std::string solved_text(std::size_t c, std::size_t m) const {
+    const Attempt& attempt = *attempts_[c][m];
+    return fmt::format("{}, {} across, {}: {}", label(m), attempt.across, duration(attempt.seconds),
+                       attempt.reached.text(subjects_[c].candidates[m].no_model_error));
   }
 
-  std::string left(std::size_t m) const {
-    const Forecast& forecast = forecasts_[m];
-    if (const auto& attempt = attempts_[m])
-      return fmt::format("{}, {} across, {}, has {}", forecast.label, attempt->across,
-                         duration(attempt->seconds), attempt->reached.text());
-    return not_taken(forecast, accuracy_, times());
+  /// A complete model in all contacts.
+  std::string all_text(std::size_t m) const {
+    if (subjects_.size() == 1) return solved_text(0, m);
+    double seconds = 0.0;
+    for (const auto& attempts : attempts_) seconds += attempts[m]->seconds;
+    return fmt::format("{} for all {} contacts, {}, worst contact: {}", label(m), subjects_.size(),
+                       duration(seconds), worst(m).reached.text());
   }
 
-  /// Seconds to expect per predicted second.
-  double times() const { return slower_ * budget_.times(); }
-
-  ModelResult finished() {
-    ModelResult result = std::move(best_->result);
-    result.choice = taken();
-    for (std::size_t m = 0; m < forecasts_.size(); ++m)
-      if (m != best_->model) result.choice += "; " + left(m);
-    result.notes.insert(result.notes.begin(),
-                        fmt::format("auto, for {}: {}", percent(accuracy_), result.choice));
-    if (!met_) fail(result);
-    return result;
-  }
-
-  void fail(ModelResult& result) const {
-    if (!budget_.limited()) {
-      result.shortfall =
-          fmt::format("accuracy = {:g} was not reached: {}; do: request less accuracy", accuracy_,
-                      result.choice);
-      return;
+  Chosen finished() {
+    const std::optional<std::size_t> best = answer(forecasts_);
+    if (!best) throw_why_none();
+    std::string others;
+    for (std::size_t m = 0; m < models_of(forecasts_); ++m)
+      if (m != *best)
+        others +=
+            "; " + (all_solved(forecasts_, m) ? all_text(m) : not_taken(forecasts_, m, accuracy_));
+    const bool limited = std::isfinite(wanted_.seconds);
+    Chosen chosen;
+    if (limited && worst(*best).reached.together() > accuracy_)
+      if (const auto plan = cheapest(forecasts_, accuracy_))
+        chosen.advice =
+            fmt::format("`--set accuracy={:g}` allows more time: {} would take about {}.",
+                        accuracy_, label(plan->model), duration(plan->seconds));
+    const std::string note =
+        fmt::format("auto, for {}: {}{}", percent(accuracy_), all_text(*best), others);
+    for (std::size_t c = 0; c < subjects_.size(); ++c) {
+      const bool met = attempts_[c][*best]->reached.together() <= accuracy_;
+      ModelResult result = std::move(attempts_[c][*best]->result);
+      result.choice = solved_text(c, *best) + others;
+      result.notes.insert(result.notes.begin(), note);
+      if (!met && !limited)
+        result.shortfall =
+            fmt::format("accuracy = {:g} was not reached: {}; do: request less accuracy", accuracy_,
+                        result.choice);
+      chosen.results.push_back(std::move(result));
     }
-    result.notes.insert(
-        result.notes.begin(),
-        fmt::format("warning: accuracy = {:g}, which models = [\"auto\"] aims for within {} for "
-                    "the whole run, is not reached: {}; do: give `accuracy` to allow more time, or "
-                    "name a model",
-                    accuracy_, duration(seconds_by_default), result.choice));
+    return chosen;
   }
 
-  std::vector<Candidate> candidates_;
+  std::vector<Subject> subjects_;
   const Wanted& wanted_;
   double accuracy_;
-  std::vector<Forecast> forecasts_;
-  std::vector<std::optional<Attempt>> attempts_;
-  std::vector<bool> failed_once_;
-  std::optional<Best> best_;
+  Contacts forecasts_;
+  std::vector<std::vector<std::optional<Attempt>>> attempts_;  ///< like `forecasts_`
+  std::vector<std::vector<bool>> failed_once_;
   std::exception_ptr failure_;
-  Budget unlimited_{{}, 1.0, std::numeric_limits<double>::infinity()};
-  Budget& budget_;
-  double slower_ = 1.0;  ///< than predicted for this machine
-  bool met_ = false;
+  double predicted_ = 0.0;  ///< seconds of all grids tried
+  double elapsed_ = 0.0;    ///< seconds by the clock
 };
 
 }  // namespace
-
-double seconds_of_first(const std::vector<Forecast>& forecasts, double accuracy) {
-  const std::vector<Forecast> hoped = hopes(forecasts, accuracy);
-  const auto plan = cheapest(hoped, accuracy);
-  return plan ? hoped[plan->model].levels[plan->level].seconds : 0.0;
-}
 
 std::string duration(double seconds) {
   if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
@@ -343,23 +261,52 @@ std::string duration(double seconds) {
   return fmt::format("{:.0f} h", seconds / 3600.0);
 }
 
-ModelResult choose(std::vector<Candidate> candidates, const Wanted& wanted) {
-  return Choice(std::move(candidates), wanted).run();
+Chosen choose(std::vector<Subject> contacts, const Wanted& wanted) {
+  return Choice(std::move(contacts), wanted).run();
 }
 
-std::string verdict(const std::vector<Forecast>& forecasts, double accuracy, bool others) {
-  const std::optional<Plan> plan = cheapest(forecasts, accuracy);
+std::string grid_text(const Forecast& forecast, const Level& level) {
+  return fmt::format("{}, {} across, {}{}: discretisation {}, model {}", forecast.label,
+                     level.across, level.solved ? "" : "about ", duration(level.seconds),
+                     percent(level.discretisation), percent(forecast.model_error));
+}
+
+std::string verdict(const std::vector<Forecast>& forecasts, double accuracy) {
+  const std::optional<Plan> plan = cheapest({forecasts}, accuracy);
   std::string text = "nothing is expected to suffice";
-  if (plan) {
-    const Forecast& forecast = forecasts[plan->model];
-    const Level& level = forecast.levels[plan->level];
-    text = fmt::format("{}, {} across, {}{}: discretisation {}, model {}", forecast.label,
-                       level.across, level.solved ? "" : "about ", duration(level.seconds),
-                       percent(level.discretisation), percent(forecast.model_error));
-  }
-  for (std::size_t m = 0; others && m < forecasts.size(); ++m)
-    if (!plan || m != plan->model) text += "; " + not_taken(forecasts[m], accuracy);
+  if (plan)
+    text = grid_text(forecasts[plan->model], forecasts[plan->model].levels[plan->levels.front()]);
+  for (std::size_t m = 0; m < forecasts.size(); ++m)
+    if (!plan || m != plan->model) text += "; " + not_taken({forecasts}, m, accuracy);
   return text;
+}
+
+std::string time_text(const ExpectedRun& run) {
+  std::vector<std::string> labels;
+  for (const Plan& plan : run.plans)
+    if (const std::string& label = run.contacts.front()[plan.model].label;
+        labels.empty() || labels.back() != label)
+      labels.push_back(label);
+  std::string text;
+  for (const std::string& label : labels) text += (text.empty() ? "" : ", then ") + label;
+  return fmt::format("{}: about {} for {} contact{}", text, duration(run.seconds),
+                     run.contacts.size(), run.contacts.size() == 1 ? "" : "s");
+}
+
+std::string not_taken(const Contacts& contacts, std::size_t model, double accuracy) {
+  const std::string& label = contacts.front()[model].label;
+  const Forecast* most = &contacts.front()[model];
+  for (const std::vector<Forecast>& models : contacts) {
+    if (!models[model].cannot.empty()) return fmt::format("{}: {}", label, models[model].cannot);
+    if (models[model].model_error > most->model_error) most = &models[model];
+  }
+  if (const auto plan = plan_of(contacts, model, accuracy))
+    return fmt::format("{} would take about {}", label, duration(plan->seconds));
+  if (most->model_error > accuracy)
+    return fmt::format("{} {} {}", label,
+                       most->model_error_found ? "neglects" : "is expected to neglect about",
+                       percent(most->model_error));
+  return fmt::format("{} would probably not suffice", label);
 }
 
 }  // namespace rollfem::modelling

@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The choice among models: finds the cheapest model whose total error meets an accuracy, by solving
-// the most promising one, measuring the error reached and updating the forecast. One sentence
+// The choice among models, once for all contacts of a run: the half-space solves all of them, and
+// if its errors exceed the accuracy, one other model that is expected to meet it. One sentence
 // states which model was chosen, which ones were not, and why.
 #pragma once
 
 #include "contact/base/accuracy.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/result/reached.hpp"
 #include "contact/result/result.hpp"
-#include "models/choice/budget.hpp"
 #include "models/choice/forecast.hpp"
-#include "models/choice/reached.hpp"
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace rollfem::modelling {
 
-/// Default if the case requests no accuracy.
-constexpr double default_accuracy = 0.01;
+/// Time limit of a run without a requested accuracy, in predicted seconds, so that the same case
+/// leads to the same choice.
+constexpr double seconds_by_default = 60.0;
 
-/// A model that may be chosen.
+/// A model that may be chosen, for one contact.
 struct Candidate {
   Forecast forecast;
   /// Solves with `across` elements across the patch. Throws contact::InputError,
@@ -34,34 +35,51 @@ struct Candidate {
   std::string no_model_error = {};  ///< why its model error cannot be known; otherwise empty
 };
 
+/// A contact of the run.
+struct Subject {
+  std::vector<Candidate> candidates;  ///< the same models for every contact
+  double friction_coefficient = 0.0;
+  std::string name = {};  ///< begins messages about failures: "a.toml: right wheel, position 2: "
+};
+
 struct Wanted {
   contact::AccuracyRequest accuracy;  ///< `relative` is set
-  double friction_coefficient = 0.0;
-  /// Where it is limited, no accuracy was requested, and missing the default accuracy is no
-  /// failure. Null: one of its own without limit.
-  Budget* budget = nullptr;
+  /// Limit of the predicted time. Where it is finite, no accuracy was requested, and missing the
+  /// default accuracy is no failure.
+  double seconds = std::numeric_limits<double>::infinity();
   /// True: a model that fails is left out. False: its exception ends the choice.
   bool go_on = true;
-  /// Receives the next model and its expected time before each solution. May be empty.
+  /// Receives the models to be solved and their expected time beforehand. May be empty.
   contact::Progress progress = {};
   /// Collective: returns the text of the first process on every process. May be empty.
   std::function<std::string(const std::string&)> agree = {};
 };
 
-/// The result of the chosen model. Its `choice` is the sentence about the choice, which is also its
-/// first note; `shortfall` is set if a requested accuracy is not reached. Throws
-/// contact::InputError if no candidate can take the case, otherwise rethrows the failure of the
-/// last candidate.
-contact::ModelResult choose(std::vector<Candidate> candidates, const Wanted& wanted);
+struct Chosen {
+  /// In the order of the contacts, all of the same model. ModelResult::choice is the sentence about
+  /// the choice; `shortfall` is set where a requested accuracy is not reached.
+  std::vector<contact::ModelResult> results;
+  /// What would meet an accuracy that was missed for want of time; otherwise empty.
+  std::string advice;
+};
 
-/// Predicted seconds of the first attempt; 0 if no model is expected to suffice.
-double seconds_of_first(const std::vector<Forecast>& forecasts, double accuracy);
+/// Throws contact::InputError if no candidate can take all contacts, otherwise the first failure.
+Chosen choose(std::vector<Subject> contacts, const Wanted& wanted);
 
 /// "0.3 s", "4 min", "2 h".
 std::string duration(double seconds);
 
-/// "half-space with 24 across, about 0.3 s: discretisation 0.6 %, model 0.2 %", or a sentence that
-/// no model is expected to suffice. `others`: adds the models not chosen, with reasons.
-std::string verdict(const std::vector<Forecast>& forecasts, double accuracy, bool others);
+/// "half-space with 24 across, about 0.3 s: discretisation 0.6 %, model 0.2 %": a grid of a model.
+std::string grid_text(const Forecast& forecast, const Level& level);
+
+/// The same for the cheapest grid of one contact, or a sentence that no model is expected to
+/// suffice; and the models not chosen, with reasons.
+std::string verdict(const std::vector<Forecast>& forecasts, double accuracy);
+
+/// "half-space, then hybrid: about 4 min for 42 contacts"
+std::string time_text(const ExpectedRun& run);
+
+/// "hybrid would take about 4 min", or why it would not suffice.
+std::string not_taken(const Contacts& contacts, std::size_t model, double accuracy);
 
 }  // namespace rollfem::modelling

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Forecasts error and cost of models on successively finer grids and picks the cheapest that
-// suffices. Pure functions of values, independent of any model.
+// Forecasts error and cost of models on successively finer grids and picks, for all contacts of a
+// run, the cheapest model that suffices. Pure functions of values, independent of any model.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,10 @@ struct Level {
   int across = 0;               ///< elements across the smaller extent of the patch
   double discretisation = 0.0;  ///< error, as part of the whole of the worst quantity
   double seconds = 0.0;
-  bool solved = false;  ///< error and time are measured, not expected
+  bool solved = false;  ///< discretisation and time are measured, not expected
+  /// Total error of a solution that the run has; its grid costs nothing more.
+  std::optional<double> reached = {};
+  double cost() const { return reached ? 0.0 : seconds; }
 };
 
 /// A model with the expected cost and error of its grids.
@@ -33,26 +36,64 @@ struct Forecast {
   double once = 0.0;  ///< s, spent only on the first grid
 
   /// Discretisation and model error together.
-  double error(const Level& level) const { return level.discretisation + model_error; }
+  double error(const Level& level) const {
+    return level.reached.value_or(level.discretisation + model_error);
+  }
 };
 
-/// A grid of one of several forecasts.
+/// [contact][model], with the same models for every contact.
+using Contacts = std::vector<std::vector<Forecast>>;
+
+/// Number of models.
+inline std::size_t models_of(const Contacts& contacts) {
+  return contacts.empty() ? 0 : contacts.front().size();
+}
+
+/// One model with one grid for each contact.
 struct Plan {
   std::size_t model = 0;
-  std::size_t level = 0;
+  std::vector<std::size_t> levels;
+  double seconds = 0.0;      ///< expected, of the grids that are not solved yet
+  std::size_t unsolved = 0;  ///< number of these
 };
 
 /// Assumed order of convergence: cells n times smaller reduce the error at least by n to this
 /// power. Half-spaces show 1.5 to 1.9 (verification.LeadingEdge.*).
 constexpr double assumed_order = 1.5;
 
-/// The cheapest grid whose total error is at most `accuracy`; empty if there is none. `unsolved`:
-/// considers only grids that were not solved yet.
-std::optional<Plan> cheapest(const std::vector<Forecast>& forecasts, double accuracy,
-                             bool unsolved = false);
+/// The cheapest grid of every contact whose total error is at most `accuracy`; empty if a contact
+/// has none. Solved grids cost nothing.
+std::optional<Plan> plan_of(const Contacts& contacts, std::size_t model, double accuracy);
 
-/// Smallest expected error of any grid; infinity if no model can take the case.
-double least_error(const std::vector<Forecast>& forecasts, bool unsolved = false);
+/// The cheapest model with such grids; empty if there is none.
+std::optional<Plan> cheapest(const Contacts& contacts, double accuracy);
+
+/// The solution with the smallest error; null if there is none.
+const Level* best_solved(const Forecast& forecast);
+
+/// Whether every contact has a solution by the model.
+bool all_solved(const Contacts& contacts, std::size_t model);
+
+/// The contact whose best solution by a model has the largest error. All are solved.
+std::size_t worst_contact(const Contacts& contacts, std::size_t model);
+
+/// The model whose worst contact has the smallest error, of those that have solved all; empty if
+/// there is none.
+std::optional<std::size_t> answer(const Contacts& contacts);
+
+/// What a run solves next; empty if nothing would improve on its solutions. The first model that
+/// can take all contacts solves them first. After that, one model solves all contacts if it is
+/// expected to meet the accuracy within `seconds`; otherwise finer grids follow where they help.
+/// Without limit, so does a model that is only expected to come closer.
+std::optional<Plan> next_plan(const Contacts& contacts, double accuracy, double seconds);
+
+/// A run as expected before anything is solved.
+struct ExpectedRun {
+  std::vector<Plan> plans;  ///< one after the other
+  Contacts contacts;        ///< afterwards: Level::reached of the grids of the plans is expected
+  double seconds = 0.0;     ///< of all plans
+};
+ExpectedRun expected_run(Contacts contacts, double accuracy, double seconds);
 
 /// Records that level `at` was solved: updates the expected errors of unsolved levels and removes
 /// the one-time cost from them.

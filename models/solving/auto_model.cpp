@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -106,17 +107,6 @@ ContactSize size_of(const Scene& scene) {
   return size;
 }
 
-/// Seconds on this machine per predicted second, if measured.
-double machine_times() {
-  const std::optional<MachineSpeed> speed = machine_speed();
-  return speed ? speed->times : 1.0;
-}
-
-/// Time limit of the choice: a requested accuracy has none.
-double seconds_for(const Scene& scene) {
-  return scene.accuracy.relative ? contact::infinity : modelling::seconds_by_default;
-}
-
 /// Why a model cannot take the scene; otherwise empty.
 std::string out_of_question(const contact::ModelInfo& model, const Scene& scene) {
   if (!model.built) return "not in this build";
@@ -138,23 +128,6 @@ Forecast forecast_as(Choosable kind, const ContactSize& size, double accuracy) {
                                                   : modelling::halfspace_forecast(size, accuracy);
 }
 
-/// Forecasts in the order of the registry.
-std::vector<Forecast> forecasts_of(const Scene& scene, const ContactSize& size,
-                                   const ModelRegistry& models) {
-  std::vector<Forecast> all;
-  std::string half_spaces;
-  for (const contact::ModelInfo& model : models.all()) {
-    if (model.choosable == Choosable::never) continue;
-    all.push_back(forecast_as(model.choosable, size, accuracy_of(scene.accuracy)));
-    all.back().model = model.name;
-    if (model.choosable == Choosable::half_spaces) half_spaces = model.name;
-    if (model.choosable == Choosable::corrected_half_spaces) all.back().corrects = half_spaces;
-    const std::string why = out_of_question(model, scene);
-    if (!why.empty()) all.back().cannot = why;
-  }
-  return all;
-}
-
 /// The scene with a grid set by the choice, for half-space and hybrid.
 Scene on_grid(Scene scene, int across) {
   if (auto& cell = scene.contact_grid.cell_size) {
@@ -173,23 +146,24 @@ Scene on_cells(Scene scene, int across) {
   return scene;
 }
 
-/// Solves candidates; each passes the checks of its own model.
+/// Solves the candidates of a scene; each passes the checks of its own model.
 class Solver {
  public:
-  Solver(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint,
-         const Solving& how)
-      : asked_(scene),
-        scene_(scene),
-        size_(size_of(scene)),
-        progress_(progress),
-        checkpoint_(checkpoint),
-        how_(how) {
+  Solver(const Scene& scene, const Solving& how)
+      : asked_(scene), scene_(scene), size_(size_of(scene)), how_(how) {
     scene_.accuracy.relative.reset();
     scene_.options.halfspace.model_error = false;
   }
 
-  const ContactSize& size() const { return size_; }
+  Subject subject(const std::vector<Forecast>& forecasts) const {
+    Subject made;
+    for (const Forecast& forecast : forecasts) made.candidates.push_back(candidate(forecast));
+    made.friction_coefficient = asked_.friction_coefficient();
+    made.name = fmt::format("{}: {}", asked_.file, asked_.patch_prefix());
+    return made;
+  }
 
+ private:
   Candidate candidate(const Forecast& forecast) const {
     Candidate made{forecast, {}, false, {}};
     const std::string name = forecast.model;
@@ -217,11 +191,10 @@ class Solver {
     return made;
   }
 
- private:
   /// Finer grids hardly change the model error: the first estimate serves all of them.
   void share_model_error(int elements, contact::ModelResult& result) const {
     if (estimated_.empty()) {
-      halfspace::add_model_error(scene_, progress_, result, elements);
+      halfspace::add_model_error(scene_, how_.progress, result, elements);
       for (const contact::PointResult& point : result.points)
         estimated_.push_back(point.model_error);
       source_ = result.model_error_source;
@@ -235,7 +208,7 @@ class Solver {
   contact::ModelResult run(const std::string& name, const Scene& scene) const {
     const contact::ModelInfo& model = how_.models->at(name);
     if (model.parallel && how_.need_session) how_.need_session();
-    contact::ModelResult result = how_.models->run(name, scene, progress_, checkpoint_);
+    contact::ModelResult result = run_model(name, scene, how_);
     result.label = model.label;
     return result;
   }
@@ -243,8 +216,6 @@ class Solver {
   const Scene& asked_;
   Scene scene_;  ///< without requested accuracy and estimates, which this class handles
   ContactSize size_;
-  const contact::Progress& progress_;
-  contact::Checkpoint* checkpoint_;
   const Solving& how_;
   mutable std::vector<std::map<std::string, double>> estimated_;  ///< per load point
   mutable std::string source_;
@@ -289,45 +260,60 @@ void refuse_choice(const ModelRegistry& models, const std::vector<std::string>& 
 }
 
 std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& models) {
-  return forecasts_of(scene, size_of(scene), models);
+  const ContactSize size = size_of(scene);
+  std::vector<Forecast> all;
+  std::string half_spaces;
+  for (const contact::ModelInfo& model : models.all()) {
+    if (model.choosable == Choosable::never) continue;
+    all.push_back(forecast_as(model.choosable, size, accuracy_of(scene.accuracy)));
+    all.back().model = model.name;
+    if (model.choosable == Choosable::half_spaces) half_spaces = model.name;
+    if (model.choosable == Choosable::corrected_half_spaces) all.back().corrects = half_spaces;
+    const std::string why = out_of_question(model, scene);
+    if (!why.empty()) all.back().cannot = why;
+  }
+  return all;
+}
+
+Contacts forecasts_here(const std::vector<Scene>& scenes, const ModelRegistry& models) {
+  const std::optional<MachineSpeed> speed = machine_speed();
+  Contacts contacts;
+  for (const Scene& scene : scenes) {
+    contacts.push_back(forecasts_of(scene, models));
+    for (Forecast& forecast : contacts.back()) {
+      forecast.once *= speed ? speed->times : 1.0;
+      for (Level& level : forecast.levels) level.seconds *= speed ? speed->times : 1.0;
+    }
+  }
+  return contacts;
 }
 
 double accuracy_of(const contact::AccuracyRequest& asked) {
-  return asked.relative.value_or(modelling::default_accuracy);
+  return asked.relative.value_or(contact::default_accuracy);
 }
 
-Budget budget_of(const std::vector<Scene>& scenes, const ModelRegistry& models) {
-  std::vector<double> needs;
-  double limit = modelling::seconds_by_default;
-  for (const Scene& scene : scenes) {
-    limit = seconds_for(scene);  // the same for all scenes of a case
-    needs.push_back(0.0);
-    try {
-      needs.back() = seconds_of_first(forecasts_of(scene, models), accuracy_of(scene.accuracy));
-    } catch (const std::runtime_error&) {
-      // No patch, so no expectation: the solver will report it.
-    }
+double seconds_for(const contact::AccuracyRequest& asked) {
+  return asked.relative ? contact::infinity : modelling::seconds_by_default;
+}
+
+Chosen solve_by_choice(const std::vector<Scene>& scenes, const Solving& how) {
+  const Contacts forecasts = forecasts_here(scenes, *how.models);
+  std::vector<std::unique_ptr<Solver>> solvers;
+  std::vector<Subject> subjects;
+  for (std::size_t c = 0; c < scenes.size(); ++c) {
+    solvers.push_back(std::make_unique<Solver>(scenes[c], how));
+    subjects.push_back(solvers.back()->subject(forecasts[c]));
   }
-  return Budget(std::move(needs), machine_times(), limit);
-}
-
-contact::ModelResult solve_by_choice(const Scene& scene, const contact::Progress& progress,
-                                     contact::Checkpoint* checkpoint, const Solving& how) {
-  const Solver solver(scene, progress, checkpoint, how);
-  std::vector<Candidate> candidates;
-  for (const Forecast& forecast : forecasts_of(scene, solver.size(), *how.models))
-    candidates.push_back(solver.candidate(forecast));
   Wanted wanted;
-  wanted.accuracy = scene.accuracy;
-  wanted.accuracy.relative = accuracy_of(scene.accuracy);
-  Budget alone({}, machine_times(), seconds_for(scene));
-  wanted.budget = how.budget != nullptr ? how.budget : &alone;
-  wanted.progress = progress;
-  wanted.friction_coefficient = scene.friction_coefficient();
+  wanted.accuracy = scenes.front().accuracy;  // the same for all scenes of a case
+  wanted.accuracy.relative = accuracy_of(wanted.accuracy);
+  // A part of a run has its part of the time.
+  wanted.seconds = seconds_for(scenes.front().accuracy) / how.share.of;
+  wanted.progress = how.progress;
   wanted.go_on = how.together;
   if (!how.together && how.session != nullptr)
     wanted.agree = [&](const std::string& text) { return how.session->from_first(text); };
-  return modelling::choose(std::move(candidates), wanted);
+  return modelling::choose(std::move(subjects), wanted);
 }
 
 }  // namespace rollfem::modelling

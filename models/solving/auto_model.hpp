@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `auto`: the cheapest of half-space, hybrid and finite elements that meets the accuracy of the
-// case (choice/choice.hpp).
+// case, for all its contacts (choice/choice.hpp).
 #pragma once
 
 #include "contact/solve/model.hpp"
@@ -26,19 +26,23 @@ void check_alone(const contact::ModelRegistry& models, const std::vector<std::st
 void refuse_choice(const contact::ModelRegistry& models, const std::vector<std::string>& names,
                    const std::string& command);
 
-/// Forecasts for the models of a scene before anything is solved. Throws contact::InputError, and
-/// contact::SolveError if the scene has no patch.
+/// Forecasts for the models of a scene before anything is solved, in seconds of the reference
+/// machine. Throws contact::InputError, and contact::SolveError if the scene has no patch.
 std::vector<Forecast> forecasts_of(const contact::Scene& scene,
                                    const contact::ModelRegistry& models);
 
-/// The accuracy that auto aims for: requested by the scene, or 1 %.
+/// In seconds of this machine, as far as `rollfem bench` has measured it.
+Contacts forecasts_here(const std::vector<contact::Scene>& scenes,
+                        const contact::ModelRegistry& models);
+
+/// The accuracy that auto aims for: requested, or 1 %.
 double accuracy_of(const contact::AccuracyRequest& asked);
 
-/// Time budget of the choices for these scenes.
-Budget budget_of(const std::vector<contact::Scene>& scenes, const contact::ModelRegistry& models);
+/// Time limit of the choice, s; infinity if an accuracy is requested.
+double seconds_for(const contact::AccuracyRequest& asked);
 
-/// The result of the chosen model, with its name. Collective in a parallel run.
-contact::ModelResult solve_by_choice(const contact::Scene& scene, const contact::Progress& progress,
-                                     contact::Checkpoint* checkpoint, const Solving& how);
+/// The results of the chosen model, in the order of the scenes, with its name. Collective in a
+/// parallel run.
+Chosen solve_by_choice(const std::vector<contact::Scene>& scenes, const Solving& how);
 
 }  // namespace rollfem::modelling

@@ -70,63 +70,84 @@ void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
     const contact::ModelResult result = how.models->run(half.model, few, how.progress);
     if (!result.has_model_error()) return;
     half.model_error =
-        modelling::reached_by(result, scene.accuracy, scene.friction_coefficient(), true)
-            .most_model;
+        contact::reached_by(result, scene.accuracy, scene.friction_coefficient(), true).most_model;
     half.model_error_found = true;
   } catch (const std::runtime_error&) {
     // Keep the expected value.
   }
 }
 
-/// The forecasts in seconds of this machine.
-std::vector<Forecast> here(std::vector<Forecast> forecasts,
-                           const std::optional<MachineSpeed>& speed) {
-  if (speed)
-    for (Forecast& forecast : forecasts)
-      for (Level& level : forecast.levels) level.seconds *= speed->times;
-  return forecasts;
+/// Seconds of the expected solutions of a contact by all models.
+double seconds_of(const std::vector<Forecast>& models) {
+  double seconds = 0.0;
+  for (const Forecast& model : models)
+    for (const Level& level : model.levels) seconds += level.reached ? level.seconds : 0.0;
+  return seconds;
 }
 
-/// Line for the total of several positions or contacts.
-std::string total_line(const std::vector<Scene>& scenes, const contact::ModelRegistry& models) {
-  if (scenes.size() < 2) return "";
-  const double needed = budget_of(scenes, models).needed();
-  const bool asked = scenes.front().accuracy.relative.has_value();
-  return fmt::format(
-      "  all {} contacts together: about {} if the first attempt suffices{}\n", scenes.size(),
-      duration(needed),
-      asked || needed <= seconds_by_default
-          ? ""
-          : "; without `accuracy` auto stops after 60 s and states the error reached");
+/// The contacts that miss the accuracy, as expected by the model that solves all at last.
+std::string missing_text(const ExpectedRun& run, std::size_t model, double accuracy) {
+  const auto missing = std::count_if(
+      run.contacts.begin(), run.contacts.end(),
+      [&](const auto& models) { return *best_solved(models[model])->reached > accuracy; });
+  return missing == 0 ? ""
+                      : fmt::format("; {} of {} contacts {} expected to miss {}", missing,
+                                    run.contacts.size(), missing == 1 ? "is" : "are",
+                                    contact::percent(accuracy));
 }
 
 }  // namespace
 
-std::string expected_choice(const contact::Case& input, const contact::ModelRegistry& models) {
-  std::string text;
-  const std::optional<MachineSpeed> speed = machine_speed();
+ExpectedChoice expected_choice(const contact::Case& input, const contact::ModelRegistry& models) {
+  const std::vector<Scene> scenes = unbalanced_scenes(input, placed_wheels(input));
+  const Contacts forecasts = forecasts_here(scenes, models);
+  ExpectedChoice choice;
+  if (scenes.empty()) return choice;
+  const contact::AccuracyRequest& asked = scenes.front().accuracy;  // the same for all scenes
+  choice.accuracy = accuracy_of(asked);
+  const ExpectedRun run = expected_run(forecasts, choice.accuracy, seconds_for(asked));
+  choice.seconds = run.seconds;
+  for (std::size_t c = 0; c < scenes.size(); ++c)
+    choice.contacts.push_back({scenes[c].place, forecasts[c],
+                               verdict(forecasts[c], choice.accuracy),
+                               seconds_of(run.contacts[c])});
+  if (run.plans.empty()) return choice;
+  const std::size_t last = run.plans.back().model;
+  for (std::size_t c = 0; c < scenes.size(); ++c) {
+    Level level = *best_solved(run.contacts[c][last]);
+    level.seconds = choice.contacts[c].seconds;
+    choice.contacts[c].sentence = grid_text(run.contacts[c][last], level);
+  }
+  choice.sentence = time_text(run) + (input.has_profiles() ? ", after the balance" : "") +
+                    missing_text(run, last, choice.accuracy);
+  for (std::size_t m = 0; m < models_of(run.contacts); ++m)
+    if (m != last) choice.sentence += "; " + not_taken(forecasts, m, choice.accuracy);
+  return choice;
+}
+
+std::string expected_choice_text(const contact::Case& input, const contact::ModelRegistry& models) {
+  ExpectedChoice choice;
   try {
-    const std::vector<Scene> scenes = unbalanced_scenes(input, placed_wheels(input));
-    for (const Scene& scene : scenes) {
-      if (scene.place && scene.place->position > 1) break;
-      const double accuracy = accuracy_of(scene.accuracy);
-      text +=
-          fmt::format("  {}for {}: {}\n", scene.patch_prefix(), modelling::percent(accuracy),
-                      modelling::verdict(here(forecasts_of(scene, models), speed), accuracy, true));
-    }
-    text += total_line(scenes, models);
+    choice = expected_choice(input, models);
   } catch (const contact::SolveError&) {
     return "";  // the solver will report it
   } catch (const contact::InputError&) {
     return "";
   }
-  return fmt::format(
-      "\nexpected choice of the model auto, from the size of the contact alone{}\n{}",
-      speed ? fmt::format("; times are for this machine, {:.2f} times those of the reference "
-                          "machine (rollfem bench, {})",
-                          speed->times, speed->made.substr(0, 10))
-            : "; times are for an idle 2.5 GHz core; rollfem bench calibrates them to this machine",
-      text);
+  const std::optional<MachineSpeed> speed = machine_speed();
+  std::string text = fmt::format(
+      "\nexpected choice of the model auto, from the size of the contact alone{}\n",
+      speed
+          ? fmt::format("; times are for this machine, {:.2f} times those of the reference "
+                        "machine (rollfem bench, {})",
+                        speed->times, speed->made.substr(0, 10))
+          : "; times are for an idle 2.5 GHz core; rollfem bench calibrates them to this machine");
+  for (const ExpectedContact& contact : choice.contacts)
+    text += fmt::format("  {}{}\n", contact.place ? contact.place->label() + ": " : "",
+                        contact.sentence);
+  if (!choice.sentence.empty())
+    text += fmt::format("  for {}: {}\n", contact::percent(choice.accuracy), choice.sentence);
+  return text;
 }
 
 void add_choice(const Scene& scene, const Solving& how, double friction,
@@ -152,7 +173,7 @@ void add_choice(const Scene& scene, const Solving& how, double friction,
       }
   }
   for (const double percent : {5.0, 1.0, 0.2})
-    place.choice.emplace_back(percent, modelling::verdict(forecasts, 0.01 * percent, true));
+    place.choice.emplace_back(percent, modelling::verdict(forecasts, 0.01 * percent));
 }
 
 }  // namespace rollfem::modelling

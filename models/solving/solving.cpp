@@ -4,6 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
+#include "contact/result/reached.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/scene_checkpoint.hpp"
 #include "track/balance/balance.hpp"
@@ -18,14 +19,12 @@ namespace rollfem::modelling {
 
 namespace {
 
-/// Adds model and patch to progress events, because a model may run another one. A choice leaves
-/// this to the models it runs.
+/// Adds model and patch to progress events, because a model may run another one.
 contact::Progress told(const contact::ModelInfo& model, const contact::Scene& scene,
                        const contact::Progress& progress) {
   const std::string patch = scene.place ? scene.place->label() + ": " : "";
-  const std::string name = model.chooses ? "" : model.name;
-  return [name, patch, progress](contact::ProgressEvent event) {
-    if (!name.empty()) event.model = name;
+  return [name = model.name, patch, progress](contact::ProgressEvent event) {
+    event.model = name;
     event.stage = patch + event.stage;
     contact::report(progress, event);
   };
@@ -110,37 +109,6 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
   for (contact::PointResult& point : result.points) add_vertical_force(*scene.place, point);
 }
 
-/// Runs one model and adds its name to errors that lack it.
-contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
-                               const Solving& how) {
-  const contact::ModelInfo& model = how.models->at(name);
-  SceneCheckpoint kept(how.checkpoint, scene.place);
-  contact::Checkpoint* keep = how.checkpoint != nullptr ? &kept : nullptr;
-  const contact::Progress progress = told(model, scene, how.progress);
-  const auto where = [&](const std::exception& error) {
-    return fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), name, error.what());
-  };
-  try {
-    if (model.chooses) return solve_by_choice(scene, progress, keep, how);
-    return how.models->run(name, scene, progress, keep);
-  } catch (const contact::UnfitGrid& error) {
-    throw contact::UnfitGrid(where(error));
-  } catch (const contact::SolveError& error) {
-    throw contact::SolveError(where(error));
-  }
-}
-
-/// Announces the expected time of the choices of all scenes.
-void tell_of(const Budget& budget, std::size_t scenes, const contact::Progress& progress) {
-  contact::ProgressEvent event;
-  event.model = "auto";
-  event.stage = "expected";
-  event.finished = true;
-  event.note = fmt::format("about {} for {} contact{} if the first attempt suffices",
-                           duration(budget.needed()), scenes, scenes == 1 ? "" : "s");
-  contact::report(progress, event);
-}
-
 /// The models that can take every scene. For the others: a sentence, or the registry's exception.
 std::vector<std::string> able_models(const contact::Case& input, const Scenes& scenes,
                                      const Solving& how, std::vector<Missing>& missing) {
@@ -155,11 +123,74 @@ std::vector<std::string> able_models(const contact::Case& input, const Scenes& s
   return able;
 }
 
+/// Notes that the model has no result, or rethrows the exception being handled.
+void miss(const std::string& name, const std::exception& error, bool failed, const Solving& how,
+          Solved& solved) {
+  const bool together = !how.models->at(name).parallel || how.together;
+  if (!how.go_on || !together) throw;
+  solved.missing.push_back({name, error.what(), failed});
+}
+
+/// Models by name, scene by scene; one that fails is left out of the later scenes.
+void solve_named(std::vector<std::string> able, const Scenes& scenes, const Solving& how,
+                 Solved& solved) {
+  for (const contact::Scene& scene : scenes.list)
+    for (const std::string& name : std::vector<std::string>(able)) {
+      if (!how.models->at(name).parallel && !how.first) continue;
+      const auto leave_out = [&](const std::exception& error, bool failed) {
+        miss(name, error, failed, how, solved);
+        able.erase(std::find(able.begin(), able.end(), name));
+      };
+      try {
+        solved.results.push_back(solve_scene(name, scene, scenes.notes, how));
+      } catch (const contact::SolveError& error) {
+        leave_out(error, true);
+      } catch (const contact::InputError& error) {
+        leave_out(error, false);
+      }
+    }
+}
+
+/// `auto`, for all scenes; returns Chosen::advice.
+std::string solve_chosen(const std::string& name, const Scenes& scenes, const Solving& how,
+                         Solved& solved) {
+  if (scenes.list.empty()) return {};
+  try {
+    Chosen chosen = solve_by_choice(scenes.list, how);
+    for (std::size_t c = 0; c < scenes.list.size(); ++c)
+      finish(scenes.list[c], scenes.notes, *how.models, chosen.results[c]);
+    solved.results = std::move(chosen.results);
+    return chosen.advice;
+  } catch (const contact::SolveError& error) {
+    miss(name, error, true, how, solved);
+  } catch (const contact::InputError& error) {
+    miss(name, error, false, how, solved);
+  }
+  return {};
+}
+
 }  // namespace
+
+contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
+                               const Solving& how) {
+  SceneCheckpoint kept(how.checkpoint, scene.place);
+  return how.models->run(name, scene, told(how.models->at(name), scene, how.progress),
+                         how.checkpoint != nullptr ? &kept : nullptr);
+}
 
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<std::string>& notes, const Solving& how) {
-  contact::ModelResult result = run_model(model, scene, how);
+  const auto where = [&](const std::exception& error) {
+    return fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), model, error.what());
+  };
+  contact::ModelResult result;
+  try {
+    result = run_model(model, scene, how);
+  } catch (const contact::UnfitGrid& error) {
+    throw contact::UnfitGrid(where(error));
+  } catch (const contact::SolveError& error) {
+    throw contact::SolveError(where(error));
+  }
   if (result.label.empty()) result.label = how.models->at(model).label;
   finish(scene, notes, *how.models, result);
   return result;
@@ -170,34 +201,18 @@ Solved solve(const contact::Case& input, const Solving& how) {
   Scenes scenes = scenes_of(input, how.placed ? how.placed : placed_wheels(input), how.progress,
                             how.checkpoint, how.share);
   std::vector<std::string> able = able_models(input, scenes, how, solved.missing);
-  Solving counted = how;
-  const bool choice = any_choice(*how.models, able);
-  Budget budget = choice ? budget_of(scenes.list, *how.models) : Budget({});
-  if (choice && budget.needed() > 0.0) tell_of(budget, scenes.list.size(), how.progress);
-  counted.budget = &budget;
-  for (const contact::Scene& scene : scenes.list) {
-    for (const std::string& name : std::vector<std::string>(able)) {
-      const bool parallel = how.models->at(name).parallel;
-      if (!parallel && !how.first) continue;
-      const auto miss = [&](const std::exception& error, bool failed) {
-        solved.missing.push_back({name, error.what(), failed});
-        able.erase(std::find(able.begin(), able.end(), name));
-      };
-      const bool must_throw = !how.go_on || (parallel && !how.together);
-      try {
-        solved.results.push_back(solve_scene(name, scene, scenes.notes, counted));
-      } catch (const contact::SolveError& error) {
-        if (must_throw) throw;
-        miss(error, true);
-      } catch (const contact::InputError& error) {
-        if (must_throw) throw;
-        miss(error, false);
-      }
-    }
-    budget.next();
-  }
+  std::string advice;
+  if (any_choice(*how.models, able))
+    advice = solve_chosen(able.front(), scenes, how, solved);
+  else
+    solve_named(std::move(able), scenes, how, solved);
   track::check_results(input, solved.results);
   solved.pairs = std::move(scenes.pairs);
+  if (solved.results.empty()) return solved;
+  const contact::Scene& first = scenes.list.front();
+  solved.verdict =
+      contact::missed_text(solved.results, first.accuracy, first.friction_coefficient());
+  if (!advice.empty()) solved.verdict += " " + advice;
   return solved;
 }
 

@@ -7,7 +7,6 @@
 #include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
 #include "contact/solve/model.hpp"
-#include "models/choice/budget.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "postprocess/write/output.hpp"
@@ -29,6 +28,7 @@ struct Solved {
   std::vector<contact::ModelResult> results;
   std::vector<postprocess::PlacedPair> pairs;
   std::vector<Missing> missing;  ///< with Solving::go_on
+  std::string verdict;           ///< RunRecord::verdict
 };
 
 struct Solving {
@@ -40,7 +40,6 @@ struct Solving {
   Placed placed;  ///< wheels in position; null: `solve` places them
   contact::Progress progress;
   contact::Checkpoint* checkpoint = nullptr;  ///< may be null
-  Budget* budget = nullptr;                   ///< of the choices; null: their own
   contact::Share share;                       ///< positions of the wheelset that this call solves
   bool first = true;     ///< first process of a parallel run, which alone runs serial models
   bool together = true;  ///< this is the only process
@@ -54,8 +53,13 @@ struct Solving {
 /// with `go_on`, because the others may be inside a collective call.
 Solved solve(const contact::Case& input, const Solving& how);
 
-/// One model on one scene or on a case with radii: one step of `solve`. Every process calls it for
-/// a parallel model, only the first for the others. Throws as `solve` does.
+/// Runs one model on a scene as it is, with progress and checkpoint of its patch. Throws
+/// contact::InputError and contact::SolveError.
+contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
+                               const Solving& how);
+
+/// One model, not auto, on one scene or on a case with radii: one step of `solve`. Every process
+/// calls it for a parallel model, only the first for the others. Throws as `solve` does.
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<std::string>& notes, const Solving& how);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/compare/comparison.hpp"
 
+#include "contact/result/bars.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/read/summary_reader.hpp"
 
@@ -116,6 +117,24 @@ void refer(ComparedNumber& number, const ModelResult& reference, std::size_t k,
   number.reference_error = error_of(point, quantity).value_or(0.0);
 }
 
+/// The model whose value is exact, and whose model error the reference does not resolve; null if
+/// there is none.
+const ModelResult* exact_among(const std::vector<const ModelResult*>& models,
+                               const ModelResult& reference, std::size_t k,
+                               const Quantity& quantity) {
+  if (k >= reference.points.size()) return nullptr;
+  const double resolved = error_of(reference.points[k], quantity).value_or(0.0);
+  for (const ModelResult* model : models) {
+    if (k >= model->points.size()) continue;
+    const PointResult& point = model->points[k];
+    const auto word = point.no_bar.find(quantity.name);
+    if (word == point.no_bar.end() || word->second != contact::no_bar::exact) continue;
+    const auto left_out = point.model_error.find(quantity.name);
+    if (left_out == point.model_error.end() || left_out->second <= resolved) return model;
+  }
+  return nullptr;
+}
+
 /// Appends all numbers of the models of one patch.
 void append_patch(std::vector<ComparedNumber>& numbers,
                   const std::vector<const ModelResult*>& models, double friction,
@@ -136,6 +155,8 @@ void append_patch(std::vector<ComparedNumber>& numbers,
         ComparedNumber number = number_of(*model, k, quantity);
         if (!is_given(quantity, number.value)) continue;
         const ModelResult* base = of_friction ? base_friction : base_patch;
+        if (base != nullptr && (references.empty() || base->name != references.front()))
+          if (const ModelResult* exact = exact_among(models, *base, k, quantity)) base = exact;
         if (base != nullptr && base != model && k < base->points.size())
           refer(number, *base, k, quantity, friction);
         numbers.push_back(number);

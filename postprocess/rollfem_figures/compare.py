@@ -127,7 +127,7 @@ def _case_section(comparison, case, directory):
     heading = f"<h2 id=\"{escape(case['name'])}\">{escape(case['title'] or case['name'])}</h2>"
     if not case["complete"]:
         return heading + _missing(case)
-    result, figures = report.build(os.path.join(directory, case["name"]), comparison["reference"] or "halfspace")
+    result, figures = report.build(os.path.join(directory, case["name"]), comparison["reference"], "halfspace")
     inner = (report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
              + page.section("Cost", tables.cost_table(result)) + report.notes(result))
     return "".join([heading, report.asked(result), _missing(case), report.lower(inner),
@@ -154,8 +154,8 @@ def _asked(comparison):
                     f"{escape(c['title'])}</li>" for c in comparison["cases"])
     return (f"<p>Models: {names}. Differences are from {first}"
             + (f" or, where it has no value, from {' or '.join(others)}. " if others else ". ")
-            + "Error bars are each model's own estimate of its numerical error; an exact closed form "
-            f"(Hertz) has none, so its model error shows as a difference.</p><ul>{cases}</ul>")
+            + "An exact closed form (Hertz) is the reference where the other one does not resolve its model error. "
+            f"Error bars are each model's own estimate of its numerical error.</p><ul>{cases}</ul>")
 
 
 def _complete(comparison):

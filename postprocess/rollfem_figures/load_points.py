@@ -60,11 +60,22 @@ BEST = ("hybrid", "fem", "halfspace")
 
 def reference_for_patch(result):
     """The requested reference model, otherwise the best one in the run."""
-    return _first_of(result.models, (result.reference, *BEST, "hertz"))
+    return _first_of(result.models, (result.reference, result.default_reference, *BEST, "hertz"))
+
+
+def reference_for(result, quantity):
+    """The same for a quantity at the first load point, or the model whose value is exact if the best one does not
+    resolve its model error."""
+    best = reference_for_patch(result)
+    if best is None or not best.points or best.name == result.reference:
+        return best
+    resolved = best.points[0].bar(quantity) or 0.0
+    return next((m for m in result.models if m.points and m.points[0].no_bar.get(quantity) == "exact"
+                 and m.points[0].model_error.get(quantity, 0.0) <= resolved), best)
 
 
 def reference_for_forces(result):
-    return _first_of(friction_models(result), (result.reference, *BEST))
+    return _first_of(friction_models(result), (result.reference, result.default_reference, *BEST))
 
 
 def _first_of(models, names):

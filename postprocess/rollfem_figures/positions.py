@@ -92,7 +92,7 @@ def reference_of_row(result):
     """Name of the model drawn in sweeps: the one with most places (Hertz cannot take every patch), among equals the
     reference."""
     names = list(dict.fromkeys(m.name for m in result.models if m.points and m.place))
-    wished = [name for name in (result.reference, *load_points.BEST) if name in names] + names
+    wished = [name for name in (result.reference, result.default_reference, *load_points.BEST) if name in names] + names
     return max(wished, key=lambda name: sum(m.name == name for m in result.models))
 
 

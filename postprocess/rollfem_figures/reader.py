@@ -197,6 +197,8 @@ class Result:
     profiles: dict = field(default_factory=dict)
     # name of the reference model, if the user has chosen one
     reference: str = ""
+    default_reference: str = ""  # name of the reference model of the command, otherwise the best one of the run
+    verdict: str = ""  # one sentence on results that miss the accuracy; otherwise empty
 
     def scenes(self):
         """(label, Result) of every patch, in the order of the run; ("", self) without profiles."""
@@ -294,7 +296,8 @@ def _read_file(path, directory):
                     {part: group[part][()] for part in ("rail", "wheel")} for group in file.get("profiles", {}).values()}
         return Result(directory, case.pop("title"), case.pop("file"), _plain(file["case/text"][()]), case,
                       _attributes(file["provenance"]), models,
-                      {name: Quantity(*row) for name, *row in zip(*columns)}, profiles)
+                      {name: Quantity(*row) for name, *row in zip(*columns)}, profiles,
+                      verdict=about.get("verdict", ""))
 
 
 def read_rows(path):

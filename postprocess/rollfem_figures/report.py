@@ -136,8 +136,8 @@ def _numbers(result):
     bad = f"<p class=bad>Not converged: {escape('; '.join(failed))}. These numbers cannot be trusted.</p>"
     return bad * bool(failed) + section(
         "Patch and pressure", tables.patch_table(result), tables.published_table(result),
-        hint(f"Small percentages: difference from {escape(styles.label(reference))}, relative to its value; "
-             f"bold: more than both error bars allow. {BARS}"))
+        hint(f"Small percentages: difference from {escape(styles.label(reference))}, relative to its value, or from an "
+             f"exact value; bold: more than both error bars allow. {BARS}"))
 
 
 def _forces(result, creep_curve):
@@ -161,7 +161,10 @@ def _forces(result, creep_curve):
         ("Lateral force F<sub>y</sub> [N]", "lateral_force"))[:3 if lateral else 2])
 
 
-def notes(result):
+WARNING = "warning: "
+
+
+def _said(result):
     """The notes of the models. A note that differs between patches only in its numbers appears once, with those of
     the first patch."""
     said = {}
@@ -175,7 +178,20 @@ def notes(result):
     for (name, _), (note, others) in said.items():
         more = "" if not others else " (values differ for 1 other patch)" if len(others) == 1 else (
             f" (values differ for {len(others)} other patches)")
-        rows.append(f"<li>{escape(name)}: {escape(note + more)}</li>")
+        rows.append((name, note + more))
+    return rows
+
+
+def warned(result):
+    """The box below the title: results that miss the accuracy, and all warnings of the models."""
+    rows = [verdict(result.verdict)] + [f"<p class=say>{escape(name)}: {escape(note[len(WARNING):])}</p>"
+                                        for name, note in _said(result) if note.startswith(WARNING)]
+    return "".join(rows)
+
+
+def notes(result):
+    """The section on all other notes."""
+    rows = [f"<li>{escape(name)}: {escape(note)}</li>" for name, note in _said(result) if not note.startswith(WARNING)]
     return section("Notes on the models", "<ul>" + "".join(rows) + "</ul>" if rows else "")
 
 
@@ -248,11 +264,11 @@ def touching(result, figures):
              "profile coordinates: y to the field side. Forces and pressures at the first load point."), figures("pair_", "positions"))
 
 
-def build(directory, reference=""):
+def build(directory, reference="", default_reference=""):
     """Draws and writes the report of a folder; returns its result and the figures for which it has data (page.Drawn).
-    `reference`: name of the preferred reference model."""
+    `reference`, `default_reference`: names of the reference model chosen by the user and by the command."""
     result = read_result(directory)
-    result.reference = reference
+    result.reference, result.default_reference = reference, default_reference
     styles.know({model.name: model.label for model in result.models})
     figures = draw_all(all_captions(result), result.directory)
     made = result.provenance
@@ -261,7 +277,7 @@ def build(directory, reference=""):
                       f"{tables.points_table(result, m)}</details>" for m in result.models if m.points)
     write_page(os.path.join(result.directory, "report.html"),
                escape(result.title or result.case_file or "rollfem result"), made_by(made, made), [
-        asked(result), figures("friction_law"), touching(result, figures), patches(result, figures),
+        warned(result), asked(result), figures("friction_law"), touching(result, figures), patches(result, figures),
         section("Cost", tables.cost_table(result)),
         notes(result), CONVENTIONS, f"<div class=screen><h2>Every load point</h2>{details}</div>"],
         "Also in this folder: results.h5 (all fields), summary.json, creep_curve.csv, contacts.csv (with profiles), "
@@ -271,7 +287,7 @@ def build(directory, reference=""):
 
 
 # Replacements that turn a verdict for the terminal into HTML.
-LOOKS = [(r"\bmu\b", "μ"), (r"\bp0\b", "p<sub>0</sub>"), (r"([Fp])_([xyz])", r"\1<sub>\2</sub>"), ("-F<", "−F<")]
+LOOKS = [("`([^`]*)`", r"<code>\1</code>"), (r"\bmu\b", "μ"), (r"\bp0\b", "p<sub>0</sub>"), (r"([Fp])_([xyz])", r"\1<sub>\2</sub>"), ("-F<", "−F<")]
 
 
 def verdict(text):

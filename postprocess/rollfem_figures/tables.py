@@ -147,9 +147,10 @@ def patch_table(result):
 
     def cell(model, quantity):
         html = with_bar(model.points[0], quantity, 6)
-        if model is reference or not reference.points:
+        base = load_points.reference_for(result, quantity)
+        if model is base or not base.points:
             return html
-        return html + against(model.points[0], reference.points[0], quantity, reference.points[0][quantity])
+        return html + against(model.points[0], base.points[0], quantity, base.points[0][quantity])
 
     return _compared("first load point", [m for m in result.models if m.points], reference, [
         (heading(result.quantities[name]), lambda model, name=name: cell(model, name)) for name in PATCH

@@ -50,6 +50,8 @@ struct RunRecord {
   contact::Case input;
   Provenance provenance;
   std::vector<contact::ModelResult> models;
+  /// One sentence on results that miss the accuracy and what would help; otherwise empty.
+  std::string verdict = {};
   std::vector<PlacedPair> pairs;  ///< with profiles: for every wheel and position
   /// One entry for every position of a lateral sweep, without value if the rigid wheels do not
   /// stand on the rails; empty without a sweep.

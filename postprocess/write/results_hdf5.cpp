@@ -330,6 +330,7 @@ std::string results_hdf5(const RunRecord& run) {
   write_documentation(file);
   write_quantities(file);
   write_case(file, run.input);
+  write_attribute(file, "verdict", run.verdict);
   write_provenance(file, run.provenance);
   write_pairs(file, run.pairs);
   {

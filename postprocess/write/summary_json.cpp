@@ -95,6 +95,7 @@ std::string summary_json(const RunRecord& run) {
   json["title"] = run.input.title;
   json["case_file"] = run.input.file;
   json["program"] = {{"version", run.provenance.version}, {"commit", run.provenance.commit}};
+  json["verdict"] = run.verdict;
   json["models"] = ordered_json::array();
   for (const contact::ModelResult& model : run.models) json["models"].push_back(model_json(model));
   return json_text(json, 2);

@@ -62,7 +62,8 @@ def read(path: str | os.PathLike[str]) -> Any:
     except (reader.ResultError, OSError) as error:
         raise _core.FileError(str(error)) from error
     case = StoredCase(stored.case_file, str(stored.title), str(stored.case_text))
-    return Result(case, [_model(model) for model in stored.models], provenance=stored.provenance, folder=stored.directory)
+    return Result(case, [_model(model) for model in stored.models], provenance=stored.provenance, folder=stored.directory,
+                  verdict=stored.verdict)
 
 
 def _files(kind: str, folder: str) -> Study | Comparison | Stress:

@@ -29,13 +29,16 @@ class Result(Tabular):
         version, commit, ... of results that were read.
     folder : str
         Of results that were read.
+    verdict : str
+        Which contacts miss the accuracy, by how much, and what would help; empty if none does.
     """
 
     def __init__(self, case: Case, models: list[ModelResult], core: _core.Result | None = None,
                  provenance: dict[str, Any] | None = None, folder: str = "",
-                 missing: Sequence[tuple[str, str, bool]] = ()) -> None:
+                 missing: Sequence[tuple[str, str, bool]] = (), verdict: str = "") -> None:
         self.case, self.models, self.folder, self.missing = case, models, folder, list(missing)
         self.provenance = provenance or {}
+        self.verdict = verdict if core is None else core.verdict
         self._core = core
 
     @classmethod
@@ -45,7 +48,7 @@ class Result(Tabular):
 
     def __reduce__(self) -> tuple[Any, ...]:
         if self._core is None:
-            return Result, (self.case, self.models, None, self.provenance, self.folder)
+            return Result, (self.case, self.models, None, self.provenance, self.folder, (), self.verdict)
         return Result.of, (self.case, self._core, self.missing)
 
     @property

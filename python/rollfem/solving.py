@@ -11,7 +11,7 @@ from .result import Result
 
 
 class AccuracyWarning(UserWarning):
-    """The results are sound but miss the requested accuracy."""
+    """The results are sound but miss the requested accuracy, or the 1 % that `auto` aims for."""
 
 
 class UnitWarning(UserWarning):
@@ -85,15 +85,15 @@ def solve(case: Any = None, /, *, model: str | None = None, models: Any = None, 
     names = names_of(model, models)
     case = checked(case, sections, "solve")
     result = Result.of(case, _core.solve(case.core, names, progress, False)[0])
-    for each in result.models:
-        if each.shortfall:
-            warnings.warn(f"model {each.name}: {each.shortfall}", AccuracyWarning, stacklevel=2)
+    if result.verdict:
+        short = [f"model {each.name}: {each.shortfall}" for each in result.models if each.shortfall]
+        warnings.warn(" ".join([result.verdict, *short[:1]]), AccuracyWarning, stacklevel=2)
     return result
 
 
 @dataclass(frozen=True)
 class Forecast:
-    """What the model `auto` expects of a contact before anything is solved.
+    """What the model `auto` expects of a contact of the case before anything is solved.
 
     Attributes
     ----------
@@ -102,7 +102,7 @@ class Forecast:
     accuracy : float
         That `auto` looks for.
     sentence : str
-        What it would try first, and why not another model.
+        Grid, time and errors of the model that it would choose for the whole case.
     models : list of dict
         model, cannot (why it is out of the question; empty: it is not), model_error, and levels: dicts of
         elements_across, discretisation (both errors as parts of the whole), seconds.

@@ -96,6 +96,75 @@ TEST(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
 #endif
 }
 
+/// Two wheels in two positions. Beyond the middle the left wheel touches with a larger model error
+/// than the others.
+const std::string two_positions = R"(
+[load]
+vertical_force = 100e3
+[friction]
+coefficient = 0.55
+[wheel]
+rolling_radius = 450.0
+profile = "S1002"
+[rail]
+profile = "UIC60-manchester"
+[track]
+inclination = "1:40"
+[wheelset]
+side = "both"
+lateral_shift = [0.0, 2.0]
+roll = 0.0
+[rolling]
+longitudinal_creepage = 0.001
+[output]
+fields = false
+)";
+
+/// The number after `words`, in seconds.
+double seconds_after(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  EXPECT_NE(at, std::string::npos) << words << text;
+  return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
+}
+
+TEST(Auto, CheckExpectsTheSumOfItsContactsAndRunTheSame) {
+  const Folder folder;
+  const std::string file = folder.file("case.toml", two_positions);
+  const nlohmann::json found = nlohmann::json::parse(done(folder, {"check", "--json", file}).out);
+  double sum = 0.0;
+  ASSERT_EQ(found["contacts"].size(), 4U);
+  for (const nlohmann::json& contact : found["contacts"]) sum += contact["seconds"].get<double>();
+  EXPECT_NEAR(found["seconds"].get<double>(), sum, 1e-12);
+  EXPECT_GT(sum, 0.0);
+  const std::string text = done(folder, {"check", file}).out;
+  double printed = 0.0;
+  for (const char* contact : {"left, position 1: ", "right, position 1: ", "left, position 2: ",
+                              "right, position 2: "}) {
+    const std::size_t at = text.find(contact);
+    ASSERT_NE(at, std::string::npos) << text;
+    printed += seconds_after(text.substr(at), " across, about ");
+  }
+  const double total = seconds_after(text, "for 1 %: half-space: about ");
+  EXPECT_NEAR(printed, total, 0.05 * total + 0.05);  // two digits each
+  const Outcome run = done(folder, {"run", file, "--no-report"});
+  EXPECT_NEAR(seconds_after(run.err, "half-space: about "), total, 0.1 * total);  // after the balance
+}
+
+TEST(Auto, TellsLastWhatMissesTheAccuracy) {
+  const Folder folder;
+  // Friction of 0.2: the half-space's model error is more than 1 % of it, and in 60 s, no other
+  // model solves four contacts.
+  const std::string file = folder.file("case.toml", two_positions);
+  const Outcome run = done(folder, {"run", file, "--set", "friction.coefficient=0.2", "-o", "out",
+                                    "--no-report"});
+  const std::string verdict = folder.json("out/summary.json")["verdict"];
+  EXPECT_TRUE(says(verdict, "4 of 4 contacts miss 1 %: worst ", "% of mu (-F_x/F_z)"));
+  EXPECT_EQ(run.out.substr(run.out.size() - verdict.size() - 10), "warning: " + verdict + "\n");
+#if ROLLFEM_WITH_FEM
+  EXPECT_TRUE(says(verdict, "`--set accuracy=0.01` allows more time: "));
+#endif
+}
+
 TEST(Auto, StandsAloneAndIsNothingToCompare) {
   const Folder folder;
   const std::string file = folder.file("case.toml", quick);

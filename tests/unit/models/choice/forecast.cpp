@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The cheapest sufficient grid, and the update of forecasts by a solved grid.
+// The cheapest sufficient grid, the next solution of a run, and the update of forecasts by a solved
+// grid.
 #include "models/choice/forecast.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -21,25 +23,23 @@ Forecast model(const std::string& name, double model_error, double seconds) {
 
 TEST(Forecast, BothErrorsTogetherMustDo) {
   const std::vector<Forecast> all{model("plain", 0.004, 1.0), model("fine", 0.0, 100.0)};
-  const auto plan = cheapest(all, 0.01);  // 0.004 + 0.1 / 20 <= 0.01 < 0.004 + 0.1 / 10
+  const auto plan = cheapest({all}, 0.01);  // 0.004 + 0.1 / 20 <= 0.01 < 0.004 + 0.1 / 10
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->model, 0U);
-  EXPECT_EQ(all[0].levels[plan->level].across, 20);
-  const auto finer = cheapest(all, 0.003);
+  EXPECT_EQ(all[0].levels[plan->levels[0]].across, 20);
+  const auto finer = cheapest({all}, 0.003);
   ASSERT_TRUE(finer);
   EXPECT_EQ(finer->model, 1U);
-  EXPECT_FALSE(cheapest(all, 0.002));
-  EXPECT_DOUBLE_EQ(least_error(all), 0.0025);
+  EXPECT_FALSE(cheapest({all}, 0.002));
 }
 
 TEST(Forecast, SecondsDecideBetweenModelsThatDo) {
   std::vector<Forecast> all{model("plain", 0.0074, 1.0), model("fine", 0.0, 1.5)};
-  EXPECT_EQ(cheapest(all, 0.01)->model, 1U);  // 10 across of the one, 40 of the other
+  EXPECT_EQ(cheapest({all}, 0.01)->model, 1U);  // 10 across of the one, 40 of the other
   all[1].cannot = "it cannot";
-  EXPECT_EQ(cheapest(all, 0.01)->model, 0U);
+  EXPECT_EQ(cheapest({all}, 0.01)->model, 0U);
   all[0].cannot = "nor can it";
-  EXPECT_FALSE(cheapest(all, 1.0));
-  EXPECT_TRUE(std::isinf(least_error(all)));
+  EXPECT_FALSE(cheapest({all}, 1.0));
 }
 
 TEST(Forecast, ASolvedGridTellsOfThoseThatWereNot) {
@@ -52,8 +52,7 @@ TEST(Forecast, ASolvedGridTellsOfThoseThatWereNot) {
   EXPECT_DOUBLE_EQ(one.levels[2].seconds, 38.0) << "what is spent once is spent";
   learn(one, 2, 0.01, 9.0);
   EXPECT_DOUBLE_EQ(one.levels[1].discretisation, 0.08) << "what was found stays";
-  EXPECT_FALSE(cheapest({one}, 0.05, true)) << "the only one that does is solved";
-  EXPECT_EQ(cheapest({one}, 0.05)->level, 2U);
+  EXPECT_EQ(cheapest({{one}}, 0.05)->levels[0], 2U);
 }
 
 TEST(Forecast, ACorrectedModelHasAPartOfTheErrorOfThePlainOne) {
@@ -76,6 +75,115 @@ TEST(Forecast, ACorrectedModelHasAPartOfTheErrorOfThePlainOne) {
   learn_from(other, plain, 2);
   EXPECT_DOUBLE_EQ(other.levels[0].discretisation, 0.04);
   EXPECT_EQ(other.model_error, 0.0);
+}
+
+/// A run of one contact per entry, by two models: model errors of the plain one, whose grids need
+/// 1, 2 and 4 s and have errors of 1, 0.5 and 0.25 %. The fine model has no model error.
+Contacts run_of(const std::vector<double>& model_errors, double seconds_of_fine) {
+  Contacts contacts;
+  for (const double error : model_errors)
+    contacts.push_back({model("plain", error, 0.1), model("fine", 0.0, 0.1 * seconds_of_fine)});
+  return contacts;
+}
+
+/// Every contact is solved by the plain model on the grid of a plan, as expected.
+void solve(Contacts& contacts, const Plan& plan) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    Forecast& forecast = contacts[c][plan.model];
+    Level& level = forecast.levels[plan.levels[c]];
+    forecast.model_error_found = true;
+    level.reached = forecast.error(level);
+  }
+}
+
+using Levels = std::vector<std::size_t>;
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+TEST(NextPlan, TheFirstModelSolvesAllContactsFirst) {
+  Contacts contacts = run_of({0.0, 0.004, 0.1}, 0.5);  // even where another one is quicker
+  const auto plan = next_plan(contacts, 0.01, no_limit);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->model, 0U);
+  // Left to the grid: 1 %, 0.6 %, and a quarter of 10 %.
+  EXPECT_EQ(plan->levels, (Levels{0, 1, 0}));
+  EXPECT_DOUBLE_EQ(plan->seconds, 4.0);
+  EXPECT_EQ(plan->unsolved, 3U);
+}
+
+TEST(NextPlan, NothingFollowsWhereAllContactsMeetTheAccuracy) {
+  Contacts contacts = run_of({0.0, 0.004}, 0.5);
+  solve(contacts, *next_plan(contacts, 0.01, no_limit));
+  EXPECT_FALSE(next_plan(contacts, 0.01, no_limit));
+}
+
+TEST(NextPlan, OneContactThatMissesMakesAnotherModelSolveAll) {
+  Contacts contacts = run_of({0.0, 0.004, 0.1}, 20.0);
+  solve(contacts, *next_plan(contacts, 0.01, no_limit));
+  const auto plan = next_plan(contacts, 0.01, 60.0);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->model, 1U);
+  EXPECT_EQ(plan->levels, (Levels{0, 0, 0}));
+  EXPECT_DOUBLE_EQ(plan->seconds, 60.0);
+  EXPECT_FALSE(next_plan(contacts, 0.01, 59.0)) << "the total does not fit: the answer stays";
+  // Without limit, and no grid meets 0.1 %: 0.25 % of the finest one is the closest.
+  contacts = run_of({0.1}, 20.0);
+  solve(contacts, *next_plan(contacts, 0.001, no_limit));
+  EXPECT_EQ(next_plan(contacts, 0.001, no_limit)->levels, (Levels{2}));
+}
+
+TEST(NextPlan, AFinerGridOfTheSameModelIsCheaperThanAnotherModel) {
+  Contacts contacts = run_of({0.002, 0.002}, 20.0);
+  solve(contacts, *next_plan(contacts, 0.01, no_limit));
+  contacts[1][0].model_error = 0.006;  // found larger than expected: 0.5 % on 20 is too much
+  contacts[1][0].levels[1].reached = 0.011;
+  const auto plan = next_plan(contacts, 0.01, no_limit);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->model, 0U);
+  EXPECT_EQ(plan->levels, (Levels{1, 2}));
+  EXPECT_EQ(plan->unsolved, 1U) << "the other contact has its solution";
+  EXPECT_DOUBLE_EQ(plan->seconds, 4.0);
+}
+
+TEST(NextPlan, FinerGridsFollowWhereTheyHelpEvenIfAnotherContactStillMisses) {
+  Contacts contacts = run_of({0.002, 0.1}, 200.0);
+  solve(contacts, *next_plan(contacts, 0.01, 60.0));
+  contacts[0][0].levels[1].reached = 0.02;  // of this contact
+  const auto plan = next_plan(contacts, 0.01, 60.0);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->model, 0U);
+  EXPECT_EQ(plan->levels, (Levels{2, 0}));
+  EXPECT_EQ(plan->unsolved, 1U);
+}
+
+TEST(NextPlan, LittleTimeMeansCoarserGridsForAll) {
+  const auto of_limit = [](double seconds) {
+    return next_plan(run_of({0.006, 0.006}, 20.0), 0.01, seconds)->levels;
+  };
+  EXPECT_EQ(of_limit(4.0), (Levels{1, 1}));
+  EXPECT_EQ(of_limit(3.0), (Levels{0, 0}));
+  EXPECT_EQ(of_limit(0.1), (Levels{0, 0})) << "an answer is always given";
+}
+
+TEST(NextPlan, AContactThatAModelCannotTakeLeavesItOut) {
+  Contacts contacts = run_of({0.0, 0.0}, 20.0);
+  contacts[1][0].cannot = "the bodies conform";
+  EXPECT_EQ(next_plan(contacts, 0.01, 60.0)->model, 1U);
+  contacts[0][1].cannot = "no mesh";
+  EXPECT_FALSE(next_plan(contacts, 0.01, 60.0));
+}
+
+TEST(ExpectedRun, IsTheSumOfItsPlansAndOfItsContacts) {
+  const ExpectedRun run = expected_run(run_of({0.0, 0.0, 0.1}, 20.0), 0.01, no_limit);
+  ASSERT_EQ(run.plans.size(), 2U);
+  EXPECT_EQ(run.plans[1].model, 1U);
+  EXPECT_DOUBLE_EQ(run.seconds, 3.0 + 60.0);
+  double sum = 0.0;
+  for (const std::vector<Forecast>& models : run.contacts)
+    for (const Forecast& forecast : models)
+      for (const Level& level : forecast.levels) sum += level.reached ? level.seconds : 0.0;
+  EXPECT_DOUBLE_EQ(sum, run.seconds);
+  EXPECT_DOUBLE_EQ(expected_run(run_of({0.0, 0.0, 0.1}, 20.0), 0.01, 60.0).seconds, 3.0)
+      << "what does not fit is not counted";
 }
 
 }  // namespace

@@ -152,12 +152,12 @@ TEST(Laws, TheHybridIsQuickerFromTheCacheAndWithAFlatRail) {
 TEST(Laws, WhatSufficesForTheThesis) {
   std::vector<Forecast> all{halfspace_forecast(case_a, 0.01), hybrid_forecast(case_a),
                             fem_forecast(case_a)};
-  EXPECT_EQ(all[cheapest(all, 0.05)->model].label, "half-space");
-  EXPECT_EQ(all[cheapest(all, 0.01)->model].label, "half-space");
-  EXPECT_EQ(all[cheapest(all, 0.002)->model].label, "hybrid");
+  EXPECT_EQ(all[cheapest({all}, 0.05)->model].label, "half-space");
+  EXPECT_EQ(all[cheapest({all}, 0.01)->model].label, "half-space");
+  EXPECT_EQ(all[cheapest({all}, 0.002)->model].label, "hybrid");
   all = {halfspace_forecast(case_f, 0.01), hybrid_forecast(case_f), fem_forecast(case_f)};
-  EXPECT_EQ(all[cheapest(all, 0.05)->model].label, "half-space");
-  EXPECT_EQ(all[cheapest(all, 0.01)->model].label, "hybrid");
+  EXPECT_EQ(all[cheapest({all}, 0.05)->model].label, "half-space");
+  EXPECT_EQ(all[cheapest({all}, 0.01)->model].label, "hybrid");
 }
 
 }  // namespace
