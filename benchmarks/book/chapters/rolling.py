@@ -308,7 +308,7 @@ def kalker(bench):
         "beside it.",
         rows, tables=[_long_patches(found), _printed_table(found)],
         figures=[(name, "Kalker's printed values (crosses) and the half-space at 40 across (dots) against the computed table, "
-                        "nu = 0.25")],
+                        "nu = 0.25; logarithmic beyond 1 %")],
         cost=[Cost(f"half-space, {len(found)} ellipses of three load points", seconds)],
         tests=["verification.KalkersCoefficients.FromTheSolverAt40ElementsForEveryAspectAndPoissonsRatio",
                "verification.KalkersCoefficients.MomentOfSpinNeedsElementsOfAnEighthOfTheHalfWidth",
