@@ -2,6 +2,7 @@
 // Steady rolling in three dimensions: prescribed forces against creep curves, Kalker's coefficients
 // over aspect ratio and Poisson's ratio, extra rigid slip against CONTACT, given pressure.
 #include "contact/base/errors.hpp"
+#include "contact/iteration/leading_edge.hpp"
 #include "contact/result/bars.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/elasticity/compliance.hpp"
@@ -12,6 +13,7 @@
 
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -69,21 +71,22 @@ struct Coefficients : halfspace::KalkerCoefficients {
   double c32;
 };
 
-Coefficients from_solver(double a, double b, double nu, int n) {
+/// On nx by ny elements over the axes of the ellipse.
+Coefficients from_solver(double a, double b, double nu, int nx, int ny) {
   const contact::CombinedMaterial material = testing::alike(82000.0, nu);
-  const ContactGrid grid = ContactGrid::centred(n + 6, n + 6, 2.0 * a / n, 2.0 * b / n);
+  const ContactGrid grid = ContactGrid::centred(nx + 6, ny + 6, 2.0 * a / nx, 2.0 * b / ny);
   const HalfspaceCompliance compliance(grid, material);
+  const Field pressure = testing::hertz_pressure(grid, a, b, 1e9);
+  const contact::EdgeFittedRolling rolling(compliance.rolling(UpwindOrder::first),
+                                           compliance.rolling(UpwindOrder::second),
+                                           contact::upwind_weights(grid, pressure));
   const double e = 1e-6;
   const auto run = [&](const Creepage& creepage) {
-    const TangentialProblem problem{grid.sample([&](double x, double y) {
-                                      return x * x / (a * a) + y * y / (b * b) < 1.0 ? 1e9 : 0.0;
-                                    }),
-                                    testing::slip_of(grid, creepage), contact::coulomb(1.0)};
+    const TangentialProblem problem{pressure, testing::slip_of(grid, creepage),
+                                    contact::coulomb(1.0)};
     contact::TangentialOptions options;
     options.tolerance = 1e-8;
-    return testing::forces(
-        grid, contact::solve_tangential(compliance.rolling(UpwindOrder::second), problem, options)
-                  .traction);
+    return testing::forces(grid, contact::solve_tangential(rolling, problem, options).traction);
   };
   const double unit = material.shear_modulus * e;  // c = sqrt(a b) = 1
   const testing::Forces along = run({e, 0.0, 0.0});
@@ -97,10 +100,10 @@ Coefficients from_solver(double a, double b, double nu, int n) {
 }
 
 TEST(KalkersCoefficients, FromTheSolverAt40ElementsForEveryAspectAndPoissonsRatio) {
-  for (const double ratio : {0.1, 0.5, 1.0, 2.0, 10.0})
+  for (const double ratio : {0.1, 0.5, 1.0, 2.0, 5.0, 10.0})
     for (const double nu : {0.0, 0.25, 0.4999}) {
       const double a = std::sqrt(ratio);
-      const Coefficients c = from_solver(a, 1.0 / a, nu, 40);
+      const Coefficients c = from_solver(a, 1.0 / a, nu, 40, 40);
       const halfspace::KalkerCoefficients table = halfspace::kalker_coefficients(a, 1.0 / a, nu);
       // The edge is a staircase, which leaves the size of the patch open by a fifth of an element,
       // 0.5 %: forces go with its square, those of spin with its cube, the moment of spin with its
@@ -108,17 +111,46 @@ TEST(KalkersCoefficients, FromTheSolverAt40ElementsForEveryAspectAndPoissonsRati
       EXPECT_NEAR(c.c11 / table.c11, 1.0, 0.01) << ratio << ", " << nu;
       EXPECT_NEAR(c.c22 / table.c22, 1.0, 0.01) << ratio << ", " << nu;
       EXPECT_NEAR(c.c23 / table.c23, 1.0, 0.015) << ratio << ", " << nu;
-      EXPECT_NEAR(-c.c32 / c.c23, 1.0, 0.005) << ratio << ", " << nu;
+      EXPECT_NEAR(-c.c32 / table.c23, 1.0, 0.015) << ratio << ", " << nu;
       const std::string at = fmt::format("_{}_{}", ratio, nu);
       testing::record("c11" + at, c.c11);
       testing::record("c22" + at, c.c22);
       testing::record("c23" + at, c.c23);
       testing::record("c32" + at, c.c32);
       testing::record("c33" + at, c.c33);
-      // Small beside the rest at a/b = 10.
-      if (ratio < 10.0) {
-        EXPECT_NEAR(c.c33 / table.c33, 1.0, 0.02) << ratio << ", " << nu;
-      }
+    }
+}
+
+/// Relative error of C33.
+double error_of_c33(double ratio, double nu, int along) {
+  const double a = std::sqrt(ratio);
+  return from_solver(a, 1.0 / a, nu, along, 40).c33 /
+             halfspace::kalker_coefficients(a, 1.0 / a, nu).c33 -
+         1.0;
+}
+
+TEST(KalkersCoefficients, MomentOfSpinNeedsElementsOfAnEighthOfTheHalfWidth) {
+  // Behind the leading edge the difference errs over two or three elements, which puts the lateral
+  // force of spin some 0.02 elements too far ahead. C33 of long patches is as small as that force
+  // at a distance of 0.04 to 0.2 b.
+  for (const double ratio : {0.1, 0.5, 1.0, 2.0, 5.0, 10.0})
+    for (const double nu : {0.0, 0.25, 0.4999}) {
+      const int along = std::max(40, static_cast<int>(std::lround(16.0 * ratio)));
+      const double error = error_of_c33(ratio, nu, along);
+      EXPECT_NEAR(error, 0.0, 0.02) << ratio << ", " << nu;  // the staircase
+      testing::record(fmt::format("error_{}_{}", ratio, nu), error);
+    }
+}
+
+TEST(KalkersCoefficients, MomentOfSpinOnLongPatchesConvergesWithTheSquareOfTheElements) {
+  constexpr double staircase = 0.02;  // of 40 elements across
+  for (const double ratio : {5.0, 10.0})
+    for (const double nu : {0.0, 0.25, 0.4999}) {
+      const double coarse = std::abs(error_of_c33(ratio, nu, 40));
+      for (const double times : {2.0, 4.0})
+        EXPECT_LT(std::abs(error_of_c33(ratio, nu, static_cast<int>(40 * times))),
+                  staircase + coarse / (times * times))
+            << ratio << ", " << nu << ", " << times;
     }
 }
 
