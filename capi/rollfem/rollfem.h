@@ -121,7 +121,8 @@ enum { ROLLFEM_MAX_PATCHES = 4 };
 
 /* Loaded regions that share a plane form one patch. Longitudinal, lateral and normal are the axes of the patch
    frame (docs/frames_and_signs.md): x along the track, z the common normal into the wheel; y points to the field on the
-   left wheel and to the middle of the track on the right. */
+   left wheel and to the middle of the track on the right. lateral_force is thus the F_y of the patch; the lateral force
+   in the track frame (lateral_force_track of the program's files) is force[1], of a patch and of the wheel. */
 typedef struct {
   double position[3];   /* of the contact point, track frame */
   double contact_angle; /* of the contact plane, > 0 where it falls towards the middle of the track, as at a flange */

@@ -92,8 +92,8 @@ std::vector<Quantity> of_the_forces() {
        "force along x on the wheel; negative for positive xi", Scale::force, Use::stored,
        at<&P::longitudinal_force>()},
       {"lateral_force", "lateral force", "F_y", "N",
-       "force along y on the wheel; negative for positive eta", Scale::force, Use::stored,
-       at<&P::lateral_force>()},
+       "force along y of the patch on the wheel; negative for positive eta", Scale::force,
+       Use::stored, at<&P::lateral_force>()},
       {"lateral_pressure", "lateral force of the pressure", "", "N",
        "part of the lateral force carried by the pressure of a curved patch, along y on the wheel; "
        "friction bounds the rest",

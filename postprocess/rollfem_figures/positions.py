@@ -32,8 +32,8 @@ def pair(result, wheel, position):
     return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}") if drawn and touching else None
 
 
-def force_to_the_right(model):
-    """Force on the wheel along y of the track at the first load point, N, from the forces in the patch frame
+def lateral_force_track(model):
+    """Force on the wheel along y of the track at the first load point, N, to the right, from the forces in the patch frame
     (docs/track.md)."""
     angle, tilt = model.place["contact_angle"], 1 if model.place["wheel"] == "left" else -1
     point = model.points[0]
@@ -41,7 +41,7 @@ def force_to_the_right(model):
 
 
 PRESSURE = "largest pressure"
-FORCES = ("$F_x$ on the wheel", "force to the right on the wheel")  # summed over all its patches
+FORCES = ("$F_x$ on the wheel", "$Y$ on the wheel, to the right")  # summed over all its patches
 
 
 def _at(name, factor=1.0):
@@ -61,7 +61,7 @@ PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_r
           ("longitudinal creepage $\\xi$", "[%]", 0.02, _at("longitudinal_creepage", 100)),
           ("spin $\\varphi$", "[rad/m]", 0.02, _at("spin", 1e3)),
           (FORCES[0], "[kN]", 0.2, _at("longitudinal_force", 1e-3)),
-          (FORCES[1], "[kN]", 0.2, lambda model: force_to_the_right(model) / 1e3))
+          (FORCES[1], "[kN]", 0.2, lambda model: lateral_force_track(model) / 1e3))
 
 
 def along(result):
@@ -233,11 +233,11 @@ OF_SHIFT = (("shift [mm]", "lateral_shift", 1, None), ("r right − left, rigid 
            ("wave", "conicity_wave", 1, 4), ("wave length [m]", "wave_length", 1e-3, 4))
 OF_WHEEL = (("angle [°]", "contact_angle", 180 / np.pi, 4), ("length [mm]", "contact_length", 1, 4),
             ("width [mm]", "contact_width", 1, 4), ("p<sub>0</sub> [MPa]", "max_pressure", 1, 5),
-            ("F<sub>x</sub> [kN]", "longitudinal_force", 1e-3, 4), ("F<sub>y</sub> [kN]", "lateral_force", 1e-3, 4))
+            ("F<sub>x</sub> [kN]", "longitudinal_force", 1e-3, 4), ("Y [kN]", "lateral_force_track", 1e-3, 4))
 
 
 def _shift_cell(row, column, factor, digits):
-    if not row[column]:
+    if not row.get(column):
         return "–"
     value = factor * float(row[column])
     return tables.digits(0 if abs(value) < 1e-9 else value, digits)
@@ -256,6 +256,6 @@ def wheelset_table(result):
     return (tables.table([column[0] for column in columns],
                          [[_shift_cell(row, *column[1:]) for column in columns] for row in rows])
             + f"<p class=hint>Patches by {styles.label(reference)} at the first load point; length and width: most loaded patch of a wheel; "
-            "forces on the wheel, along the track and to the right. Rigid: unloaded. Conicity at the "
+            "F<sub>x</sub> and Y: forces on the wheel in the track frame, along the track and to the right. Rigid: unloaded. Conicity at the "
             "amplitude of the "
             "shift: by harmonic linearisation, and that of cones with the same wave (UIC 519, EN 15302).</p>")

@@ -6,6 +6,7 @@
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/point_table.hpp"
+#include "postprocess/write/wheelset_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -194,7 +195,7 @@ std::string contacts_csv(const RunRecord& run) {
   for (const PlaceScalar& scalar : place_scalars()) text += header(scalar.name, scalar.unit);
   text += ",model,point";
   for (const char* name : main_results) text += header(name, contact::quantity_named(name).unit);
-  text += ",contact_elements [-]";
+  text += ",lateral_force_track [N],contact_elements [-]";
   for (const char* name : main_results)
     text += header(std::string("error_estimate ") + name, contact::quantity_named(name).unit);
   text += '\n';
@@ -207,7 +208,10 @@ std::string contacts_csv(const RunRecord& run) {
       text += fmt::format("{},{},{}", place, model.name, k + 1);
       for (const char* name : main_results)
         text += cell(contact::quantity_named(name), model.points[k]);
-      text += fmt::format(",{}", model.contact_elements);
+      const PointResult& point = model.points[k];
+      text += fmt::format(
+          ",{},{}", lateral_force_track(*model.place, point.normal_force, point.lateral_force),
+          model.contact_elements);
       for (const char* name : main_results) text += bar_cell(model.points[k], name);
       text += '\n';
     }

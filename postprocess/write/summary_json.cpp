@@ -6,6 +6,7 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/json_head.hpp"
 #include "postprocess/write/point_table.hpp"
+#include "postprocess/write/wheelset_rows.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,7 @@ ordered_json part_json(const contact::PatchPart& part) {
           {"no_bar", contact::no_bar::one_grid}};
 }
 
-ordered_json point_json(const contact::ContactGrid& grid, const contact::PointResult& point) {
+ordered_json point_json(const contact::ModelResult& model, const contact::PointResult& point) {
   ordered_json json;
   for (const contact::Quantity& quantity : contact::quantities()) {
     const std::optional<double> value = quantity.value(point);
@@ -44,6 +45,9 @@ ordered_json point_json(const contact::ContactGrid& grid, const contact::PointRe
         break;
     }
   }
+  if (model.place)
+    json["lateral_force_track"] =
+        lateral_force_track(*model.place, point.normal_force, point.lateral_force);
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, error] : point.error_estimate)
     json["error_estimate"][quantity] = error;
@@ -57,7 +61,7 @@ ordered_json point_json(const contact::ContactGrid& grid, const contact::PointRe
                                      {"value", maximum.value},
                                      {"place", maximum.place}});
   if (point.patch_count > 1)
-    for (const contact::PatchPart& part : contact::patch_parts(grid, point.fields))
+    for (const contact::PatchPart& part : contact::patch_parts(model.grid, point.fields))
       json["patches"].push_back(part_json(part));
   return json;
 }
@@ -83,7 +87,7 @@ ordered_json model_json(const contact::ModelResult& model) {
   json["model_error_source"] = model.model_error_source;
   json["points"] = ordered_json::array();
   for (const contact::PointResult& point : model.points)
-    json["points"].push_back(point_json(model.grid, point));
+    json["points"].push_back(point_json(model, point));
   return json;
 }
 

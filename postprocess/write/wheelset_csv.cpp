@@ -18,7 +18,7 @@ std::string wheel_cells(const WheelAt& wheel, std::size_t k) {
   return fmt::format(",{},{},{},{},{},{},{},{},{},{}", wheel.patches,
                      wheel.main->place->rolling_radius, wheel.main->place->contact_angle,
                      point.contact_length, point.contact_width, wheel.area, wheel.max_pressure,
-                     wheel.vertical_force, wheel.longitudinal_force, wheel.lateral_force);
+                     wheel.vertical_force, wheel.longitudinal_force, wheel.lateral_force_track);
 }
 
 std::string head() {
@@ -27,7 +27,7 @@ std::string head() {
     for (const char* what :
          {"patches [-]", "rolling_radius [mm]", "contact_angle [rad]", "contact_length [mm]",
           "contact_width [mm]", "contact_area [mm2]", "max_pressure [MPa]", "vertical_force [N]",
-          "longitudinal_force [N]", "lateral_force [N]"})
+          "longitudinal_force [N]", "lateral_force_track [N]"})
       text += fmt::format(",{} {}", wheel, what);
   return text +
          ",radius_difference [mm],rigid_radius_difference [mm],conicity_harmonic [-],conicity_wave "

@@ -15,15 +15,6 @@ namespace {
 using contact::ModelResult;
 using contact::PointResult;
 
-/// Force on the wheel along y of the track. The patch's y and normal are tilted by the contact
-/// angle (docs/track.md: y of a left patch points to the field side, of a right one to the middle).
-double force_to_the_right(const contact::ContactPlace& place, const PointResult& point) {
-  const double sine = std::sin(place.contact_angle);
-  const double cosine = std::cos(place.contact_angle);
-  const double tilt = place.left ? 1.0 : -1.0;
-  return -point.lateral_force * cosine + tilt * point.normal_force * sine;
-}
-
 /// Number with `digits` decimals in a column; "-" if empty.
 std::string column(const std::optional<double>& value, int width, int digits) {
   if (!value) return fmt::format("{:>{}}", "-", width);
@@ -49,6 +40,11 @@ std::string rigid_columns(const std::optional<RigidWheelset>& rigid) {
 
 }  // namespace
 
+double lateral_force_track(const contact::ContactPlace& place, double normal, double lateral) {
+  const double tilt = place.left ? 1.0 : -1.0;
+  return tilt * normal * std::sin(place.contact_angle) - lateral * std::cos(place.contact_angle);
+}
+
 WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int position,
                  std::size_t point) {
   WheelAt wheel;
@@ -60,7 +56,8 @@ WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int 
     ++wheel.patches;
     wheel.vertical_force += contact::quantity_named("vertical_force").value(found).value_or(0.0);
     wheel.longitudinal_force += found.longitudinal_force;
-    wheel.lateral_force += force_to_the_right(*patch.place, found);
+    wheel.lateral_force_track +=
+        lateral_force_track(*patch.place, found.normal_force, found.lateral_force);
     wheel.area += found.contact_area;
     wheel.max_pressure = std::max(wheel.max_pressure, found.max_pressure);
     if (!wheel.main || found.normal_force > wheel.main->points[point].normal_force)
@@ -85,12 +82,12 @@ std::vector<std::string> model_names(const RunRecord& run) {
 std::string wheelset_table(const RunRecord& run, const std::string& model) {
   if (run.wheelset.empty()) return {};
   std::string text = fmt::format(
-      "\nthe wheelset, by {} at the first load point; rigid: unloaded; F_y: to the right, on "
-      "the wheel\n"
+      "\nthe wheelset, by {} at the first load point; rigid: unloaded; Y: lateral force on "
+      "the wheel in the track frame, to the right\n"
       "{:>4}{:>10}{:>20}{:>29}{:>17}{:>18}{:>18}\n"
       "{:>4}{:>10}{:>10}{:>10}{:>11}{:>9}{:>9}{:>9}{:>8}{:>10}{:>8}{:>10}{:>8}\n",
       model, "", "", "r right - left mm", "conicity at the amplitude", "angle mrad", "p0 MPa",
-      "F_y kN", "pos", "shift mm", "rigid", "loaded", "harmonic", "wave", "wave m", "left", "right",
+      "Y kN", "pos", "shift mm", "rigid", "loaded", "harmonic", "wave", "wave m", "left", "right",
       "left", "right", "left", "right");
   for (std::size_t p = 0; p < run.wheelset.size(); ++p) {
     const int position = static_cast<int>(p) + 1;
@@ -105,7 +102,7 @@ std::string wheelset_table(const RunRecord& run, const std::string& model) {
     };
     both(10, 8, 2, [](const WheelAt& w) { return 1e3 * w.main->place->contact_angle; });
     both(10, 8, 1, [](const WheelAt& w) { return w.max_pressure; });
-    both(10, 8, 2, [](const WheelAt& w) { return 1e-3 * w.lateral_force; });
+    both(10, 8, 2, [](const WheelAt& w) { return 1e-3 * w.lateral_force_track; });
     text += '\n';
   }
   return text;

@@ -11,15 +11,19 @@
 
 namespace rollfem::postprocess {
 
+/// Force on the wheel along y of the track, N, to the right, from the forces in the patch frame,
+/// whose y and normal are tilted by the contact angle (docs/track.md).
+double lateral_force_track(const contact::ContactPlace& place, double normal, double lateral);
+
 /// A wheel at one position and load point, with the sums over its patches.
 struct WheelAt {
   const contact::ModelResult* main = nullptr;  ///< the most loaded patch
   int patches = 0;
-  double vertical_force = 0.0;      ///< N
-  double longitudinal_force = 0.0;  ///< N, on the wheel
-  double lateral_force = 0.0;       ///< N, on the wheel along y of the track: to the right
-  double area = 0.0;                ///< mm^2
-  double max_pressure = 0.0;        ///< MPa, the largest of its patches
+  double vertical_force = 0.0;       ///< N
+  double longitudinal_force = 0.0;   ///< N, on the wheel
+  double lateral_force_track = 0.0;  ///< N, on the wheel along y of the track: to the right
+  double area = 0.0;                 ///< mm^2
+  double max_pressure = 0.0;         ///< MPa, the largest of its patches
 };
 
 /// `main` is null if the model has no such patch. `point` counts from 0.

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers of a wheel from those of its patches."""
-import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -39,11 +38,3 @@ def bar_of(name: str, patches: Sequence[Point]) -> float | None:
         return max(patches, key=lambda point: point.scalars.get(name) or 0.0).bar(name)
     found: float | None = whole(name, patches, lambda point, what: point.bar(what))
     return found
-
-
-def to_the_right(point: Point) -> float:
-    """Force on the wheel along y of the track, N (docs/track.md); of a case without a track its lateral force."""
-    if point.place is None:
-        return float(point.lateral_force)
-    angle, tilt = point.place["contact_angle"], 1 if point.place["wheel"] == "left" else -1
-    return float(-point.lateral_force * math.cos(angle) + tilt * point.normal_force * math.sin(angle))

@@ -3,6 +3,7 @@
 
 Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx], x the rolling direction.
 """
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -113,6 +114,15 @@ class Point:
         >>> result.points[0].bar("max_pressure")
         """
         return self.error_estimate.get(known(name, QUANTITIES))
+
+    @property
+    def lateral_force_track(self) -> float | None:
+        """Lateral force on the wheel in the track frame (to the right), N, where lateral_force lies in the plane of the
+        patch; None without a track."""
+        if self.place is None:
+            return None
+        angle, tilt = self.place["contact_angle"], 1 if self.place["wheel"] == "left" else -1
+        return float(tilt * self.normal_force * math.sin(angle) - self.lateral_force * math.cos(angle))
 
     def __repr__(self) -> str:
         at = ", ".join(f"{QUANTITIES[name].symbol} = {self.scalars[name]:.4g}"

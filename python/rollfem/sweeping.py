@@ -11,12 +11,12 @@ from ._core import InputError, SolveError
 from .case import Case, nested
 from .frames import Tabular, dataset_of, html_table
 from .names import CREEPAGES, known, refuse_unused
-from .patches import bar_of, to_the_right, whole
+from .patches import bar_of, whole
 from .point import QUANTITIES, Point
 from .result import Result
 from .solving import Told, names_of, solve
 
-NAMES = ("force_to_the_right", *QUANTITIES)
+NAMES = ("lateral_force_track", *QUANTITIES)
 MOST_POINTS = 1000  # of a list in a case
 Index = tuple[int, ...]
 
@@ -25,10 +25,11 @@ class Sweep(Tabular):
     """Results over a grid of values: sweep.traction_coefficient, or sweep.values("...") of a model, is an array with one
     axis for each key, in their order; nan where there is no solution.
 
-    Where a wheel has several patches, forces along the rolling direction, vertical and normal forces (each along its own
-    normal), areas and energies are sums over them, traction_coefficient is -sum F_x / sum F_n, largest values are those
-    of all, forces in the patches' own frames (lateral_force, lateral_pressure, spin_moment) nan, and all else is of the
-    most loaded patch. `patches` has each by itself.
+    Where a wheel has several patches, forces along the rolling direction, forces in the track frame (vertical_force,
+    lateral_force_track), normal forces (each along its own normal), areas and energies are sums over them,
+    traction_coefficient is -sum F_x / sum F_n, largest values are those of all, forces in the patches' own frames
+    (lateral_force, lateral_pressure, spin_moment) nan, and all else is of the most loaded patch. `patches` has each by
+    itself.
 
     Attributes
     ----------
@@ -120,7 +121,7 @@ class Sweep(Tabular):
         Parameters
         ----------
         name : str
-            One of rollfem.QUANTITIES, or "force_to_the_right": on the wheel along y of the track, N.
+            One of rollfem.QUANTITIES, or "lateral_force_track": on the wheel along y of the track (to the right), N.
         model : str, optional
             As of `patches`.
 
@@ -137,8 +138,9 @@ class Sweep(Tabular):
         --------
         >>> sweep.values("longitudinal_force", model="fastsim")
         """
-        if known(name, NAMES) == "force_to_the_right":
-            return self._map(model, lambda patches: sum(map(to_the_right, patches)) if patches else None)
+        if known(name, NAMES) == "lateral_force_track":
+            return self._map(model, lambda patches: sum(p.lateral_force_track for p in patches)
+                             if patches and patches[0].place else None)
         return self._map(model, lambda patches: whole(name, patches, lambda point, what: point.scalars.get(what)))
 
     def bars(self, name: str, model: str | None = None) -> np.ndarray:

@@ -76,8 +76,26 @@ TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   };
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   // In the middle of the track the wheels are mirror images: their forces to the side balance.
-  EXPECT_NEAR(number(1, "left lateral_force [N]"), -number(1, "right lateral_force [N]"), 0.01);
+  EXPECT_NEAR(number(1, "left lateral_force_track [N]"),
+              -number(1, "right lateral_force_track [N]"), 0.01);
   EXPECT_NEAR(number(1, "left vertical_force [N]"), 100e3, 1.0);
+  // Patch frame and track frame are turned about x: both pairs have one resultant, and the pressure
+  // pushes a wheel to where its contact plane falls.
+  const auto contacts = csv_records(folder.text("out/contacts.csv"));
+  ASSERT_EQ(contacts.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto of = [&](const char* name) { return std::stod(contacts[k].at(name)); };
+    const double lateral = of("lateral_force"), track = of("lateral_force_track");
+    EXPECT_NEAR(std::hypot(track, of("vertical_force")), std::hypot(lateral, of("normal_force")),
+                1e-6);
+    const double side = contacts[k].at("wheel") == "left" ? 1.0 : -1.0;
+    EXPECT_NEAR(track + lateral, side * of("normal_force") * of("contact_angle"),
+                0.01 * of("normal_force") * of("contact_angle"))
+        << k;
+    const auto& point = summary["models"][k]["points"][0];
+    EXPECT_EQ(point["lateral_force"].get<double>(), lateral);
+    EXPECT_EQ(point["lateral_force_track"].get<double>(), track);
+  }
   EXPECT_NEAR(number(2, "radius_difference [mm]"),
               number(2, "right rolling_radius [mm]") - number(2, "left rolling_radius [mm]"), 1e-9);
   EXPECT_EQ(rows[1][4], "1");  // load points count from 1

@@ -146,7 +146,7 @@ class Sweeps(unittest.TestCase):
         self.assertEqual([len(each) for each in patches], [1, 1, 2])
         self.assertEqual(rows["left patches"].tolist(), ["1", "1", "2"])
         np.testing.assert_allclose(sweep.vertical_force, 60e3, rtol=1e-5)
-        for name, column in (("longitudinal_force", "longitudinal_force"), ("force_to_the_right", "lateral_force")):
+        for name, column in (("longitudinal_force", "longitudinal_force"), ("lateral_force_track",) * 2):
             np.testing.assert_allclose(sweep.values(name), rows[f"left {column}"].astype(float), rtol=1e-6, err_msg=name)
         for k, each in enumerate(patches):
             self.assertAlmostEqual(sweep.contact_area[k], sum(p.contact_area for p in each), 9)
