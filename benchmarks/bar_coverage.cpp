@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How often the error bars of the model halfspace hold, compared with a grid four times finer.
-// Prints the tables of docs/accuracy.md, and to stderr every scene without a result.
+// Prints the tables of docs/counts.md, and to stderr every scene without a result.
 //
 // benchmark_bar_coverage [rows] [FRICTION] SEED FIRST NUMBER [ACROSS ...]   e.g. 8 0 1000 12 16 20
 //   random scenes (tests/support/random_scenes.hpp) on 12 to 32 elements across the patch;

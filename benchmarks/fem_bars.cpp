@@ -2,7 +2,7 @@
 // How often the error bars of finite elements and of the hybrid hold, for random wheels on random
 // rails (tests/support/random_wheel_rail.hpp). Finite elements with cells of 1/PARTS of the smaller
 // semi-axis against cells of 1/FINER; the hybrid with 16 elements across against 64 and a
-// correction by finer cells. Prints the tables of docs/accuracy.md, and to stderr every contact
+// correction by finer cells. Prints the tables of docs/counts.md, and to stderr every contact
 // without a result. Levels of finite elements are stored in a folder and reused. Call:
 // benchmark_fem_bars fem FOLDER PARTS FINER SEED FIRST NUMBER [rows], e.g. fem levels 4 16 1 0 40,
 // or benchmark_fem_bars hybrid SEED FIRST NUMBER [rows]. With `rows`, also prints every number

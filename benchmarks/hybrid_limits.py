@@ -172,7 +172,7 @@ def limit(rows, letter, index, quantity, mesh="structured"):
     """{"limit", "uncertain", "plain", "differences", "beyond_grid"} of a quantity at CREEPAGES[index]; None if runs are
     missing. `beyond_grid`: error of the half-space with ACROSS[-1] elements.
 
-    Orders are assumed: 2 for pressure, size and approach, 1.5 for forces (docs/accuracy.md).
+    Orders are assumed: 2 for pressure, size and approach, 1.5 for forces (docs/counts.md).
     """
     order = 1.5 if quantity == "traction_coefficient" else 2.0
     mine = [r for r in rows if r["case"] == letter and "larger" not in r]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Reliability and speed of solving random contacts (tests/support/random_contact.hpp). Prints one
-// row of the table in docs/accuracy.md for every size, and every contact that is not solved or
+// row of the table in docs/counts.md for every size, and every contact that is not solved or
 // takes many steps. Every grid begins on coarser ones as in the models, or from scratch; friction
 // may fall with the slip velocity, at once or with a memory, and layers lie between. Call:
 // benchmark_random_contacts [scratch] [falling|memory] SEED FIRST ACROSS:NUMBER ...,

@@ -110,6 +110,7 @@ def main():
     arguments = parser.parse_args()
     if not arguments.given and not os.access(arguments.program, os.X_OK):
         sys.exit(f"{arguments.program}: not a program; build the target benchmark_halfspace")
+    os.makedirs(arguments.folder, exist_ok=True)
     table = measured(arguments.program, arguments.folder, arguments.given)
     draw(table, arguments.folder)
     print_tables(table)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The book as Markdown, with every number also in book.json."""
+"""The book as Markdown, one page per chapter, with every number also in book.json."""
 import json
 import math
 import os
@@ -81,8 +81,8 @@ def _cost(chapter):
 
 
 def chapter_text(chapter, place):
-    """One chapter; `place` is its number in the book."""
-    parts = [f"## {place}. {chapter.title}", chapter.setup.strip(), f"**Against** {chapter.source.strip()}"]
+    """The page of one chapter; `place` is its number in the book."""
+    parts = [f"# {place}. {chapter.title}", chapter.setup.strip(), f"**Against** {chapter.source.strip()}"]
     if chapter.rows:
         parts.append(_rows(chapter))
     if chapter.name in BASIS:
@@ -95,13 +95,12 @@ def chapter_text(chapter, place):
         parts.append(chapter.after.strip())
     held = ", ".join(f"`{name}`" for name in chapter.tests)
     parts.append(" ".join(p for p in [f"Held by {held}." if held else "", _cost(chapter)] if p))
-    return "\n\n".join(parts)
+    parts.append(f"[All chapters](README.md); alone: `./rollfem book --only {chapter.name}`")
+    return "\n\n".join(parts) + "\n"
 
 
-def _anchor(place, title):
-    """GitHub's anchor of a heading."""
-    kept = "".join(c for c in f"{place}. {title}".lower() if c.isalnum() or c in " -_")
-    return kept.replace(" ", "-")
+def _file(chapter):
+    return f"{chapter.name}.md"
 
 
 def worst(chapter):
@@ -132,7 +131,7 @@ def _contents(chapters, left_out):
     for place, chapter in enumerate(chapters, 1):
         row = worst(chapter)
         judged = [r for r in chapter.rows if r.allowed is not None]
-        rows.append([f"[{place}. {chapter.title}](#{_anchor(place, chapter.title)})",
+        rows.append([f"[{place}. {chapter.title}]({_file(chapter)})",
                      f"{sum(r.holds for r in judged)} of {len(judged)}" if judged else "shown",
                      f"{row.quantity}{f' ({row.by})' if row.by else ''}: {percent(row.difference)}, "
                      f"allowed {_allowed(row)}" if row else "",
@@ -144,7 +143,7 @@ def _contents(chapters, left_out):
 
 
 def book_text(chapters, left_out, made):
-    """The whole book; `made`: command, version, machine and date."""
+    """The first page; `made`: command, version, machine and date."""
     judged = [row for chapter in chapters for row in chapter.rows if row.allowed is not None]
     beyond = sum(not row.holds for row in judged)
     close = sum(row.holds and row.allowed > 0 and abs(row.difference) > CLOSE * row.allowed for row in judged)
@@ -153,10 +152,9 @@ def book_text(chapters, left_out, made):
                f"Each chapter states the expected errors of both sides, from which its tolerances follow. Made by "
                f"`{made['command']}` with {made['version']} on {made['host']}, {made['date']}; the computations took "
                f"{number(made['seconds'], 3)} s.")
-    chapters_text = [chapter_text(c, place) for place, c in enumerate(chapters, 1)]
     return "\n\n".join([INTRO.strip(), summary, _contents(chapters, left_out),
                         "## Close to their tolerance\n\nThe rows of this run of `./rollfem book` that use more than "
-                        f"{100 * CLOSE:.0f} % of theirs, and the reasons.\n\n{_close(chapters)}", *chapters_text]) + "\n"
+                        f"{100 * CLOSE:.0f} % of theirs, and the reasons.\n\n{_close(chapters)}"]) + "\n"
 
 
 def book_json(chapters, left_out, made):
@@ -174,7 +172,9 @@ def book_json(chapters, left_out, made):
 
 
 def write_book(directory, chapters, left_out, made):
-    """Writes README.md, which repository browsers show for a folder, and book.json."""
+    """Writes README.md, which repository browsers show for a folder, the chapters and book.json."""
+    for place, chapter in enumerate(chapters, 1):
+        write_whole(os.path.join(directory, _file(chapter)), chapter_text(chapter, place))
     write_whole(os.path.join(directory, "README.md"), book_text(chapters, left_out, made))
     write_whole(os.path.join(directory, "book.json"),
                 json.dumps(book_json(chapters, left_out, made), indent=1, ensure_ascii=False) + "\n")

@@ -48,9 +48,11 @@ TEST(Book, HoldsClosedFormNumberReachedAndTestOfEveryChapterAskedFor) {
       EXPECT_TRUE(row["holds"].get<bool>());
     }
   EXPECT_EQ(seen, 1);
-  const std::string page = folder.text("out/README.md");
-  EXPECT_TRUE(says(page, "## 1. Hertz's ellipses", "| rail 80 mm: p0, MPa | half-space | 1920.37 |",
-                   "`unit.Hertz.GivesTheBenchmarkTable`", "27 numbers are judged", "Cost: "));
+  EXPECT_TRUE(says(folder.text("out/README.md"), "[1. Hertz's ellipses](hertz.md)",
+                   "27 numbers are judged"));
+  EXPECT_TRUE(says(folder.text("out/hertz.md"), "# 1. Hertz's ellipses",
+                   "| rail 80 mm: p0, MPa | half-space | 1920.37 |",
+                   "`unit.Hertz.GivesTheBenchmarkTable`", "Cost: "));
 }
 
 TEST(Book, OfANumberBeyondWhatIsAllowedEndsWithStatusOneAndSaysWhich) {
@@ -59,7 +61,7 @@ TEST(Book, OfANumberBeyondWhatIsAllowedEndsWithStatusOneAndSaysWhich) {
       book(folder, {"--only", "fastsim"}, "published.CONTACT_FASTSIM_A[0.002] = (0.36, 329.48376)");
   EXPECT_EQ(made.status, 1);
   EXPECT_TRUE(says(made.err, "-F_x/F_z at xi = 0.2 %"));
-  EXPECT_TRUE(says(folder.text("out/README.md"), "**beyond**"));
+  EXPECT_TRUE(says(folder.text("out/fastsim.md"), "**beyond**"));
 }
 
 TEST(Book, TakesUpRunsOfTheSameProgramAndCase) {

@@ -35,7 +35,7 @@ TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   ASSERT_EQ(levels.size(), 5U);
   EXPECT_EQ(levels[0].at("label"), "5 across");
   EXPECT_EQ(levels[4].at("label"), "80 across");
-  // docs/accuracy.md: p0 converges with order 2; the error at 80 across is 1.4e-4.
+  // docs/counts.md: p0 converges with order 2; the error at 80 across is 1.4e-4.
   const auto pressures = pressures_of(folder.text("results/quick_study/study.csv"));
   for (std::size_t k = 2; k < 5; ++k)
     EXPECT_NEAR(std::stod(pressures.at(k).at("order")), 2.0, 0.35) << k;

@@ -74,7 +74,7 @@ TEST(BarCoverage, HoldsWithFallingFriction) {
 
 /// Worn wheels on worn rails, whose waves these cells do not resolve. Of 24 numbers with a rate of
 /// 0.95 fewer than 20 hold once in 170 times; the bars from coarser cells alone held for 60 % of
-/// the largest pressures (docs/accuracy.md).
+/// the largest pressures (docs/counts.md).
 TEST(BarCoverage, HoldsOnWornProfiles) {
   constexpr unsigned seed = 12, pairs = 24;
   testing::BarSamples samples;

@@ -45,6 +45,9 @@ def problems(root):
     there = [chapter["name"] for chapter in book["chapters"]]
     if wanted != there:
         yield f"docs/book has the chapters {there}, the source {wanted}: do: ./rollfem book"
+    pages = {path.stem for path in (root / "docs" / "book").glob("*.md")} - {"README"}
+    if pages != set(there):
+        yield f"docs/book has pages of other chapters or lacks some: {sorted(pages ^ set(there))}"
     explained = re.findall(r'^\| \d+ \| ([^|(]+?) \([^|]*\|[^|]*\|[^|]*\*\*beyond\*\* \| [^| ]', page_of(root), re.M)
     for chapter in book["chapters"]:
         for row in chapter["rows"]:

@@ -323,9 +323,8 @@ def half_space_limits(bench):
         "The same normal force, grid and friction in both models; the half-space has the extra slip of the rolling "
         "radius, so the remaining difference is due to the elasticity and geometry of the true, curved bodies.",
         "each other: two independent methods, with their error bars; a to d, whose bodies are flat or convex, show "
-        "the part unrelated to curvature (FEM minus half-space at xi = 0: {number(min(flat), 2)} to "
-        "{number(max(flat), 2)} in "
-        "-F_x/F_z, the circumferential strain of a loaded wheel, [verification](../verification.md)).",
+        f"the part unrelated to curvature (FEM minus half-space at xi = 0: {number(min(flat), 2)} to "
+        f"{number(max(flat), 2)} in -F_x/F_z, the circumferential strain of a loaded wheel, [verification](../verification.md)).",
         tables=tables + _stress_tables(below),
         figures=[(_limits_figure(bench, results), "FEM minus half-space along the creep curve in all cases, and the "
                   "pressure of case f across rolling")],

@@ -54,7 +54,7 @@ SectionWithKeys fastsim_section() {
       .symbol("k_0, alpha_inf, beta")
       .between(1e-6, 100.0)
       .says(
-          "Reduce the brushes' stiffness on surfaces that are not clean (docs/theories.md); all "
+          "Reduce the brushes' stiffness on surfaces that are not clean (docs/theory.md); all "
           "1: Kalker's slope. Not for `fastrip`.")
       .into(&FastsimOptions::slope_reduction);
   return keys;
