@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs the fenced blocks of pages, page by page from top to bottom as a reader would, in a folder of its own beside the
-cases and examples; indented blocks are formulas, output and files, and hold no commands. A comment above a block says how:
+cases and examples. Indented blocks are formulas, output and files, and hold no commands. Commands within a sentence are
+not run, but their options, cases and keys must exist. A comment above a block says how it is run:
 
     <!-- file NAME -->           the block is that file
     <!-- into CASE -->           toml: keys that CASE gets in addition; checked, not solved
@@ -28,6 +29,9 @@ import matplotlib
 matplotlib.use("agg")
 FENCE = re.compile(r"^(?:<!-- (?P<how>[^\n]+) -->\n)?```(?P<language>\w*)\n(?P<code>.*?)^```$", re.M | re.S)
 COMMAND = re.compile(r"^ {4}(?:\$ |\./rollfem|rollfem |pip |cmake |ctest |cc |mpirun |import |from \w+ import|#include|/usr/bin/python)", re.M)
+
+
+SPOKEN = re.compile(r"`rollfem ([a-z-]+)((?:\s[^`]+)?)`")
 
 
 class Fault(Exception):
@@ -87,6 +91,15 @@ class Reader:
             if not any(words == there or (wanted is not words and wanted == there[:len(wanted)]) for there in lines):
                 raise Fault(f"does not print\n{line}\nbut\n{self.printed}")
 
+    def spoken(self, command, words):
+        """A command within a sentence."""
+        known = call(["./rollfem", command, "--help"])
+        for option in re.findall(r"\s(--?[a-z][a-z-]*)", words):
+            if not re.search(rf"[ ,]{option}[, \n]", known):
+                raise Fault(f"rollfem {command} has no option {option}")
+        for case in re.findall(r"\s(cases/\S+\.toml)", words):
+            call(["./rollfem", "check", case, *" ".join(re.findall(r"--set\s+\S+", words)).split()])
+
     def read(self, line, how, language, code, page):
         if how.startswith("not run: ") or (how.startswith("needs ") and not shutil.which(how[6:])):
             return
@@ -108,7 +121,8 @@ class Reader:
 def work_through(page, root, program, libraries):
     """Faults of a page."""
     text = page.read_text(encoding="utf-8")
-    for match in COMMAND.finditer(re.sub(r"^```.*?^```$", lambda fence: "\n" * fence[0].count("\n"), text, flags=re.M | re.S)):
+    prose = re.sub(r"^```.*?^```$", lambda fence: "\n" * fence[0].count("\n"), text, flags=re.M | re.S)
+    for match in COMMAND.finditer(prose):
         yield f"{page}: an indented block has the command {match[0].strip()}; do: fence it"
     begin, count = time.time(), 0
     with tempfile.TemporaryDirectory() as folder, open(os.devnull, "w", encoding="utf-8") as nowhere:
@@ -117,6 +131,11 @@ def work_through(page, root, program, libraries):
         for name in ("cases", "examples", "benchmarks"):
             os.symlink(root / name, name)
         os.symlink(program, "rollfem")
+        for match in SPOKEN.finditer(prose):
+            try:
+                reader.spoken(match[1], match[2])
+            except Fault as fault:
+                yield f"{page}:{prose.count(chr(10), 0, match.start()) + 1}: {fault}"
         for line, how, language, code in fences(text):
             count += not how.startswith("not run")
             try:

@@ -4,8 +4,8 @@
 // du/dx - i k u = xi, k = w/V = 2 pi/L, so that u = -xi/(i k) + C e^(i k x); of the tractions that
 // make it, p = sum p_n T_n/(pi sqrt(1 - x^2)), those without a singularity at the leading edge give
 //   F/F_0 = (J_0 + i J_1)/(J_0 + i k a L (J_0 + i J_1)),   L = ln(2 D/a),  J = J(k a),
-// where the half-planes' displacement is relative to that at the distance D (derivation:
-// docs/theory.md). F_0 is Carter's: xi a pi G/(2 (1 - nu)).
+// where the half-planes' displacement is relative to that at the distance D. F_0 is Carter's:
+// xi a pi G/(2 (1 - nu)).
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/point_motion.hpp"
