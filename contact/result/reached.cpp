@@ -78,7 +78,7 @@ std::string Reached::text(const std::string& why_unknown) const {
                                      of_value ? "" : text_of(scale), quantity, point);
   const std::string grid = "discretisation " + percent(discretisation);
   if (!why_unknown.empty()) return fmt::format("{}{}, model unknown: {}", grid, of, why_unknown);
-  return fmt::format("{}, model {}{}{}", grid, model_at_most ? "at most " : "", percent(model), of);
+  return fmt::format("{}, model {}{}", grid, percent(model), of);
 }
 
 Reached reached_by(const ModelResult& result, const AccuracyRequest& asked,

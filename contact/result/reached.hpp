@@ -20,12 +20,6 @@ struct Reached {
   /// start from it.
   double most_discretisation = 0.0;
   double most_model = 0.0;
-  bool model_at_most = false;  ///< the model error is an upper bound, not computed
-  /// Sets the model error of all quantities.
-  void set_largest_model(double part) {
-    model = most_model = part;
-    model_at_most = true;
-  }
   double together() const { return discretisation + model; }
   /// "discretisation 0.6 %, model 0.2 % of mu (traction_coefficient at load point 2)" If the model
   /// error is not known: "discretisation 0.6 % of mu (...), model unknown: WHY".

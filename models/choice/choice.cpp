@@ -95,47 +95,34 @@ class Choice {
       judge(c, m, at, watch.seconds(), std::move(result));
       return true;
     } catch (const contact::UnfitGrid& error) {
-      fail(c, m, error);
-      leave_out_grid(c, m, at, error.what());
+      failed(c, m, at, error, true);
     } catch (const contact::SolveError& error) {
-      fail(c, m, error);
       // Another grid may have a solution: retry once.
-      if (failed_once_[c][m])
-        leave_out(c, m, error.what());
-      else
-        leave_out_grid(c, m, at, error.what());
+      failed(c, m, at, error, !failed_once_[c][m]);
       failed_once_[c][m] = true;
     } catch (const contact::InputError& error) {
-      if (!wanted_.go_on) throw;
-      if (!failure_) failure_ = std::current_exception();
-      leave_out(c, m, error.what());
+      failed(c, m, at, error, false);
     }
     elapsed_ += watch.seconds();
     return false;
   }
 
-  /// Keeps the first failure, or throws it.
-  void fail(std::size_t c, std::size_t m, const contact::SolveError& error) {
-    const contact::SolveError told(
-        fmt::format("{}model {}: {}", subjects_[c].name, forecasts_[c][m].model, error.what()));
-    if (!wanted_.go_on) throw told;
-    if (!failure_) failure_ = std::make_exception_ptr(told);
-  }
-
-  void leave_out_grid(std::size_t c, std::size_t m, std::size_t at, const std::string& why) {
-    std::vector<Level>& levels = forecasts_[c][m].levels;
-    levels.erase(levels.begin() + static_cast<std::ptrdiff_t>(at));
-    if (levels.empty()) leave_out(c, m, why);
-  }
-
-  /// Solved grids remain.
-  void leave_out(std::size_t c, std::size_t m, const std::string& why) {
+  /// While an exception is handled. Keeps the first failure or throws it, and leaves out the grid,
+  /// or all grids of the model that are not solved.
+  void failed(std::size_t c, std::size_t m, std::size_t at, const std::runtime_error& error,
+              bool only_grid) {
     Forecast& forecast = forecasts_[c][m];
-    if (!attempts_[c][m]) forecast.cannot = why;
-    std::vector<Level>& levels = forecast.levels;
-    levels.erase(
-        std::remove_if(levels.begin(), levels.end(), [](const Level& l) { return !l.reached; }),
-        levels.end());
+    std::exception_ptr told = std::current_exception();
+    if (dynamic_cast<const contact::SolveError*>(&error) != nullptr)
+      told = std::make_exception_ptr(contact::SolveError(
+          fmt::format("{}model {}: {}", subjects_[c].name, forecast.model, error.what())));
+    if (!wanted_.go_on) std::rethrow_exception(told);
+    if (!failure_) failure_ = told;
+    std::vector<Level> left;
+    for (std::size_t k = 0; k < forecast.levels.size(); ++k)
+      if (forecast.levels[k].reached || (only_grid && k != at)) left.push_back(forecast.levels[k]);
+    forecast.levels = std::move(left);
+    if (forecast.levels.empty()) forecast.cannot = error.what();
   }
 
   void judge(std::size_t c, std::size_t m, std::size_t at, double seconds, ModelResult result) {
@@ -144,22 +131,16 @@ class Choice {
     Reached reached =
         contact::reached_by(result, wanted_.accuracy, subjects_[c].friction_coefficient,
                             !candidate.estimates_model_error || result.has_model_error());
-    if (candidate.largest_model_error > 0.0)
-      reached.set_largest_model(candidate.largest_model_error);
     agree(reached, seconds);
     elapsed_ += seconds;
     learn(forecast, at, reached.most_discretisation, seconds);
     forecast.levels[at].reached = reached.together();
-    if (candidate.estimates_model_error || candidate.largest_model_error > 0.0) {
+    if (candidate.estimates_model_error) {
       forecast.model_error = reached.most_model;
       forecast.model_error_found = true;
     }
     for (Forecast& other : forecasts_[c])
       if (&other != &forecast) learn_from(other, forecast, at);
-    if (candidate.largest_model_error > 0.0)
-      result.model_error_source =
-          fmt::format("not estimated: at most {} by the size of the contact, {} requested",
-                      percent(candidate.largest_model_error), percent(accuracy_));
     std::optional<Attempt>& best = attempts_[c][m];
     if (!best || reached.together() < best->reached.together())
       best = Attempt{forecast.levels[at].across, seconds, reached, std::move(result)};
@@ -184,7 +165,7 @@ class Choice {
     words >> reached.quantity;
   }
 
-  const Attempt& worst(std::size_t m) const { return *attempts_[worst_contact(forecasts_, m)][m]; }
+  const Attempt& worst(std::size_t m) const { return *attempts_[*worst_contact(forecasts_, m)][m]; }
 
   /// The first failure comes from the simplest model and is the most informative.
   [[noreturn]] void throw_why_none() const {
@@ -217,8 +198,8 @@ class Choice {
     std::string others;
     for (std::size_t m = 0; m < models_of(forecasts_); ++m)
       if (m != *best)
-        others +=
-            "; " + (all_solved(forecasts_, m) ? all_text(m) : not_taken(forecasts_, m, accuracy_));
+        others += "; " + (worst_contact(forecasts_, m) ? all_text(m)
+                                                       : not_taken(forecasts_, m, accuracy_));
     const bool limited = std::isfinite(wanted_.seconds);
     Chosen chosen;
     if (limited && worst(*best).reached.together() > accuracy_)
@@ -300,7 +281,7 @@ std::string not_taken(const Contacts& contacts, std::size_t model, double accura
     if (!models[model].cannot.empty()) return fmt::format("{}: {}", label, models[model].cannot);
     if (models[model].model_error > most->model_error) most = &models[model];
   }
-  if (const auto plan = plan_of(contacts, model, accuracy))
+  if (const auto plan = plan_of(contacts, model, accuracy); plan && plan->error <= accuracy)
     return fmt::format("{} would take about {}", label, duration(plan->seconds));
   if (most->model_error > accuracy)
     return fmt::format("{} {} {}", label,

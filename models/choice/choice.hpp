@@ -27,12 +27,8 @@ struct Candidate {
   /// Solves with `across` elements across the patch. Throws contact::InputError,
   /// contact::SolveError.
   std::function<contact::ModelResult(int across)> solve;
-  /// True: results carry the model error. False: a model error missing from the results is unknown,
-  /// unless `largest_model_error` bounds it.
-  bool estimates_model_error = false;
-  /// Upper bound where model errors are not estimated, as part of the whole. 0: no bound.
-  double largest_model_error = 0.0;
-  std::string no_model_error = {};  ///< why its model error cannot be known; otherwise empty
+  bool estimates_model_error = false;  ///< in the results; one that is missing is then unknown
+  std::string no_model_error = {};     ///< why its model error cannot be known; otherwise empty
 };
 
 /// A contact of the run.

@@ -15,10 +15,8 @@ double expected_of(const Level& level, int across, double discretisation) {
   return discretisation * std::pow(static_cast<double>(across) / level.across, assumed_order);
 }
 
-/// If no grid is expected to meet the accuracy, a run aims for errors larger by this factor, and so
-/// on. Smaller improvements are not worth another solution.
-constexpr double next_target = 1.25;
-constexpr double largest_target = 100.0;  ///< 10 000 %
+/// Where no grid meets the accuracy, one within this factor of the smallest error is as good.
+constexpr double near_enough = 1.25;
 
 /// Expected model errors are known to a factor of two or three. Until one is found, it takes at
 /// most half the accuracy; where it is expected to be far beyond, the grid need not be fine.
@@ -32,79 +30,47 @@ Contacts hopes(Contacts contacts, double accuracy) {
   return contacts;
 }
 
-/// Whether the model can take every contact.
-bool able(const Contacts& contacts, std::size_t model) {
-  return std::all_of(contacts.begin(), contacts.end(), [&](const std::vector<Forecast>& models) {
-    return models[model].cannot.empty();
-  });
-}
-
-/// The grid with the smallest cost whose error is at most `accuracy`; solved grids cost nothing.
-const Level* cheapest_level(const Forecast& forecast, double accuracy) {
-  const Level* best = nullptr;
-  if (forecast.cannot.empty())
-    for (const Level& level : forecast.levels)
-      if (forecast.error(level) <= accuracy && (best == nullptr || level.cost() < best->cost()))
-        best = &level;
-  return best;
-}
-
-/// As plan_of, but contacts that cannot meet the accuracy keep their solutions.
-std::optional<Plan> plan_or_keep(const Contacts& contacts, std::size_t model, double accuracy,
-                                 bool keep) {
-  Plan plan;
-  plan.model = model;
-  for (const std::vector<Forecast>& models : contacts) {
-    const Level* level = cheapest_level(models[model], accuracy);
-    if (level == nullptr && keep) level = best_solved(models[model]);
-    if (level == nullptr) return {};
-    plan.levels.push_back(static_cast<std::size_t>(level - models[model].levels.data()));
-    plan.seconds += level->cost();
-    plan.unsolved += level->reached ? 0 : 1;
-  }
+/// The first solution of all contacts, on coarser grids where the time does not suffice.
+Plan first_plan(const Contacts& contacts, std::size_t model, double accuracy, double seconds) {
+  constexpr double largest = 100.0;  // 10 000 %
+  Plan plan = *plan_of(contacts, model, accuracy);
+  for (double coarse = accuracy; plan.seconds > seconds && coarse < largest; coarse *= near_enough)
+    plan = *plan_of(contacts, model, coarse);
   return plan;
-}
-
-/// The cheapest model with grids of at most this error within the time. With `stay`, only models
-/// that have solved all contacts.
-std::optional<Plan> within(const Contacts& contacts, double target, double seconds, bool stay) {
-  std::optional<Plan> best;
-  for (std::size_t m = 0; m < models_of(contacts); ++m) {
-    if (stay && !all_solved(contacts, m)) continue;
-    std::optional<Plan> plan = plan_of(contacts, m, target);
-    if (plan && plan->seconds <= seconds && (!best || plan->seconds < best->seconds))
-      best = std::move(plan);
-  }
-  return best;
-}
-
-/// The plan with the smallest error above the accuracy within the time. Empty if the solutions are
-/// nearly as good.
-std::optional<Plan> closest(const Contacts& contacts, double accuracy, double seconds, bool stay) {
-  for (double target = next_target * accuracy; target < largest_target; target *= next_target) {
-    if (const auto solved = within(contacts, next_target * target, 0.0, true)) return {};
-    if (auto plan = within(contacts, target, seconds, stay)) return plan;
-  }
-  return {};
-}
-
-/// What follows solutions of all contacts.
-std::optional<Plan> later_plan(const Contacts& contacts, double accuracy, double seconds) {
-  if (auto plan = within(contacts, accuracy, seconds, false)) return plan;
-  const std::size_t model = *answer(contacts);
-  const auto plan = plan_or_keep(contacts, model, accuracy, true);
-  if (plan && plan->unsolved > 0 && plan->seconds <= seconds) return plan;
-  return closest(contacts, accuracy, seconds, std::isfinite(seconds));
 }
 
 }  // namespace
 
 std::optional<Plan> plan_of(const Contacts& contacts, std::size_t model, double accuracy) {
-  return plan_or_keep(contacts, model, accuracy, false);
+  Plan plan;
+  plan.model = model;
+  for (const std::vector<Forecast>& models : contacts) {
+    const Forecast& forecast = models[model];
+    if (!forecast.cannot.empty() || forecast.levels.empty()) return {};
+    double least = std::numeric_limits<double>::infinity();
+    for (const Level& level : forecast.levels) least = std::min(least, forecast.error(level));
+    const double allowed = std::max(accuracy, least > accuracy ? near_enough * least : 0.0);
+    const Level* best = nullptr;
+    for (const Level& level : forecast.levels)
+      if (forecast.error(level) <= allowed && (best == nullptr || level.cost() < best->cost()))
+        best = &level;
+    plan.levels.push_back(static_cast<std::size_t>(best - forecast.levels.data()));
+    plan.error = std::max(plan.error, forecast.error(*best));
+    plan.seconds += best->cost();
+    plan.unsolved += best->reached ? 0 : 1;
+  }
+  return plan;
 }
 
-std::optional<Plan> cheapest(const Contacts& contacts, double accuracy) {
-  return within(contacts, accuracy, std::numeric_limits<double>::infinity(), false);
+std::optional<Plan> cheapest(const Contacts& contacts, double accuracy, double seconds) {
+  std::optional<Plan> best;
+  for (std::size_t m = 0; m < models_of(contacts); ++m) {
+    const std::optional<Plan> plan = plan_of(contacts, m, accuracy);
+    if (plan && plan->error <= accuracy && plan->seconds <= seconds &&
+        (!best || plan->seconds < best->seconds))
+      best = plan;
+  }
+  return best;
 }
 
 const Level* best_solved(const Forecast& forecast) {
@@ -114,47 +80,50 @@ const Level* best_solved(const Forecast& forecast) {
   return best;
 }
 
-bool all_solved(const Contacts& contacts, std::size_t model) {
-  return std::all_of(contacts.begin(), contacts.end(), [&](const std::vector<Forecast>& models) {
-    return best_solved(models[model]) != nullptr;
-  });
-}
-
-std::size_t worst_contact(const Contacts& contacts, std::size_t model) {
-  const auto worst =
-      std::max_element(contacts.begin(), contacts.end(),
-                       [&](const std::vector<Forecast>& a, const std::vector<Forecast>& b) {
-                         return *best_solved(a[model])->reached < *best_solved(b[model])->reached;
-                       });
-  return static_cast<std::size_t>(worst - contacts.begin());
+std::optional<std::size_t> worst_contact(const Contacts& contacts, std::size_t model) {
+  std::optional<std::size_t> worst;
+  double most = -1.0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Level* level = best_solved(contacts[c][model]);
+    if (level == nullptr) return {};
+    if (*level->reached > most) worst = c;
+    most = std::max(most, *level->reached);
+  }
+  return worst;
 }
 
 std::optional<std::size_t> answer(const Contacts& contacts) {
-  const auto error = [&](std::size_t m) {
-    return *best_solved(contacts[worst_contact(contacts, m)][m])->reached;
-  };
   std::optional<std::size_t> best;
+  double least = 0.0;
   for (std::size_t m = 0; m < models_of(contacts); ++m)
-    if (all_solved(contacts, m) && (!best || error(m) < error(*best))) best = m;
+    if (const auto worst = worst_contact(contacts, m)) {
+      const double error = *best_solved(contacts[*worst][m])->reached;
+      if (best && error >= least) continue;
+      best = m;
+      least = error;
+    }
   return best;
 }
 
 std::optional<Plan> next_plan(const Contacts& contacts, double accuracy, double seconds) {
-  Contacts hoped = hopes(contacts, accuracy);
+  const Contacts hoped = hopes(contacts, accuracy);
   std::size_t first = 0;
-  while (first < models_of(contacts) && !able(contacts, first)) ++first;
-  if (first == models_of(contacts)) return {};
-  if (all_solved(contacts, first)) {
-    const auto plan = later_plan(hoped, accuracy, seconds);
-    return plan && plan->unsolved > 0 ? plan : std::nullopt;
-  }
-  for (std::vector<Forecast>& models : hoped) models = {models[first]};
-  std::optional<Plan> plan = within(hoped, accuracy, seconds, false);
-  if (!plan) plan = closest(hoped, accuracy, seconds, false);
-  // Without any solution yet, the quickest is worth its time.
-  if (!plan) plan = plan_of(hoped, 0, largest_target);
-  if (plan) plan->model = first;
-  return plan;
+  while (first < models_of(hoped) && !plan_of(hoped, first, accuracy)) ++first;
+  if (first == models_of(hoped)) return {};
+  if (!worst_contact(hoped, first)) return first_plan(hoped, first, accuracy, seconds);
+  std::optional<Plan> best = cheapest(hoped, accuracy, seconds);
+  const std::size_t now = *answer(hoped);
+  if (!best) best = plan_of(hoped, now, accuracy);  // finer grids where they help
+  if (best && best->unsolved > 0 && best->seconds <= seconds) return best;
+  if ((best && best->error <= accuracy) || std::isfinite(seconds)) return {};
+  double least = *best_solved(hoped[*worst_contact(hoped, now)][now])->reached / near_enough;
+  best.reset();
+  for (std::size_t m = 0; m < models_of(hoped); ++m)
+    if (const auto plan = plan_of(hoped, m, accuracy); plan && plan->error < least) {
+      best = plan;
+      least = plan->error;
+    }
+  return best;
 }
 
 ExpectedRun expected_run(Contacts contacts, double accuracy, double seconds) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@ inline std::size_t models_of(const Contacts& contacts) {
 struct Plan {
   std::size_t model = 0;
   std::vector<std::size_t> levels;
+  double error = 0.0;        ///< largest of a contact
   double seconds = 0.0;      ///< expected, of the grids that are not solved yet
   std::size_t unsolved = 0;  ///< number of these
 };
@@ -61,21 +63,19 @@ struct Plan {
 /// power. Half-spaces show 1.5 to 1.9 (verification.LeadingEdge.*).
 constexpr double assumed_order = 1.5;
 
-/// The cheapest grid of every contact whose total error is at most `accuracy`; empty if a contact
-/// has none. Solved grids cost nothing.
+/// The cheapest grid of every contact whose total error is at most `accuracy`, otherwise one with
+/// nearly the smallest error. Solved grids cost nothing. Empty if the model cannot take a contact.
 std::optional<Plan> plan_of(const Contacts& contacts, std::size_t model, double accuracy);
 
-/// The cheapest model with such grids; empty if there is none.
-std::optional<Plan> cheapest(const Contacts& contacts, double accuracy);
+/// The cheapest model that meets the accuracy within the time; empty if there is none.
+std::optional<Plan> cheapest(const Contacts& contacts, double accuracy,
+                             double seconds = std::numeric_limits<double>::infinity());
 
 /// The solution with the smallest error; null if there is none.
 const Level* best_solved(const Forecast& forecast);
 
-/// Whether every contact has a solution by the model.
-bool all_solved(const Contacts& contacts, std::size_t model);
-
-/// The contact whose best solution by a model has the largest error. All are solved.
-std::size_t worst_contact(const Contacts& contacts, std::size_t model);
+/// The contact whose best solution by the model has the largest error; empty if one is not solved.
+std::optional<std::size_t> worst_contact(const Contacts& contacts, std::size_t model);
 
 /// The model whose worst contact has the smallest error, of those that have solved all; empty if
 /// there is none.

@@ -35,7 +35,7 @@ constexpr double coupled_times = 4.0, coupled_power = 0.75;
 constexpr double sharing_times = 2.0;
 /// The estimate of the model error takes more iterations on steep profiles.
 constexpr double steep_estimate_times = 2.0;
-constexpr double of_model_error = 0.1;  ///< per load point, with `usual_elements`
+constexpr double of_model_error = 0.1;  ///< per load point
 constexpr double hybrid_times = 13.0;   ///< time of the hybrid relative to the half-space
 /// Time of the hybrid's correction if it is not cached: for halved bodies, for whole bodies, and
 /// the growth with the patch's aspect ratio.
@@ -86,13 +86,6 @@ void leave_out_too_coarse(const ContactSize& size, Forecast& forecast) {
         "largest",
         size.smallest_part);
 }
-/// With fewer elements forces are up to 0.4 % of mu too large.
-constexpr int usual_elements = 32, few_elements = 20;
-/// Applies where that error is a sixth of the accuracy.
-constexpr double accuracy_of_few = 0.025;
-
-/// None of 50 scenes exceeded 1.2 times the expected error.
-constexpr double at_most = 2.0;
 
 /// Elements of the patch; a line contact has one row.
 double elements(const ContactSize& size, int across) {
@@ -139,21 +132,9 @@ double expected_model_error(const ContactSize& size) {
   return of_along * along + 0.02 * across + 0.25 * across * across;
 }
 
-double largest_model_error(const ContactSize& size) {
-  return at_most * expected_model_error(size);
-}
-
-int elements_of_model_error(const ContactSize& size, double accuracy) {
-  if (!size.bodies_known || largest_model_error(size) <= 0.5 * accuracy) return 0;
-  const bool alike = size.smallest_part > 0.5;
-  return accuracy >= accuracy_of_few && alike ? few_elements : usual_elements;
-}
-
-Forecast halfspace_forecast(const ContactSize& size, double accuracy) {
-  const double part = static_cast<double>(elements_of_model_error(size, accuracy)) / usual_elements;
-  const double turns = size.steep ? steep_estimate_times : 1.0;
-  const double estimate =
-      turns * of_model_error * part * part * static_cast<double>(size.load_points);
+Forecast halfspace_forecast(const ContactSize& size) {
+  const double turns = !size.bodies_known ? 0.0 : size.steep ? steep_estimate_times : 1.0;
+  const double estimate = turns * of_model_error * static_cast<double>(size.load_points);
   const auto times = [&](int across) {
     if (size.coupled) return coupled_times * std::pow(across / 32.0, coupled_power);
     return size.shares_load ? sharing_times : 1.0;

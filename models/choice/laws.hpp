@@ -40,15 +40,8 @@ const std::vector<int>& cells_across();  ///< of finite elements
 /// bodies are not known.
 double expected_model_error(const ContactSize& size);
 
-/// Elements across for computing the half-space's model error; 0 if it need not be computed,
-/// because twice the expected error is at most half the accuracy.
-int elements_of_model_error(const ContactSize& size, double accuracy);
-
-/// Upper bound above all model errors found, as part of the whole of the worst quantity.
-double largest_model_error(const ContactSize& size);
-
-/// Forecasts without the names of the models. `accuracy`: the requested accuracy.
-Forecast halfspace_forecast(const ContactSize& size, double accuracy);
+/// Forecasts without the names of the models.
+Forecast halfspace_forecast(const ContactSize& size);
 Forecast hybrid_forecast(const ContactSize& size);
 Forecast fem_forecast(const ContactSize& size);
 

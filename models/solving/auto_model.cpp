@@ -65,12 +65,6 @@ int meshed_bodies(const Scene& scene) {
          (scene.rail.material.rigid() || (flat_rail && !scene.asks_for_stress()) ? 0 : 1);
 }
 
-int elements_of_model_error(const Scene& scene, const ContactSize& size) {
-  if (scene.options.halfspace.model_error && size.bodies_known)
-    return halfspace::elements_of_model_error;
-  return modelling::elements_of_model_error(size, accuracy_of(scene.accuracy));
-}
-
 /// True if the geometry suffices to estimate the half-space's model error.
 bool bodies_known(const Scene& scene) {
   return scene.geometry.has_surfaces() && !scene.geometry.line;
@@ -100,10 +94,8 @@ ContactSize size_of(const Scene& scene) {
   size.line = scene.geometry.line.has_value();
   size.true_sections = halfspace::has_true_sections(scene);
   size.steep = halfspace::is_steep(scene);
-  // No look-up where a half-space suffices anyway, nor with several processes, which might
-  // disagree.
-  if (elements_of_model_error(scene, size) > 0 && processes().count == 1)
-    size.correction_kept = correction_is_kept(scene);
+  // No look-up with several processes, which might disagree.
+  if (size.bodies_known && processes().count == 1) size.correction_kept = correction_is_kept(scene);
   return size;
 }
 
@@ -122,10 +114,10 @@ std::string out_of_question(const contact::ModelInfo& model, const Scene& scene)
   return "";
 }
 
-Forecast forecast_as(Choosable kind, const ContactSize& size, double accuracy) {
+Forecast forecast_as(Choosable kind, const ContactSize& size) {
   if (kind == Choosable::finite_bodies) return modelling::fem_forecast(size);
   return kind == Choosable::corrected_half_spaces ? modelling::hybrid_forecast(size)
-                                                  : modelling::halfspace_forecast(size, accuracy);
+                                                  : modelling::halfspace_forecast(size);
 }
 
 /// The scene with a grid set by the choice, for half-space and hybrid.
@@ -149,8 +141,7 @@ Scene on_cells(Scene scene, int across) {
 /// Solves the candidates of a scene; each passes the checks of its own model.
 class Solver {
  public:
-  Solver(const Scene& scene, const Solving& how)
-      : asked_(scene), scene_(scene), size_(size_of(scene)), how_(how) {
+  Solver(const Scene& scene, const Solving& how) : asked_(scene), scene_(scene), how_(how) {
     scene_.accuracy.relative.reset();
     scene_.options.halfspace.model_error = false;
   }
@@ -165,36 +156,29 @@ class Solver {
 
  private:
   Candidate candidate(const Forecast& forecast) const {
-    Candidate made{forecast, {}, false, {}};
+    Candidate made{forecast, {}};
     const std::string name = forecast.model;
     const Choosable kind = how_.models->at(name).choosable;
-    if (kind == Choosable::half_spaces) {
-      const int elements = elements_of_model_error(asked_, size_);
-      made.estimates_model_error = elements > 0;
-      if (scene_.geometry.line)
-        made.no_model_error = "the model error of half-planes in line contact is not estimated";
-      else if (!size_.bodies_known)
-        made.no_model_error = "only the undeformed distance of the bodies is known";
-      else if (elements == 0)
-        made.largest_model_error = modelling::largest_model_error(size_);
-      made.solve = [this, elements, name](int across) {
-        contact::ModelResult result = run(name, on_grid(scene_, across));
-        if (elements > 0) share_model_error(elements, result);
-        return result;
-      };
-    } else {
-      const bool cells = kind == Choosable::finite_bodies;
-      made.solve = [this, name, cells](int across) {
-        return run(name, cells ? on_cells(scene_, across) : on_grid(scene_, across));
-      };
-    }
+    const bool cells = kind == Choosable::finite_bodies;
+    const bool estimates = kind == Choosable::half_spaces && bodies_known(asked_);
+    made.estimates_model_error = estimates;
+    if (kind == Choosable::half_spaces && !estimates)
+      made.no_model_error = scene_.geometry.line
+                                ? "the model error of half-planes in line contact is not estimated"
+                                : "only the undeformed distance of the bodies is known";
+    made.solve = [this, name, cells, estimates](int across) {
+      contact::ModelResult result =
+          run(name, cells ? on_cells(scene_, across) : on_grid(scene_, across));
+      if (estimates) share_model_error(result);
+      return result;
+    };
     return made;
   }
 
   /// Finer grids hardly change the model error: the first estimate serves all of them.
-  void share_model_error(int elements, contact::ModelResult& result) const {
+  void share_model_error(contact::ModelResult& result) const {
     if (estimated_.empty()) {
-      halfspace::add_model_error(scene_, how_.progress, result, elements);
+      halfspace::add_model_error(scene_, how_.progress, result);
       for (const contact::PointResult& point : result.points)
         estimated_.push_back(point.model_error);
       source_ = result.model_error_source;
@@ -215,7 +199,6 @@ class Solver {
 
   const Scene& asked_;
   Scene scene_;  ///< without requested accuracy and estimates, which this class handles
-  ContactSize size_;
   const Solving& how_;
   mutable std::vector<std::map<std::string, double>> estimated_;  ///< per load point
   mutable std::string source_;
@@ -265,7 +248,7 @@ std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& mode
   std::string half_spaces;
   for (const contact::ModelInfo& model : models.all()) {
     if (model.choosable == Choosable::never) continue;
-    all.push_back(forecast_as(model.choosable, size, accuracy_of(scene.accuracy)));
+    all.push_back(forecast_as(model.choosable, size));
     all.back().model = model.name;
     if (model.choosable == Choosable::half_spaces) half_spaces = model.name;
     if (model.choosable == Choosable::corrected_half_spaces) all.back().corrects = half_spaces;

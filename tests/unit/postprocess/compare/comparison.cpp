@@ -116,6 +116,24 @@ TEST(Comparison, TheWishedReferenceIsTakenWhereItHasTheNumber) {
   EXPECT_EQ(reference_of({}, references), "");
 }
 
+TEST(Comparison, AnExactValueIsTheReferenceUnlessTheOtherOneResolvesItsModelError) {
+  ComparedCase exact = example();
+  json summary = json::parse(exact.summary);
+  json& hertz = summary["models"][0]["points"][0];
+  hertz["no_bar"] = {{"max_pressure", "exact"}};
+  const auto pressure = [&](double model_error, const char* model, const std::string& wished) {
+    hertz["model_error"] = {{"max_pressure", model_error}};
+    exact.summary = summary.dump();
+    return number(compared_numbers(exact, {wished, "halfspace"}), model, 1, "max_pressure");
+  };
+  // The half-space's bar is 1 MPa.
+  EXPECT_EQ(pressure(0.9, "halfspace", "").reference, "hertz");
+  EXPECT_NEAR(pressure(0.9, "halfspace", "").difference(), -1.0 / 101.0, 1e-12);
+  EXPECT_FALSE(pressure(0.9, "hertz", "").reference_value);
+  EXPECT_EQ(pressure(1.1, "hertz", "").reference, "halfspace");
+  EXPECT_EQ(pressure(0.9, "hertz", "halfspace").reference, "halfspace") << "as requested";
+}
+
 /// The words of a line, one space between them.
 std::string words(const std::string& line) {
   std::istringstream stream(line);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `auto` on the contacts of a wheelset, with real half-spaces and a stand-in for finite elements:
+// one model for all of them.
+#include "contact/case/case_reader.hpp"
+#include "contact/result/quantities.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
+#include "models/solving/solving.hpp"
+#include "theories/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+using namespace rollfem;
+using rollfem::testing::says;
+
+/// Half-spaces that count as finite bodies.
+contact::ModelInfo bodies() {
+  contact::ModelInfo model = contact::ModelInfo{"bodies", "bodies", "a stand-in"};
+  model.takes = theories::models().at("halfspace").takes;
+  model.run = [](const contact::ModelInput& input, const contact::Progress& progress,
+                 contact::Checkpoint* checkpoint) {
+    contact::ModelResult result = theories::models().run("halfspace", input, progress, checkpoint);
+    result.name = "bodies";
+    return result;
+  };
+  model.choosable = contact::Choosable::finite_bodies;
+  return model;
+}
+
+/// The right wheel: on its tread in the middle of the track (a model error of 0.4 % of mu), near
+/// its flange root at 6 mm (1.6 % of the width).
+modelling::Solved solve(const std::string& shifts, const std::string& head) {
+  contact::ModelRegistry models;
+  models.add(modelling::auto_model()).add(theories::models().at("halfspace")).add(bodies());
+  const contact::Case input = contact::parse_case(
+      head +
+          "[load]\nvertical_force = 100e3\n[friction]\ncoefficient = 0.55\n[wheel]\n"
+          "rolling_radius = 450.0\nprofile = \"S1002\"\n[rail]\nprofile = \"UIC60-manchester\"\n"
+          "[track]\ninclination = \"1:40\"\n[wheelset]\nside = \"right\"\nroll = 0.0\n"
+          "lateral_shift = " +
+          shifts + "\n[rolling]\nlongitudinal_creepage = 0.001\n[output]\nfields = false\n",
+      "a.toml", modelling::model_words(models));
+  modelling::Solving how;
+  how.models = &models;
+  return modelling::solve(input, how);
+}
+
+TEST(AutoOfRuns, OneContactThatNeedsAnotherModelChangesTheModelOfAll) {
+  const std::string asked = "models = [\"auto\"]\naccuracy = 0.01\n";
+  ASSERT_EQ(solve("[2.0]", asked).results.at(0).name, "halfspace");
+  ASSERT_EQ(solve("[6.0]", asked).results.at(0).name, "bodies");
+  const modelling::Solved both = solve("[2.0, 6.0]", asked);
+  ASSERT_EQ(both.results.size(), 2U);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(both.results[k].name, "bodies");
+    EXPECT_EQ(both.results[k].label, "bodies");
+    EXPECT_EQ(both.results[k].place->position, k + 1);
+    EXPECT_EQ(both.results[k].notes.front(), both.results[0].notes.front());
+    EXPECT_EQ(both.results[k].shortfall, "");
+  }
+  EXPECT_EQ(both.verdict, "");
+}
+
+TEST(AutoOfRuns, WithoutTimeForAllOfThemAllKeepTheHalfSpaceAndTheRunSaysSo) {
+  const modelling::Solved some = solve("[2.0, 6.0, 2.0, 2.0, 2.0, 6.0]", "models = [\"auto\"]\n");
+  ASSERT_EQ(some.results.size(), 6U);
+  for (const contact::ModelResult& result : some.results) EXPECT_EQ(result.name, "halfspace");
+  EXPECT_TRUE(says(some.verdict, "2 of 6 contacts miss 1 %: worst ", "(b)",
+                   "`--set accuracy=0.01` allows more time: finite elements would take about"));
+  for (const char* name : {"max_pressure", "traction_coefficient", "semi_axis_y"})
+    EXPECT_EQ(contact::quantity(some.results[0].points[0], name),
+              contact::quantity(some.results[4].points[0], name));
+}
+
+}  // namespace
