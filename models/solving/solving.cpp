@@ -4,6 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
+#include "contact/result/unsolved.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/scene_checkpoint.hpp"
 #include "track/balance/balance.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::modelling {
 
@@ -123,6 +125,8 @@ contact::ModelResult run_model(const std::string& name, const contact::Scene& sc
   try {
     if (model.chooses) return solve_by_choice(scene, progress, keep, how);
     return how.models->run(name, scene, progress, keep);
+  } catch (contact::PartlySolved& partly) {
+    throw contact::PartlySolved(where(partly), std::move(partly.result));
   } catch (const contact::UnfitGrid& error) {
     throw contact::UnfitGrid(where(error));
   } catch (const contact::SolveError& error) {
@@ -159,10 +163,16 @@ std::vector<std::string> able_models(const contact::Case& input, const Scenes& s
 
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<std::string>& notes, const Solving& how) {
-  contact::ModelResult result = run_model(model, scene, how);
-  if (result.label.empty()) result.label = how.models->at(model).label;
-  finish(scene, notes, *how.models, result);
-  return result;
+  const auto completed = [&](contact::ModelResult result) {
+    if (result.label.empty()) result.label = how.models->at(model).label;
+    finish(scene, notes, *how.models, result);
+    return result;
+  };
+  try {
+    return completed(run_model(model, scene, how));
+  } catch (contact::PartlySolved& partly) {
+    throw contact::PartlySolved(partly.what(), completed(std::move(partly.result)));
+  }
 }
 
 Solved solve(const contact::Case& input, const Solving& how) {
@@ -186,6 +196,12 @@ Solved solve(const contact::Case& input, const Solving& how) {
       const bool must_throw = !how.go_on || (parallel && !how.together);
       try {
         solved.results.push_back(solve_scene(name, scene, scenes.notes, counted));
+      } catch (contact::PartlySolved& partly) {
+        if (how.go_on) {
+          miss(partly, true);
+          continue;
+        }
+        solved.results.push_back(std::move(partly.result));
       } catch (const contact::SolveError& error) {
         if (must_throw) throw;
         miss(error, true);
