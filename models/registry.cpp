@@ -97,7 +97,8 @@ std::string models_markdown(const ModelRegistry& models) {
   text +=
       "\nAll models accept longitudinal creepage, force or approach, and unlike materials. For "
       "anything else a\nmodel that cannot solve the case refuses it (exit status 2) and names "
-      "those that can.\n\n| a case with | is solved by |\n|---|---|";
+      "those that can. `hertz` gives patch and pressure of any case and leaves its friction "
+      "out.\n\n| a case with | is accepted by |\n|---|---|";
   std::vector<ModelInfo> solving;  // auto checks its own candidates
   for (const ModelInfo& model : models.all())
     if (!model.chooses) solving.push_back(model);

@@ -351,7 +351,24 @@ bool is_worth_it(const contact::Quantity& quantity, bool with_friction) {
   return quantity.scale == contact::ErrorScale::value;
 }
 
-void add_errors(const PointResult& half, bool with_friction, PointResult& theory) {
+/// Which values of a theory are those of half-spaces.
+struct Exact {
+  bool patch = false;   ///< and pressure and approach: Hertz's solution of this problem
+  bool forces = false;  ///< Carter's of a line contact
+
+  Exact(const Scene& scene, const TheoryKind& kind)
+      : patch(kind.hertzian && !scene.has_profiles() && !scene.geometry.distance_values &&
+              scene.follows_surface == 0.0 && !friction_moves_pressure(scene)),
+        forces(patch && scene.geometry.line.has_value()) {}
+  bool all(const TheoryKind& kind) const { return patch && (forces || !kind.with_friction); }
+  bool has(const contact::Quantity& quantity) const {
+    return forces || (patch && !quantity.of_friction() && !quantity.member.may_be_absent &&
+                      quantity.name != std::string("adhesion_area"));
+  }
+};
+
+void add_errors(const PointResult& half, const Exact& exact, bool with_friction,
+                PointResult& theory) {
   for (const contact::Quantity& quantity : contact::quantities()) {
     const auto value = quantity.value(theory);
     const auto other = quantity.value(half);
@@ -359,6 +376,10 @@ void add_errors(const PointResult& half, bool with_friction, PointResult& theory
     const auto word = half.no_bar.find(quantity.name);
     const bool given = word != half.no_bar.end() && word->second == contact::no_bar::given;
     if (!value || !other || given || !is_worth_it(quantity, with_friction)) continue;
+    if (exact.has(quantity)) {
+      theory.model_error[quantity.name] = 0.0;
+      continue;
+    }
     // Without its error bar a half-space solution on so few elements is no reference.
     if (bar == half.error_estimate.end()) continue;
     // An error bar holds nearly always, half of it usually (docs/accuracy.md).
@@ -368,22 +389,27 @@ void add_errors(const PointResult& half, bool with_friction, PointResult& theory
 
 }  // namespace
 
-void estimate_model_error(const Scene& scene, bool with_friction, const contact::Progress& progress,
-                          ModelResult& theory) {
+void estimate_model_error(const Scene& scene, const TheoryKind& kind,
+                          const contact::Progress& progress, ModelResult& theory) {
   const contact::Stopwatch watch;
   const contact::Progress told = [&](contact::ProgressEvent event) {
     event.stage = "model error: " + event.stage;
     contact::report(progress, event);
   };
+  const Exact exact(scene, kind);
   try {
-    const Scene rough = rough_scene(scene, with_friction, theory.points.size());
-    ModelResult half = halfspace::run_halfspace(rough, told, nullptr);
+    const Scene rough = rough_scene(scene, kind.with_friction, theory.points.size());
+    ModelResult half = exact.all(kind) ? theory : halfspace::run_halfspace(rough, told, nullptr);
     contact::explain_bars(rough, {}, half);
     for (std::size_t k = 0; k < theory.points.size() && k < half.points.size(); ++k)
-      add_errors(half.points[k], with_friction, theory.points[k]);
-    theory.model_error_source = fmt::format(
-        "difference from the half-space with {} elements across, plus half its error bar",
-        elements_of_theories);
+      add_errors(half.points[k], exact, kind.with_friction, theory.points[k]);
+    theory.model_error_source =
+        exact.all(kind)
+            ? std::string("none: exact for half-spaces")
+            : fmt::format(
+                  "difference from the half-space with {} elements across, plus half its error "
+                  "bar{}",
+                  elements_of_theories, exact.patch ? "; patch and pressure are exact" : "");
   } catch (const std::runtime_error& error) {  // InputError, SolveError and their base classes
     theory.model_error_source =
         fmt::format("not estimated: no result of the half-space with {} elements across ({})",

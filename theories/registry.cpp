@@ -131,11 +131,10 @@ ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
 
 /// No checkpoint: a theory takes no time. Its model error (difference from the half-space) is
 /// added.
-contact::ModelRun theory(contact::Model model, bool with_friction = true) {
-  return [model = std::move(model), with_friction](const Scene& c, const Progress& p,
-                                                   contact::Checkpoint*) {
+contact::ModelRun theory(contact::Model model, TheoryKind kind = {}) {
+  return [model = std::move(model), kind](const Scene& c, const Progress& p, contact::Checkpoint*) {
     ModelResult result = model(c, p);
-    estimate_model_error(c, with_friction, p, result);
+    estimate_model_error(c, kind, p, result);
     return result;
   };
 }
@@ -163,7 +162,7 @@ void add_theories(contact::ModelRegistry& models) {
       [](const Scene& c, const Progress& p) {
         return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
       },
-      false);
+      {false, true});
   hertz.bars = closed_form;
   hertz.in_compare = true;
   models.add(hertz);
@@ -223,7 +222,8 @@ void add_theories_of_strips(contact::ModelRegistry& models) {
   strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
                             Demand::extra_slip, Demand::extra_slip_on_profiles});
   strip.run = theory(
-      [](const Scene& c, const Progress& p) { return run_each_load(run_strip_of_case, c, p); });
+      [](const Scene& c, const Progress& p) { return run_each_load(run_strip_of_case, c, p); },
+      {true, false});
   strip.refinements = {strips_of(strip_level)};
   strip.in_compare = true;
   models.add(strip);

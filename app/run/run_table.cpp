@@ -2,6 +2,7 @@
 #include "app/run/run_table.hpp"
 
 #include "contact/result/bars.hpp"
+#include "contact/result/unsolved.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +54,7 @@ std::string patch_table(const std::vector<ModelResult>& models) {
     if (model.points.empty()) continue;
     const PointResult& point = *std::max_element(
         model.points.begin(), model.points.end(), [](const PointResult& a, const PointResult& b) {
-          return a.normal_force < b.normal_force * (1.0 - 1e-9);
+          return contact::is_solved(b) && !(a.normal_force >= b.normal_force * (1.0 - 1e-9));
         });
     const auto seconds = model.seconds.find("total");
     text +=
@@ -101,7 +102,7 @@ std::string curve_table(const std::vector<const ModelResult*>& models, const std
     if (lateral) text += fmt::format("{:<12g}", creepage.lateral);
     if (spin) text += fmt::format("{:<12g}", creepage.spin);
     for (const ModelResult* model : models) {
-      if (k >= model->points.size()) {
+      if (k >= model->points.size() || !contact::is_solved(model->points[k])) {
         text += fmt::format("{:>{}}", "-", width_of(*model));
         continue;
       }

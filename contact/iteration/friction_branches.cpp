@@ -17,6 +17,10 @@ namespace {
 /// From this steepness of the law on (contact::steepness) there may be several solutions.
 constexpr double steep = 0.5;
 
+/// Up to this steepness elements have a single solution; another one that all of them help each
+/// other to is rare (docs/friction.md).
+constexpr double one_state = 1.0;
+
 /// A slip at which all laws are down to their kinetic friction.
 constexpr double fast = 1e9;
 
@@ -37,11 +41,28 @@ double largest_real_part(const Eigen::MatrixXd& hessenberg) {
   return largest;
 }
 
+/// The memory distance, mm, with which elements of this steepness have one state.
+double sufficient_memory(const FrictionLaw& law, double steepness, double way) {
+  const double wanted = one_state * steepest_fall(law, way, law.memory()) / steepness;
+  const double least_slip = law.memory() ? law.memory()->least_slip : 0.0;
+  double lower = 1e-9, upper = 1e3;
+  while (upper > 1.01 * lower) {
+    const double middle = std::sqrt(lower * upper);
+    const bool enough = steepest_fall(law, way, FrictionMemory{middle, least_slip}) < wanted;
+    (enough ? upper : lower) = middle;
+  }
+  return upper;
+}
+
 }  // namespace
 
-SteepCause steep_cause(const FrictionLaw& law) {
+SteepCause steep_cause(const FrictionLaw& law, double steepness, double way) {
   SteepCause steep{"friction falls so steeply with the slip velocity",
-                   "give friction.memory_distance, or a larger one, or a larger half_velocity"};
+                   "give a larger friction.memory_distance or half_velocity"};
+  if (law.feels_slip() && way > 0.0 && steepness > one_state)
+    steep.cure = fmt::format(
+        "give friction.memory_distance (one state from about {:.2g} mm), or a larger half_velocity",
+        sufficient_memory(law, steepness, way));
   if (!law.plasticity || law.plasticity->hardening >= 0.0) return steep;
   const std::string cure = "give a layer.hardening nearer to 0";
   if (!law.feels_slip()) return {"the layer softens so fast", cure};
@@ -261,7 +282,9 @@ void FrictionNewton::fail(double scale) const {
           ? fmt::format("small changes leave the one found, where {:.3g} of them comes back",
                         *effort_.feedback)
           : std::string("none was found");
-  const SteepCause steep = steep_cause(problem_->law);
+  const SteepCause steep =
+      steep_cause(problem_->law, effort_.steepness,
+                  problem_->past != nullptr ? problem_->past->length : grid.dx);
   throw NoSteadyFriction(fmt::format(
       "{} (steepness {:.2g}) that no state stays: {}, and bounds went up and down most at x = "
       "{:.4g} mm, y = {:.4g} mm; such surfaces stick and slip in turn, which steps of "

@@ -21,7 +21,9 @@ struct SteepCause {
   std::string cause;  ///< without "that ..."
   std::string cure;
 };
-SteepCause steep_cause(const FrictionLaw& law);
+/// `way`, mm: from element to element, or of a step, in which the law has this steepness; 0:
+/// unknown.
+SteepCause steep_cause(const FrictionLaw& law, double steepness, double way);
 
 class FrictionNewton {
  public:

@@ -71,9 +71,9 @@ double FrictionState::slip_at(const Given& slip, Index e) const {
   return problem_->slip_factor * std::hypot(slip[e], slip[count_ + e]);
 }
 
-double steepness(const FrictionLaw& law, double pressure, double compliance, double way) {
+double steepest_fall(const FrictionLaw& law, double way,
+                     const std::optional<FrictionMemory>& memory) {
   constexpr double slowest = 1e-12, fastest = 1e3, ratio = 1.5;
-  const std::optional<FrictionMemory> memory = law.memory();
   double largest = 0.0;
   for (double slip = slowest; slip < fastest; slip *= ratio) {
     double fall = -law.at(slip).by_slip;
@@ -81,7 +81,11 @@ double steepness(const FrictionLaw& law, double pressure, double compliance, dou
       fall *= 1.0 - decay(way * std::max(slip, memory->least_slip) / memory->distance).left;
     largest = std::max(largest, fall);
   }
-  return largest * pressure * compliance;
+  return largest;
+}
+
+double steepness(const FrictionLaw& law, double pressure, double compliance, double way) {
+  return steepest_fall(law, way, law.memory()) * pressure * compliance;
 }
 
 double FrictionState::steepness(double compliance) const {

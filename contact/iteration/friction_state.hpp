@@ -32,6 +32,11 @@ struct FrictionProblem {
   const FrictionPast* past = nullptr;  ///< null: steady rolling
 };
 
+/// Largest fall of mu with |w| of an element that the material passes in this way, mm: where
+/// friction remembers, it follows only a part of the slip.
+double steepest_fall(const FrictionLaw& law, double way,
+                     const std::optional<FrictionMemory>& memory);
+
 /// How much slip an element of this compliance (slip per own traction, 1/MPa) and pressure gains at
 /// most by the friction that it loses with slip, as a part of it; `way`: as FrictionMemory takes
 /// it. Above 1 the element may have several states.

@@ -3,6 +3,7 @@
 
 #include "contact/base/accuracy.hpp"
 #include "contact/result/bars.hpp"
+#include "contact/result/unsolved.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -37,6 +39,8 @@ QuantityMember at() {
             const auto& member = follow<Path...>(point);
             if constexpr (optional)
               return member;
+            else if constexpr (kind == QuantityKind::number)
+              return std::isnan(member) ? std::nullopt : std::optional<double>(member);
             else
               return static_cast<double>(member);
           },
@@ -213,6 +217,20 @@ const Quantity& quantity_named(const std::string& name) {
 const char* text_of(ErrorScale scale) {
   static const char* const texts[] = {"", "value", "mu", "mu F_z", "mu F_z sqrt(ab)", "mu p_0"};
   return texts[static_cast<int>(scale)];
+}
+
+void leave_empty(PointResult& point) {
+  PointResult empty;
+  for (const Quantity& quantity : quantities())
+    if (!quantity.member.may_be_absent && quantity.member.kind == QuantityKind::number)
+      quantity.member.set(empty, std::nan(""));
+  for (const Quantity& motion : of_the_motion())
+    motion.member.set(empty, motion.value(point).value());
+  point = std::move(empty);
+}
+
+bool is_solved(const PointResult& point) {
+  return !std::isnan(point.normal_force);
 }
 
 double quantity(const PointResult& point, const std::string& name) {

@@ -3,6 +3,7 @@
 
 #include "contact/result/quantities.hpp"
 
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -131,7 +132,8 @@ void Record::value(PointResult& p) {
   for (const Quantity& quantity : quantities()) {
     std::optional<double> number = quantity.value(p);
     value(number);
-    if (reading_ && number) quantity.member.set(p, *number);
+    if (reading_ && (number || !quantity.member.may_be_absent))
+      quantity.member.set(p, number.value_or(std::nan("")));
   }
   values(p.error_estimate, p.no_bar, p.model_error, p.richardson);
   ContactFields& f = p.fields;

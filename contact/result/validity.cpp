@@ -4,6 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
+#include "contact/result/unsolved.hpp"
 
 #include <fmt/format.h>
 
@@ -40,11 +41,12 @@ void check_scalars(const CheckedPoint& at) {
     refuse(at, fmt::format("not converged, residual {:.3g}; do: use another grid or model",
                            point.residual));
   for (const Quantity& quantity : quantities()) {
-    const std::optional<double> value = quantity.value(point);
-    if (value && !std::isfinite(*value))
+    const double absent = quantity.member.may_be_absent ? 0.0 : std::nan("");
+    const double value = quantity.value(point).value_or(absent);
+    if (!std::isfinite(value))
       refuse(at, fmt::format("{} = {}; allowed: finite numbers; do: check the case for extremely "
                              "large or small values",
-                             quantity.name, *value));
+                             quantity.name, value));
   }
 }
 
@@ -233,6 +235,7 @@ void check_validity(const Scene& scene, const ModelResult& result, const ResultK
   const std::size_t count = result.points.size();
   const bool touching = scene.geometry.has_surfaces() && !scene.given_pressure;
   for (std::size_t k = 0; k < count; ++k) {
+    if (!is_solved(result.points[k])) continue;
     NormalLoad load;
     // A given pressure is the load; a model with one result for all load points uses the largest.
     if (!scene.given_pressure)

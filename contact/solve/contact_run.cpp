@@ -6,6 +6,7 @@
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "contact/result/derived.hpp"
+#include "contact/result/unsolved.hpp"
 #include "contact/result/validity.hpp"
 
 #include <fmt/format.h>
@@ -67,9 +68,11 @@ std::string steep_friction_note(const LevelResult& level, const Friction& fricti
                 "there are several states at {} of {} load points (a second one that small "
                 "changes do not leave was found)",
                 level.several, level.points.size());
-  const SteepCause steep = steep_cause(*friction);
+  const bool steps = !level.points.empty() && level.points.front().step > 0;
+  const SteepCause steep = steep_cause(*friction, level.steepness, steps ? 0.0 : level.grid.dx);
   return fmt::format(
-      "{} ({:.2g} times what one element withstands) that {}, which depend on the grid: given is "
+      "warning: {} ({:.2g} times what one element withstands) that {}, which depend on the grid: "
+      "given is "
       "the one of friction.branch; for one alone: {} (docs/friction.md)",
       steep.cause, level.steepness, found, steep.cure);
 }
@@ -103,6 +106,7 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   result_.points.clear();
   result_.relative_traction.clear();
   result_.several = 0;
+  result_.unsolved.clear();
   shape_ = geometry_.shape(grid);
   problem_.reset();
   elasticity_.reset();
@@ -117,6 +121,7 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
     if (elasticity_->same_normal_block()) {
       if (!problem_) prepare();
       if (!press(k)) return false;
+      if (k == 0) warn_if_steep();
     }
     taking_up = taking_up && take_up(k);
     if (!taking_up) {
@@ -127,10 +132,27 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
         result_.tangential_seconds += watch.seconds();
       } catch (const UnfitGrid&) {
         return false;
+      } catch (const NoSteadyFriction& error) {
+        if (!leave_unsolved(k, error)) throw;
+        continue;
       }
     }
     if (touches_border(grid, state_.normal.pressure)) return false;
   }
+  return true;
+}
+
+/// False if no load point is left that has a solution.
+bool ContactRun::leave_unsolved(std::size_t k, const NoSteadyFriction& error) {
+  result_.unsolved.emplace_back(error.what());
+  if (!options_.leaves_unsolved || scene_.is_history() ||
+      result_.unsolved.size() == scene_.points.size())
+    return false;
+  PointResult point;
+  motion_->describe(k, motion_->given_unknowns(k), point);
+  leave_empty(point);
+  result_.points.push_back(std::move(point));
+  result_.relative_traction.emplace_back();
   return true;
 }
 
@@ -197,6 +219,22 @@ bool ContactRun::press(std::size_t k) {
   return !touches_border(result_.grid, normal.pressure);
 }
 
+/// Before load points are solved that may take minutes each.
+void ContactRun::warn_if_steep() const {
+  if (!friction_ || !friction_->feels_slip() || scene_.problem != Problem::steady) return;
+  const double way = result_.grid.dx;
+  const double gain =
+      steepness(*friction_, result_.pressure.maxCoeff(),
+                elasticity_->standin().rolling(scene_.upwind_order).diagonal(), way);
+  if (gain <= 1.0) return;
+  ProgressEvent event;
+  event.note = fmt::format(
+      "warning: {} ({:.2g} times what one element withstands) that there may be several states or "
+      "none, and a load point may take minutes; do: {}",
+      steep_cause(*friction_, gain, way).cause, gain, steep_cause(*friction_, gain, way).cure);
+  tell(event, "friction", true);
+}
+
 /// A first guess from the coarser level: its p_t / g times the bound here.
 ContactState ContactRun::start_for(std::size_t k) {
   ContactState start;
@@ -204,7 +242,9 @@ ContactState ContactRun::start_for(std::size_t k) {
   start.defect = state_.defect;
   if (scene_.is_history()) start.tangential.traction = state_.tangential.traction;
   const LevelResult* coarser = options_.coarser;
-  if (!coarser || k >= coarser->relative_traction.size()) return start;
+  if (!coarser || k >= coarser->relative_traction.size() ||
+      coarser->relative_traction[k].x.size() == 0)
+    return start;
   start.tangential.traction =
       finer_tractions(coarser->grid, coarser->pressure, coarser->relative_traction[k], result_.grid,
                       traction_bound(friction_, result_.grid, start.normal.pressure));

@@ -66,6 +66,7 @@ struct LevelResult {
   double tangential_seconds = 0.0;
   double steepness = 0.0;  ///< gain of the friction law, the largest of all load points
   int several = 0;         ///< load points with more than one state (ContactProblem::count_states)
+  std::vector<std::string> unsolved;  ///< why load points are empty (contact/result/unsolved.hpp)
 };
 
 /// Warning about a law that falls, or a layer that softens, this steeply; may be empty.
@@ -78,6 +79,8 @@ struct RunOptions {
   ContactAccuracy force_accuracy;  ///< for a prescribed force
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
+  /// Goes on behind a load point without a state that stays, unless it is the start of the next.
+  bool leaves_unsolved = false;
   Response first_defect;  ///< from an earlier run without friction; empty: to be computed
 };
 
@@ -104,7 +107,9 @@ class ContactRun {
   bool take_up(std::size_t k);
   void find_first_defect();
   bool press(std::size_t k);
+  void warn_if_steep() const;
   void solve_point(std::size_t k);
+  bool leave_unsolved(std::size_t k, const NoSteadyFriction& error);
   ContactState start_for(std::size_t k);
   OuterCallback each_iteration(std::size_t k);
   void solve_given(std::size_t k, const Eigen::Vector2d& unknowns);

@@ -253,7 +253,9 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
                           std::to_string(solution.outer_iterations) + " iterations, required " +
                           std::to_string(options.tolerance);
   if (solution.tangential.feedback) {
-    const SteepCause steep = steep_cause(*problem.friction);
+    const SteepCause steep =
+        steep_cause(*problem.friction, solution.tangential.steepness,
+                    problem.past ? problem.past->length : halfspace.whole.grid().dx);
     throw NoSteadyFriction(steep.cause +
                            " that no state stays: it jumps to another one whenever pressure and "
                            "slip are corrected for each other; do: " +

@@ -4,6 +4,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
+#include "contact/result/unsolved.hpp"
 #include "contact/result/validity.hpp"
 
 #include <fmt/format.h>
@@ -236,21 +237,37 @@ void ModelRegistry::check(const ModelInput& input, const std::string& name) cons
     throw InputError(fmt::format("{}: model {}: {}; {}", input.file, name, *reason, advice(input)));
 }
 
-ModelResult ModelRegistry::run(const std::string& name, const ModelInput& input,
-                               const Progress& progress, Checkpoint* checkpoint) const {
-  check(input, name);
-  const ModelInfo& model = at(name);
-  if (!model.run) throw std::logic_error(name + " chooses one of the other models, which are run");
-  ModelResult result = model.run(input, progress, checkpoint);
+namespace {
+
+/// Checks a result and adds what the registry knows of its model.
+void complete(const ModelRegistry& models, const ModelInfo& model, const ModelInput& input,
+              ModelResult& result) {
   const ResultKind kind{model.has_stress, model.bounded, model.half_spaces};
   check_validity(input, result, kind);
   for (std::string& warning : validity_warnings(input, result, kind))
     result.notes.push_back(std::move(warning));
   if (input.asks_for_stress() && !model.has_stress)
     result.notes.push_back(fmt::format("no stress below the surface; models that compute it: {}",
-                                       listed(names(&ModelInfo::has_stress))));
+                                       listed(models.names(&ModelInfo::has_stress))));
   explain_bars(input, model.bars, result);
   if (result.model_error_source.empty()) result.model_error_source = model.no_model_error;
+}
+
+}  // namespace
+
+ModelResult ModelRegistry::run(const std::string& name, const ModelInput& input,
+                               const Progress& progress, Checkpoint* checkpoint) const {
+  check(input, name);
+  const ModelInfo& model = at(name);
+  if (!model.run) throw std::logic_error(name + " chooses one of the other models, which are run");
+  ModelResult result;
+  try {
+    result = model.run(input, progress, checkpoint);
+  } catch (PartlySolved& partly) {
+    complete(*this, model, input, partly.result);
+    throw;
+  }
+  complete(*this, model, input, result);
   return result;
 }
 

@@ -149,6 +149,8 @@ contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, do
   options.stage_prefix = stage_prefix;
   options.force_accuracy = accuracy_of_force_search;
   options.coarser = coarser;
+  // The balance of a wheel needs all load points.
+  options.leaves_unsolved = elasticity.may_leave_points && !scene.place;
   ContactGrid grid =
       area.grid(dx, dy, free_elements).widened(columns_for_steps(scene, area, dx), 0);
   constexpr int most_enlargements = 4;

@@ -6,6 +6,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
 #include "contact/result/refinement.hpp"
+#include "contact/result/unsolved.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/error_bars.hpp"
@@ -197,9 +198,14 @@ struct Levels {
     fine = std::move(finer);
   }
   const PointResult* coarsest_point(std::size_t k) const {
-    return coarsest ? &coarsest->points[k] : nullptr;
+    return coarsest && contact::is_solved(coarsest->points[k]) ? &coarsest->points[k] : nullptr;
   }
 };
+
+bool solved_twice(const Levels& levels, std::size_t k) {
+  return levels.coarse && contact::is_solved(levels.coarse->points[k]) &&
+         contact::is_solved(levels.fine->points[k]);
+}
 
 /// Returns a warning where waves of rough profiles are too short for the elements.
 std::string set_bars(const Scene& scene, Levels& levels) {
@@ -208,7 +214,8 @@ std::string set_bars(const Scene& scene, Levels& levels) {
   std::string warning;
   for (std::size_t k = 0; k < levels.fine->points.size(); ++k) {
     PointResult& point = levels.fine->points[k];
-    if (k == 0 || scene.is_history() || !(scene.points[k].load == scene.points[k - 1].load))
+    if (!solved_twice(levels, k)) continue;
+    if (!waves || scene.is_history() || !(scene.points[k].load == scene.points[k - 1].load))
       waves = wave_errors(scene, k, grid, point);
     set_error_bars(scene, k, grid, levels.coarse->points[k], levels.coarsest_point(k), point,
                    waves ? &*waves : nullptr);
@@ -249,6 +256,7 @@ void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& 
   for (auto* level : {&levels.coarsest, &levels.coarse, &levels.fine}) {
     if (!*level) continue;
     for (PointResult& point : (*level)->points) {
+      if (!contact::is_solved(point)) continue;
       if (elasticity.add_stresses) {
         elasticity.add_stresses((*level)->grid, point);
         continue;
@@ -257,9 +265,10 @@ void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& 
       if (maxima) point.stress_maxima = stress_maxima(scene, (*level)->grid, point);
     }
   }
-  for (std::size_t k = 0; levels.coarse && k < levels.fine->points.size(); ++k)
-    set_stress_bars(levels.fine->grid, levels.coarse->points[k], levels.coarsest_point(k),
-                    levels.fine->points[k]);
+  for (std::size_t k = 0; k < levels.fine->points.size(); ++k)
+    if (solved_twice(levels, k))
+      set_stress_bars(levels.fine->grid, levels.coarse->points[k], levels.coarsest_point(k),
+                      levels.fine->points[k]);
   result.seconds["subsurface"] = watch.seconds();
 }
 
@@ -358,7 +367,12 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   if (!steep.empty()) result.notes.push_back(std::move(steep));
   result.seconds["total"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return result;
+  if (fine.unsolved.empty()) return result;
+  const std::string why =
+      fmt::format("{} of {} load points are left empty, because they have no solution: {}",
+                  fine.unsolved.size(), scene.points.size(), fine.unsolved.front());
+  result.shortfall = why;
+  throw contact::PartlySolved(why, std::move(result));
 }
 
 Scene on_few_elements(Scene scene, int elements_across) {

@@ -27,12 +27,14 @@ struct GridElasticity {
   /// Adds subsurface stresses to a load point solved on the grid; empty: the stresses requested by
   /// the scene, for half-spaces.
   std::function<void(const contact::ContactGrid&, contact::PointResult&)> add_stresses = {};
+  bool may_leave_points = true;  ///< without a solution (contact::PartlySolved)
 };
 
 /// Solves every load point; enlarges the grid when the patch touches its border; runs at a half and
 /// a quarter of the resolution give the error bars, the former also the first guess. Includes the
 /// subsurface stresses requested by the case. Load points of the finest grid are stored in the
-/// `checkpoint` and restored from there (null: none).
+/// `checkpoint` and restored from there (null: none). Throws contact::PartlySolved where friction
+/// has no steady state at some load points.
 contact::ModelResult run_halfspace(const contact::Scene& scene, const contact::Progress& progress,
                                    contact::Checkpoint* checkpoint = nullptr,
                                    const GridElasticity& elasticity = {});

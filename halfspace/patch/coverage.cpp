@@ -3,6 +3,7 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/result/unsolved.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/near_misses.hpp"
 
@@ -84,6 +85,7 @@ ContactGrid grid_of_all_patches(const contact::Scene& scene,
                                 const std::vector<contact::PointResult>& points) {
   int below = 0, above = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!contact::is_solved(points[k])) continue;
     check_limits(scene, geometry, grid, points[k].fields.traction.n);
     const auto beyond =
         touched_beyond(scene, geometry, area, grid, points[k], scene.points[k].load);

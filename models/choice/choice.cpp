@@ -2,6 +2,7 @@
 #include "models/choice/choice.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/unsolved.hpp"
 
 #include <fmt/format.h>
 
@@ -113,9 +114,12 @@ class Choice {
               bool only_grid) {
     Forecast& forecast = forecasts_[c][m];
     std::exception_ptr told = std::current_exception();
-    if (dynamic_cast<const contact::SolveError*>(&error) != nullptr)
-      told = std::make_exception_ptr(contact::SolveError(
-          fmt::format("{}model {}: {}", subjects_[c].name, forecast.model, error.what())));
+    const std::string what =
+        fmt::format("{}model {}: {}", subjects_[c].name, forecast.model, error.what());
+    if (const auto* partly = dynamic_cast<const contact::PartlySolved*>(&error))
+      told = std::make_exception_ptr(contact::PartlySolved(what, partly->result));
+    else if (dynamic_cast<const contact::SolveError*>(&error) != nullptr)
+      told = std::make_exception_ptr(contact::SolveError(what));
     if (!wanted_.go_on) std::rethrow_exception(told);
     if (!failure_) failure_ = told;
     std::vector<Level> left;

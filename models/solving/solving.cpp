@@ -5,6 +5,7 @@
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/reached.hpp"
+#include "contact/result/unsolved.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/scene_checkpoint.hpp"
 #include "track/balance/balance.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::modelling {
 
@@ -143,6 +145,11 @@ void solve_named(std::vector<std::string> able, const Scenes& scenes, const Solv
       };
       try {
         solved.results.push_back(solve_scene(name, scene, scenes.notes, how));
+      } catch (contact::PartlySolved& partly) {
+        if (how.go_on)
+          leave_out(partly, true);
+        else
+          solved.results.push_back(std::move(partly.result));
       } catch (const contact::SolveError& error) {
         leave_out(error, true);
       } catch (const contact::InputError& error) {
@@ -161,6 +168,13 @@ std::string solve_chosen(const std::string& name, const Scenes& scenes, const So
       finish(scenes.list[c], scenes.notes, *how.models, chosen.results[c]);
     solved.results = std::move(chosen.results);
     return chosen.advice;
+  } catch (contact::PartlySolved& partly) {
+    if (how.go_on || scenes.list.size() > 1) {
+      miss(name, partly, true, how, solved);
+    } else {
+      finish(scenes.list.front(), scenes.notes, *how.models, partly.result);
+      solved.results.push_back(std::move(partly.result));
+    }
   } catch (const contact::SolveError& error) {
     miss(name, error, true, how, solved);
   } catch (const contact::InputError& error) {
@@ -183,17 +197,20 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
   const auto where = [&](const std::exception& error) {
     return fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), model, error.what());
   };
-  contact::ModelResult result;
+  const auto completed = [&](contact::ModelResult result) {
+    if (result.label.empty()) result.label = how.models->at(model).label;
+    finish(scene, notes, *how.models, result);
+    return result;
+  };
   try {
-    result = run_model(model, scene, how);
+    return completed(run_model(model, scene, how));
+  } catch (contact::PartlySolved& partly) {
+    throw contact::PartlySolved(where(partly), completed(std::move(partly.result)));
   } catch (const contact::UnfitGrid& error) {
     throw contact::UnfitGrid(where(error));
   } catch (const contact::SolveError& error) {
     throw contact::SolveError(where(error));
   }
-  if (result.label.empty()) result.label = how.models->at(model).label;
-  finish(scene, notes, *how.models, result);
-  return result;
 }
 
 Solved solve(const contact::Case& input, const Solving& how) {

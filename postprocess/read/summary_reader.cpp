@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace rollfem::postprocess {
 namespace {
 
@@ -16,6 +18,8 @@ contact::PointResult read_point(const json& stored) {
     if (const auto found = stored.find(quantity.name); found != stored.end())
       quantity.member.set(point, found->is_boolean() ? static_cast<double>(found->get<bool>())
                                                      : found->get<double>());
+    else if (!quantity.member.may_be_absent)
+      quantity.member.set(point, std::nan(""));  // a load point without a solution
   stored.at("error_estimate").get_to(point.error_estimate);
   if (stored.contains("no_bar")) stored.at("no_bar").get_to(point.no_bar);
   if (stored.contains("model_error")) stored.at("model_error").get_to(point.model_error);

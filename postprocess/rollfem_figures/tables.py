@@ -12,7 +12,7 @@ from .reader import full_sliding, place_label
 
 def number(value, digits=5):
     """A number for reading: `digits` significant digits, without exponent if possible."""
-    if value is None:
+    if value is None or math.isnan(value):
         return "–"
     if value == 0:
         return "0"
@@ -37,7 +37,7 @@ def digits(value, count):
 
 
 def percent(value):
-    if value is None:
+    if value is None or math.isnan(value):
         return ""
     text = f"{value:+.2f}"
     return ("0.00" if float(text) == 0 else text).replace("-", "−") + " %"

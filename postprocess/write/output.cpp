@@ -26,7 +26,7 @@ void write_contact(ResultFolder& folder, const contact::ModelResult& model,
   std::vector<std::vector<std::string>> files;
   std::string content;
   for (std::size_t k = 0; k < model.points.size(); ++k) {
-    if (model.points[k].fields.traction.n.size() == 0) return;
+    if (model.points[k].fields.traction.n.size() == 0) continue;
     if (!wanted.keeps_grid(k, model.points.size())) continue;
     files.push_back({fmt::format("{}_{:04}.vtu", stem, k)});
     times.push_back(all[k]);

@@ -234,9 +234,10 @@ void write_stress_maxima(hid_t point, const std::vector<contact::StressMaximum>&
 }
 
 /// Writes a quantity; counts and booleans (1 or 0) as integers, nothing if the model does not give
-/// it.
+/// it, NaN if the load point has no solution.
 void write_quantity(hid_t group, const contact::Quantity& quantity, const PointResult& point) {
-  const std::optional<double> value = quantity.value(point);
+  std::optional<double> value = quantity.value(point);
+  if (!value && !quantity.member.may_be_absent) value = std::nan("");
   if (!value) return;
   if (quantity.member.kind == contact::QuantityKind::number)
     write_attribute(group, quantity.name, *value);

@@ -47,8 +47,8 @@ FIELDS = {name: Field(*row) for name, row in _core.fields().items()}
 class Point:
     """One load point of one model: every quantity and every field by its name.
 
-    point.max_pressure is a number, None where the model does not give it; point.pressure an array [ny, nx], None where
-    the model has none. Bars are absolute, in the unit of the quantity.
+    point.max_pressure is a number, None where the model does not give it or the load point has no solution; point.pressure
+    an array [ny, nx], None where the model has none. Bars are absolute, in the unit of the quantity.
 
     Attributes
     ----------
@@ -127,6 +127,8 @@ class Point:
     def __repr__(self) -> str:
         at = ", ".join(f"{QUANTITIES[name].symbol} = {self.scalars[name]:.4g}"
                        for name in ("longitudinal_creepage", "lateral_creepage", "spin") if self.scalars.get(name))
+        if self.max_pressure is None:
+            return f"<rollfem.Point {at or 'without creepage'}: no solution>"
         return (f"<rollfem.Point {at or 'without creepage'}: p_0 = {self.max_pressure:.4g} MPa, "
                 f"-F_x/F_z = {self.traction_coefficient:.4g}>")
 

@@ -58,4 +58,55 @@ TEST(FallingFriction, StressesOfTheSurfaceAreThoseOfItsTractions) {
   EXPECT_NEAR(shear, sliding * pressure, 0.01 * sliding * pressure);
 }
 
+/// So steep that the second load point has no state that stays; the third slides as a whole.
+std::vector<std::string> steep_run(const std::string& directory, const std::string& memory,
+                                   const std::string& creepages = "[0.008, 0.014, 0.2]") {
+  std::vector<std::string> call{"run", ROLLFEM_SOURCE_DIR "/cases/falling_friction.toml", "-o",
+                                directory, "--no-report"};
+  for (const std::string& setting :
+       {"rolling.longitudinal_creepage=" + creepages, "friction.memory_distance=" + memory,
+        std::string("friction.coefficient=3"), std::string("friction.kinetic_coefficient=0.3"),
+        std::string("friction.half_velocity=100"), std::string("layer.shear_modulus=1e6"),
+        std::string("contact_grid.elements_across=10")})
+    call = joined(call, {"--set", setting});
+  return call;
+}
+
+TEST(FallingFriction, ALoadPointWithoutAStateIsLeftEmptyBesideTheOthers) {
+  const Folder folder;
+  const Outcome outcome = call(folder, steep_run("out", "0"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(says(outcome.err, "the results were written, but",
+                   "1 of 3 load points are left empty", "load point 2 of 3", "no state stays"))
+      << outcome.err;
+  const nlohmann::json points = folder.json("out/summary.json")["models"][0]["points"];
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points[1]["longitudinal_creepage"], 0.014);
+  EXPECT_EQ(points[1]["converged"], false);
+  for (const char* name : {"normal_force", "max_pressure", "traction_coefficient", "approach"})
+    EXPECT_FALSE(points[1].contains(name)) << name;
+  const auto rows = csv_records(folder.text("out/creep_curve.csv"));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1].at("traction_coefficient"), "");
+  const double slides = 0.3 + 2.7 * std::exp2(-2000.0 / 100.0);
+  EXPECT_NEAR(points[2]["traction_coefficient"].get<double>(), slides, 0.001 * slides);
+  done(folder, steep_run("alone", "0", "[0.008]"));
+  const double alone = point_of(folder, "alone")["traction_coefficient"];
+  EXPECT_NEAR(points[0]["traction_coefficient"].get<double>(), alone, 1e-6 * alone);
+}
+
+TEST(FallingFriction, TheMemoryThatIsNamedGivesOneStateEverywhere) {
+  const Folder folder;
+  const Outcome steep = call(folder, steep_run("out", "0"));
+  EXPECT_TRUE(says(steep.out, "warning: friction falls so steeply")) << steep.out;
+  const std::string words = "one state from about ";
+  const std::size_t at = steep.err.rfind(words);
+  ASSERT_NE(at, std::string::npos) << steep.err;
+  const std::string memory = std::to_string(std::stod(steep.err.substr(at + words.size())));
+  const Outcome calm = done(folder, steep_run("calm", memory));
+  EXPECT_EQ(calm.out.find("several states"), std::string::npos) << calm.out;
+  for (const auto& point : folder.json("calm/summary.json")["models"][0]["points"])
+    EXPECT_EQ(point["converged"], true);
+}
+
 }  // namespace

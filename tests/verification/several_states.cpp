@@ -254,6 +254,7 @@ TEST(SeveralStates, ResultsSayThatThereAreSeveral) {
   const std::string falls = contact::steep_friction_note(level, law);
   EXPECT_NE(falls.find("several states at 2 of 3 load points"), std::string::npos);
   EXPECT_NE(falls.find("friction.memory_distance"), std::string::npos);
+  EXPECT_EQ(falls.rfind("warning: ", 0), 0U) << falls;
   const auto softens = std::make_shared<contact::CoulombFriction>(0.3);
   softens->plasticity = contact::Plasticity{100.0, -1e3};
   const std::string layer = contact::steep_friction_note(level, softens);

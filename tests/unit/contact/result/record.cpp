@@ -3,6 +3,9 @@
 // and a record that is cut short is an error, not a crash.
 #include "contact/result/record.hpp"
 
+#include "contact/result/quantities.hpp"
+#include "contact/result/unsolved.hpp"
+
 #include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/summary_json.hpp"
 
@@ -52,6 +55,27 @@ TEST(Record, APointComesBackToTheLastBit) {
   EXPECT_TRUE(record.exhausted());
   EXPECT_EQ(postprocess::summary_json(run), summary);
   EXPECT_TRUE(postprocess::results_hdf5(run) == fields);
+}
+
+TEST(Record, APointWithoutASolutionStaysEmpty) {
+  contact::PointResult point;
+  point.creepage.longitudinal = 0.01;
+  point.vertical_force = 7.0;
+  point.fields.gap = contact::Field::Ones(4);
+  EXPECT_TRUE(contact::is_solved(point));
+  contact::leave_empty(point);
+  contact::PointResult back;
+  contact::Record record(bytes_of(point));
+  record.value(back);
+  for (const contact::PointResult& each : {point, back}) {
+    EXPECT_FALSE(contact::is_solved(each));
+    EXPECT_EQ(each.creepage.longitudinal, 0.01);
+    EXPECT_EQ(each.fields.gap.size(), 0);
+    for (const char* name : {"normal_force", "max_pressure", "traction_coefficient", "approach",
+                             "residual", "vertical_force"})
+      EXPECT_FALSE(contact::find_quantity(name)->value(each)) << name;
+    EXPECT_FALSE(each.converged);
+  }
 }
 
 TEST(Record, CutShortAnywhereItIsAnError) {
