@@ -118,7 +118,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const St
   series.ratio = plan.ratio;
   const contact::ModelInfo& model = work.how.models->at(plan.model);
   series.measures_others = model.name == work.how.models->reference().name;
-  series.limit_of_its_own = model.keeps_bodies;
+  series.limit_of_its_own = !model.half_spaces;
   if (!parallel(plan, work) && !work.how.first) return series;
   for (std::size_t k = 0; k < plan.levels.size(); ++k) {
     if (!work.how.share.holds(k)) continue;
