@@ -48,7 +48,6 @@ StressMaximum largest_surface_shear(const std::string& body, const ContactGrid& 
 StressMaximum largest_xz_range(const std::string& body, const RollingLines& lines,
                                const std::vector<double>& xz) {
   const auto columns = static_cast<std::size_t>(lines.columns);
-  const std::size_t each = columns * static_cast<std::size_t>(lines.rows);
   StressMaximum found{body, xz_range, 0.0, {}};
   std::vector<double> ranges;
   std::size_t best = 0;
@@ -64,13 +63,16 @@ StressMaximum largest_xz_range(const std::string& body, const RollingLines& line
     best = ranges.size() - 1;
     found.place = lines.places[first + static_cast<std::size_t>(std::lround(largest.shift))];
   }
+  // Along y, then along z, if there are neighbours on both sides.
   const auto rows = static_cast<std::size_t>(lines.rows);
-  if (best < rows || (best + rows) * columns >= xz.size()) return found;
-  const Top top = top_of(ranges[best - rows], ranges[best], ranges[best + rows]);
-  const std::size_t k = best * columns;
-  const double layer = std::abs(lines.places[k + each][2] - lines.places[k][2]);
-  found.value = top.value;
-  found.place[2] += std::copysign(1.0, found.place[2]) * top.shift * layer;
+  const auto refine = [&](std::size_t apart, std::size_t direction) {
+    const Top top = top_of(ranges[best - apart], ranges[best], ranges[best + apart]);
+    found.value += top.value - ranges[best];
+    found.place[direction] += top.shift * (lines.places[(best + apart) * columns][direction] -
+                                           lines.places[best * columns][direction]);
+  };
+  if (best % rows > 0 && best % rows + 1 < rows) refine(1, 1);
+  if (best >= rows && best + rows < ranges.size()) refine(rows, 2);
   return found;
 }
 

@@ -25,8 +25,8 @@ inline bool only_below(const StressMeasure& measure) {
 }
 
 namespace no_bar {
-/// The largest stress lies on the surface, where the grids converge too slowly to compare.
-inline constexpr const char* at_surface = "at surface";
+/// The largest stress lies on the surface, or so near it that the coarser grid does not tell.
+inline constexpr const char* near_surface = "near surface";
 }  // namespace no_bar
 
 /// The largest tangential traction of a load point as orthogonal shear stress on the surface of a
@@ -42,8 +42,8 @@ struct RollingLines {
   std::vector<std::array<double, 3>> places;  ///< mm
 };
 
-/// Largest range of xz along one of the lines: between the columns and layers by parabolas through
-/// the neighbours. The place is that of the largest xz on the line.
+/// Largest range of xz along one of the lines: between columns, rows and layers by parabolas
+/// through the neighbours. The place is that of the largest xz on the line.
 StressMaximum largest_xz_range(const std::string& body, const RollingLines& lines,
                                const std::vector<double>& xz);
 

@@ -372,7 +372,7 @@ void set_stress_bars(const ContactGrid& grid, const PointResult& coarse,
     const std::string name = fmt::format("max_{}_{}", maximum.measure, maximum.body);
     if (!to_surface && (std::abs(maximum.place[2]) < below * layer ||
                         std::abs(middle.place[2]) < below_coarse * layer))
-      fine.no_bar[name] = contact::no_bar::at_surface;
+      fine.no_bar[name] = contact::no_bar::near_surface;
     else
       fine.error_estimate[name] = bar(maximum.value, middle.value,
                                       coarsest ? coarsest->stress_maxima[m].value : middle.value);

@@ -263,7 +263,7 @@ TEST(StressMaxima, ShearIsToldOnTheSurfaceAndBelowIt) {
     }
     EXPECT_EQ(point.error_estimate.count(bar) + point.no_bar.count(bar), 1U) << bar;
     if (point.no_bar.count(bar) != 0) {
-      EXPECT_EQ(point.no_bar.at(bar), "at surface") << bar;
+      EXPECT_EQ(point.no_bar.at(bar), "near surface") << bar;
     }
   }
 }

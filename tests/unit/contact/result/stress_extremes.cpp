@@ -11,8 +11,8 @@ namespace {
 using namespace rollfem::contact;
 
 TEST(StressExtremes, TheRangeOfXzIsThatOfOneLineAtItsDepth) {
-  // z exp(-z) sin(x - 0.3) over y < 0.4: the largest and the smallest xz of a line lie at
-  // x = 0.3 +- pi/2, and most apart at depth 1, by 2/e. Farther out is nothing.
+  // z exp(-z) sin(x - 0.3) cos(y - 0.1): the largest and the smallest xz of a line lie at x = 0.3
+  // +- pi/2, and most apart at depth 1 and y = 0.1, by 2/e.
   PointResult point;
   point.semi_axis_x = 2.0;
   point.semi_axis_y = 1.0;
@@ -22,10 +22,11 @@ TEST(StressExtremes, TheRangeOfXzIsThatOfOneLineAtItsDepth) {
   });
   std::vector<double> xz;
   for (const auto& [x, y, z] : lines.places)
-    xz.push_back(std::abs(y) < 0.4 ? -z * std::exp(z) * std::sin(x - 0.3) : 0.0);
+    xz.push_back(-z * std::exp(z) * std::sin(x - 0.3) * std::cos(y - 0.1));
   const StressMaximum found = largest_xz_range("rail", lines, xz);
   EXPECT_NEAR(found.value, 2.0 / std::exp(1.0), 3e-4);
   EXPECT_NEAR(found.place[0], 0.3 + M_PI_2, 0.1);  // columns are 0.167 apart
+  EXPECT_NEAR(found.place[1], 0.1, 0.01);
   EXPECT_NEAR(found.place[2], -1.0, 0.01);
   EXPECT_EQ(found.body, "rail");
 }
