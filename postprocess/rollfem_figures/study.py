@@ -22,16 +22,26 @@ def _xi(place, key):
     return 100 * place["points"][int(key.split(":")[1]) - 1]["longitudinal_creepage"]
 
 
+def _quantity(place, key):
+    """The quantity of a key, which may name a load point."""
+    return place["quantities"][key.split(":")[0]]
+
+
+def _at_point(key):
+    return f", load point {key.split(':')[1]}" if ":" in key else ""
+
+
 def _title(place, key):
-    if quantity := place["quantities"].get(key):
-        return quantity.title + (f" {math(quantity.symbol)}" if quantity.symbol else "")
+    if not _is_coefficient(key):
+        quantity = _quantity(place, key)
+        return quantity.title + (f" {math(quantity.symbol)}" if quantity.symbol else "") + _at_point(key)
     return rf"traction coefficient, $\xi$ = {_xi(place, key):.4g} %"
 
 
 def _keys(place):
     """Keys of the references: patch first, then along the creep curve."""
     patch = [name for name in PATCH if name in place["references"]]
-    rest = [k for k in place["references"] if _is_coefficient(k)]
+    rest = [k for k in place["references"] if ":" in k]
     return patch + sorted(rest, key=lambda k: int(k.split(":")[1]))
 
 
@@ -85,9 +95,8 @@ def values_figure(place):
     without cells is a line across. None without levels."""
     figure = Figure(3 if len(_keys(place)) > 4 else 2)
     for key in _keys(place):
-        quantity = place["quantities"].get(key)
         panel = figure.add(250, 190, _title(place, key), "cell size over the coarsest [-], 0: limit",
-                           f"[{quantity.unit}]" if quantity and quantity.unit != "-" else "[-]")
+                           f"[{_quantity(place, key).unit}]")
         panel.x.see([0.0, 1.0])
         for series in place["series"]:
             look = _look(place, series)
@@ -146,13 +155,14 @@ def errors_figure(place, across, wanted, friction):
 
 def speed_error(place, friction):
     """Error in the largest pressure and in a traction coefficient against seconds, every model."""
-    wanted = [k for k in ("max_pressure", typical_coefficient(place, friction)) if k]
+    found = next((k for k in _keys(place) if ":" in k), None)  # for prescribed forces
+    wanted = [k for k in ("max_pressure", typical_coefficient(place, friction) or found) if k]
     return errors_figure(place, "seconds", wanted, friction)
 
 
 def _heading(place, key):
-    if quantity := place["quantities"].get(key):
-        return tables.heading(quantity)
+    if not _is_coefficient(key):
+        return tables.heading(_quantity(place, key)) + _at_point(key)
     return f"−F<sub>x</sub>/F<sub>z</sub> at ξ = {tables.plain(_xi(place, key))} %"
 
 

@@ -15,8 +15,11 @@ using References = std::map<std::string, StudyReference>;
 
 std::string name_of(const StudyPlace& place, const std::string& key) {
   if (const contact::Quantity* quantity = contact::find_quantity(key)) return quantity->title;
-  if (!is_coefficient(key)) return key;
-  const auto point = static_cast<std::size_t>(std::atoi(key.c_str() + key.find(':') + 1));
+  const std::size_t colon = key.find(':');
+  const auto point = static_cast<std::size_t>(std::atoi(key.c_str() + colon + 1));
+  if (!is_coefficient(key))
+    return fmt::format("{} found at load point {}",
+                       contact::quantity_named(key.substr(0, colon)).title, point);
   const double xi =
       point - 1 < place.creepages.size() ? place.creepages[point - 1].longitudinal : 0.0;
   return fmt::format("traction coefficient at xi = {:.4g} %", 100.0 * xi);
@@ -104,9 +107,11 @@ std::string series_name(const StudySeries& series) {
 struct Errors {
   double pressure = 0.0;
   double coefficient = 0.0;
+  double creepage = 0.0;  ///< found for forces
   void add(const std::string& key, double error) {
     if (key == "max_pressure") pressure = std::max(pressure, std::abs(error));
     if (is_coefficient(key)) coefficient = std::max(coefficient, std::abs(error));
+    if (key.find("_creepage:") != std::string::npos) creepage = std::max(creepage, std::abs(error));
   }
 };
 
@@ -138,6 +143,9 @@ std::string words_of(const Errors& errors) {
   if (errors.coefficient > smallest)
     text += fmt::format("{}-F_x/F_z {}", text.empty() ? "" : ", ",
                         percent("traction_coefficient", errors.coefficient));
+  if (errors.creepage > smallest)
+    text += fmt::format("{}creepage {}", text.empty() ? "" : ", ",
+                        percent("longitudinal_creepage", errors.creepage));
   return text;
 }
 
