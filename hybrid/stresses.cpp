@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/axes.hpp"
+#include "contact/result/stress_extremes.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/stress/smooth_stress.hpp"
@@ -214,15 +215,20 @@ void Stresses::finish(const contact::ContactGrid& grid, double part, double rela
     }
   }
   widen("subsurface_stress", most);
-  for (contact::StressMaximum& maximum : point.stress_maxima) {
+  std::vector<contact::StressMaximum> plain;
+  if (!point.stress_maxima.empty()) plain = halfspace::stress_maxima(scene_, grid, point);
+  for (std::size_t k = 0; k < point.stress_maxima.size(); ++k) {
+    contact::StressMaximum& maximum = point.stress_maxima[k];
+    const auto widen_by = [&](double half_space) {
+      widen(fmt::format("max_{}_{}", maximum.measure, maximum.body),
+            std::hypot(maximum.value - half_space, relative * maximum.value));
+    };
+    if (maximum.measure == contact::xz_range) widen_by(plain[k].value);
     const bool wheel = maximum.body == "wheel";
     const SubsurfacePoint at{maximum.place[0], maximum.place[1], std::abs(maximum.place[2])};
     const auto half = half_space_at(loaded.of(wheel).half, {at});
     for (const contact::StressMeasure& measure : contact::reported_measures())
-      if (measure.name == maximum.measure)
-        widen(fmt::format("max_{}_{}", maximum.measure, maximum.body),
-              std::hypot(maximum.value - measure.value(half.front().stress),
-                         relative * maximum.value));
+      if (measure.name == maximum.measure) widen_by(measure.value(half.front().stress));
     maximum.place = place(wheel, at.x, at.y, at.depth);
   }
 }

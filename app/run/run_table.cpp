@@ -2,6 +2,7 @@
 #include "app/run/run_table.hpp"
 
 #include "contact/result/bars.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/result/unsolved.hpp"
 
 #include <fmt/format.h>
@@ -71,16 +72,58 @@ std::size_t width_of(const ModelResult& model) {
   const bool with_error =
       std::any_of(model.points.begin(), model.points.end(),
                   [](const PointResult& point) { return !point.model_error.empty(); });
-  return std::max<std::size_t>(with_error ? 35 : 22, model.name.size() + 2);
+  return std::max<std::size_t>(with_error ? 38 : 24, model.name.size() + 2);
 }
 
 /// "0.21601 +- 0.0012", with the model error if known: "0.20970 +- 1.7e-05, model 0.0062". The
-/// quantity is divided by `scale`; never prints -0.00000.
-std::string barred(double value, const PointResult& point, const char* quantity, double scale) {
+/// bars of the quantity are divided by `scale`.
+std::string barred(const std::string& value, const PointResult& point, const char* quantity,
+                   double scale) {
   std::string text = contact::bar_text(point, quantity, scale);
   if (const auto error = point.model_error.find(quantity); error != point.model_error.end())
     text += fmt::format(", model {:.2g}", error->second / scale);
-  return fmt::format("{:.5f} {:<10}", std::abs(value) < 5e-6 ? 0.0 : value, text);
+  return fmt::format("{} {:<10}", value, text);
+}
+
+/// Never -0.00000.
+std::string five_digits(double value) {
+  return fmt::format("{:.5f}", std::abs(value) < 5e-6 ? 0.0 : value);
+}
+
+/// A motion that may be given, or found for a force, which then stands in its place.
+struct Motion {
+  const char *name, *heading, *force, *force_heading;
+};
+constexpr Motion motions[] = {{"longitudinal_creepage", "xi", "longitudinal_force", "F_x in N"},
+                              {"lateral_creepage", "eta", "lateral_force", "F_y in N"},
+                              {"spin", "phi", "", ""},
+                              {"longitudinal_shift", "", "longitudinal_force", "F_x in N"},
+                              {"lateral_shift", "", "lateral_force", "F_y in N"}};
+
+/// Whether a motion is a result at one of the load points.
+bool is_found(const std::vector<PointResult>& points, const char* name) {
+  return std::any_of(points.begin(), points.end(), [&](const PointResult& point) {
+    return contact::found_for_force(point, name);
+  });
+}
+
+/// Quantities and headings of the columns that tell load points apart: the step, or xi, even where
+/// it is 0, and whatever else is given.
+std::vector<std::pair<const char*, const char*>> given_columns(
+    const std::vector<PointResult>& points) {
+  std::vector<std::pair<const char*, const char*>> columns;
+  if (points.front().step > 0) columns.emplace_back("step", "step");
+  for (const Motion& motion : motions) {
+    // Ignores the residue of a search for zero creepage.
+    const bool moves = std::any_of(points.begin(), points.end(), [&](const PointResult& point) {
+      return std::abs(contact::quantity(point, motion.name)) > 1e-15;
+    });
+    if (is_found(points, motion.name))
+      columns.emplace_back(motion.force, motion.force_heading);
+    else if (*motion.heading != '\0' && (columns.empty() || moves))
+      columns.emplace_back(motion.name, motion.heading);
+  }
+  return columns;
 }
 
 /// Table with one row per load point and one column per model.
@@ -88,19 +131,15 @@ template <class Quantity>
 std::string curve_table(const std::vector<const ModelResult*>& models, const std::string& heading,
                         const Quantity& quantity) {
   const auto& points = models.front()->points;
-  const bool steps = points.front().step > 0;
-  const bool lateral = any_creepage(points, &contact::Creepage::lateral);
-  const bool spin = any_creepage(points, &contact::Creepage::spin);
-  std::string text = fmt::format("\n{}\n{:<12}", heading, steps ? "step" : "xi");
-  if (lateral) text += fmt::format("{:<12}", "eta");
-  if (spin) text += fmt::format("{:<12}", "phi");
+  const auto given = given_columns(points);
+  std::string text = fmt::format("\n{}\n", heading);
+  for (const auto& [name, head] : given) text += fmt::format("{:<12}", head);
   for (const ModelResult* model : models)
     text += fmt::format("{:>{}}", model->name, width_of(*model));
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const contact::Creepage& creepage = points[k].creepage;
-    text += fmt::format("\n{:<12g}", steps ? points[k].step : creepage.longitudinal);
-    if (lateral) text += fmt::format("{:<12g}", creepage.lateral);
-    if (spin) text += fmt::format("{:<12g}", creepage.spin);
+    text += '\n';
+    for (const auto& [name, head] : given)
+      text += fmt::format("{:<12.6g}", contact::quantity(points[k], name));
     for (const ModelResult* model : models) {
       if (k >= model->points.size() || !contact::is_solved(model->points[k])) {
         text += fmt::format("{:>{}}", "-", width_of(*model));
@@ -119,18 +158,32 @@ std::string scene_table(const std::vector<ModelResult>& models) {
   for (const ModelResult& model : models)
     if (has_friction(model)) with_friction.push_back(&model);
   if (with_friction.empty()) return text;
-  text +=
-      curve_table(with_friction, "traction coefficient -F_x/F_z (forces on the wheel)",
-                  [](const PointResult& point) {
-                    return barred(point.traction_coefficient, point, "traction_coefficient", 1.0);
-                  });
   const auto& points = with_friction.front()->points;
-  if (any_creepage(points, &contact::Creepage::lateral) ||
-      any_creepage(points, &contact::Creepage::spin))
+  std::set<std::string> given;
+  for (const auto& [name, symbol, force, heading] : motions) {
+    if (!is_found(points, name)) continue;
+    given.insert(force);
+    text += curve_table(
+        with_friction,
+        fmt::format("{}{}{}, found for the given {:.3}", contact::quantity_named(name).title,
+                    *symbol ? " " : " in mm", symbol, heading),
+        [name = name](const PointResult& point) {
+          return barred(fmt::format("{:.6g}", contact::quantity(point, name)), point, name, 1.0);
+        });
+  }
+  if (given.count("longitudinal_force") == 0)
+    text += curve_table(with_friction, "traction coefficient -F_x/F_z (forces on the wheel)",
+                        [](const PointResult& point) {
+                          return barred(five_digits(point.traction_coefficient), point,
+                                        "traction_coefficient", 1.0);
+                        });
+  if ((any_creepage(points, &contact::Creepage::lateral) ||
+       any_creepage(points, &contact::Creepage::spin)) &&
+      given.count("lateral_force") == 0)
     text += curve_table(with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",
                         [](const PointResult& point) {
-                          return barred(-point.lateral_force / point.normal_force, point,
-                                        "lateral_force", point.normal_force);
+                          return barred(five_digits(-point.lateral_force / point.normal_force),
+                                        point, "lateral_force", point.normal_force);
                         });
   return text;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/result/bars.hpp"
 
+#include "contact/result/stress_extremes.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -109,8 +111,15 @@ void explain_stresses(const BarRules& rules, PointResult& point) {
   const auto explain = [&](const std::string& name) {
     if (!has_bar(point, name)) point.no_bar.emplace(name, rules.otherwise);
   };
-  for (const StressMaximum& maximum : point.stress_maxima)
-    explain(fmt::format("max_{}_{}", maximum.measure, maximum.body));
+  for (const StressMaximum& maximum : point.stress_maxima) {
+    const std::string name = fmt::format("max_{}_{}", maximum.measure, maximum.body);
+    // It is the largest traction.
+    if (maximum.measure == surface_shear && has_bar(point, "max_traction"))
+      point.error_estimate.emplace(name, point.error_estimate.at("max_traction"));
+    else if (maximum.measure == surface_shear && point.no_bar.count("max_traction") != 0)
+      point.no_bar.emplace(name, point.no_bar.at("max_traction"));
+    explain(name);
+  }
   if (!point.subsurface.empty()) explain("subsurface_stress");
 }
 

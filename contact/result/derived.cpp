@@ -2,6 +2,7 @@
 #include "contact/result/derived.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/bars.hpp"
 
 #include <fmt/format.h>
 
@@ -89,6 +90,14 @@ PowerBalance power_balance(const ContactGrid& grid, const PointResult& point, do
                            const TangentialField& extra_slip) {
   return power_balance(grid, point.fields.traction, point.fields.slip, point.creepage, speed,
                        extra_slip);
+}
+
+bool found_for_force(const PointResult& point, const std::string& name) {
+  const auto word = point.no_bar.find(name);
+  if (word != point.no_bar.end())
+    return word->second != no_bar::given && word->second != no_bar::balance;
+  // Of a wheelset that rolls freely the spin has a bar, too.
+  return point.error_estimate.count(name) != 0 && point.error_estimate.count("spin") == 0;
 }
 
 }  // namespace rollfem::contact

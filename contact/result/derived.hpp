@@ -5,6 +5,8 @@
 
 #include "contact/result/result.hpp"
 
+#include <string>
+
 namespace rollfem::contact {
 
 /// Elastic energy of both bodies, 1/2 sum (p_x u_x + p_y u_y + p_n u_n) dx dy in N mm, u the
@@ -36,5 +38,9 @@ PowerBalance power_balance(const ContactGrid& grid, const SurfaceField& traction
                            const TangentialField& extra_slip = {});
 PowerBalance power_balance(const ContactGrid& grid, const PointResult& point, double speed,
                            const TangentialField& extra_slip = {});
+
+/// Whether a creepage or shift, by name, is a result: found for a prescribed force. Its statement
+/// of the error tells.
+bool found_for_force(const PointResult& point, const std::string& name);
 
 }  // namespace rollfem::contact

@@ -173,7 +173,7 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
       for (const auto& [name, bar] : left_out) fine.error_estimate[name] += bar;
       fine.richardson.clear();
     }
-    halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, fine);
+    halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, true, fine);
   }
   return beside.complete();
 }

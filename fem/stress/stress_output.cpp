@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
+#include "contact/result/stress_extremes.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "fem/discretisation/body_points.hpp"
 #include "fem/mesh/profile_shape.hpp"
@@ -31,6 +32,10 @@ using contact::ValueAt;
 constexpr std::array<int, 3> displacement_mirror{1, -1, 1};
 constexpr std::array<int, 3> direct_mirror{1, 1, 1};
 constexpr std::array<int, 3> shear_mirror{-1, -1, 1};
+
+/// Where "below the surface" begins, in sizes of a cell: nearer the surface the nodal field is that
+/// of the surface.
+constexpr double least_depth = 0.4;
 
 std::vector<std::array<double, 6>> stress_at(const BodyPoints& points, const NodalStress& stress) {
   const auto direct = points.values(stress.direct, direct_mirror);
@@ -110,8 +115,8 @@ struct StressOutput::Implementation {
   };
 
   Implementation(const contact::Scene& the_input, const BodyPair& bodies,
-                 const contact::ContactGrid& grid, double reach, bool fields)
-      : scene(the_input), maxima(the_input.output.stress_maxima), keeps(fields) {
+                 const contact::ContactGrid& the_grid, double reach, bool fields)
+      : scene(the_input), grid(the_grid), maxima(the_input.output.stress_maxima), keeps(fields) {
     const std::size_t last = count() - 1;
     if (!wanted(last)) return;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -165,6 +170,25 @@ struct StressOutput::Implementation {
     const auto starts = largest_at_nodes(part, stress);
     for (std::size_t m = 0; m < starts.size(); ++m)
       point.stress_maxima.push_back(refined(part, stress, m, starts[m]));
+    point.stress_maxima.push_back(contact::largest_surface_shear(part.name, grid, point));
+    point.stress_maxima.push_back(xz_range(part, stress, point));
+  }
+
+  static StressMaximum xz_range(const Part& part, const NodalStress& stress,
+                                const contact::PointResult& point) {
+    const double step = 0.1 * std::min(point.semi_axis_x, point.semi_axis_y);
+    const auto lines = contact::rolling_lines(point, step, 15, [&](double x, double y, double z) {
+      return place_below(part.body.shape(), x, y, z);
+    });
+    std::vector<double> xz;
+    for (const auto& value : stress_at(part.locator.find(lines.places, step), stress))
+      xz.push_back(value[5]);
+    return contact::largest_xz_range(part.name, lines, xz);
+  }
+
+  /// Depth below the surface of the body, which may be curved.
+  static double depth_of(const Part& part, const Place& place) {
+    return part.body.shape().coordinates({place[0], place[1], place[2]})[2];
   }
 
   /// The node with the largest value of each measure, and the size of its cell in mm. Of equal
@@ -191,7 +215,9 @@ struct StressOutput::Implementation {
     part.recovery.for_each_node(
         stress, [&](const Place& place, const std::array<double, 6>& value, double size) {
           const contact::Stress at = contact::Stress::from_array(value);
+          const bool below = depth_of(part, place) > least_depth * size;
           for (std::size_t m = 0; m < measures.size(); ++m) {
+            if (contact::only_below(measures[m]) && !below) continue;
             const Start here{{measures[m].value(at), place}, size};
             if (starts[m].loses_to(here)) starts[m] = here;
           }
@@ -215,7 +241,9 @@ struct StressOutput::Implementation {
           const auto values = stress_at(points, stress);
           std::vector<ValueAt> result;
           for (std::size_t k = 0; k < places.size(); ++k)
-            result.push_back({std::isfinite(points.moved(k))
+            result.push_back({std::isfinite(points.moved(k)) &&
+                                      (!contact::only_below(of) ||
+                                       depth_of(part, points.place(k)) > least_depth * start.size)
                                   ? of.value(contact::Stress::from_array(values[k]))
                                   : -contact::infinity,
                               points.place(k)});
@@ -226,6 +254,7 @@ struct StressOutput::Implementation {
   }
 
   const contact::Scene& scene;
+  contact::ContactGrid grid;
   bool maxima;
   bool keeps;
   std::array<std::unique_ptr<Part>, 2> parts;  ///< wheel, rail; null: rigid, or nothing requested

@@ -3,6 +3,7 @@
 
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
+#include "contact/result/stress_extremes.hpp"
 #include "halfspace/model/grid_signs.hpp"
 
 #include <fmt/format.h>
@@ -356,7 +357,7 @@ void set_error_bars(const Scene& scene, std::size_t k, const ContactGrid& grid,
 }
 
 void set_stress_bars(const ContactGrid& grid, const PointResult& coarse,
-                     const PointResult* coarsest, PointResult& fine) {
+                     const PointResult* coarsest, bool to_surface, PointResult& fine) {
   const auto bar = [&](double value, double middle, double first) {
     return combined(of_stress, coarsest != nullptr,
                     {value - middle, of_stress.before * (middle - first),
@@ -367,11 +368,14 @@ void set_stress_bars(const ContactGrid& grid, const PointResult& coarse,
     constexpr double below = 1.5, below_coarse = 2.2;
     const contact::StressMaximum& maximum = fine.stress_maxima[m];
     const contact::StressMaximum& middle = coarse.stress_maxima[m];
-    if (std::abs(maximum.place[2]) < below * layer ||
-        std::abs(middle.place[2]) < below_coarse * layer)
-      continue;
-    fine.error_estimate[fmt::format("max_{}_{}", maximum.measure, maximum.body)] = bar(
-        maximum.value, middle.value, coarsest ? coarsest->stress_maxima[m].value : middle.value);
+    if (maximum.measure == contact::surface_shear) continue;  // the largest traction has a bar
+    const std::string name = fmt::format("max_{}_{}", maximum.measure, maximum.body);
+    if (!to_surface && (std::abs(maximum.place[2]) < below * layer ||
+                        std::abs(middle.place[2]) < below_coarse * layer))
+      fine.no_bar[name] = contact::no_bar::near_surface;
+    else
+      fine.error_estimate[name] = bar(maximum.value, middle.value,
+                                      coarsest ? coarsest->stress_maxima[m].value : middle.value);
   }
   double largest = 0.0;
   for (std::size_t r = 0; r < fine.subsurface.size(); ++r)

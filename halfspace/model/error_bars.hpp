@@ -20,10 +20,11 @@ void set_error_bars(const contact::Scene& scene, std::size_t k, const contact::C
                     contact::PointResult& fine, const WaveErrors* waves = nullptr);
 
 /// The same for the stresses at the requested points ("subsurface_stress", for the worst component
-/// of all), and for the largest stresses ("max_von_mises_wheel") where they lie below the layer of
-/// one element length at the surface, which is excluded from the search: maxima at the end of that
-/// layer have no bar, because the layer may contain larger ones.
+/// of all), and for the largest stresses ("max_von_mises_wheel"). Unless the stresses are known
+/// `to_surface`, maxima there and at the end of the layer of one element length, which is excluded
+/// from the search and may contain larger ones, have no bar but the word "near surface".
 void set_stress_bars(const contact::ContactGrid& grid, const contact::PointResult& coarse,
-                     const contact::PointResult* coarsest, contact::PointResult& fine);
+                     const contact::PointResult* coarsest, bool to_surface,
+                     contact::PointResult& fine);
 
 }  // namespace rollfem::halfspace

@@ -267,7 +267,7 @@ void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& 
   }
   for (std::size_t k = 0; k < levels.fine->points.size(); ++k)
     if (solved_twice(levels, k))
-      set_stress_bars(levels.fine->grid, levels.coarse->points[k], levels.coarsest_point(k),
+      set_stress_bars(levels.fine->grid, levels.coarse->points[k], levels.coarsest_point(k), false,
                       levels.fine->points[k]);
   result.seconds["subsurface"] = watch.seconds();
 }

@@ -2,10 +2,12 @@
 #include "halfspace/stress/stress_maxima.hpp"
 
 #include "contact/base/root.hpp"
+#include "contact/result/stress_extremes.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace rollfem::halfspace {
 
@@ -22,37 +24,44 @@ std::vector<double> depths_of(const contact::ContactGrid& grid, const contact::P
   std::vector<double> depths{0.0};
   for (int k = 1; k <= layers; ++k)
     if (k * step >= std::max(grid.dx, grid.dy)) depths.push_back(k * step);
+  if (depths.size() < 2) depths.push_back(std::max(grid.dx, grid.dy));  // long elements
   return depths;
 }
 
-/// The largest on the lattice; z = +depth in the wheel, -depth in the rail.
-std::vector<ValueAt> largest_on_lattice(const LoadedBody& body, const std::vector<double>& depths,
-                                        const StateBeyond& beyond) {
+/// The largest of each measure on the surface and below it, and xz below it.
+struct Lattice {
+  std::vector<ValueAt> on_surface, below;
+  contact::RollingLines lines;
+  std::vector<double> xz;
+};
+
+/// z = +depth in the wheel, -depth in the rail.
+Lattice largest_on_lattice(const LoadedBody& body, const std::vector<double>& depths,
+                           const StateBeyond& beyond) {
   const auto& measures = contact::reported_measures();
-  std::vector<ValueAt> best(measures.size(), {-contact::infinity, {}});
+  const std::vector<ValueAt> none(measures.size(), {-contact::infinity, {}});
+  Lattice found{none, none, {body.grid.nx, body.grid.ny, {}}, {}};
   const double sign = body.body == Body::wheel ? 1.0 : -1.0;
   for (const SubsurfaceLayer& layer : subsurface_box(body, body.grid, depths))
     for (int k = 0; k < body.grid.size(); ++k) {
       SubsurfaceState state = layer.at(k);
-      if (beyond)
-        beyond(body.body,
-               {body.grid.x(k % body.grid.nx), body.grid.y(k / body.grid.nx), layer.depth}, state);
-      const contact::Stress& stress = state.stress;
-      for (std::size_t m = 0; m < measures.size(); ++m) {
-        const double value = measures[m].value(stress);
-        if (value > best[m].value)
-          best[m] = {value,
-                     {body.grid.x(k % body.grid.nx), body.grid.y(k / body.grid.nx),
-                      sign * layer.depth + 0.0}};
-      }
+      const double x = body.grid.x(k % body.grid.nx), y = body.grid.y(k / body.grid.nx);
+      if (beyond) beyond(body.body, {x, y, layer.depth}, state);
+      const std::array<double, 3> place{x, y, sign * layer.depth + 0.0};
+      auto& best = layer.depth == 0.0 ? found.on_surface : found.below;
+      for (std::size_t m = 0; m < measures.size(); ++m)
+        if (const double value = measures[m].value(state.stress); value > best[m].value)
+          best[m] = {value, place};
+      if (layer.depth == 0.0) continue;
+      found.lines.places.push_back(place);
+      found.xz.push_back(state.stress.xz);
     }
-  return best;
+  return found;
 }
 
 ValueAt refined(const LoadedBody& body, const contact::StressMeasure& measure, const ValueAt& start,
                 double step, const StateBeyond& beyond) {
   const double least = std::max(body.grid.dx, body.grid.dy);
-  if (start.place[2] == 0.0) return start;
   const auto values = [&](const std::vector<std::array<double, 3>>& places) {
     std::vector<SubsurfacePoint> points;
     for (const auto& p : places) points.push_back({p[0], p[1], std::max(std::abs(p[2]), least)});
@@ -82,12 +91,17 @@ std::vector<StressMaximum> stress_maxima(const contact::Scene& scene,
     const LoadedBody body{wheel ? Body::wheel : Body::rail,
                           wheel ? scene.wheel.material : scene.rail.material, grid,
                           point.fields.traction};
-    const auto best = largest_on_lattice(body, depths, beyond);
+    const std::string name = wheel ? "wheel" : "rail";
+    const Lattice best = largest_on_lattice(body, depths, beyond);
     for (std::size_t m = 0; m < measures.size(); ++m) {
-      const ValueAt at =
-          refined(body, measures[m], best[m], 0.5 * std::max(grid.dx, grid.dy), beyond);
-      maxima.push_back({wheel ? "wheel" : "rail", measures[m].name, at.value, at.place});
+      ValueAt at =
+          refined(body, measures[m], best.below[m], 0.5 * std::max(grid.dx, grid.dy), beyond);
+      if (!contact::only_below(measures[m]) && best.on_surface[m].value > at.value)
+        at = best.on_surface[m];
+      maxima.push_back({name, measures[m].name, at.value, at.place});
     }
+    maxima.push_back(contact::largest_surface_shear(name, grid, point));
+    maxima.push_back(contact::largest_xz_range(name, best.lines, best.xz));
   }
   return maxima;
 }

@@ -15,9 +15,9 @@ using StateBeyond = std::function<void(Body, const SubsurfacePoint&, SubsurfaceS
 
 /// Maxima of the measures in stress_measures.hpp for both bodies under the tractions of a solved
 /// point: searched on layers of the contact grid's lattice from the surface to 1.5 times the
-/// smaller semi-axis, then between the lattice points. On the surface, values are at element
-/// centres; depths below one element are excluded because the steps of the tractions dominate
-/// there.
+/// smaller semi-axis, below the surface also between the lattice points. On the surface, values are
+/// at element centres; depths below one element are excluded because the steps of the tractions
+/// dominate there.
 std::vector<contact::StressMaximum> stress_maxima(const contact::Scene& scene,
                                                   const contact::ContactGrid& grid,
                                                   const contact::PointResult& point,

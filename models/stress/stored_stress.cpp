@@ -2,10 +2,11 @@
 #include "models/stress/stored_stress.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/stress_measures.hpp"
+#include "contact/result/stress_extremes.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "models/stress/stress_choice.hpp"
 #include "models/stress/stress_places.hpp"
+#include "postprocess/read/body_sampler.hpp"
 #include "postprocess/read/results_reader.hpp"
 
 #include <algorithm>
@@ -22,14 +23,36 @@ using postprocess::StoredModel;
 using postprocess::StressOfModel;
 using postprocess::StressSet;
 
+/// The largest range of xz, from the body's nodes.
+contact::StressMaximum largest_range(const contact::BodyField& body, const PointResult& point) {
+  const postprocess::BodySampler sampler(body);
+  const double sign = body.name == "wheel" ? 1.0 : -1.0;
+  const auto within = [&](double value, std::size_t c) {
+    return std::clamp(value, sampler.lower()[c], sampler.upper()[c]);
+  };
+  const contact::RollingLines lines = contact::rolling_lines(
+      point, 0.1 * std::min(point.semi_axis_x, point.semi_axis_y), 15,
+      [&](double x, double y, double depth) {
+        return postprocess::Place{within(x, 0), within(y, 1), within(sign * depth, 2)};
+      });
+  std::vector<double> xz;
+  for (const postprocess::Place& place : lines.places) xz.push_back(sampler.at(place).stress[5]);
+  return contact::largest_xz_range(body.name, lines, xz);
+}
+
 /// Largest values at the nodes. Between them there are no larger ones: each measure is a convex
-/// function of the stress, and the interpolated stress is a mean of those of the nodes.
+/// function of the stress, and the interpolated stress is a mean of those of the nodes. On a curved
+/// surface nodes have a small z.
 std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, std::size_t point) {
   std::vector<contact::StressMaximum> maxima;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const contact::BodyField body = model.body_at(point, b);
-    for (const auto& found : postprocess::largest_stresses(body.name, body.points, body.stress))
+    const double near_surface = 0.5 * std::max(model.grid.dx, model.grid.dy);
+    for (const auto& found :
+         postprocess::largest_stresses(body.name, body.points, body.stress, 0.0, near_surface))
       maxima.push_back(found);
+    maxima.push_back(contact::largest_surface_shear(body.name, model.grid, model.points.at(point)));
+    maxima.push_back(largest_range(body, model.points.at(point)));
   }
   return maxima;
 }
@@ -40,11 +63,12 @@ std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, s
 void add_largest_of_sets(const std::vector<StressSet>& sets, double least,
                          std::vector<contact::StressMaximum>& maxima) {
   for (const StressSet& set : sets)
-    for (const auto& found : postprocess::largest_stresses(
-             set.field.request.wheel ? "wheel" : "rail", set.field.points, set.field.stress, least))
+    for (const auto& found :
+         postprocess::largest_stresses(set.field.request.wheel ? "wheel" : "rail", set.field.points,
+                                       set.field.stress, least, least))
       for (contact::StressMaximum& maximum : maxima)
-        if (maximum.measure == found.measure && maximum.body == found.body &&
-            found.value > maximum.value)
+        if (maximum.measure == found.measure && found.measure != contact::surface_shear &&
+            maximum.body == found.body && found.value > maximum.value)
           maximum = found;
 }
 

@@ -2,6 +2,7 @@
 #include "models/study/study_series.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "models/solving/expected_choice.hpp"
 #include "models/study/study_checkpoint.hpp"
@@ -38,9 +39,17 @@ std::vector<std::tuple<std::string, std::size_t, std::string>> keys_of(
   put(patch ? "contact_length" : "semi_axis_x");
   put(patch ? "contact_width" : "semi_axis_y");
   put("approach");
-  for (std::size_t k = 0; k < result.points.size(); ++k)
-    if (result.points[k].max_traction > 0.0)
-      keys.emplace_back(fmt::format("traction_coefficient:{}", k + 1), k, "traction_coefficient");
+  for (std::size_t k = 0; k < result.points.size(); ++k) {
+    if (!(result.points[k].max_traction > 0.0)) continue;
+    const auto add = [&](const char* name) {
+      keys.emplace_back(fmt::format("{}:{}", name, k + 1), k, name);
+    };
+    const auto found = [&](const char* name) {
+      return contact::found_for_force(result.points[k], name);
+    };
+    add(found("longitudinal_creepage") ? "longitudinal_creepage" : "traction_coefficient");
+    if (found("lateral_creepage")) add("lateral_creepage");
+  }
   return keys;
 }
 
@@ -118,7 +127,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const St
   series.ratio = plan.ratio;
   const contact::ModelInfo& model = work.how.models->at(plan.model);
   series.measures_others = model.name == work.how.models->reference().name;
-  series.limit_of_its_own = model.keeps_bodies;
+  series.limit_of_its_own = !model.half_spaces;
   if (!parallel(plan, work) && !work.how.first) return series;
   for (std::size_t k = 0; k < plan.levels.size(); ++k) {
     if (!work.how.share.holds(k)) continue;

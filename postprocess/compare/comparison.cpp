@@ -2,6 +2,7 @@
 #include "postprocess/compare/comparison.hpp"
 
 #include "contact/result/bars.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/read/summary_reader.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace rollfem::postprocess {
@@ -27,6 +29,23 @@ Quantity lateral_coefficient() {
   quantity.member.get = [](const PointResult& point) -> std::optional<double> {
     return point.normal_force != 0.0 ? -point.lateral_force / point.normal_force : 0.0;
   };
+  return quantity;
+}
+
+/// What may be found for a prescribed force, with the force that is then no result.
+struct Found {
+  const char *motion, *symbol, *force;
+};
+constexpr Found found_motions[] = {{"longitudinal_creepage", "xi", "traction_coefficient"},
+                                   {"lateral_creepage", "eta", "lateral_coefficient"},
+                                   {"longitudinal_shift", "shift x", "traction_coefficient"},
+                                   {"lateral_shift", "shift y", "lateral_coefficient"}};
+
+/// Compared by its value.
+Quantity found_motion(const Found& found) {
+  Quantity quantity = contact::quantity_named(found.motion);
+  quantity.symbol = found.symbol;
+  quantity.scale = contact::ErrorScale::value;
   return quantity;
 }
 
@@ -84,6 +103,20 @@ const ModelResult* reference_among(const std::vector<const ModelResult*>& models
 /// False for exactly 0 in a quantity that cannot be 0: the model does not give it.
 bool is_given(const Quantity& quantity, double value) {
   return quantity.of_friction() || value != 0.0;
+}
+
+bool is_motion(const Quantity& quantity) {
+  return std::any_of(std::begin(found_motions), std::end(found_motions),
+                     [&](const Found& found) { return is_named(quantity, found.motion); });
+}
+
+/// Whether a quantity is a result at a load point. A motion found for a force is, in place of that
+/// force.
+bool is_result(const PointResult& point, const Quantity& quantity) {
+  if (is_motion(quantity)) return contact::found_for_force(point, quantity.name);
+  return std::none_of(std::begin(found_motions), std::end(found_motions), [&](const Found& found) {
+    return is_named(quantity, found.force) && contact::found_for_force(point, found.motion);
+  });
 }
 
 ComparedNumber number_of(const ModelResult& model, std::size_t k, const Quantity& quantity) {
@@ -149,7 +182,8 @@ void append_patch(std::vector<ComparedNumber>& numbers,
   for (const ModelResult* model : models)
     for (std::size_t k = 0; k < model->points.size(); ++k)
       for (const Quantity& quantity : quantities) {
-        const bool of_friction = quantity.of_friction();
+        const bool of_friction = quantity.of_friction() || is_motion(quantity);
+        if (of_friction && !is_result(model->points[k], quantity)) continue;
         if (of_friction && !has_friction(*model)) continue;
         if (is_named(quantity, "lateral_coefficient") && !lateral) continue;
         ComparedNumber number = number_of(*model, k, quantity);
@@ -194,6 +228,7 @@ std::vector<contact::Quantity> compared_quantities() {
       if (quantity.use >= contact::QuantityUse::compared && quantity.of_friction() == of_friction)
         list.push_back(quantity);
   list.push_back(lateral_coefficient());
+  for (const Found& found : found_motions) list.push_back(found_motion(found));
   return list;
 }
 

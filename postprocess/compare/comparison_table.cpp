@@ -25,6 +25,10 @@ constexpr Column columns[] = {{"max_pressure", "p0", "%"},
                               {"semi_axis_y", "semi-axis y", "%"},
                               {"traction_coefficient", "-F_x/F_z", "% of mu"},
                               {"lateral_coefficient", "-F_y/F_z", "% of mu"},
+                              {"longitudinal_creepage", "xi", "%"},
+                              {"lateral_creepage", "eta", "%"},
+                              {"longitudinal_shift", "shift x", "%"},
+                              {"lateral_shift", "shift y", "%"},
                               {"max_traction_x", "|p_x|", "% of mu p0"}};
 
 /// Percent with two significant digits.

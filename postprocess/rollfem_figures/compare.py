@@ -186,7 +186,7 @@ def build(directory):
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
     page.write_page(
         os.path.join(directory, "compare.html"), title, page.made_by(comparison["program"], comparison), [
-            report.verdict(comparison["verdict"]), _asked(comparison), page.section("Differences", drawn(""), found),
+            report.verdict(comparison["verdict"]), _asked(comparison), page.section("Differences between models", drawn(""), found),
             page.hint("Largest difference over the load points of the case, with its sign. Bold: at least one "
                       "load point exceeds the error bars of both models together; their number is given below. “bars”: "
                       f"sum of both at that point.{_elasticity(cases)}") if found else "",

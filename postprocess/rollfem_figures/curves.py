@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Curves: traction coefficient against creepage, tractions along the centre lines, forces of strips."""
+import itertools
 import math
 
 import numpy as np
@@ -29,9 +30,10 @@ def _error(point, force):
 
 def creep_curve(result):
     """-F_x/F_z of every model with friction, and beside it the difference from the reference model. None if no model
-    has two load points."""
+    has two load points. With prescribed forces only for a law that falls: found_for_force."""
     models = [m for m in load_points.friction_models(result) if len(m.points) > 1]
-    if not models:
+    found, law = load_points.found_motions(models), result.case.get("friction_law")
+    if not models or (found and law is None):
         return None
     scalar, factor, axis_label = load_points.creepage_axis([p for m in models for p in m.points])
     by_step = any(p["step"] for m in models for p in m.points)
@@ -45,11 +47,10 @@ def creep_curve(result):
     top.y.see([0.0, friction])
     top.y.margin, top.y.least = 0.08, 0.02 * friction
     top.level(friction)
-    law = result.case.get("friction_law")
     if law is None:
         top.text(0.01, friction, f"full slip: $\\mu$ = {friction:.3g}", shift=(0, -4), share=(True, False))
     beside = None
-    if len(models) > 1 and reference in models:
+    if len(models) > 1 and reference in models and not found:
         beside = figure.add(400, 270, f"difference from {styles.label(reference)}", axis_label, "[% of $\\mu$]")
         beside.y.see([-1.0, 1.0])
         beside.level(0, styles.of_model(reference)[0], (), 1.6)
@@ -71,6 +72,35 @@ def creep_curve(result):
     if law is not None:
         _draw_fall(figure, result, models)
     return figure
+
+
+def found_for_force(result):
+    """The creepage or shift of every model at each load point whose force is prescribed, and beside it the difference
+    from the reference model, both with bars. None without prescribed forces."""
+    models = load_points.friction_models(result)
+    reference = load_points.reference_for_forces(result)
+    figure = Figure(2)
+    for name, force, axis, words, factor, unit in load_points.found_motions(models):
+        several = len(load_points.all_keys(models)) > 1
+        across = f"prescribed force $-F_{axis}$ [kN]" if several else ""
+        panel = figure.add(400, 270, "found for the given force", across, f"{words} [{unit}]")
+        panels = [(panel, lambda point, base: factor * point[name], lambda point, base: factor * (point.bar(name) or 0.0))]
+        if len(models) > 1 and reference in models:
+            beside = figure.add(400, 270, f"difference from {styles.label(reference)}", across, f"[% of its {words}]")
+            beside.level(0, styles.of_model(reference)[0], (), 1.6)
+            panels.append((beside, lambda point, base: 100 * (point[name] / base[name] - 1),
+                           lambda point, base: 100 * abs((point.bar(name) or 0.0) / base[name])))
+        for place, (panel, of, bar) in itertools.product(range(len(models)), panels):
+            pairs = [(p, base) for p in models[place].points if (base := reference.at(p.key)) and abs(base[name]) > 1e-12]
+            at = np.array([-p[force] / 1e3 if several else place for p, _ in pairs])
+            values, errors = (np.array([what(*pair) for pair in pairs]) for what in (of, bar))
+            order = np.argsort(at)
+            panel.spots(list(zip(at[order], values[order])), several, **styles.line(models[place], True))
+            panel.bars(at, values, errors, styles.of_model(models[place])[0])
+            if not several:
+                panel.x.ticks = [(k, styles.label(model)) for k, model in enumerate(models)]
+                panel.x.limits = (-0.5, len(models) - 0.5)
+    return figure if figure.panels else None
 
 
 def _draw_fall(figure, result, models):

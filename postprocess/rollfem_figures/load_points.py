@@ -87,6 +87,18 @@ def all_keys(models):
     return list(dict.fromkeys(point.key for model in models for point in model.points))
 
 
+# What may be found for a prescribed force: the scalar, the force and its direction; name, factor and unit in figures.
+FOUND = (("longitudinal_creepage", "longitudinal_force", "x", r"longitudinal creepage $\xi$", 100, "%"),
+         ("lateral_creepage", "lateral_force", "y", r"lateral creepage $\eta$", 100, "%"),
+         ("longitudinal_shift", "longitudinal_force", "x", "shift along $x$", 1000, "µm"),
+         ("lateral_shift", "lateral_force", "y", "shift along $y$", 1000, "µm"))
+
+
+def found_motions(models):
+    """The rows of FOUND that are results of these models."""
+    return [row for row in FOUND if any(p.found(row[0]) for m in models for p in m.points)]
+
+
 def _evenly(found, count):
     """`count` entries of a list: the first, the last and evenly spaced ones between them; for 1 the middle one."""
     if len(found) <= count:

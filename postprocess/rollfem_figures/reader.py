@@ -98,6 +98,12 @@ class Point:
             return 2 * self.error_estimate[TWICE[quantity]]
         return self.error_estimate.get(quantity)
 
+    def found(self, quantity):
+        """Whether a creepage or shift is a result: found for a prescribed force. Its statement of the error tells."""
+        if word := self.no_bar.get(quantity):
+            return word not in ("given", "balance")
+        return quantity in self.error_estimate and "spin" not in self.error_estimate  # free rolling has a bar of the spin
+
     @property
     def creepages(self):
         """(xi, eta, spin)."""

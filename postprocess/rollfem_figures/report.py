@@ -23,6 +23,8 @@ OF_PATCH = (
     ("creep_curve", "Creep curve: traction coefficient of every model with friction, and beside it the difference from "
      "the reference model if there are several. Bars: error estimates. Where friction falls with the slip velocity: its "
      "friction in full sliding (dotted), and the rise up to the peak.", curves.creep_curve),
+    ("creep_found", "Creepage or shift found for the prescribed force, and the difference from the reference model if there "
+     "are several. Bars: error estimates.", curves.found_for_force),
     *((f"path_{axis}", f"Along the centre line {across} = 0: contact pressure, and tangential traction under its bound "
        "(thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two coincide the surfaces slip.",
        lambda result, axis=axis: curves.path(result, axis)) for axis, across in ("xy", "yx")),
@@ -73,7 +75,7 @@ MOST_FULL = 8
 def _telling(scene):
     """Prefixes of the figures drawn for every patch of a long sweep."""
     reference = load_points.reference_for_forces(scene) or load_points.reference_for_patch(scene)
-    return ("creep_curve", "path_x", "path_y", "outlines", "stress_",
+    return ("creep_", "path_x", "path_y", "outlines", "stress_",
             *(f"oblique_{what}_{reference.name}.svg" for what in ("px", "pn")))
 
 
@@ -140,6 +142,10 @@ def _numbers(result):
              f"exact value; bold: more than both error bars allow. {BARS}"))
 
 
+def _sentence(words):
+    return words[0].upper() + words[1:]
+
+
 def _forces(result, creep_curve):
     reference = load_points.reference_for_forces(result)
     if reference is None:
@@ -148,17 +154,23 @@ def _forces(result, creep_curve):
     count = len(load_points.all_keys(models))
     said = f"Small percentages: difference from {escape(styles.label(reference))}, in percent of full sliding " \
         "(μ, μ p<sub>0</sub>, μ F<sub>z</sub>); bold: more than both error bars allow." if len(models) > 1 else ""
+    found = load_points.found_motions(models)
+    said += " Creepages and shifts that were found: in percent of the value." * (bool(found) and len(models) > 1)
     said += tables.shared_creepage(models)
     if count > load_points.MOST_ROWS:
         said += f" {load_points.MOST_ROWS} of {count} load points; all are in creep_curve.csv."
     points = [p for m in models for p in m.points]
     largest = max(abs(p["normal_force"]) for p in points)
     lateral = any(abs(p["lateral_force"]) > 1e-4 * largest for p in points)
-    return "".join(section(heading, tables.creepage_table(result, quantity), *more) for heading, quantity, *more in (
-        ("Traction coefficient −F<sub>x</sub>/F<sub>z</sub>", "traction_coefficient", hint(said), creep_curve,
-         tables.fall_table(result)),
-        ("Largest tangential traction |p<sub>x</sub>| [MPa]", "max_traction_x"),
-        ("Lateral force F<sub>y</sub> [N]", "lateral_force"))[:3 if lateral else 2])
+    given = {force for _, force, *_ in found} | (set() if lateral else {"lateral_force"})
+    rows = [(f"{_sentence(tables.heading(result.quantities[name]))}, found for the given force", name) for name, *_ in found]
+    rows += [(heading, quantity) for heading, quantity, force in (
+        ("Traction coefficient −F<sub>x</sub>/F<sub>z</sub>", "traction_coefficient", "longitudinal_force"),
+        ("Largest tangential traction |p<sub>x</sub>| [MPa]", "max_traction_x", ""),
+        ("Lateral force F<sub>y</sub> [N]", "lateral_force", "lateral_force")) if force not in given]
+    after = hint(said) + creep_curve + tables.fall_table(result)
+    return "".join(section(heading, tables.creepage_table(result, quantity), after * (k == 0))
+                   for k, (heading, quantity) in enumerate(rows))
 
 
 WARNING = "warning: "
@@ -204,7 +216,7 @@ def _patch(scene, images, heading):
     """Everything about one patch with its figures (page.Drawn)."""
     largest = stresses.maxima_table(scene)
     html = "".join([
-        _numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_curve")),
+        _numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_")),
         section("Tractions in the patch", images("path", "strip_force", "oblique")),
         section("Stress in the bodies", largest, hint("Over all load points. ±: the model's own error estimate. Places x, "
                                                       "y, z; z points into the wheel.") * bool(largest), images("stress_"))])

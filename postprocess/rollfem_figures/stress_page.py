@@ -278,7 +278,8 @@ def _verdicts(result, image):
         for point in (p for p in curve if p["point"] in asked):
             verdict = point["verdict"]
             html.append(f"<p class={'bad' if verdict.startswith('beyond') else 'say'}>{escape(styles.label(model))}, "
-                        f"ξ = {plain(100 * point['longitudinal_creepage'])} %: {verdict}; {REGIONS[verdict]}.</p>")
+                        f"ξ = {plain(100 * point['longitudinal_creepage'])} %: {verdict}; {REGIONS[verdict]}; "
+                        f"{point['margin'].replace('the limit', 'the shakedown limit')}.</p>")
         rows = [[plain(100 * p["longitudinal_creepage"]), number(p["tangential_coefficient"], 4),
                  number(p["load_factor"], 4), number(p["ellipse"]["shakedown"], 4),
                  number(p.get("yield_ratio"), 4), number(p["surface_fatigue_index"], 3), p["verdict"]] for p in curve]

@@ -12,7 +12,9 @@ from .tables import measured, number, plain, table
 # measure: (column, label, colour). One colour per measure in a common panel.
 MEASURES = [("von_mises", "von Mises", "blue"), ("tresca", "Tresca", "red"),
             ("orthogonal_shear", "orthogonal shear", "green"), ("hydrostatic", "hydrostatic", "soft")]
-LARGEST = {**{name: label for name, label, _ in MEASURES[:3]}, "principal_1": "principal, tension"}
+LARGEST = {"von_mises": "von Mises", "tresca": "Tresca", "orthogonal_shear": "orthogonal shear below the surface",
+           "orthogonal_shear_surface": "orthogonal shear on the surface", "xz_range": "range of τ<sub>xz</sub> along rolling",
+           "principal_1": "principal, tension"}
 
 
 def measures(stress):

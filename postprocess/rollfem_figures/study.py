@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""study.html: errors of one case on successively finer grids, against unknowns and seconds."""
+"""study.html: values and errors of one case on successively finer grids."""
 import os
 from html import escape
 
@@ -22,16 +22,26 @@ def _xi(place, key):
     return 100 * place["points"][int(key.split(":")[1]) - 1]["longitudinal_creepage"]
 
 
+def _quantity(place, key):
+    """The quantity of a key, which may name a load point."""
+    return place["quantities"][key.split(":")[0]]
+
+
+def _at_point(key):
+    return f", load point {key.split(':')[1]}" if ":" in key else ""
+
+
 def _title(place, key):
-    if quantity := place["quantities"].get(key):
-        return quantity.title + (f" {math(quantity.symbol)}" if quantity.symbol else "")
+    if not _is_coefficient(key):
+        quantity = _quantity(place, key)
+        return quantity.title + (f" {math(quantity.symbol)}" if quantity.symbol else "") + _at_point(key)
     return rf"traction coefficient, $\xi$ = {_xi(place, key):.4g} %"
 
 
 def _keys(place):
     """Keys of the references: patch first, then along the creep curve."""
     patch = [name for name in PATCH if name in place["references"]]
-    rest = [k for k in place["references"] if _is_coefficient(k)]
+    rest = [k for k in place["references"] if ":" in k]
     return patch + sorted(rest, key=lambda k: int(k.split(":")[1]))
 
 
@@ -62,15 +72,49 @@ def _look(place, series):
     return {**look, "name": name, "dash": dash or look["dash"], "marker": marker or look["marker"], "hollow": hollow}
 
 
-def _add_band(panel, place, key, friction):
-    """Draws a band of errors below the uncertainty of the reference; returns whether there is one."""
-    reference = place["references"][key]
-    scale = friction if _is_coefficient(key) else abs(reference["value"])
-    level = 100 * reference["uncertainty"] / scale if scale > 0 else 0.0
+def _add_band(panel, drawn, key, friction):
+    """Draws a band of errors below the largest uncertainty of the references; returns whether there is one."""
+    def relative(reference):
+        scale = friction if _is_coefficient(key) else abs(reference["value"])
+        return 100 * reference["uncertainty"] / scale if scale > 0 else 0.0
+
+    level = max(relative(series["references"][key]) for series in drawn)
     low = panel.y.range()[0]
     if level > low:
         panel.band(low, level)
     return level > low
+
+
+def _cells(series):
+    """Cell sizes of the levels over that of the coarsest."""
+    return [series["ratio"] ** -k if series["ratio"] > 1 else 1.0 for k in range(len(series["levels"]))]
+
+
+def values_figure(place):
+    """The values of every quantity with their bars against the cell size, and at size 0 the limit of each model. A model
+    without cells is a line across. None without levels."""
+    figure = Figure(3 if len(_keys(place)) > 4 else 2)
+    for key in _keys(place):
+        panel = figure.add(250, 190, _title(place, key), "cell size over the coarsest [-], 0: limit",
+                           f"[{_quantity(place, key).unit}]")
+        panel.x.see([0.0, 1.0])
+        for series in place["series"]:
+            look = _look(place, series)
+            rows = [(h, level["values"][key], level.get("bars", {}).get(key) or 0.0)
+                    for h, level in zip(_cells(series), series["levels"]) if key in level["values"]]
+            if len(rows) == 1 and not series["ratio"]:
+                alone = not any(other["ratio"] for other in place["series"])  # otherwise it may leave the frame
+                panel.line([0.0, 1.0], [rows[0][1]] * 2, see=alone, **{**look, "marker": None})
+                continue
+            at, values, bars = (np.array(column) for column in zip(*rows)) if rows else ((), (), np.zeros(0))
+            panel.line(at, values, **look)
+            if bars.any():
+                panel.bars(at, values, bars, look["colour"])
+            if limit := series["limits"].get(key):
+                panel.line([0.0], [limit["value"]], **{**look, "hollow": True, "size": 4.5, "name": ""})
+                panel.bars(np.zeros(1), np.array([limit["value"]]), np.array([limit["uncertainty"]]), look["colour"])
+    figure.entry("large, at 0: limit with its uncertainty")
+    return figure if figure.panels else None
 
 
 ORDER = {"colour": "soft", "width": 1.0, "dash": (1.5, 2.2)}
@@ -78,8 +122,8 @@ ORDER = {"colour": "soft", "width": 1.0, "dash": (1.5, 2.2)}
 
 def errors_figure(place, across, wanted, friction):
     """Errors of the keys against "seconds" or "unknowns", log-log. None if there are none."""
-    curves = {key: [(series, found) for series in place["series"] if (found := _curve(series, key, across))]
-              for key in wanted}
+    curves = {key: [(series, found) for series in place["series"] if (found := _curve(series, key, across))
+                    or across == "seconds" and key in series.get("model_differences", {})] for key in wanted}
     curves = {key: found for key, found in curves.items() if found}
     if not curves:
         return None
@@ -92,13 +136,18 @@ def errors_figure(place, across, wanted, friction):
         panel.x.log = panel.y.log = True
         for series, spots in found:
             panel.spots(spots, True, **_look(place, series))
+            difference = series.get("model_differences", {}).get(key, {"value": 0.0})["value"]
+            if across == "seconds" and abs(difference) > SMALLEST and series["levels"][-1]["seconds"] > 0:
+                panel.spots([(series["levels"][-1]["seconds"], 100 * abs(difference))],
+                            **{**_look(place, series), "hollow": "open", "size": 5.5, "name": ""})
+                extra[f"large, open: model difference from {styles.label(place['reference'])}"] = {}
             if across == "unknowns" and series["model"] == "halfspace" and len(spots) >= 3:
                 # Slope of order 2 on a surface grid: the error falls as 1/unknowns.
                 ends = np.array([spots[0][0], spots[-1][0]]) * 1.6
                 panel.line(ends, 1.6 * spots[0][1] * ends[0] / ends, **ORDER)
                 extra["order 2"] = ORDER
-        if _add_band(panel, place, key, friction):
-            extra["uncertainty of the reference"] = {"fill": "band"}
+        if _add_band(panel, [series for series, _ in found], key, friction):
+            extra["uncertainty of the limit"] = {"fill": "band"}
     for name in sorted(extra):
         figure.entry(name, **extra[name])
     return figure
@@ -106,19 +155,20 @@ def errors_figure(place, across, wanted, friction):
 
 def speed_error(place, friction):
     """Error in the largest pressure and in a traction coefficient against seconds, every model."""
-    wanted = [k for k in ("max_pressure", typical_coefficient(place, friction)) if k]
+    found = next((k for k in _keys(place) if ":" in k), None)  # for prescribed forces
+    wanted = [k for k in ("max_pressure", typical_coefficient(place, friction) or found) if k]
     return errors_figure(place, "seconds", wanted, friction)
 
 
 def _heading(place, key):
-    if quantity := place["quantities"].get(key):
-        return tables.heading(quantity)
+    if not _is_coefficient(key):
+        return tables.heading(_quantity(place, key)) + _at_point(key)
     return f"−F<sub>x</sub>/F<sub>z</sub> at ξ = {tables.plain(_xi(place, key))} %"
 
 
 def _is_reference(place, series, level, key):
     """Whether the value is itself the finest one used as reference, which has no error."""
-    return (place["references"][key]["kind"] == "finest" and level is series["levels"][-1]
+    return (series["references"][key]["kind"] == "finest" and level is series["levels"][-1]
             and level["errors"].get(key) == 0)
 
 
@@ -154,13 +204,22 @@ def _reference_cell(reference):
         tables.measured(reference["value"], reference["uncertainty"], 6), reference["kind"])
 
 
+def _difference_cell(key, difference):
+    return "–" if difference is None else (
+        f"{tables.percent(100 * difference['value'])}{' of μ' * _is_coefficient(key)} "
+        f"<span class=e>± {tables.number(100 * difference['uncertainty'], 2)}</span>")
+
+
 def _series_table(place, series):
     keys = [k for k in _keys(place) if any(k in level["values"] for level in series["levels"])]
     rows = [[escape(level["label"]), tables.grouped(level["unknowns"]), tables.number(level["seconds"], 3)]
             + [_value_cell(place, series, level, k) for k in keys] for level in series["levels"]]
     if series["limits"]:
         rows.append(["limit", "", ""] + [_limit_cell(series["limits"].get(k)) for k in keys])
-    rows.append(["reference", "", ""] + [_reference_cell(place["references"].get(k)) for k in keys])
+    rows.append(["reference", "", ""] + [_reference_cell(series["references"].get(k)) for k in keys])
+    if differences := series.get("model_differences"):
+        rows.append([f"model difference from {escape(styles.label(place['reference']))}", "", ""]
+                    + [_difference_cell(k, differences.get(k)) for k in keys])
     head = [escape(series["parameter"] or "level"), "unknowns", "seconds"] + [_heading(place, k) for k in keys]
     return tables.table(head, rows)
 
@@ -182,7 +241,8 @@ def _overview(study):
 
 
 HINTS = """±: the model's own estimate; for limits, the uncertainty from the levels.
-Errors in percent of the reference, of traction coefficients in percent of μ. Orders: from the
+The reference of a model is its own limit, unless a value is exact for it or given. Errors in percent of the reference,
+of traction coefficients in percent of μ. Model difference: between the limits of two models, which no grid removes. Orders: from the
 errors of a level and the previous one if the reference is exact or given, otherwise from the last three values.
 Limit: Richardson's value of the three finest levels with its uncertainty; if these show no order (not monotone, or
 changes that do not decrease), the limit of a curve fitted to all levels, if four or more follow one;
@@ -200,18 +260,20 @@ def captioned(study):
     friction = study["friction_coefficient"]
     for place in study["places"]:
         suffix = f"_{place['key']}" if place["key"] else ""
+        yield (f"values{suffix}.svg", "Values with error bars as the cells shrink, and the limit of each model. Limits that "
+               "lie apart are a difference between models.", lambda place=place: values_figure(place))
         if len(study["places"]) <= MOST_OPEN or len(place["series"]) > 1:
-            yield (f"speed_error{suffix}.svg", "Error against seconds. Where a line stays flat, the error comes from the "
-                   "theory, not of the grid. An exact reference (Hertz) is not drawn.",
+            yield (f"speed_error{suffix}.svg", "Error against seconds, each model against its own limit or exact value; open markers: by how much "
+                   "the limits of the models differ.",
                    lambda place=place: speed_error(place, friction))
-        yield (f"error_unknowns{suffix}.svg", "Error against unknowns, every quantity of the study.",
+        yield (f"error_unknowns{suffix}.svg", "Error against unknowns, each model against its own limit or exact value.",
                lambda place=place: errors_figure(place, "unknowns", _keys(place), friction))
 
 
 def _place_part(study, place, drawn):
     """Figures and tables of a place."""
     suffix = f"_{place['key']}.svg" if place["key"] else ".svg"
-    parts = [drawn(f"speed_error{suffix}", f"error_unknowns{suffix}")]
+    parts = [drawn(f"values{suffix}", f"speed_error{suffix}", f"error_unknowns{suffix}")]
     heading = "h3" if place["name"] else "h2"
     for series in place["series"]:
         parts.append(f"<{heading}>{escape(styles.label(series['model']))}{', refined in ' if series['vary'] else ''}"
@@ -233,6 +295,8 @@ def read_study(directory):
     quantities = {name: Quantity(**quantity) for name, quantity in study["quantities"].items()}
     for place in study["places"]:
         place["quantities"] = quantities
+        for series in place["series"]:  # studies of 0.1.0 had one reference for all
+            series.setdefault("references", place["references"])
     return study
 
 

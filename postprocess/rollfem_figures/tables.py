@@ -203,12 +203,24 @@ def shared_creepage(models):
     return f" All at {', '.join(said)}." if said else ""
 
 
+def _with_forces(models, found, words):
+    """The words of a key with the prescribed forces of its load point."""
+    def said(key):
+        point = next(p for m in models if (p := m.at(key)))
+        forces = ", ".join(f"F<sub>{axis}</sub> = {plain(point[force])} N" for _, force, axis, *_ in found)
+        return f"{words(key)}<br><span class=d>{forces}</span>"
+
+    return said
+
+
 def creepage_table(result, quantity):
     """A friction quantity of every model with friction at every creepage. Differences from the reference are in percent
     of the reference's value in full sliding."""
     models = load_points.friction_models(result)
     reference = load_points.reference_for_forces(result)
     head, words = _creepage_head(models)
+    if found := load_points.found_motions(models):
+        words = _with_forces(models, found, words)
 
     def cell(model, key):
         point, base = model.at(key), reference.at(key)

@@ -2,7 +2,7 @@
 #include "postprocess/stress/stress_report.hpp"
 
 #include "contact/result/bars.hpp"
-#include "contact/result/stress_measures.hpp"
+#include "contact/result/stress_extremes.hpp"
 #include "postprocess/stress/ellipse_shear.hpp"
 #include "postprocess/stress/shakedown.hpp"
 #include "postprocess/write/csv.hpp"
@@ -131,6 +131,13 @@ std::string verdict(double load_factor, double traction, double shakedown_limit,
   return (ratio ? *ratio < 1.0 : load_factor <= elastic) ? "elastic" : "elastic shakedown";
 }
 
+/// The distance of the load point from the shakedown limit at its tangential coefficient.
+std::string margin(double load_factor, double shakedown_limit) {
+  return fmt::format("p0 is {:.2g} % {} the limit",
+                     100.0 * std::abs(load_factor / shakedown_limit - 1.0),
+                     load_factor > shakedown_limit ? "above" : "below");
+}
+
 /// All load points in the map.
 Json shakedown_json(const StressReport& report, const StressOfModel& model, double k) {
   Json list = Json::array();
@@ -151,6 +158,7 @@ Json shakedown_json(const StressReport& report, const StressOfModel& model, doub
     const double limit = ellipse.shakedown_limit(traction);
     list.back()["ellipse"] = {{"ratio", ellipse.ratio()}, {"shakedown", limit}};
     list.back()["verdict"] = verdict(factor, traction, limit, ratio);
+    list.back()["margin"] = margin(factor, limit);
     if (ratio) list.back()["yield_ratio"] = *ratio;
   }
   return list;
@@ -195,7 +203,7 @@ std::string row(const std::string& what, const StressMaximum& maximum, const Poi
   const auto& p = maximum.place;
   // Avoids printing -0.000.
   const auto zero = [](double value) { return std::abs(value) < 5e-4 ? 0.0 : value; };
-  return fmt::format("  {:<22}{:<6} {:<17}{:>10.2f} {:<11}{:>8.4f}{:>10.3f}{:>9.3f}{:>9.3f}\n",
+  return fmt::format("  {:<22}{:<6} {:<25}{:>10.2f} {:<14}{:>8.4f}{:>10.3f}{:>9.3f}{:>9.3f}\n",
                      what, maximum.body, maximum.measure, maximum.value, bar_of(point, maximum),
                      pressure > 0.0 ? maximum.value / pressure : 0.0, zero(p[0]), zero(p[1]),
                      zero(p[2]));
@@ -215,21 +223,23 @@ std::string shakedown_table(const StressReport& report, const StressOfModel& mod
       "\n  shakedown map, k = {:.1f} MPa (yield stress in shear); limit of p0/k of the ellipse "
       "that "
       "fits, b/a = {:.2f}\n  {:<6}{:>11}{:>8}{:>8}{:>10}{:>9}{:>8}  {}\n",
-      k, ellipse.ratio(), "point", "xi", "T/F_z", "p0/k", "limit", "FI_surf", "Y-ratio", "verdict");
+      k, ellipse.ratio(), "point", "xi", "T/F_z", "p0/k", "limit", "FI_surf", "Y-ratio",
+      "verdict, and margin to the limit");
   for (std::size_t number = 0; number < model.result.points.size(); ++number) {
     const PointResult& point = model.result.points[number];
     const double traction = tangential_coefficient(point);
     const double factor = point.max_pressure / k, limit = ellipse.shakedown_limit(traction);
     const std::optional<double> ratio = yield_ratio_at(report, model, number, k);
-    text += fmt::format(
-        "  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>10.2f}{:>9.3f}{:>8}  {}{}\n", number + 1,
-        point.creepage.longitudinal, traction, factor, limit,
-        surface_fatigue_index(traction, factor), ratio ? fmt::format("{:.3f}", *ratio) : "-",
-        verdict(factor, traction, limit, ratio), is_chosen(report, model, number) ? "  <" : "");
+    text += fmt::format("  {:<6}{:>11g}{:>8.4f}{:>8.3f}{:>10.2f}{:>9.3f}{:>8}  {}; {}{}\n",
+                        number + 1, point.creepage.longitudinal, traction, factor, limit,
+                        surface_fatigue_index(traction, factor),
+                        ratio ? fmt::format("{:.3f}", *ratio) : "-",
+                        verdict(factor, traction, limit, ratio), margin(factor, limit),
+                        is_chosen(report, model, number) ? "  <" : "");
   }
   return text +
          "  elastic: the largest von Mises stress is below sqrt(3) k (Y-ratio; if unknown, p0 "
-         "below the limits of line and circle); shakedown: under full slip\n";
+         "below the limits of line and circle); shakedown: under full slip, at the same T/F_z\n";
 }
 
 }  // namespace
@@ -237,15 +247,20 @@ std::string shakedown_table(const StressReport& report, const StressOfModel& mod
 std::vector<StressMaximum> largest_stresses(const std::string& body,
                                             const std::vector<std::array<double, 3>>& places,
                                             const std::vector<std::array<double, 6>>& stress,
-                                            double least_depth) {
+                                            double least_depth, double below) {
+  const auto depth = [&](std::size_t k) { return std::abs(places[k][2]); };
+  bool on_surface = true;
+  for (std::size_t k = 0; k < places.size(); ++k) on_surface = on_surface && depth(k) <= below;
   std::vector<StressMaximum> found;
   for (const contact::StressMeasure& measure : contact::reported_measures()) {
-    StressMaximum best{body, measure.name, -contact::infinity, {}};
+    const bool only_below = contact::only_below(measure) && !on_surface;
+    const char* name =
+        contact::only_below(measure) && on_surface ? contact::surface_shear : measure.name;
+    StressMaximum best{body, name, -contact::infinity, {}};
     for (std::size_t k = 0; k < stress.size(); ++k) {
-      const double depth = std::abs(places[k][2]);
-      if (depth > 0.0 && depth < least_depth) continue;
+      if (only_below ? depth(k) <= below : depth(k) > 0.0 && depth(k) < least_depth) continue;
       const double value = measure.value(contact::Stress::from_array(stress[k]));
-      if (value > best.value) best = {body, measure.name, value, places[k]};
+      if (value > best.value) best = {body, name, value, places[k]};
     }
     found.push_back(best);
   }
@@ -303,7 +318,7 @@ std::string stress_table(const StressReport& report) {
   std::string text = report.title + "\n" + report.source + "\n";
   for (const StressOfModel& model : report.models) {
     const PointResult& point = model.result.points[model.point];
-    text += fmt::format("\n{}  {:<22}{:<6} {:<17}{:>10} {:<11}{:>8}{:>10}{:>9}{:>9}\n",
+    text += fmt::format("\n{}  {:<22}{:<6} {:<25}{:>10} {:<14}{:>8}{:>10}{:>9}{:>9}\n",
                         heading(model, report.point_named), "largest", "body", "stress", "MPa",
                         "+-", "of p0", "x in mm", "y", "z");
     for (const StressMaximum& maximum : model.maxima) text += row("of the body", maximum, point);

@@ -36,10 +36,11 @@ struct StressReport {
 };
 
 /// The largest value of every measure in a body, with its place. Ignores places nearer to z = 0
-/// than `least_depth`, but not on it.
+/// than `least_depth`, but not on it; measures below the surface ignore all above `below`. Where
+/// all places lie there, the largest shear is that on the surface.
 std::vector<contact::StressMaximum> largest_stresses(
     const std::string& body, const std::vector<std::array<double, 3>>& places,
-    const std::vector<std::array<double, 6>>& stress, double least_depth = 0.0);
+    const std::vector<std::array<double, 6>>& stress, double least_depth = 0.0, double below = 0.0);
 
 /// Tangential force over normal force, sqrt(Fx^2 + Fy^2)/Fz: the abscissa of the shakedown map.
 double tangential_coefficient(const contact::PointResult& point);

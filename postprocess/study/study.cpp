@@ -22,6 +22,20 @@ std::vector<double> values_of(const StudySeries& series, const std::string& key)
   return values;
 }
 
+/// Own limit; of a single level its value.
+StudyReference own_limit(const StudySeries& series, const std::string& key, bool finest) {
+  const auto limit = series_limit(series, key);
+  if (limit && limit->order && !finest) return {limit->value, limit->uncertainty, "extrapolated"};
+  return {values_of(series, key).back(), limit ? limit->grid_uncertainty : 0.0, "finest"};
+}
+
+std::set<std::string> keys_of(const StudySeries& series) {
+  std::set<std::string> keys;
+  for (const StudyLevel& level : series.levels)
+    for (const auto& entry : level.values) keys.insert(entry.first);
+  return keys;
+}
+
 }  // namespace
 
 bool is_coefficient(const std::string& key) {
@@ -63,39 +77,43 @@ std::size_t reference_series(const StudyPlace& place) {
   return best;
 }
 
-std::map<std::string, StudyReference> references(const StudyPlace& place, ReferenceRule rule) {
+std::map<std::string, StudyReference> references(const StudyPlace& place, const StudySeries& series,
+                                                 ReferenceRule rule) {
   std::map<std::string, StudyReference> all;
-  const StudySeries& base = place.series.at(reference_series(place));
-  const bool take_exact =
-      rule == ReferenceRule::exact || (rule == ReferenceRule::automatic && !base.limit_of_its_own);
-  std::set<std::string> keys;
-  for (const StudySeries& series : place.series)
-    for (const StudyLevel& level : series.levels)
-      for (const auto& entry : level.values) keys.insert(entry.first);
-  for (const std::string& key : keys) {
-    if (const auto given = place.given.find(key); given != place.given.end()) {
+  const bool take_exact = rule == ReferenceRule::exact ||
+                          (rule == ReferenceRule::automatic && !series.limit_of_its_own);
+  for (const std::string& key : keys_of(series)) {
+    if (const auto given = place.given.find(key); given != place.given.end())
       all[key] = {given->second, 0.0, "given"};
-      continue;
-    }
-    if (const auto exact = place.exact.find(key); take_exact && exact != place.exact.end()) {
+    else if (const auto exact = place.exact.find(key); take_exact && exact != place.exact.end())
       all[key] = {exact->second, 0.0, "exact"};
-      continue;
-    }
-    if (rule == ReferenceRule::exact) continue;
-    const std::vector<double> values = values_of(base, key);
-    if (values.empty()) continue;
-    const auto limit = series_limit(base, key);
-    if (limit && limit->order && rule != ReferenceRule::finest)
-      all[key] = {limit->value, limit->uncertainty, "extrapolated"};
-    else
-      all[key] = {values.back(), limit ? limit->grid_uncertainty : 0.0, "finest"};
+    else if (rule != ReferenceRule::exact)
+      all[key] = own_limit(series, key, rule == ReferenceRule::finest);
   }
   return all;
 }
 
-bool is_reference(const StudyPlace& place, const StudySeries& series,
-                  const StudyReference& reference) {
-  return reference.kind == "finest" && &series == &place.series.at(reference_series(place));
+std::map<std::string, ModelDifference> model_differences(const StudyRecord& record,
+                                                         const StudyPlace& place,
+                                                         const StudySeries& series) {
+  std::map<std::string, ModelDifference> all;
+  const StudySeries& base = place.series.at(reference_series(place));
+  if (series.model == base.model) return all;
+  const auto of_base = references(place, base, record.rule);
+  for (const std::string& key : keys_of(series)) {
+    const auto found = of_base.find(key);
+    // Without creepage half-spaces have no force, and so no entry.
+    const bool none =
+        is_coefficient(key) && std::any_of(of_base.begin(), of_base.end(),
+                                           [](auto& one) { return is_coefficient(one.first); });
+    if (found == of_base.end() && !none) continue;
+    const StudyReference from = found == of_base.end() ? StudyReference{} : found->second;
+    const StudyReference own = own_limit(series, key, record.rule == ReferenceRule::finest);
+    const double scale = is_coefficient(key) ? record.friction : std::abs(from.value);
+    if (scale > 0.0)
+      all[key] = {(own.value - from.value) / scale, (own.uncertainty + from.uncertainty) / scale};
+  }
+  return all;
 }
 
 double study_error(const StudyRecord& record, const std::string& key, double value,

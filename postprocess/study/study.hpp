@@ -38,7 +38,7 @@ struct StudySeries {
   double ratio = 0.0;
   std::vector<StudyLevel> levels;  ///< coarsest first
   std::string failure;             ///< why levels failed; empty: none failed
-  bool measures_others = false;    ///< reference for the others if it has three levels
+  bool measures_others = false;    ///< models differ from it, if it has three levels
   bool limit_of_its_own = false;   ///< finite bodies do not tend to the closed form
   std::string left_out = {};       ///< coarse levels that do not fit the case, and why
 };
@@ -50,6 +50,7 @@ enum class ReferenceRule {
   extrapolated,  ///< Richardson value of the series; its finest value without an order
 };
 
+/// What the errors of the levels of a series refer to: a property of its own model.
 struct StudyReference {
   double value = 0.0;
   double uncertainty = 0.0;  ///< absolute; 0: exact or given
@@ -84,12 +85,24 @@ std::string place_name(const StudyPlace& place);
 /// "left_3_1"; empty with radii.
 std::string place_key(const StudyPlace& place);
 
-/// Index of the series used as reference for all: the half-space refined in its grid, otherwise the
-/// first with three levels, otherwise the first. Throws std::logic_error without series.
+/// Index of the series from which other models differ: the half-space refined in its grid,
+/// otherwise the first with three levels, otherwise the first. Throws std::logic_error without
+/// series.
 std::size_t reference_series(const StudyPlace& place);
 
-/// References of all keys that occur in any level.
-std::map<std::string, StudyReference> references(const StudyPlace& place, ReferenceRule rule);
+/// References of all keys of a series. Unless a value is given or exact for it, its own limit.
+std::map<std::string, StudyReference> references(const StudyPlace& place, const StudySeries& series,
+                                                 ReferenceRule rule);
+
+/// The limit of a model less that of reference_series: an effect of the theory, not of the grid.
+struct ModelDifference {
+  double value = 0.0;        ///< relative to the latter, for coefficients to that of friction
+  double uncertainty = 0.0;  ///< of both limits, likewise
+};
+/// By key; empty for series of the same model.
+std::map<std::string, ModelDifference> model_differences(const StudyRecord& record,
+                                                         const StudyPlace& place,
+                                                         const StudySeries& series);
 
 /// Whether the key is a traction coefficient, whose errors are relative to the coefficient of
 /// friction.
@@ -97,10 +110,6 @@ bool is_coefficient(const std::string& key);
 
 /// Reference of percentage errors of the key: "value" or "mu".
 const char* percent_of(const std::string& key);
-
-/// Whether the finest value of a series is itself the reference, and so shows no error.
-bool is_reference(const StudyPlace& place, const StudySeries& series,
-                  const StudyReference& reference);
 
 /// |value - reference| relative to the reference, for coefficients relative to the coefficient of
 /// friction.

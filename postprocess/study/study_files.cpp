@@ -41,17 +41,34 @@ ordered_json limits_json(const StudySeries& series, const References& refs) {
   return json;
 }
 
-ordered_json series_json(const StudySeries& series, const References& refs) {
+ordered_json references_json(const References& refs) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [key, reference] : refs)
+    json[key] = {{"value", reference.value},
+                 {"uncertainty", reference.uncertainty},
+                 {"kind", reference.kind},
+                 {"relative_to", percent_of(key)}};
+  return json;
+}
+
+ordered_json series_json(const StudyRecord& record, const StudyPlace& place,
+                         const StudySeries& series) {
+  const References refs = references(place, series, record.rule);
   ordered_json json{{"model", series.model},           {"vary", series.vary},
                     {"parameter", series.parameter},   {"ratio", series.ratio},
                     {"failure", series.failure},       {"left_out", series.left_out},
                     {"levels", ordered_json::array()}, {"limits", limits_json(series, refs)}};
   for (const StudyLevel& level : series.levels) json["levels"].push_back(level_json(level));
+  json["references"] = references_json(refs);
+  for (const auto& [key, difference] : model_differences(record, place, series))
+    json["model_differences"][key] = {{"value", difference.value},
+                                      {"uncertainty", difference.uncertainty},
+                                      {"relative_to", percent_of(key)}};
   return json;
 }
 
 ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
-  const References refs = references(place, record.rule);
+  const StudySeries& base = place.series.at(reference_series(place));
   ordered_json json{{"key", place_key(place)}, {"name", place_name(place)}};
   if (place.place) {
     json["lateral_shift"] = place.place->lateral_shift;
@@ -62,17 +79,13 @@ ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
     json["points"].push_back({{"longitudinal_creepage", creepage.longitudinal},
                               {"lateral_creepage", creepage.lateral},
                               {"spin", creepage.spin}});
-  json["references"] = ordered_json::object();
-  for (const auto& [key, reference] : refs)
-    json["references"][key] = {{"value", reference.value},
-                               {"uncertainty", reference.uncertainty},
-                               {"kind", reference.kind},
-                               {"relative_to", percent_of(key)}};
+  json["reference"] = base.model;
+  json["references"] = references_json(references(place, base, record.rule));
   for (const auto& [accuracy, text] : place.choice)
     json["choice"].push_back({{"percent", accuracy}, {"text", text}});
   json["series"] = ordered_json::array();
   for (const StudySeries& series : place.series)
-    json["series"].push_back(series_json(series, refs));
+    json["series"].push_back(series_json(record, place, series));
   return json;
 }
 
@@ -128,14 +141,15 @@ std::string study_csv(const StudyRecord& record) {
       "order [-]\n";
   auto out = std::back_inserter(text);
   for (const StudyPlace& place : record.places) {
-    const References refs = references(place, record.rule);
-    for (const StudySeries& series : place.series)
+    for (const StudySeries& series : place.series) {
+      const References refs = references(place, series, record.rule);
       for (const StudyLevel& level : series.levels)
         for (const auto& [key, value] : level.values)
           fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}{}\n", place_key(place),
                          series.model, series.vary, csv_cell(level.label), level.parameter,
                          level.unknowns, level.contact_elements, level.seconds, key, value,
                          bar_cell(level, key), reference_cells(record, series, key, level, refs));
+    }
   }
   return text;
 }

@@ -15,8 +15,11 @@ using References = std::map<std::string, StudyReference>;
 
 std::string name_of(const StudyPlace& place, const std::string& key) {
   if (const contact::Quantity* quantity = contact::find_quantity(key)) return quantity->title;
-  if (!is_coefficient(key)) return key;
-  const auto point = static_cast<std::size_t>(std::atoi(key.c_str() + key.find(':') + 1));
+  const std::size_t colon = key.find(':');
+  const auto point = static_cast<std::size_t>(std::atoi(key.c_str() + colon + 1));
+  if (!is_coefficient(key))
+    return fmt::format("{} found at load point {}",
+                       contact::quantity_named(key.substr(0, colon)).title, point);
   const double xi =
       point - 1 < place.creepages.size() ? place.creepages[point - 1].longitudinal : 0.0;
   return fmt::format("traction coefficient at xi = {:.4g} %", 100.0 * xi);
@@ -48,6 +51,12 @@ const double* finest_value(const StudySeries& series, const std::string& key) {
   return last;
 }
 
+/// "0.57 % of mu +- 0.02": a difference of its model.
+std::string difference_text(const std::string& key, const ModelDifference& difference) {
+  return fmt::format("{}{} +- {:.2g}", difference.value < 0.0 ? "-" : "+",
+                     percent(key, std::abs(difference.value)), 100.0 * difference.uncertainty);
+}
+
 std::string key_table(const StudyRecord& record, const StudyPlace& place, const StudySeries& series,
                       const std::string& key, const StudyReference& reference) {
   std::string text = fmt::format("  {}, reference {:.7g}{} ({})\n", name_of(place, key),
@@ -63,7 +72,7 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
   for (const StudyLevel& level : series.levels) {
     const auto value = level.values.find(key);
     if (value == level.values.end()) continue;
-    const bool own = &value->second == finest && is_reference(place, series, reference);
+    const bool own = &value->second == finest && reference.kind == "finest";
     const auto order = orders.at(k++);
     text += fmt::format(
         "    {:<{}}{:>10}{:>10.3g}{:>14.7g}{:>12}{:>16}{:>8}\n", level.label, width, level.unknowns,
@@ -98,6 +107,12 @@ std::string series_name(const StudySeries& series) {
 struct Errors {
   double pressure = 0.0;
   double coefficient = 0.0;
+  double creepage = 0.0;  ///< found for forces
+  void add(const std::string& key, double error) {
+    if (key == "max_pressure") pressure = std::max(pressure, std::abs(error));
+    if (is_coefficient(key)) coefficient = std::max(coefficient, std::abs(error));
+    if (key.find("_creepage:") != std::string::npos) creepage = std::max(creepage, std::abs(error));
+  }
 };
 
 struct Orders {
@@ -106,8 +121,8 @@ struct Orders {
   int fitted = 0;  ///< to all levels
 };
 
-void gather(const StudyRecord& record, const StudyPlace& place, const StudySeries& series,
-            const References& refs, Errors& errors, Orders& orders) {
+void gather(const StudyRecord& record, const StudySeries& series, const References& refs,
+            Errors& errors, Orders& orders) {
   for (const auto& [key, reference] : refs) {
     const double* finest = finest_value(series, key);
     if (finest == nullptr) continue;
@@ -115,10 +130,7 @@ void gather(const StudyRecord& record, const StudyPlace& place, const StudySerie
       ++orders.sequences;
       if (limit->order) ++(limit->fitted ? orders.fitted : orders.shown);
     }
-    if (is_reference(place, series, reference)) continue;
-    const double error = study_error(record, key, *finest, reference);
-    if (key == "max_pressure") errors.pressure = std::max(errors.pressure, error);
-    if (is_coefficient(key)) errors.coefficient = std::max(errors.coefficient, error);
+    if (reference.kind != "finest") errors.add(key, study_error(record, key, *finest, reference));
   }
 }
 
@@ -131,48 +143,61 @@ std::string words_of(const Errors& errors) {
   if (errors.coefficient > smallest)
     text += fmt::format("{}-F_x/F_z {}", text.empty() ? "" : ", ",
                         percent("traction_coefficient", errors.coefficient));
+  if (errors.creepage > smallest)
+    text += fmt::format("{}creepage {}", text.empty() ? "" : ", ",
+                        percent("longitudinal_creepage", errors.creepage));
   return text;
 }
 
 }  // namespace
 
 std::string study_verdict(const StudyRecord& record) {
-  std::vector<std::string> names;  // names of the series, in their order
-  std::map<std::string, Errors> errors;
+  std::vector<std::string> names;  // of the series, in their order
+  std::map<std::string, Errors> errors, differences;
+  std::string base;
   Orders orders;
   for (const StudyPlace& place : record.places) {
-    const References refs = references(place, record.rule);
+    if (base.empty()) base = place.series.at(reference_series(place)).model;
     for (const StudySeries& series : place.series) {
       const std::string name = series_name(series);
       if (errors.count(name) == 0) names.push_back(name);
-      gather(record, place, series, refs, errors[name], orders);
+      gather(record, series, references(place, series, record.rule), errors[name], orders);
+      for (const auto& [key, difference] : model_differences(record, place, series))
+        differences[name].add(key, difference.value);
     }
   }
-  std::string text;
-  for (const std::string& name : names)
-    if (const std::string words = words_of(errors[name]); !words.empty())
-      text +=
-          (text.empty() ? "Finest levels against their references: " : "; ") + name + " " + words;
-  if (!text.empty()) text += ". ";
-  return text + fmt::format("Of {} sequences of levels {} show an order{}.", orders.sequences,
-                            orders.shown,
-                            orders.fitted > 0 ? fmt::format(" and {} a fitted one", orders.fitted)
-                                              : std::string());
+  const auto listed = [&](const std::string& beginning, std::map<std::string, Errors>& of) {
+    std::string text;
+    for (const std::string& name : names)
+      if (const std::string words = words_of(of[name]); !words.empty())
+        text += (text.empty() ? beginning : "; ") + name + " " + words;
+    return text.empty() ? text : text + ". ";
+  };
+  return listed("Finest levels against their references: ", errors) +
+         listed("Model differences from " + base + ": ", differences) +
+         fmt::format("Of {} sequences of levels {} show an order{}.", orders.sequences,
+                     orders.shown,
+                     orders.fitted > 0 ? fmt::format(" and {} a fitted one", orders.fitted)
+                                       : std::string());
 }
 
 std::string study_table(const StudyRecord& record) {
   std::string text;
   for (const StudyPlace& place : record.places) {
-    const References refs = references(place, record.rule);
     const std::string name = place_name(place);
+    const std::string& base = place.series.at(reference_series(place)).model;
     for (const StudySeries& series : place.series) {
+      const auto differences = model_differences(record, place, series);
       text += fmt::format("{}{}{}{}{}\n", name, name.empty() ? "" : ": ", series.model,
                           series.vary.empty() ? "" : ", refined in ", series.vary);
       if (!series.left_out.empty()) text += "  too coarse: " + series.left_out + "\n";
       if (!series.failure.empty()) text += "  levels without a result: " + series.failure + "\n";
-      for (const auto& [key, reference] : refs)
-        if (finest_value(series, key) != nullptr)
-          text += key_table(record, place, series, key, reference);
+      for (const auto& [key, reference] : references(place, series, record.rule)) {
+        text += key_table(record, place, series, key, reference);
+        if (const auto found = differences.find(key); found != differences.end())
+          text += fmt::format("    model difference from {}: {}\n", base,
+                              difference_text(key, found->second));
+      }
     }
   }
   text += '\n' + study_verdict(record) + '\n';

@@ -6,6 +6,7 @@
 #include "support/case_examples.hpp"
 #include "support/places.hpp"
 #include "support/program.hpp"
+#include <sstream>
 
 namespace {
 
@@ -221,6 +222,41 @@ TEST(Run, AShiftAndAGivenPressureAreReportedStepByStep) {
   // Cattaneo: after the shift of 0.008172 mm the force is 7/8 mu F_z.
   EXPECT_NEAR(steps[2].at("longitudinal_shift").get<double>(), 0.008172, 1e-12);
   EXPECT_NEAR(steps[2].at("traction_coefficient").get<double>(), 0.35, 0.003 * 0.35);
+}
+
+/// What is printed in place of the given forces gives these forces back.
+TEST(Run, CreepagesFoundForAForceAreTabulated) {
+  const Folder folder;
+  const auto solved = [&](const std::string& motion, std::string& printed) {
+    printed =
+        done(folder, {"run", folder.file("f.toml", "models = [\"halfspace\"]\n" + small_case +
+                                                       "[contact_grid]\nelements_across = 16\n"
+                                                       "[rolling]\nspin = 1e-4\n" +
+                                                       motion)})
+            .out;
+    return folder.json("results/f/summary.json").at("models")[0].at("points")[0];
+  };
+  std::string out, again;
+  const auto point = solved("longitudinal_force = -9e3\nlateral_force = -6e3\n", out);
+  std::string found;
+  for (const char* name : {"longitudinal", "lateral"}) {
+    const std::size_t at = out.find(std::string(name) + " creepage ");
+    ASSERT_NE(at, std::string::npos) << out;
+    std::istringstream table(out.substr(out.find('\n', out.find('\n', at) + 1) + 1));
+    std::string forces[2], spin, value;
+    table >> forces[0] >> forces[1] >> spin >> value;
+    EXPECT_EQ(forces[0] + ' ' + forces[1], "-9000 -6000");
+    found += std::string(name) + "_creepage = " + value + '\n';
+  }
+  EXPECT_FALSE(says(out, "coefficient -F"));
+  const std::string report = folder.text("results/f/report.html");
+  EXPECT_TRUE(says(report, "Lateral creepage η, found for the given force", "ξ, found"));
+  EXPECT_FALSE(says(report, "Traction coefficient −"));
+  EXPECT_TRUE(folder.holds("results/f/figures/creep_found.svg"));
+  const auto back = solved(found, again);
+  EXPECT_NEAR(back.at("longitudinal_force").get<double>(), -9e3, 1.0);
+  EXPECT_NEAR(back.at("lateral_force").get<double>(), -6e3, 1.0);
+  EXPECT_TRUE(says(again, "traction coefficient -F_x/F_z"));
 }
 
 #if !ROLLFEM_WITH_FEM

@@ -12,6 +12,7 @@
 #include "support/program.hpp"
 #include <cmath>
 #include <map>
+#include <sstream>
 
 namespace {
 
@@ -107,6 +108,9 @@ TEST_F(StressTest, AxisOfTheCircleIsThatOfHertz) {
     }
     if (maximum["measure"] == "orthogonal_shear") {
       EXPECT_NEAR(maximum["value"].get<double>(), 0.2137 * p0, 2e-3 * p0);
+    }
+    if (maximum["measure"] == "xz_range") {
+      EXPECT_NEAR(maximum["value"].get<double>(), 0.4274 * p0, 2e-3 * p0);
     }
   }
 }
@@ -211,6 +215,13 @@ TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
   EXPECT_GT(points[0]["ellipse"]["shakedown"], points[0]["line"]["shakedown"]);
   EXPECT_EQ(points[0]["verdict"], "elastic");
   EXPECT_EQ(points[2]["verdict"], "beyond shakedown");
+  const double above =
+      points[2]["load_factor"].get<double>() / points[2]["ellipse"]["shakedown"].get<double>();
+  std::istringstream margin(points[2]["margin"].get<std::string>().substr(6));
+  double percent = 0.0;
+  margin >> percent;
+  EXPECT_NEAR(percent, 100.0 * (above - 1.0), 0.05 * percent);
+  EXPECT_TRUE(says(outcome.out, "beyond shakedown; p0 is ", "elastic; p0 is "));
   // Without a yield stress there is no map.
   checked(stress({}));
   EXPECT_FALSE(report().contains("shakedown_map"));

@@ -43,6 +43,28 @@ TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   EXPECT_TRUE(says(outcome.out, "80 across"));
 }
 
+/// For a small force on a circle with nu = 0.25: Kalker's C11 = 4.12 (1967, table of the thesis),
+/// with the part of Vermeulen and Johnson's law that is beyond linear.
+TEST(Study, FollowsTheCreepageFoundForAForce) {
+  const Folder folder;
+  const std::string file = folder.file(
+      "force.toml",
+      "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n[wheel]\n"
+      "rolling_radius = 405.0\ntransverse_radius = inf\npoisson_ratio = 0.25\n[rail]\n"
+      "transverse_radius = 405.0\npoisson_ratio = 0.25\n[rolling]\nlongitudinal_force = -275.0\n");
+  const Outcome outcome = done(folder, {"study", file, "--levels", "3"});
+  EXPECT_TRUE(says(outcome.out, "longitudinal creepage found at load point 1", "creepage "));
+  const auto place = folder.json("results/force_study/study.json").at("places")[0];
+  EXPECT_FALSE(place.at("references").contains("traction_coefficient:1"));
+  const double a = std::cbrt(0.75 * 50e3 * 405.0 / (210e3 / (2.0 * (1.0 - 0.0625))));
+  const double bound = 0.55 * 50e3;
+  const double creepage =
+      3.0 * bound / (84e3 * a * a * 4.12) * (1.0 - std::cbrt(1.0 - 275.0 / bound));
+  EXPECT_NEAR(place.at("series")[0].at("limits").at("longitudinal_creepage:1").at("value"),
+              creepage, 0.02 * creepage);
+  EXPECT_TRUE(folder.holds("results/force_study/figures/values.svg"));
+}
+
 TEST(Study, AllModelsAndGivenReferences) {
   const Folder folder;
   const std::vector<std::string> several{"hertz", "linear", "fastsim", "strip", "halfspace"};

@@ -202,9 +202,18 @@ TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
       "elements_across = 24\n[output]\nstress_maxima = true\n",
       "circle.toml");
   const contact::PointResult point = theories::models().run("halfspace", input, {}).points.front();
-  ASSERT_EQ(point.stress_maxima.size(), 8u);
+  ASSERT_EQ(point.stress_maxima.size(), 12u);
   int found = 0;
   for (const contact::StressMaximum& maximum : point.stress_maxima) {
+    // Without friction no traction, and xz, odd in x, ranges over twice its largest value, 0.2137
+    // p0 of the circle.
+    if (maximum.measure == "orthogonal_shear_surface") {
+      EXPECT_EQ(maximum.value, 0.0);
+    }
+    if (maximum.measure == "xz_range") {
+      EXPECT_NEAR(maximum.value / point.max_pressure, 2.0 * 0.2137, 1e-3);
+      EXPECT_NEAR(maximum.place[1], 0.0, 0.06 * point.semi_axis_y);
+    }
     if (maximum.measure != "tresca") continue;
     ++found;
     EXPECT_NEAR(0.5 * maximum.value / point.max_pressure, 0.31002, 1e-3);
@@ -213,4 +222,48 @@ TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
     EXPECT_LT(std::hypot(maximum.place[0], maximum.place[1]), 0.05 * point.semi_axis_x);
   }
   EXPECT_EQ(found, 2);
+}
+
+/// Under friction: on a plane along rolling no place below one element has more shear than the
+/// largest below the surface, and no line along x a larger range.
+TEST(StressMaxima, ShearIsToldOnTheSurfaceAndBelowIt) {
+  const contact::Case input = contact::parse_case(
+      "title = \"friction\"\nmodels = [\"halfspace\"]\n[load]\nnormal_force = 50e3\n[friction]\n"
+      "coefficient = 0.2\n[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n[rail]\n"
+      "transverse_radius = 2000.0\n[rolling]\nlongitudinal_creepage = 0.01\n[contact_grid]\n"
+      "elements_across = 24\n[output]\nstress_maxima = true\n[[subsurface.plane]]\n"
+      "body = \"rail\"\nfrom = [-8.0, 0.0, -0.3]\nto = [8.0, 0.0, -0.3]\n"
+      "across = [-8.0, 0.0, -6.3]\npoints = [81, 31]\n",
+      "friction.toml");
+  const contact::PointResult point = theories::models().run("halfspace", input, {}).points.front();
+  double largest = 0.0, most = 0.0;
+  const auto& plane = point.subsurface.front().stress;
+  for (std::size_t first = 0; first < plane.size(); first += 81) {
+    double low = 0.0, high = 0.0;
+    for (std::size_t k = first; k < first + 81; ++k) {
+      largest = std::max(largest, contact::orthogonal_shear(contact::Stress::from_array(plane[k])));
+      low = std::min(low, plane[k][5]);
+      high = std::max(high, plane[k][5]);
+    }
+    most = std::max(most, high - low);
+  }
+  for (const contact::StressMaximum& maximum : point.stress_maxima) {
+    const std::string bar = "max_" + maximum.measure + "_" + maximum.body;
+    if (maximum.measure == "orthogonal_shear") {
+      EXPECT_NEAR(maximum.value, largest, 2e-3 * point.max_pressure);
+      EXPECT_GE(std::abs(maximum.place[2]), 0.2);
+      EXPECT_EQ(maximum.place[2] > 0.0, maximum.body == "wheel");
+    }
+    if (maximum.measure == "orthogonal_shear_surface") {
+      EXPECT_DOUBLE_EQ(maximum.value, point.max_traction);
+      EXPECT_EQ(point.error_estimate.at(bar), point.error_estimate.at("max_traction"));
+    }
+    if (maximum.measure == "xz_range") {
+      EXPECT_NEAR(maximum.value, most, 2e-3 * point.max_pressure);
+    }
+    EXPECT_EQ(point.error_estimate.count(bar) + point.no_bar.count(bar), 1U) << bar;
+    if (point.no_bar.count(bar) != 0) {
+      EXPECT_EQ(point.no_bar.at(bar), "near surface") << bar;
+    }
+  }
 }

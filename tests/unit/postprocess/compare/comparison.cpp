@@ -106,6 +106,33 @@ TEST(Comparison, TheLateralCoefficientRisesAgainstTheForceOnTheWheel) {
   EXPECT_NEAR(force.reference_value.value_or(0.0), 0.15, 1e-12);
 }
 
+TEST(Comparison, OfAPrescribedForceTheCreepageIsTheResult) {
+  ComparedCase forced = example();
+  json summary = json::parse(forced.summary);
+  const double found[] = {0.0, 1.0e-3, 1.25e-3};  // by fastsim and half-space
+  for (const std::size_t k : {1U, 2U}) {
+    json& last = summary["models"][k]["points"][1];
+    last["traction_coefficient"] = 0.2;
+    last["longitudinal_creepage"] = found[k];
+    last["no_bar"] = {{"lateral_creepage", "given"}, {"spin", "given"}};
+    if (k == 1) last["no_bar"]["longitudinal_creepage"] = "theory";
+    if (k == 2) last["error_estimate"]["longitudinal_creepage"] = 1e-4;
+  }
+  forced.summary = summary.dump();
+  const auto all = compared_numbers(forced, references);
+  const auto creepage = number(all, "fastsim", 2, "longitudinal_creepage");
+  EXPECT_NEAR(creepage.difference(), -0.2, 1e-12);
+  EXPECT_NEAR(creepage.allowed(), 0.08, 1e-12);
+  EXPECT_TRUE(creepage.differs());
+  EXPECT_NEAR(*number(all, "halfspace", 2, "longitudinal_creepage").error, 1e-4, 1e-12);
+  for (const ComparedNumber& n : all)
+    EXPECT_FALSE(n.point == 2 &&
+                 (n.quantity == "traction_coefficient" || n.quantity == "lateral_creepage"))
+        << n.model << n.quantity;
+  EXPECT_NE(comparison_verdict({case_standings(forced, references)}).find("xi 20 %"),
+            std::string::npos);
+}
+
 TEST(Comparison, TheWishedReferenceIsTakenWhereItHasTheNumber) {
   const auto all = compared_numbers(example(), {"hertz", "halfspace"});
   EXPECT_EQ(number(all, "halfspace", 1, "max_pressure").reference, "hertz");

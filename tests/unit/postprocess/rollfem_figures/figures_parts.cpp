@@ -149,7 +149,7 @@ assert high - low >= 0.5
 for name in ('wheelset', 'positions'):
     drawn = open(f'{sys.argv[1]}/figures/{name}.svg', encoding='utf-8').read()
     assert '[mm]' in drawn and 'nan' not in drawn.lower().replace('nance', ''), name
-assert 'force to the right on the wheel' in drawn and 'width of the patch' in drawn
+assert 'on the wheel, to the right' in drawn and 'width of the patch' in drawn
 )",
                  folder),
             "");

@@ -183,8 +183,9 @@ StudyRecord record() {
   return study;
 }
 
-std::map<std::string, StudyReference> references_of(const StudyRecord& study) {
-  return references(study.places[0], study.rule);
+std::map<std::string, StudyReference> references_of(const StudyRecord& study,
+                                                    std::size_t series = 0) {
+  return references(study.places[0], study.places[0].series[series], study.rule);
 }
 
 TEST(Study, TakesWhatIsExactAndExtrapolatesTheRest) {
@@ -204,18 +205,39 @@ TEST(Study, TakesWhatIsExactAndExtrapolatesTheRest) {
   EXPECT_EQ(references_of(study).count("traction_coefficient:2"), 0U);
 }
 
-TEST(Study, FiniteBodiesAreNotMeasuredAgainstHalfSpaces) {
+/// Finite bodies whose limits differ from those of half-spaces by 1.5 MPa of 100.5 and 0.012 of mu
+/// = 0.4: that is no error of their cells.
+TEST(Study, FiniteBodiesAreMeasuredAgainstTheirOwnLimit) {
   StudyRecord study = record();
   study.places[0].exact = {{"max_pressure", 100.5}};
-  study.places[0].series[0].limit_of_its_own = true;
-  study.places[0].series[0].measures_others = false;
-  EXPECT_EQ(references_of(study).at("max_pressure").kind, "extrapolated");
-  // A half-space in the same study is the reference of both.
-  study.places[0].series.push_back(study.places[0].series[0]);
-  study.places[0].series[1].measures_others = true;
-  study.places[0].series[1].limit_of_its_own = false;
+  StudySeries fem = study.places[0].series[0];
+  fem.model = "fem";
+  fem.limit_of_its_own = true;
+  fem.measures_others = false;
+  for (StudyLevel& level : fem.levels) {
+    level.values["max_pressure"] += 2.0;
+    level.values["traction_coefficient:2"] += 0.012;
+  }
+  study.places[0].series.insert(study.places[0].series.begin(), fem);
   EXPECT_EQ(reference_series(study.places[0]), 1U);
-  EXPECT_EQ(references_of(study).at("max_pressure").kind, "exact");
+  EXPECT_EQ(references_of(study, 1).at("max_pressure").kind, "exact");
+  const auto own = references_of(study, 0);
+  EXPECT_EQ(own.at("max_pressure").kind, "extrapolated");
+  EXPECT_NEAR(own.at("max_pressure").value, 102.0, 1e-9);
+  EXPECT_NEAR(study_error(study, "max_pressure", fem.levels.back().values.at("max_pressure"),
+                          own.at("max_pressure")),
+              1.0 / 64.0 / 102.0, 1e-9);
+  const auto differences = model_differences(study, study.places[0], study.places[0].series[0]);
+  EXPECT_NEAR(differences.at("max_pressure").value, 1.5 / 100.5, 1e-9);
+  EXPECT_NEAR(differences.at("traction_coefficient:2").value, 0.012 / 0.4, 1e-9);
+  EXPECT_TRUE(model_differences(study, study.places[0], study.places[0].series[1]).empty());
+  EXPECT_TRUE(says(study_verdict(study),
+                   "Model differences from halfspace: fem (grid) p0 1.5 %, -F_x/F_z 3 % of mu."));
+  EXPECT_TRUE(says(study_table(study), "model difference from halfspace: +1.5 % +- "));
+  const auto json = nlohmann::json::parse(study_json(study)).at("places")[0];
+  EXPECT_EQ(json.at("reference"), "halfspace");
+  EXPECT_NEAR(json.at("series")[0].at("model_differences").at("max_pressure").at("value"),
+              1.5 / 100.5, 1e-9);
 }
 
 TEST(Study, ErrorsAreRelativeAndOfCoefficientsToFriction) {
