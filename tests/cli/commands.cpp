@@ -53,9 +53,10 @@ TEST(NewCase, IsAcceptedByCheck) {
 TEST(Call, APathThatIsTooLongIsAWrongCall) {
   const Folder folder;
   const std::string path(300, 'x');
-  for (const std::vector<std::string>& words :
-       std::vector<std::vector<std::string>>{{"stress", path}, {"new-case", "-o", path}})
-    expect_refused(call(folder, words), "xxx: File name too long; do: correct the path");
+  for (const std::string command : {"run", "profile", "report", "mesh", "stress"})
+    expect_refused(call(folder, {command, path}), "xxx");
+  expect_refused(call(folder, {"new-case", "-o", path}),
+                 "xxx: File name too long; do: correct the path");
 }
 
 TEST(NewCase, WritesANewFileButNeverOverAnother) {
