@@ -4,7 +4,7 @@
 #include "app/commands.hpp"
 #include "app/frame/interruption.hpp"
 #include "app/version_text.hpp"
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 #include "contact/base/text_fields.hpp"
 #include "models/program/provenance.hpp"
 
@@ -15,6 +15,7 @@
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <poll.h>
@@ -167,7 +168,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   }
   std::cout.flush();
   if (!std::cout && !reader_is_gone())
-    throw contact::InputError(
+    throw contact::OutputError(
         "standard output cannot be written; do: check whether its disk is full");
   return call.undrawn ? 1 : 0;
 }
@@ -189,8 +190,13 @@ int run_program(int argc, char** argv, const contact::ModelRegistry& models) {
   tell_of_interruptions();
   try {
     return execute(argc, argv, models);
+  } catch (const contact::OutputError& error) {
+    failed(1, error.what());
   } catch (const contact::InputError& error) {
     failed(2, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    failed(2, fmt::format("{}: {}; do: correct the path", error.path1().string(),
+                          error.code().message()));
   } catch (const contact::SolveError& error) {
     failed(1, error.what());
   } catch (const std::bad_alloc&) {

@@ -7,8 +7,8 @@
 namespace rollfem::app {
 
 /// Body of main: parses the call, runs the command, and turns every failure into one line on stderr
-/// and an exit status (0 done, 1 the solution failed, 2 input or call wrong). Does not return after
-/// a failure.
+/// and an exit status (0 done, 1 the solution or its output failed, 2 input or call wrong). Does
+/// not return after a failure.
 int run_program(int argc, char** argv, const contact::ModelRegistry& models);
 
 }  // namespace rollfem::app

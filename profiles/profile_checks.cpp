@@ -137,6 +137,34 @@ void check_upward(const ProfilePoints& points, const ProfileSource& source, bool
                    {repair("flip", &ProfileSource::flip, !source.flip)}};
 }
 
+/// A rail's head falls on both sides; a flange is the only valley, beside a tread that stays up.
+void check_head(const ProfilePoints& points) {
+  constexpr double least_fall = 2.0;  // mm
+  std::vector<double> heights;
+  for (const ListedPoint& point : points.list) heights.push_back(point.z);
+  Valley flange = deepest_valley(heights);
+  if (flange.depth < least_flange) return;
+  const double tip = points.list[flange.bottom].y;
+  double tread = points.list.back().y, back = points.list.front().y;
+  if (std::abs(tread - tip) < std::abs(back - tip)) {
+    std::reverse(heights.begin(), heights.end());
+    flange = deepest_valley(heights);
+    std::swap(tread, back);
+  }
+  const std::vector<double> side(heights.begin() + static_cast<std::ptrdiff_t>(flange.bottom),
+                                 heights.end());
+  if (std::abs(tread - tip) < 2.0 * std::abs(back - tip) ||
+      side.back() - heights[flange.right] > least_fall ||
+      deepest_valley(side).depth > 2.0 * least_fall)
+    return;
+  throw PointFault{0,
+                   fmt::format("seems to be a wheel: a flange with its tip at y = {:.4g} mm, and "
+                               "beside it a tread up to y = {:.4g} mm",
+                               tip, tread),
+                   "the head of a rail, which falls on both sides",
+                   "give it as the profile of the wheel"};
+}
+
 /// The flange, or one of two, is at small y.
 void check_side(const ProfilePoints& points, const ProfileSource& source) {
   const auto [lowest, highest] = range(points, &ListedPoint::z);
@@ -275,7 +303,7 @@ void mend(ProfilePoints& points, const ProfileSource& source, bool wheel, bool a
   }
   check_size(points, source.unit);
   check_upward(points, source, wheel);
-  if (wheel) check_side(points, source);
+  wheel ? check_side(points, source) : check_head(points);
   if (source.reverse) reverse(points);
   if (source.sort) sort(points);
   check_direction(points, source, wheel);

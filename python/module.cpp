@@ -6,7 +6,11 @@
 #include "contact/case/keys/case_keys.hpp"
 #include "python/caller.hpp"
 
+#include <algorithm>
+#include <exception>
+#include <filesystem>
 #include <pybind11/stl.h>
+#include <tuple>
 
 namespace rollfem::python {
 
@@ -31,10 +35,11 @@ std::string written(const Shared& result, const std::string& folder, bool report
   return write(folder, *result, report);
 }
 
-/// All [(section, key)] of the case file.
-std::vector<std::pair<std::string, std::string>> keys() {
-  std::vector<std::pair<std::string, std::string>> found;
-  for (const contact::Key& key : contact::case_keys()) found.emplace_back(key.section, key.name);
+/// All [(section, key, unit)] of the case file.
+std::vector<std::tuple<std::string, std::string, std::string>> keys() {
+  std::vector<std::tuple<std::string, std::string, std::string>> found;
+  for (const contact::Key& key : contact::case_keys())
+    found.emplace_back(key.section, key.name, key.unit);
   return found;
 }
 
@@ -42,8 +47,16 @@ void define_progress(py::module_& module) {
   py::class_<ProgressEvent>(module, "Progress", R"(Progress report of a running model.)")
       .def_readonly("model", &ProgressEvent::model)
       .def_readonly("stage", &ProgressEvent::stage, "'normal', 'rolling', 'shift', 'mesh', ...")
-      .def_readonly("point", &ProgressEvent::point, "load point, counted from 1; 0: none")
-      .def_readonly("points", &ProgressEvent::points, "number of load points")
+      .def_readwrite("point", &ProgressEvent::point,
+                     "load point (of a sweep: combination), counted from 1; 0: none")
+      .def_readwrite("points", &ProgressEvent::points, "number of load points or combinations")
+      .def_property_readonly(
+          "fraction",
+          [](const ProgressEvent& event) {
+            const int done = event.finished ? event.point : std::max(event.point - 1, 0);
+            return event.points > 0 ? static_cast<double>(done) / event.points : 0.0;
+          },
+          "of `points` that this stage has done, 0 to 1")
       .def_readonly("creepage", &ProgressEvent::creepage,
                     "longitudinal creepage of the point; None without frictional rolling")
       .def_readonly("iteration", &ProgressEvent::iteration)
@@ -69,6 +82,14 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception<FileError>(module, "FileError",
                                     py::make_tuple(input_error, py::handle(PyExc_OSError)));
   py::register_exception<SolveError>(module, "SolveError", PyExc_RuntimeError);
+  py::register_exception_translator([](std::exception_ptr thrown) {  // of FileError
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const std::filesystem::filesystem_error& error) {
+      PyErr_SetString(py::module_::import("rollfem._core").attr("FileError").ptr(),
+                      (error.path1().string() + ": " + error.code().message()).c_str());
+    }
+  });
   python::define_progress(module);
   python::define_tables(module);
   python::define_commands(module);

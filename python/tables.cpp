@@ -85,6 +85,9 @@ std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Co
 }
 
 CreepTableReader filled(const Case& input, py::object callback) {
+  const std::string ignored = tables::ignored_keys(input);
+  if (!ignored.empty() && PyErr_WarnEx(PyExc_UserWarning, ignored.c_str(), 2) < 0)
+    throw py::error_already_set();
   return without_gil(std::move(callback), [&](const Progress& progress) {
     tables::CreepTable made = tables::empty_table(input);
     made.program = "rollfem " + modelling::version() + " (" + modelling::commit() + ")";

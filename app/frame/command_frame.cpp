@@ -3,7 +3,7 @@
 
 #include "app/frame/interruption.hpp"
 #include "app/frame/parts.hpp"
-#include "contact/base/errors.hpp"
+#include "contact/base/file_error.hpp"
 #include "contact/case/checks/plausibility.hpp"
 #include "models/program/provenance.hpp"
 #include "models/program/version.hpp"
@@ -148,11 +148,19 @@ void CommandFrame::take_up_parts(const fs::path& directory, const contact::Case&
 
 bool CommandFrame::ends_part() {
   if (request_.share.whole()) return false;
-  kept_->mark(part_done);
-  const int of = request_.share.of;
+  const int part = request_.share.part + 1, of = request_.share.of;
+  if (kept_->untouched())
+    warn(fmt::format(
+        "warning: part {} of {} is empty: the work of this case divides into fewer parts", part,
+        of));
+  if (!kept_->mark(part_done))
+    throw contact::OutputError(fmt::format(
+        "part {} of {} was solved but could not be stored; do: free some space or choose another "
+        "disk with -o, and repeat the command",
+        part, of));
   say(fmt::format(
       "part {} of {} is done; after all parts, the same command with --merge {} writes the result",
-      request_.share.part + 1, of, of));
+      part, of, of));
   return true;
 }
 

@@ -146,7 +146,8 @@ std::string manual_page(const CLI::App& program, const std::string& version) {
       text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(footer.substr(0, footer.find("\n\n"))));
   }
   return text +
-         ".SH EXIT STATUS\n0: done. 1: no solution, or less accurate than asked. 2: the call, a "
+         ".SH EXIT STATUS\n0: done. 1: no solution, less accurate than asked, or the output "
+         "could not be written (disk full). 2: the call, a "
          "case file or another input is wrong.\n.SH ENVIRONMENT\n.TP\nROLLFEM_CACHE\nFolder where "
          "the model hybrid stores corrections for other runs; default: ~/.cache/rollfem; empty: "
          "store nothing.\n.SH FILES\n.TP\nCASE.toml\nA case file: \\fBrollfem new\\-case\\fR "

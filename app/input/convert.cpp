@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -49,12 +48,7 @@ class Written {
           fmt::format("convert: {} exists already; do: remove it or name another folder with -o",
                       path.string()));
     paths_.push_back(path);
-    std::ofstream stream(path);
-    stream << text;
-    stream.close();
-    if (!stream)
-      throw contact::InputError(fmt::format(
-          "convert: {} cannot be written; do: name another folder with -o", path.string()));
+    postprocess::write_file(path, text);
   }
 
   void remove(const fs::path& path) const {

@@ -134,6 +134,9 @@ void table_at_once(const TableRequest& request, const contact::ModelRegistry& mo
       contact::read_case(request.case_file, modelling::model_words(models), request.changes);
   CommandFrame frame(request, models, {});
   if (frame.idle()) return;
+  warn_of_doubts(input);
+  if (const std::string ignored = tables::ignored_keys(input); !ignored.empty())
+    frame.say("note: " + ignored);
   tables::CreepTable made = tables::empty_table(input);
   const postprocess::Provenance provenance = frame.provenance();
   made.program = fmt::format("rollfem {} ({})", provenance.version, provenance.commit);

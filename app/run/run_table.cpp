@@ -42,7 +42,7 @@ std::string bar_row(const PointResult& point) {
                                                  {"approach", 15},
                                                  {"normal_force", 13}};
   for (const auto& [name, width] : columns)
-    text += fmt::format("{:>{}}", contact::bar_text(point, name), width);
+    text += fmt::format(" {:>{}}", contact::bar_text(point, name), width - 1);
   return text + "\n";
 }
 
@@ -145,7 +145,7 @@ std::string curve_table(const std::vector<const ModelResult*>& models, const std
         text += fmt::format("{:>{}}", "-", width_of(*model));
         continue;
       }
-      text += fmt::format("{:>{}}", quantity(model->points[k]), width_of(*model));
+      text += fmt::format(" {:>{}}", quantity(model->points[k]), width_of(*model) - 1);
     }
   }
   return text + "\n";
@@ -215,7 +215,7 @@ std::string without_numbers(const std::string& text) {
 /// One line per result: place, size and the first load point with its bars.
 std::string row_table(const std::vector<ModelResult>& models) {
   std::string text = fmt::format(
-      "{:<6}{:>3}{:>6}{:>9}{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>18}{:>13}{:>20}\n",
+      "{:<6}{:>3}{:>6}{:>9}{:>10}{:>11}{:>10}  {:<12}{:>9}{:>10}{:>10}{:>23}{:>13}{:>23}\n",
       "wheel", "pos", "patch", "shift mm", "y rail mm", "y wheel mm", "angle rad", "model", "F_n N",
       "length mm", "width mm", "p0 MPa", "xi", "-F_x/F_z");
   for (const ModelResult& model : models) {
@@ -225,8 +225,8 @@ std::string row_table(const std::vector<ModelResult>& models) {
     const double coefficient =
         std::abs(point.traction_coefficient) < 5e-5 ? 0.0 : point.traction_coefficient;
     text += fmt::format(
-        "{:<6}{:>3}{:>6}{:>9.3g}{:>10.4f}{:>11.4f}{:>10.4f}  {:<12}{:>9.5g}{:>10.3f}{:>10.3f}{:>18}"
-        "{:>13.4e}{:>20}\n",
+        "{:<6}{:>3}{:>6}{:>9.3g} {:>9.4f} {:>10.4f} {:>9.4f}  {:<12} {:>8.5g} {:>9.3f} {:>9.3f} "
+        "{:>22} {:>12.4e} {:>22}\n",
         place.left ? "left" : "right", place.position, place.patch, place.lateral_shift,
         place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
         point.contact_length, point.contact_width,

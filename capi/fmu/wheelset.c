@@ -12,7 +12,7 @@
 #include <string.h>
 
 #define EXPORT __attribute__((visibility("default")))
-enum { UNKNOWNS = 5, TEXT = 1024 };
+enum { UNKNOWNS = 5, TEXT = 1024, MOST_STEPS = 100000 /* some minutes */ };
 
 /* What a step changes, and what fmi2GetFMUstate keeps. */
 typedef struct { double value[V_COUNT]; } saved;
@@ -122,7 +122,13 @@ static int advance(slave* s, double step) {
   double system[UNKNOWNS][UNKNOWNS], matrix[UNKNOWNS][UNKNOWNS];
   rollfem_result result[2];
   memcpy(at, &s->now.value[V_shift], sizeof at);
-  const int count = (int)fmax(1.0, ceil(step / s->now.value[V_largest_step] - 1e-9));
+  const double steps = fmax(1.0, ceil(step / s->now.value[V_largest_step] - 1e-9));
+  if (!(steps <= MOST_STEPS)) {
+    snprintf(s->message, TEXT, "a step of %g s has %.3g of largest_step = %g s; allowed: %d; do: correct one of them",
+             step, steps, s->now.value[V_largest_step], MOST_STEPS);
+    return 0;
+  }
+  const int count = (int)steps;
   const double h = step / count;
   for (int n = 0; n < count; ++n) {
     if (!rates(s, at, first, result, n == 0 ? by : NULL)) return 0;
@@ -148,6 +154,14 @@ static void drop_wheels(slave* s) {
     rollfem_destroy(s->wheel[side]);
     s->wheel[side] = NULL;
   }
+}
+
+static int is_initialised(const slave* s) {
+  return s->wheel[0] != NULL && s->wheel[1] != NULL;
+}
+
+static fmi2Status refuse_parameter(slave* s) {
+  return fail(s, fmi2Error, "parameters are fixed after the initialisation; do: set them before, or call fmi2Reset");
 }
 
 EXPORT const char* fmi2GetTypesPlatform(void) {
@@ -207,6 +221,9 @@ EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
 EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
   slave* s = c;
   const double* v = s->now.value;
+  for (int k = V_mass; k <= V_spin_inertia; ++k)
+    if (!(v[k] > 0.0)) return fail(s, fmi2Error, "mass and inertias; allowed: above 0; do: correct them");
+  if (!(v[V_largest_step] > 0.0)) return fail(s, fmi2Error, "largest_step; allowed: above 0; do: correct it");
   static const char* const laws[] = {"constant", "linear", "rational", "exponential"}; /* as in rollfem_law */
   int law = 0;
   while (law < 4 && strcmp(s->text[2], laws[law]) != 0) ++law;
@@ -233,15 +250,15 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
     definition.layer_thickness = v[V_layer_thickness];
     definition.layer_shear_modulus = v[V_layer_shear_modulus];
     s->wheel[side] = rollfem_create(&definition, s->message, TEXT);
-    if (s->wheel[side] == NULL) return fail(s, fmi2Error, s->message);
+    if (s->wheel[side] == NULL) break;
   }
-  for (int k = V_mass; k <= V_spin_inertia; ++k)
-    if (!(v[k] > 0.0)) return fail(s, fmi2Error, "mass and inertias; allowed: above 0; do: correct them");
-  if (!(v[V_largest_step] > 0.0)) return fail(s, fmi2Error, "largest_step; allowed: above 0; do: correct it");
   const double at[UNKNOWNS] = {v[V_start_shift], 0.0, v[V_start_yaw], 0.0, 0.0};
   double rate[UNKNOWNS];
   rollfem_result result[2];
-  if (!rates(s, at, rate, result, NULL)) return fail(s, fmi2Error, s->message);
+  if (!is_initialised(s) || !rates(s, at, rate, result, NULL)) {
+    drop_wheels(s);
+    return fail(s, fmi2Error, s->message);
+  }
   tell_outputs(s, at, result);
   return fmi2OK;
 }
@@ -249,7 +266,7 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
 EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean is_final) {
   slave* s = c;
   (void)time, (void)is_final;
-  if (s->wheel[0] == NULL || s->wheel[1] == NULL || !(step > 0.0))
+  if (!is_initialised(s) || !(step > 0.0))
     return fail(s, fmi2Error, "a step must be longer than 0 and follow the initialisation");
   return advance(s, step) ? fmi2OK : fail(s, fmi2Discard, s->message);
 }
@@ -276,6 +293,7 @@ EXPORT fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference* which, 
   slave* s = c;
   for (size_t k = 0; k < count; ++k) {
     if (which[k] >= V_shift) return fail(s, fmi2Error, "there is no input or parameter of this value reference");
+    if (which[k] >= V_mass && is_initialised(s)) return refuse_parameter(s);
     s->now.value[which[k]] = values[k];
   }
   return fmi2OK;
@@ -295,6 +313,7 @@ EXPORT fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference* which
   for (size_t k = 0; k < count; ++k) {
     if (which[k] > 2 || values[k] == NULL || strlen(values[k]) >= TEXT)
       return fail(s, fmi2Error, "there is no String of this value reference, or it is too long");
+    if (is_initialised(s)) return refuse_parameter(s);
     snprintf(s->text[which[k]], TEXT, "%s", values[k]);
   }
   return fmi2OK;

@@ -12,4 +12,10 @@ class FileError : public InputError {
   using InputError::InputError;
 };
 
+/// The call is right, but its output cannot be written: the disk is full or fails (exit status 1).
+class OutputError : public FileError {
+ public:
+  using FileError::FileError;
+};
+
 }  // namespace rollfem::contact

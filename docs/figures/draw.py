@@ -16,7 +16,7 @@ import matplotlib
 matplotlib.use("agg")
 import numpy as np
 from matplotlib import pyplot as plt
-from matplotlib.patches import Arc, Circle, Ellipse, Rectangle
+from matplotlib.patches import Arc, Circle, Ellipse, Polygon, Rectangle
 
 HERE = pathlib.Path(__file__).resolve().parent
 INK, BLUE, RED, GREEN, GREY = "#1a1a1a", "#0072B2", "#D55E00", "#009E73", "#8c8c8c"
@@ -86,25 +86,56 @@ def side_view(ax):
     arrow(ax, (-0.2, -0.85), (1.8, -0.85), "slip of the wheel over the rail", BLUE, (-0.9, -0.45))
 
 
+def outline(ax, points, side, **look):
+    """A closed shape given for the right side."""
+    ax.add_patch(Polygon([(side * y, z) for y, z in points], closed=True, edgecolor=INK, lw=1.2, **look))
+
+
+WHEEL = ((3.75, -0.6), (3.75, -1.5), (3.9, -1.8), (4.1, -1.75), (4.25, -1.3), (4.45, -1.1), (6.2, -1.0), (6.2, -0.5),
+         (5.3, -0.3), (5.2, 2.0), (5.6, 2.15), (5.6, 3.05), (4.5, 3.05), (4.5, 2.15), (4.9, 2.0), (4.8, -0.3))
+RAIL = ((4.45, -1.5), (4.6, -1.1), (5.4, -1.1), (5.55, -1.5), (5.55, -1.9), (5.15, -2.1), (5.15, -3.3), (5.9, -3.5),
+        (5.9, -3.75), (4.1, -3.75), (4.1, -3.5), (4.85, -3.3), (4.85, -2.1), (4.45, -1.9))
+
+
 def track_from_behind(ax):
-    empty(ax, "Track, seen from behind (x into the page)", (-9.4, 9.4), (-5.6, 4.9))
+    empty(ax, "Track, seen from behind (x into the page)", (-9.6, 9.6), (-5.7, 4.4))
     for side in (-1, 1):
-        ax.add_patch(Rectangle((side * 5 - 0.75, -2.2), 1.5, 1.1, fill=False, color=INK, lw=1.2))
-        ax.plot([side * 5, side * 5], [-2.2, -3.9], color=INK, lw=3)
-        y = np.array([3.6, 4.05, 4.2, 5.6, 6.3]) * side
-        ax.plot(y, [-2.2, -2.0, -1.0, -0.85, -0.8], color=INK, lw=1.4)
-        arrow(ax, (side * 5, -0.95), (side * 5, 1.3), "z", BLUE, (0.35, 0))
-        arrow(ax, (side * 5, -0.95), (side * 5 - 2.1, -0.95), "y", BLUE, (0, 0.45))
-        arrow(ax, (side * 5, -4.3), (side * 7.4, -4.3), "y", GREEN, (0.35 * side, 0))
-        arrow(ax, (side * 5, -4.3), (side * 5, -5.4), "z", GREEN, (0.4, 0))
-        ax.text(side * 5, 4.3, "left" if side < 0 else "right", ha="center")
-    ax.plot([-6.6, 6.6], [2.2, 2.2], color=INK, lw=3)
-    arrow(ax, (0, -1.1), (2, -1.1), "y", at=(0.4, 0))
-    arrow(ax, (0, -1.1), (0, -2.9), "z", at=(0.4, 0))
-    across(ax, 0, -1.1, True, "x")
-    turn(ax, (0, 2.2), 1.3, 140, 40, "roll", RED, (0, 1.85))
-    arrow(ax, (1.0, 1.3), (2.9, 1.3), "lateral shift", RED, (-0.9, -0.5))
-    ax.text(0, -5, "blue: patch frames\ngreen: profile\ncoordinates", ha="center", va="center")
+        outline(ax, RAIL, side, facecolor="#d8d8d8")
+        outline(ax, WHEEL, side, facecolor="white")
+        arrow(ax, (side * 5, -1.1), (side * 5, 1.2), "z", BLUE, (0.4, -0.1))
+        arrow(ax, (side * 5, -1.1), (side * 5 - 2.3, -1.1), "y", BLUE, (-0.35, 0))
+        arrow(ax, (side * 5, -4.3), (side * 7.4, -4.3), "y", GREEN, (0.4 * side, 0))
+        arrow(ax, (side * 5, -4.3), (side * 5, -5.5), "z", GREEN, (0.4, 0))
+        ax.text(side * 5, 3.6, "left wheel" if side < 0 else "right wheel", ha="center")
+    ax.add_patch(Rectangle((-4.5, 2.4), 9.0, 0.4, facecolor="white", edgecolor=INK, lw=1.2))
+    ax.text(-3.2, 2.95, "axle", ha="center")
+    arrow(ax, (-1, -1.1), (0.8, -1.1), "y", at=(0.4, 0))
+    arrow(ax, (-1, -1.1), (-1, -2.9), "z", at=(0.4, 0))
+    across(ax, -1, -1.1, True, "x")
+    turn(ax, (0, 2.6), 1.0, 140, 40, "roll", RED, (0, 1.4))
+    arrow(ax, (-1.0, 1.2), (1.4, 1.2), "lateral shift", RED, (-1.2, -0.45))
+    ax.text(0, -4.6, "black: track; blue: patches;\ngreen: profile coordinates", ha="center", va="center")
+
+
+def contact_angle(ax):
+    """The flange root of a left wheel: the plane of contact falls to the middle of the track, which is on the right."""
+    empty(ax, "Contact angle (left wheel, from behind)", (-5, 5.2), (-3.6, 4.4))
+    angle = np.radians(40)
+    t = np.linspace(0, 1.45, 60)  # inclination of the surface
+    rail, wheel = (radius * np.array([np.sin(t) - np.sin(angle), np.cos(t) - np.cos(angle)]).T for radius in (2.2, 3.4))
+    ax.fill([*rail[:, 0], rail[-1, 0], -4.4, -4.4], [*rail[:, 1], -3.0, -3.0, rail[0, 1]], color="#d8d8d8", lw=0)
+    ax.plot([-4.4, *rail[:, 0], rail[-1, 0]], [rail[0, 1], *rail[:, 1], -3.0], color=INK, lw=1.4)
+    ax.plot([-4.4, *wheel[:, 0]], [wheel[0, 1] + 0.1, *wheel[:, 1]], color=INK, lw=1.4)
+    ax.text(-2.6, -2.2, "rail", ha="center")
+    ax.text(-3.7, 1.3, "wheel", ha="center")
+    along, normal = np.array([np.cos(angle), -np.sin(angle)]), np.array([np.sin(angle), np.cos(angle)])
+    ax.plot(*np.array([-2.6 * along, 3.4 * along]).T, color=GREY, lw=0.9, ls=(0, (4, 3)))
+    ax.plot([0, 3.4], [0, 0], color=GREY, lw=0.9)
+    turn(ax, (0, 0), 2.3, 0, -np.degrees(angle), "contact angle > 0", RED, (3.6, -0.55))
+    arrow(ax, (0, 0), tuple(2.6 * normal), "z", BLUE, (0.3, 0.15))
+    arrow(ax, (0, 0), tuple(-2.6 * along), "y", BLUE, (-0.1, 0.4))
+    across(ax, 0, 0, True, "x")
+    ax.text(3.3, 2.9, "middle of\nthe track →", ha="center", va="center")
 
 
 def track_from_above(ax):
@@ -126,11 +157,13 @@ def track_from_above(ax):
 
 
 def frames():
-    figure, axes = plt.subplots(2, 2, figsize=(10.4, 8.2), gridspec_kw={"width_ratios": [1, 1.25]})
-    patch_from_the_wheel(axes[0, 0])
-    track_from_behind(axes[0, 1])
-    side_view(axes[1, 0])
-    track_from_above(axes[1, 1])
+    figure = plt.figure(figsize=(8.8, 11.4))
+    rows = figure.add_gridspec(3, 2, height_ratios=(1, 1.12, 1))
+    patch_from_the_wheel(figure.add_subplot(rows[0, 0]))
+    side_view(figure.add_subplot(rows[0, 1]))
+    track_from_behind(figure.add_subplot(rows[1, :]))
+    track_from_above(figure.add_subplot(rows[2, 0]))
+    contact_angle(figure.add_subplot(rows[2, 1]))
     figure.tight_layout()
     return figure
 
@@ -148,20 +181,21 @@ def leading_edge():
     """The leading end of a row that sticks: what arrives, and what the discrete schemes make of it."""
     n, shown = 400, 9
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 3.9))
-    d = np.linspace(0, 8, 400)
-    ahead = np.linspace(-4, 0, 200)
-    left.plot(-d, -d * 0.12, color=BLUE)
-    left.plot(-ahead, 0.12 * -ahead - 0.035 * (-ahead) ** 1.5, color=RED)
-    left.plot(-d, 0.45 * np.sqrt(d) - 0.9, color=INK)
+    d, ahead = np.linspace(0, 8, 400), np.linspace(0, 4, 200)
+    beside = left.twinx()
+    left.plot(-d, np.sqrt(d), color=INK)
+    beside.plot(-d, -2.5 * d, color=BLUE)
+    beside.plot(ahead, 2.5 * ahead - ahead**1.5, color=RED)
     left.axvline(0, color=GREY, lw=0.8)
-    left.text(-5.6, -0.85, "sticks: a straight line,\nfixed by its value at the edge", color=BLUE, va="top")
-    left.text(0.25, 0.42, "arrives:\na line less c d^1.5", color=RED, va="bottom")
-    left.text(-4.6, 0.3, "traction, as sqrt(d)", color=INK)
-    left.text(0.15, -1.2, "leading edge", color=GREY)
-    left.annotate("", (0.6, -0.98), (4, -0.98), arrowprops={"arrowstyle": "-|>", "color": GREY})
-    left.text(2.3, -0.9, "material", color=GREY, ha="center")
-    left.set(xlim=(-8, 4.2), ylim=(-1.35, 0.8), xlabel="place along rolling, elements", yticks=[],
-             title="Displacement difference near the leading edge")
+    left.text(-5.1, 0.2, "sticks: a straight line,\nfixed by its value at the edge", color=BLUE)
+    beside.text(0.25, 6.5, "arrives:\na line less c d^1.5", color=RED)
+    left.text(-5.4, 2.55, "traction: sqrt(d)", color=INK)
+    left.text(0.15, 0.1, "leading edge", color=GREY)
+    left.annotate("", (0.6, 0.55), (4, 0.55), arrowprops={"arrowstyle": "-|>", "color": GREY})
+    left.text(2.3, 0.62, "material", color=GREY, ha="center")
+    left.set(xlim=(-8, 4.2), ylim=(0, 3.6), xlabel="place along rolling, elements", ylabel="traction over that at d = 1",
+             title="Near the leading edge, d elements behind or ahead of it")
+    beside.set(ylim=(-21, 12), ylabel="displacement difference over c")
     border = np.arange(-shown, 3)
     right.vlines(border, 0, 4.0, color=GREY, lw=0.5)
     scheme = {"first order: edge 0.325 ahead": (0.0, RED, "s", 0.325), "second order: 0.184 behind": (0.5, BLUE, "o", -0.184)}

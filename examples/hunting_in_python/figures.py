@@ -16,10 +16,11 @@ def draw(folder, contact, critical, series, speeds, curve):
     left.axhline(0.0, color="gray", linewidth=0.8)
     for (factor, (t, y)), colour in zip(series.items(), ("tab:blue", "tab:red")):
         left.plot(factor * critical, runs.growth(t, y[0]), "o", color=colour, label=f"time series, {factor * critical:.0f} m/s")
-        right.plot(t, 1e3 * y[0], color=colour)
+        right.plot(t, 1e3 * y[0], color=colour, label=f"{factor * critical:.0f} m/s")
     left.set(xlabel="speed, m/s", ylabel="growth of hunting, 1/s")
     left.legend(frameon=False)
     right.set(xlabel="time, s", ylabel="lateral shift, mm")
+    right.legend(frameon=False, loc="upper left")
     figure.tight_layout()
     figure.savefig(folder / "hunting.svg", metadata={"Date": None})
 

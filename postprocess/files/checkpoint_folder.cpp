@@ -254,9 +254,10 @@ void CheckpointFolder::take_up_also(std::unique_ptr<CheckpointFolder> other) {
   others_.push_back(std::move(other));
 }
 
-void CheckpointFolder::mark(const std::string& name) {
+bool CheckpointFolder::mark(const std::string& name) {
   start_ -= grace;
   keep(name, {});
+  return !failed_;
 }
 
 bool CheckpointFolder::is_marked(const std::string& result_directory, const std::string& name) {

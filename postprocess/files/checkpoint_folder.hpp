@@ -37,12 +37,15 @@ class CheckpointFolder : public contact::Checkpoint {
   /// Calls `told` whenever another record is on the disk.
   void tell(std::function<void()> told) { told_ = std::move(told); }
   int kept() const { return written_ + (resume_ ? found_ : 0); }
+  /// Whether this run has solved or found nothing.
+  bool untouched() const { return kept() == 0 && held_back_.empty(); }
   /// Whether a later run will find records.
   bool holds_records() const;
   /// Also finds the records of another call's folder, and removes them together with its own.
   void take_up_also(std::unique_ptr<CheckpointFolder> other);
-  /// Stores an empty record of that name and all pending records.
-  void mark(const std::string& name);
+  /// Stores an empty record of that name and all pending records. Returns false if the disk does
+  /// not take them all.
+  bool mark(const std::string& name);
   /// Whether the folder of a result holds a record of that name, whatever case it belongs to.
   static bool is_marked(const std::string& result_directory, const std::string& name);
   /// Deletes records whose names begin with `begin`.

@@ -53,11 +53,14 @@ int write_all(int file, std::string_view content) {
 }  // namespace
 
 void fail_to(const std::string& doing, const fs::path& path, int error) {
-  const char* advice = "choose another folder with -o";
-  if (error == ENOSPC || error == EDQUOT) advice = "free some space or choose another disk with -o";
-  if (error == EFBIG) advice = "raise the limit of file size (ulimit -f)";
-  throw contact::FileError(fmt::format("cannot {} {}: {}; nothing was written; do: {}", doing,
-                                       path.string(), std::strerror(error), advice));
+  const bool full = error == ENOSPC || error == EDQUOT, large = error == EFBIG;
+  const std::string text = fmt::format("cannot {} {}: {}; nothing was written; do: {}", doing,
+                                       path.string(), std::strerror(error),
+                                       full    ? "free some space or choose another disk with -o"
+                                       : large ? "raise the limit of file size (ulimit -f)"
+                                               : "choose another folder with -o");
+  if (full || large || error == EIO) throw contact::OutputError(text);
+  throw contact::FileError(text);
 }
 
 void write_file(const fs::path& path, std::string_view content) {

@@ -52,10 +52,7 @@ std::string owner_of(const fs::path& file) {
 /// the meantime.
 bool FolderOwner::lock() {
   lock_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (lock_ < 0)
-    throw contact::InputError(
-        fmt::format("cannot write {}: {}; nothing was written; do: choose another folder with -o",
-                    file_.string(), std::strerror(errno)));
+  if (lock_ < 0) fail_to("write", file_, errno);
   // On a file system without locks, EWOULDBLOCK never occurs and no process is refused.
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);

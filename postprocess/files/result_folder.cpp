@@ -53,11 +53,12 @@ void check_target(const fs::path& target) {
   if (!fs::is_directory(status))
     throw FileError(fmt::format(
         "{} is a file, not a folder; do: give the result another name with -o", target.string()));
-  if (fs::equivalent(target, fs::current_path(error), error) || !target.has_relative_path())
-    throw FileError(fmt::format(
-        "{} is the current folder, and a result replaces its folder as a whole; do: give a "
-        "folder below it with -o",
-        target.string()));
+  const bool root = !target.has_relative_path();
+  if (root || fs::equivalent(target, fs::current_path(error), error))
+    throw FileError(
+        fmt::format("{} is the {} folder, and a result replaces its folder as a whole; do: give a "
+                    "folder below it with -o",
+                    target.string(), root ? "root" : "current"));
   const bool empty = fs::is_empty(target, error);
   if (error) fail_to("read", target, error.value());
   if (!empty && !is_result_folder(target))

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from . import load_points, styles
+from . import load_points, styles, tables
 from .figure import Figure
 from .outline import ALONG, extent, loaded_runs
 from .published import published
@@ -162,18 +162,35 @@ def friction_law(result):
     return figure
 
 
-def line_of(axis):
-    """A function of model, load point and field: positions and values on the centre line within the patch, 0 at its
-    edges; None if the model does not give it. Separate patches are separated by NaN."""
+def line_place(models, axis):
+    """Where lines along an axis go: through the contact point, or through the largest pressure of the first model that
+    misses it there by more than 2 %."""
+    pressures = [p.fields["pressure"] for p in models[0].points if "pressure" in p.fields]
+    pressure = max(pressures, key=np.max)
+    if models[0].middle(pressure, axis).max() >= 0.98 * pressure.max():
+        return 0.0
+    row, column = np.unravel_index(pressure.argmax(), pressure.shape)
+    return float(models[0].y[row] if axis == "x" else models[0].x[column])
+
+
+def _along(axis, at):
+    """The label of a line along an axis."""
+    other = "y" if axis == "x" else "x"
+    return f"${axis}$ [mm] at ${other}$ = {tables.plain(round(at, 2))}, " + ("rolling $\\rightarrow$" if axis == "x" else "lateral")
+
+
+def line_of(axis, place=0.0):
+    """A function of model, load point and field: positions and values on a line within the patch, 0 at its edges; None
+    if the model does not give it. Separate patches are separated by NaN."""
     def curve(model, point, name):
         values, pressure = point.fields.get(name), point.fields.get("pressure")
         if values is None or pressure is None:
             return None
         at = model.x if axis == "x" else model.y
         positions, out = [], []
-        for low, high, first, last in loaded_runs(at, model.middle(pressure, axis)):
+        for low, high, first, last in loaded_runs(at, model.middle(pressure, axis, place)):
             positions += [low, *at[first:last], high, math.nan]
-            out += [0.0, *model.middle(values, axis)[first:last], 0.0, math.nan]
+            out += [0.0, *model.middle(values, axis, place)[first:last], 0.0, math.nan]
         return np.array(positions), np.array(out)
 
     return curve
@@ -241,13 +258,14 @@ def _panels(result, title, labels, half, curve, thin):
 
 
 def path(result, axis):
-    """p_n, and p_x with the traction bound at several creepages, along the centre line "x" or "y". None if no model has
-    a pressure field."""
-    if not load_points.with_pressure(result):
+    """p_n, and p_x with the traction bound at several creepages, along the line "x" or "y". None if no model has a
+    pressure field."""
+    models = load_points.with_pressure(result)
+    if not models:
         return None
-    own = any(m.name in ("fastsim", "strip") for m in load_points.with_pressure(result))
-    return _panels(result, "contact pressure", (ALONG[axis], "$p_n$ [MPa]", "$-p_x$ [MPa]"), "xy".index(axis),
-                   line_of(axis), "traction bound" if own else "traction bound $\\mu p_n$")
+    own, at = any(m.name in ("fastsim", "strip") for m in models), line_place(models, axis)
+    return _panels(result, "contact pressure", (_along(axis, at), "$p_n$ [MPa]", "$-p_x$ [MPa]"), "xy".index(axis),
+                   line_of(axis, at), "traction bound" if own else "traction bound $\\mu p_n$")
 
 
 def strip_forces(result):
@@ -264,7 +282,7 @@ LEAST_LATERAL = 0.02
 
 
 def lateral_paths(result):
-    """-p_y along the centre lines, y = 0 above and x = 0 below, at up to three creepages; thin lines: the bound, which
+    """-p_y along lines as of `path`, along x above and along y below, at up to three creepages; thin lines: the bound, which
     leaves the frame where p_y is far below it. None without tangential tractions."""
     models = [m for m in load_points.friction_models(result) if "traction_y" in m.points[0].fields]
     chosen = load_points.chosen_keys(models, 4)
@@ -277,14 +295,15 @@ def lateral_paths(result):
         figure.model(model)
     figure.entry("traction bound, both signs", "soft", width=0.8)
     figure.entry(shared)
-    lows, highs = zip(*(_span(models, chosen, line_of(axis), {"traction_y": -1}) for axis in "xy"))
-    bound = max(_span(models, chosen, line_of(axis), {"traction_bound": 1})[1] for axis in "xy")
+    at = {axis: line_place(models, axis) for axis in "xy"}
+    lines = {axis: line_of(axis, at[axis]) for axis in "xy"}
+    lows, highs = zip(*(_span(models, chosen, lines[axis], {"traction_y": -1}) for axis in "xy"))
+    bound = max(_span(models, chosen, lines[axis], {"traction_bound": 1})[1] for axis in "xy")
     low, high = min(*lows, -LEAST_LATERAL * bound), max(*highs, LEAST_LATERAL * bound)
-    for axis, half, label in zip("xy", extent(models), (
-            "$x$ [mm] at $y$ = 0, rolling $\\rightarrow$", "$y$ [mm] at $x$ = 0, lateral")):
+    for axis, half in zip("xy", extent(models)):
         for key in chosen:
-            panel = figure.add(230, 165, texts[key], label, "$-p_y$ [MPa]")
+            panel = figure.add(230, 165, texts[key], _along(axis, at[axis]), "$-p_y$ [MPa]")
             panel.x.limits = (-half, half)
             panel.y.limits = (low - 0.08 * (high - low), high + 0.08 * (high - low))
-            _draw_tractions(panel, models, key, line_of(axis), "traction_y", (1, -1))
+            _draw_tractions(panel, models, key, lines[axis], "traction_y", (1, -1))
     return figure

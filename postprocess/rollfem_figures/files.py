@@ -47,7 +47,7 @@ def seal_results(path):
 
 
 def json_is_sound(text):
-    """False if the checksum of a JSON file does not match; one that another program wrote has none."""
+    """False if the checksum of a JSON file is missing or does not match."""
     text = text.encode("utf-8")
     at = text.rfind(b'"checksum": "crc32 ')
-    return at < 0 or text[at + 19:] == b'%08x"\n}\n' % zlib.crc32(text[:at])
+    return at >= 0 and text[at + 19:] == b'%08x"\n}\n' % zlib.crc32(text[:at])

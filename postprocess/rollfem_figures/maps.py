@@ -107,7 +107,8 @@ def outlines(result):
 class _Oblique:
     """Cavalier projection: x to the right, y to the back and up, the traction upwards."""
 
-    def __init__(self, half_x, half_y, values):
+    def __init__(self, model, values):
+        half_x, half_y = extent([model])
         self.half_x, self.half_y = half_x, half_y
         self.low, self.top = min(0.0, float(values.min())), max(0.0, float(values.max()))
         if self.top - self.low < 1e-9:
@@ -115,6 +116,8 @@ class _Oblique:
         self.skew = 0.75 * half_x / half_y  # all in units of half_x for any shape of patch
         self.rise = 0.6 * half_x / half_y
         self.lift = 1.5 * half_x / (self.top - self.low)
+        y = np.clip(model.y, -half_y, half_y)[:, None]
+        self.highest = max(self.rise * half_y, float((self.rise * y + self.lift * values).max()))
 
     def __call__(self, x, y, value=0.0):
         x, y, value = np.broadcast_arrays(x, y, value)
@@ -170,13 +173,13 @@ def _frame(panel, view, unit_label):
     write((x, y + view.lift * view.top), unit_label, "middle", (0, -8))
     panel.paths(lines, "soft", 0.9, order=1)
     left, bottom = view(-half_x, -half_y)
-    right, back = view(half_x, half_y)
+    right = view(half_x, half_y)[0]
     panel.x.limits = (left - 9 * small, right + 10 * small)
-    panel.y.limits = (bottom - 8.5 * small + below, max(back, view.lift * view.top) + 4 * small)
+    panel.y.limits = (bottom - 8.5 * small + below, view.highest + 4 * small)
 
 
 def _view(figure, model, values, state, title, unit_label):
-    view = _Oblique(*extent([model]), values)
+    view = _Oblique(model, values)
     panel = figure.add(380, 0, title, equal=True, bare=True)
     _frame(panel, view, unit_label)
     _strips(panel, view, model, values, state)

@@ -149,7 +149,7 @@ def contact_table(result):
 
 
 BOTH = (("left", "blue", (), "o"), ("right", "slip", (5, 2), "s"))
-KINDS = (("wave", "blue", ()), ("harmonic", "slip", (5, 2)))
+KINDS = (("wave", "green", ()), ("harmonic", "wine", (7, 2, 1.5, 2)))
 UNDER_LOAD = " (markers: under load)"
 SHIFT = "shift to the right [mm]"
 # Least spans of the scales, so that cones, with constant conicity and angle, appear as straight lines.

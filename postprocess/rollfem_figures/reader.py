@@ -165,13 +165,13 @@ class Model:
         """The point whose xi is nearest."""
         return min(self.points, key=lambda p: abs(p["longitudinal_creepage"] - longitudinal_creepage))
 
-    def middle(self, values, axis):
-        """`values` [ny, nx] along a centre line: axis "x" for the line y = 0, "y" for x = 0.
+    def middle(self, values, axis, at=0.0):
+        """`values` [ny, nx] along a line: axis "x" for the line y = at, "y" for x = at.
 
-        The row or column nearest to 0; the mean of two if they are equally near.
+        The row or column nearest to it; the mean of two if they are equally near.
         """
         across = self.y if axis == "x" else self.x
-        distance = np.abs(across)
+        distance = np.abs(across - at)
         lines = np.flatnonzero(distance < distance.min() + 1e-6 * (self.dy if axis == "x" else self.dx))
         return values[lines, :].mean(axis=0) if axis == "x" else values[:, lines].mean(axis=1)
 
@@ -343,19 +343,24 @@ def _add_numbers(study, path):
         raise ResultError(f"{path} is not the table of this study: {error!r}; run the command again") from error
 
 
-def read_json(directory, kind):
-    """Reads compare.json or study.json by its kind, with the numbers of a study's levels. Raises ResultError if it is
-    damaged or has another format."""
-    path = os.path.join(directory, f"{kind}.json")
+def sound_json(path):
+    """The contents of a JSON file of rollfem. Raises ResultError if it is damaged."""
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read()
     if not json_is_sound(text):
         raise ResultError(f"{path} is truncated, damaged or changed: its checksum does not match; "
                           "run the command again")
     try:
-        data = json.loads(text)
+        return json.loads(text)
     except ValueError as error:
         raise ResultError(f"{path} is truncated or damaged: {error}; run the command again") from error
+
+
+def read_json(directory, kind):
+    """Reads compare.json or study.json by its kind, with the numbers of a study's levels. Raises ResultError if it is
+    damaged or has another format."""
+    path = os.path.join(directory, f"{kind}.json")
+    data = sound_json(path)
     word, version = JSON_FORMATS[kind]
     if (data.get("kind"), data.get("format")) != (kind, version):
         raise ResultError(f"{path} is not a {word} that this program reads")

@@ -25,11 +25,12 @@ OF_PATCH = (
      "friction in full sliding (dotted), and the rise up to the peak.", curves.creep_curve),
     ("creep_found", "Creepage or shift found for the prescribed force, and the difference from the reference model if there "
      "are several. Bars: error estimates.", curves.found_for_force),
-    *((f"path_{axis}", f"Along the centre line {across} = 0: contact pressure, and tangential traction under its bound "
-       "(thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two coincide the surfaces slip.",
+    *((f"path_{axis}", f"Along the line {across} = 0, or through the largest pressure where that lies beside it: contact "
+       "pressure, and tangential traction under its bound (thin): μ pₙ, or the theory's own (FASTSIM, strip). Where the two "
+       "coincide the surfaces slip.",
        lambda result, axis=axis: curves.path(result, axis)) for axis, across in ("xy", "yx")),
-    ("path_lateral", "Lateral traction along both centre lines. It vanishes along y = 0 in a symmetric patch without "
-     "lateral creepage or spin.", curves.lateral_paths),
+    ("path_lateral", "Lateral traction along the lines of the figures before. It vanishes along y = 0 in a symmetric patch "
+     "without lateral creepage or spin.", curves.lateral_paths),
     ("strip_force", "Force per strip: pressure and tangential traction summed along rolling, per mm of width. "
      "Thin: the same strip in full sliding.", curves.strip_forces),
     ("outlines", "Contact patches of all models overlaid, with the border between adhesion and slip area of each; shaded: the "

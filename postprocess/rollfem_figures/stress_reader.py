@@ -3,13 +3,12 @@
 
 Units mm, N, MPa. Global frame: x along rolling, y lateral, z into the wheel. Tension is positive.
 """
-import json
 import os
 from dataclasses import dataclass
 
 import numpy as np
 
-from .reader import ResultError, read_rows
+from .reader import ResultError, read_rows, sound_json
 
 
 @dataclass
@@ -70,8 +69,7 @@ def _rows(path):
 def read_stress(directory):
     """Reads the folder of a `rollfem stress` call. Raises ResultError if it is not one."""
     try:
-        with open(os.path.join(directory, "stress.json"), encoding="utf-8") as file:
-            data = json.load(file)
+        data = sound_json(os.path.join(directory, "stress.json"))
         if data["format"] != 2:
             raise ResultError(f"{directory}: stress.json has format {data['format']}, not 2; do: run rollfem stress again")
         rows = _rows(os.path.join(directory, "stress.csv"))

@@ -6,6 +6,7 @@
 #include "postprocess/stress/ellipse_shear.hpp"
 #include "postprocess/stress/shakedown.hpp"
 #include "postprocess/write/csv.hpp"
+#include "postprocess/write/json_head.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -311,7 +312,7 @@ std::string stress_json(const StressReport& report) {
     json["models"].push_back(entry);
   }
   if (k) json["shakedown_map"] = map_json(ellipse_of(report.models.front()));
-  return json.dump(2) + "\n";
+  return json_text(json, 2);
 }
 
 std::string stress_table(const StressReport& report) {

@@ -8,7 +8,8 @@ from . import _core
 from ._core import InputError
 
 #: (section, key) of case files.
-KEYS = _core.keys()
+KEYS = [(section, key) for section, key, _ in _core.keys()]
+_UNITS = {key: unit for _, key, unit in _core.keys()}
 SECTIONS = {section.split(".")[0] for section, _ in KEYS} - {""}
 #: Keys of [rolling] that take lists; all their combinations become load points of one solution.
 CREEPAGES = ("longitudinal_creepage", "lateral_creepage", "spin")
@@ -17,7 +18,9 @@ _SOLVING = tuple(SECTIONS - {"load", "wheel", "rail", "wheel_profile", "rail_pro
 UNUSED: dict[str, tuple[str, ...]] = {
     "solve": ("table",), "sweep": ("table",), "forecast": ("table",), "contact_points": _SOLVING,
     "wheelset": (*_SOLVING, "wheelset.lateral_shift"),
-    "table": ("history", "output", "subsurface", "wheelset.lateral_shift", *(f"rolling.{name}" for name in CREEPAGES))}
+    "table": ("history", "output", "subsurface", *(f"rolling.{name}" for name in CREEPAGES),
+              *(f"wheelset.{name}" for name in ("lateral_shift", "free_rolling", "rotation_change", "lateral_velocity",
+                                                "yaw_velocity")))}
 
 
 def known(name: str, allowed: Collection[str], what: str = "a quantity") -> str:
@@ -26,6 +29,12 @@ def known(name: str, allowed: Collection[str], what: str = "a quantity") -> str:
         return name
     near = difflib.get_close_matches(str(name), allowed, 1)
     raise KeyError(f"{name}: not {what}; {f'did you mean {near[0]}? ' if near else ''}allowed: {', '.join(allowed)}")
+
+
+def with_unit(name: str) -> str:
+    """A key as the label of an axis: "normal_force (N)"."""
+    unit = _UNITS.get(name.replace("__", ".").rpartition(".")[2])
+    return f"{name} ({unit})" if unit else name
 
 
 def path_of(name: str, value: Any = None, sections: Container[str] = (), call: str = "") -> list[str]:

@@ -4,6 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from .names import with_unit
+
 STATE_COLOURS = {"adhesion": "#56B4E9", "slip": "#E69F00"}
 
 
@@ -97,20 +99,22 @@ def path(model: Any, axis: str = "x", point: int = 0, ax: Any = None) -> Any:
 
 
 def surface(sweep: Any, quantity: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
-    """A quantity over the first axis of a sweep, a curve for each value of the second, if there is one."""
+    """A quantity with its error bars over the first axis of a sweep, a curve for each value of the second, if there is
+    one."""
     ax = _axes(ax)
-    values = sweep.values(quantity)
+    values, bars = sweep.values(quantity), np.nan_to_num(sweep.bars(quantity))
+    style = {"marker": "o", "markersize": 4, "capsize": 2, **style}
     names = list(sweep.axes)
     if values.ndim > 2:
         raise ValueError(f"a sweep over {values.ndim} keys does not fit one figure; do: plot slices of sweep.values({quantity!r})")
     first = np.asarray(sweep.axes[names[0]])
     if values.ndim == 1:
-        ax.plot(first, values, **{"marker": "o", "markersize": 4, **style})
+        ax.errorbar(first, values, bars if bars.any() else None, **style)
     else:
         for k, other in enumerate(sweep.axes[names[1]]):
-            ax.plot(first, values[:, k], **{"marker": "o", "markersize": 4, "label": f"{names[1]} {other:g}", **style})
+            ax.errorbar(first, values[:, k], bars[:, k] if bars.any() else None, **{"label": f"{names[1]} {other:g}", **style})
         ax.legend()
-    ax.set_xlabel(names[0])
+    ax.set_xlabel(with_unit(names[0]))
     ax.set_ylabel(_describe(quantity))
     return ax
 

@@ -181,14 +181,18 @@ def study(case: Any, /, *, model: str | None = None, models: Any = None, vary: s
     --------
     >>> print(rollfem.study("cases/thesis_a.toml", levels=3).text)
     """
-    def listed(words: str | Sequence[str]) -> list[str]:
-        return [words] if isinstance(words, str) else list(words)
+    def listed(name: str, words: str | Sequence[str]) -> list[str]:
+        found: list[Any] = list(words) if isinstance(words, (list, tuple, set)) else [words]
+        if not all(isinstance(word, str) for word in found):
+            raise _core.InputError(f"study: {name} = {words!r}: allowed: a word or a list of words")
+        return found
 
     if not hasattr(levels, "__index__") or abs(levels) >= 2**31:
         raise _core.InputError(f"study: levels = {levels!r}: allowed: a whole number")
     names = names_of(model, models)
     try:
-        contents, text, said = _core.study(checked(case).core, names, listed(vary), together, levels, listed(reference),
+        contents, text, said = _core.study(checked(case).core, names, listed("vary", vary), together, levels,
+                                           listed("reference", reference),
                                            progress)
     except _core.InputError as error:
         raise _in_python(error) from None

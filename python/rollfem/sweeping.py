@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Solves one case at every combination of given values."""
 import itertools
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from . import plot
-from ._core import InputError, SolveError
+from ._core import InputError, Progress, SolveError
 from .case import Case, nested
 from .frames import Tabular, dataset_of, html_table
 from .names import CREEPAGES, known, refuse_unused
@@ -193,7 +194,7 @@ class Sweep(Tabular):
         Returns
         -------
         dict
-            {name: array}: a column for each key, then the quantities.
+            {name: array}: a column for each key, then the quantities, with NAME_bar beside those that have error bars.
 
         Examples
         --------
@@ -202,9 +203,11 @@ class Sweep(Tabular):
         grids = np.meshgrid(*self.axes.values(), indexing="ij")
         found = {name: grid.ravel() for name, grid in zip(self.axes, grids)}
         for name in QUANTITIES:
-            values = self.values(name, model).ravel()
-            if not np.isnan(values).all():
-                found.setdefault(name, values)
+            values, bars = self.values(name, model).ravel(), self.bars(name, model).ravel()
+            if not np.isnan(values).all() and name not in found:
+                found[name] = values
+                if not np.isnan(bars).all():
+                    found[f"{name}_bar"] = bars
         return found
 
     def to_xarray(self, model: str | None = None) -> Any:
@@ -228,7 +231,7 @@ class Sweep(Tabular):
         --------
         >>> sweep.to_xarray().traction_coefficient.plot()
         """
-        values = {name: (tuple(self.axes), column.reshape(self.shape), {"units": QUANTITIES[name].unit})
+        values = {name: (tuple(self.axes), column.reshape(self.shape), {"units": QUANTITIES[name.removesuffix("_bar")].unit})
                   for name, column in self.columns(model).items() if name not in self.axes}
         return dataset_of(values, self.axes, {"model": model or next(iter(self._patches))})
 
@@ -304,8 +307,10 @@ def sweep(case: Any, axes: Mapping[str, Any] | None = None, /, *, model: str | N
     case : str, os.PathLike, dict or Case
     axes : dict, optional
         {"friction.coefficient": [0.3, 0.5]}.
-    model, models, progress
+    model, models
         As of `solve`.
+    progress : callable, optional
+        As of `solve`; point and points count the combinations.
     skip_failures : bool
         Combinations without a solution are nan and listed in `failures`; otherwise the first raises.
     **keys
@@ -342,7 +347,8 @@ def sweep(case: Any, axes: Mapping[str, Any] | None = None, /, *, model: str | N
     first = case.with_({key[name]: asked[name][0] for name in outer}) if outer else case
     own_lists, own_count, own_axis = _own_points(first, [key[name].split(".")[1] for name in inner])
     found = Sweep({**{name: np.array(values) for name, values in asked.items()}, **own_axis})
-    how = {"models": names_of(model, models) or None, "progress": progress}
+    how = {"models": names_of(model, models) or None}
+    count, done = math.prod(found.shape), 0
     for fixed in itertools.product(*(range(len(asked[name])) for name in outer)):
         at = case.with_({key[name]: asked[name][k] for name, k in zip(outer, fixed)}) if outer else case
         combinations = list(itertools.product(*(range(len(asked[name])) for name in inner), range(own_count)))
@@ -351,8 +357,19 @@ def sweep(case: Any, axes: Mapping[str, Any] | None = None, /, *, model: str | N
             lists = {key[name]: [asked[name][c[k]] for c in part] for k, name in enumerate(inner)}
             lists.update((name, [values[c[-1]] for c in part]) for name, values in own_lists.items())
             indices = [tuple(_in_order(names, outer, fixed, inner, c)) + (c[-1:] if own_axis else ()) for c in part]
-            _solve_into(found, at.with_(lists) if inner else at, indices, how, skip_failures)
+            told = None if progress is None else _of_sweep(progress, done, count)
+            _solve_into(found, at.with_(lists) if inner else at, indices, {**how, "progress": told}, skip_failures)
+            done += len(part)
     return found
+
+
+def _of_sweep(progress: Callable[[Progress], object], done: int, count: int) -> Callable[[Progress], object]:
+    """Tells of the combinations of a sweep in place of the load points of one solution."""
+    def tell(event: Progress) -> object:
+        event.point, event.points = min(done + event.point, count), count
+        return progress(event)
+
+    return tell
 
 
 def _in_order(names: Sequence[str], outer: Sequence[str], fixed: Index, inner: Sequence[str], c: Index) -> Iterator[int]:

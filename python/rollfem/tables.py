@@ -364,7 +364,8 @@ class TableForces:
             setattr(self, name, value)
 
     def __repr__(self) -> str:
-        return f"<rollfem.TableForces {', '.join(f'{name}={getattr(self, name)}' for name in self.__slots__)}>"
+        with np.printoptions(threshold=6, edgeitems=2, precision=6):
+            return f"<rollfem.TableForces {', '.join(f'{name}={getattr(self, name)}' for name in self.__slots__)}>"
 
 
 def table(case: Any, /, *, progress: Told = None, **sections: Any) -> Table:

@@ -4,6 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/material.hpp"
 #include "contact/base/pi.hpp"
+#include "contact/case/keys/case_keys.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace rollfem::tables {
 
@@ -132,10 +134,6 @@ void check_wheel(const contact::Case& input) {
         "and roll");
   if (input.rolling.problem != contact::Problem::steady)
     refuse_key("rolling.problem: a table holds steady rolling; allowed: \"steady\"; do: remove it");
-  if (!(input.friction_coefficient > 0.0))
-    refuse_key(
-        "friction.coefficient = 0: without friction there is no creep force; allowed: above "
-        "0; do: give one");
 }
 
 bool falls(const contact::Case& input) {
@@ -224,6 +222,27 @@ void set_sizes(const contact::Case& input, const contact::CombinedMaterial& mate
 
 }  // namespace
 
+std::string ignored_keys(const contact::Case& input) {
+  std::string ignored;
+  for (const auto& [section, name] : {std::pair("wheelset", "lateral_shift"),
+                                      {"wheelset", "free_rolling"},
+                                      {"wheelset", "rotation_change"},
+                                      {"wheelset", "lateral_velocity"},
+                                      {"wheelset", "yaw_velocity"},
+                                      {"rolling", "longitudinal_creepage"},
+                                      {"rolling", "lateral_creepage"},
+                                      {"rolling", "spin"},
+                                      {"rolling", "longitudinal_force"},
+                                      {"rolling", "lateral_force"}}) {
+    const contact::Key& key = *contact::find_key(section, name);
+    if (key.get(input) != key.get(contact::default_case()))
+      ignored += (ignored.empty() ? "" : ", ") + key.path();
+  }
+  if (ignored.empty()) return "";
+  return fmt::format("{}: a table has positions and creepages of its own and does not use {}",
+                     input.file, ignored);
+}
+
 CreepTable empty_table(const contact::Case& input) {
   const contact::CombinedMaterial material =
       contact::combine(input.wheel.material, input.rail.material);
@@ -238,6 +257,11 @@ CreepTable empty_table(const contact::Case& input) {
         "{}: friction.coefficient: has several values, which a table does not hold; allowed: one "
         "number; do: give one, without the places of several, or use rollfem run",
         input.file));
+  if (!(input.friction_coefficient > 0.0))
+    throw contact::InputError(
+        fmt::format("{}: friction.coefficient = 0: without friction there is no creep force; "
+                    "allowed: above 0; do: give one",
+                    input.file));
   CreepTable table;
   table.title = input.title;
   table.case_file = input.file;

@@ -50,6 +50,15 @@ TEST(NewCase, IsAcceptedByCheck) {
   done(folder, {"check", folder.file("new.toml", made.out)});
 }
 
+TEST(Call, APathThatIsTooLongIsAWrongCall) {
+  const Folder folder;
+  const std::string path(300, 'x');
+  for (const std::string command : {"run", "profile", "report", "mesh", "stress"})
+    expect_refused(call(folder, {command, path}), "xxx");
+  expect_refused(call(folder, {"new-case", "-o", path}),
+                 "xxx: File name too long; do: correct the path");
+}
+
 TEST(NewCase, WritesANewFileButNeverOverAnother) {
   const Folder folder;
   done(folder, {"new-case", "-o", "new.toml"});
@@ -59,7 +68,8 @@ TEST(NewCase, WritesANewFileButNeverOverAnother) {
   // A file that does not fit is not left truncated.
   const Outcome full = execute(folder, {"/bin/sh", "-c", "ulimit -f 4; exec \"$0\" \"$@\"",
                                         ROLLFEM_PROGRAM, "new-case", "-o", "full.toml"});
-  expect_refused(full, "ulimit -f");
+  EXPECT_EQ(full.status, 1);  // the call is right
+  EXPECT_TRUE(says(full.err, "ulimit -f"));
   EXPECT_FALSE(folder.holds("full.toml"));
 }
 
@@ -142,7 +152,7 @@ TEST(Output, ThatCannotBeWrittenIsAnError) {
   const Folder folder;
   const std::string command = std::string(ROLLFEM_PROGRAM) + " new-case > /dev/full";
   const Outcome outcome = execute(folder, {"sh", "-c", command});
-  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(says(outcome.err, "cannot be written"));
 }
 

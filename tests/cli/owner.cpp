@@ -110,7 +110,7 @@ TEST(ClosedOutput, IsNoFailure) {
   }
   EXPECT_TRUE(folder.holds("out/summary.json"));
   const Outcome full = shell("\"$0\" check \"$1\" >/dev/full");
-  EXPECT_EQ(full.status, 2);
+  EXPECT_EQ(full.status, 1);
   EXPECT_TRUE(says(full.err, "standard output cannot be written"));
 }
 

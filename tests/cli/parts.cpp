@@ -85,6 +85,18 @@ TEST(Parts, OfAStudyAreItsLevels) {
   EXPECT_TRUE(says(merged.err, "resumed"));
 }
 
+TEST(Parts, AnEmptyPartSaysSo) {
+  const Folder folder;
+  const std::vector<std::string> study{
+      "study", folder.file("case.toml", small_case), "--levels", "2", "--no-report", "-o", "out"};
+  for (const char* part : {"1/3", "2/3"})
+    EXPECT_FALSE(says(done(folder, joined(study, {"--part", part})).err, "is empty")) << part;
+  EXPECT_TRUE(says(done(folder, joined(study, {"-q", "--part", "3/3"})).err,
+                   "warning: part 3 of 3 is empty"));
+  done(folder, joined(study, {"--merge", "3"}));
+  EXPECT_EQ(folder.json("out/study.json")["places"][0]["series"][0]["levels"].size(), 2U);
+}
+
 TEST(Parts, WhatCannotBeDividedIsRefused) {
   const Folder folder;
   const std::string file = folder.file("case.toml", small_case);

@@ -167,7 +167,7 @@ TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
   EXPECT_EQ(outcome.err.find(told, first + 1), std::string::npos) << outcome.err;
   EXPECT_TRUE(says(outcome.err, "ulimit -f"));
   // The result does not fit either: nothing half-written is left of it.
-  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.status, 1);
   EXPECT_FALSE(folder.holds("out"));
   EXPECT_EQ(records(folder.work() / "out.unfinished"), 0);
 }

@@ -134,6 +134,7 @@ TEST(Run, WhatIsInTheWayIsSparedAndRefusedBeforeComputing) {
                                         {file + "/below", ""},
                                         {"/proc/no/such", ""},
                                         {".", "is the current folder"},
+                                        {"/", "/ is the root folder"},
                                         {"mine", "holds files that are not"},
                                         {"out", "thesis.txt"},
                                         {"locked", "is in the way"}}) {

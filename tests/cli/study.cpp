@@ -41,6 +41,10 @@ TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
     EXPECT_NEAR(std::stod(pressures.at(k).at("order")), 2.0, 0.35) << k;
   EXPECT_NEAR(std::stod(pressures.at(4).at("error")), 1.4e-4, 0.4e-4);
   EXPECT_TRUE(says(outcome.out, "80 across"));
+  // Without a checksum its numbers may be damaged.
+  const std::string sealed = folder.text("results/quick_study/study.json");
+  folder.file("work/results/quick_study/study.json", sealed.substr(0, sealed.rfind(',')) + "\n}\n");
+  EXPECT_TRUE(says(call(folder, {"report", "results/quick_study"}).err, "its checksum"));
 }
 
 /// For a small force on a circle with nu = 0.25: Kalker's C11 = 4.12 (1967, table of the thesis),

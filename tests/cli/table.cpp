@@ -163,6 +163,7 @@ TEST(Table, WrongInputIsSaidInOneLine) {
   expect_refused(table_case(quick_table) + "[undeformed_distance]\nfile = \"none.csv\"\n",
                  "none.csv");
   expect_refused(with("[rail]\n", "[rail]\npoisson_ratio = 0.4\n"), "unlike materials");
+  expect_refused(with("coefficient = 0.55", "coefficient = 0.0"), "friction.coefficient = 0");
 }
 
 }  // namespace

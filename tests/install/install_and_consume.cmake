@@ -30,7 +30,7 @@ if(PKG_CONFIG)
     ${PKG_CONFIG} --cflags --libs rollfem_c)
   separate_arguments(flags UNIX_COMMAND "${output}")
   step(${C_COMPILER} ${EXAMPLES}/wheelset_in_c/main.c ${flags} -lm -o ${WORK}/by_pkg_config)
-  step(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${WORK}/prefix/${LIBDIR} ${WORK}/by_pkg_config 2)
+  step(${WORK}/by_pkg_config 2)
 endif()
 if(PYTHON_DIR)
   step(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/${PYTHON_DIR} /usr/bin/python3 -c

@@ -155,6 +155,21 @@ class Sweeps(unittest.TestCase):
         self.assertEqual(np.isnan(sweep.lateral_force).tolist(), [False, False, True])
         self.assertLess(abs(sweep.traction_coefficient[2]), 0.3)
 
+    def test_columns_and_plots_have_bars_and_progress_counts_combinations(self):
+        told = []
+        sweep = rollfem.sweep(SMALL, normal_force=[4e4, 8e4, 12e4], model="halfspace",
+                              progress=lambda event: told.append((event.point, event.points, event.fraction)))
+        bars = sweep.columns()["max_pressure_bar"]
+        np.testing.assert_array_equal(bars, sweep.bars("max_pressure"))
+        self.assertTrue((bars > 0).all())
+        self.assertEqual({points for _, points, _ in told}, {3})
+        self.assertEqual({point for point, *_ in told} - {0}, {1, 2, 3})
+        self.assertTrue(all(0.0 <= fraction <= 1.0 for *_, fraction in told))
+        self.assertGreaterEqual(told[-1][2], 2 / 3)
+        axes = sweep.plot("max_pressure")
+        self.assertEqual(axes.get_xlabel(), "normal_force (N)")
+        self.assertEqual(len(axes.containers), 1)  # points with bars
+
 
 class Track(unittest.TestCase):
     def test_cones_have_their_conicity_and_the_wave_of_klingel(self):

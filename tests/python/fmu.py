@@ -118,6 +118,9 @@ def main():
     fmu.set(friction_law="falls")
     assert fmu.initialise() == 3 and "friction_law" in fmu.said[-1], fmu.said
     fall_with_the_slip_velocity(fmu)
+    fmu.set(largest_step=1e-12)
+    assert fmu.initialise() == 0 and fmu.step(0.0, 0.01) == 2 and "largest_step" in fmu.said[-1], fmu.said
+    fmu.call("fmi2Reset")
     fmu.set(start_shift=2e-3, wheel_profile="S1002", left_load=50e3)
     assert fmu.initialise() == 0, fmu.said
     assert fmu.get("shift") == 2e-3 and fmu.get("left_fx") * fmu.get("right_fx") < 0.0, "the larger wheel steers"
@@ -125,6 +128,12 @@ def main():
     ours = {line.split()[-1] for line in mapped.splitlines() if "librollfem" in line}
     assert ours and all(name.startswith(str(fmu.folder)) for name in ours), ours
     same_motion(fmu, str(pathlib.Path(examples) / "hunting_in_python"), header, library)
+    for name in ("mass", "largest_step", "start_shift"):
+        place = ctypes.c_double(1.0)
+        assert fmu.call("fmi2SetReal", fmu.reference(name), ctypes.c_size_t(1), ctypes.byref(place)) == 3
+        assert "fixed after the initialisation" in fmu.said[-1], fmu.said
+    place = ctypes.c_char_p(b"S1002-smooth")
+    assert fmu.call("fmi2SetString", fmu.reference("wheel_profile"), ctypes.c_size_t(1), ctypes.byref(place)) == 3
     state = ctypes.c_void_p()
     assert fmu.call("fmi2GetFMUstate", ctypes.byref(state)) == 0
     assert fmu.step(0.1, 0.01) == 0

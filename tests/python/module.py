@@ -125,9 +125,12 @@ class Cases(unittest.TestCase):
                      lambda: rollfem.read("/dev/zero"), lambda: rollfem.Case(SMALL)[1],
                      lambda: rollfem.stress_measures("abc"), lambda: rollfem.stress_measures([{}] * 6),
                      lambda: rollfem.study(SMALL, levels="a"), lambda: rollfem.study(SMALL, levels=1e1),
-                     lambda: rollfem.study(SMALL, levels=10**12)):
+                     lambda: rollfem.study(SMALL, levels=10**12), lambda: rollfem.study(SMALL, vary=5),
+                     lambda: rollfem.study(SMALL, reference=[1.0])):
             self.assertRaises(rollfem.InputError, call)
         self.assertRaises(KeyError, rollfem.Case(SMALL).__getitem__, "load.normal_force.value")
+        for call in (rollfem.Table, rollfem.read, rollfem.Case):
+            self.assertRaises(rollfem.FileError, call, "x" * 300)
 
     def test_a_slip_of_units_warns(self):
         with self.assertWarns(rollfem.UnitWarning):

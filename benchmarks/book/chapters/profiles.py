@@ -161,12 +161,12 @@ def _shift_of_contacts_xi(bench, at_five):
 
 
 def _draw_manchester(places):
-    figure, axes = plt.subplots(1, 4, figsize=(12.2, 3.3))
+    figure, axes = plt.subplots(2, 2, figsize=(8.4, 6.0))
     columns = ("angle", "pressure", "xi", "along")
     labels = ("contact angle [degrees]", "$p_0$ [MPa]", r"$|\xi|$ [%]", r"$|F_x|/(\mu F_n)$")
     for side, ink in (("left", "#0072B2"), ("right", "#D55E00")):
         shifts = sorted(places[side])
-        for axis, name, words in zip(axes, columns, labels):
+        for axis, name, words in zip(axes.flat, columns, labels):
             scale = {"xi": 100, "angle": 180 / 3.141592653589793}.get(name, 1)
             index = published.MANCHESTER_COLUMNS.index(name)
             axis.plot(shifts, [scale * abs(published.MANCHESTER[side][s][index]) for s in shifts], linestyle="none",
@@ -176,7 +176,7 @@ def _draw_manchester(places):
                       linewidth=1.2, label=f"rollfem, {side}")
             axis.set_xlabel("lateral shift [mm]")
             axis.set_ylabel(words)
-    axes[1].legend(loc="upper left", fontsize="small")
+    axes[0, 1].legend(loc="upper left")
     figure.tight_layout()
     return figure
 

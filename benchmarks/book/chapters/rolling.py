@@ -260,6 +260,28 @@ def _long_patches(found):
                  ["nu", *(f"a/b = {ratio:.3g}" for ratio in ratios)], rows)
 
 
+def _draw_kalker(found):
+    """Printed values and the half-space's against the computed table, nu = 0.25."""
+    figure, axes = plt.subplots(1, 2, figsize=(8.8, 3.5), sharey=True)
+    values = {"Kalker's printed table": {r: published.KALKER[0.25][r] for r in sorted(published.KALKER[0.25])}}
+    values["half-space, 40 across"] = {r: found[r, 0.25]["halfspace"] for r in values["Kalker's printed table"]}
+    for axis, (words, by_ratio) in zip(axes, values.items()):
+        for k, (ink, mark) in enumerate(zip(("#0072B2", "#D55E00", "#009E73", "#CC79A7"), "os^D")):
+            axis.semilogx(list(by_ratio), [100 * (by_ratio[r][k] / found[r, 0.25]["linear"][k] - 1) for r in by_ratio], color=ink,
+                          linewidth=1.0, marker=mark, markersize=4, label=f"$C_{{{_NAMES[k][1:]}}}$")
+        axis.axhline(0, color=style.GREY, linewidth=0.8)
+        axis.set_yscale("symlog", linthresh=1)
+        axis.set_yticks([-1, -0.5, 0, 0.5, 1, 2, 5, 10], ["-1", "-0.5", "0", "0.5", "1", "2", "5", "10"])
+        axis.set_title(words)
+        axis.set_xticks([0.1, 0.2, 0.5, 1, 2, 5, 10], ["0.1", "0.2", "0.5", "1", "2", "5", "10"])
+        axis.minorticks_off()
+        axis.set_xlabel("a/b (a along rolling)")
+    axes[0].set_ylabel("difference from the computed table [%]")
+    axes[0].legend(ncol=2)
+    figure.tight_layout()
+    return figure
+
+
 def kalker(bench):
     """Kalker's linear theory: small creepage and spin"""
     found, seconds = _ellipses(bench)
@@ -281,20 +303,7 @@ def kalker(bench):
     swept = bench.test("verification:KalkersCoefficients.FromTheSolverAt40ElementsForEveryAspectAndPoissonsRatio")
     rows.append(Row("-C32 against C23 (reciprocity)", "", swept["c23_1_0.25"], -swept["c32_1_0.25"], 0.01,
                     by="half-space, 40 across"))
-    figure, axis = plt.subplots(figsize=(4.6, 3.3))
-    ratios = sorted(published.KALKER[0.25])
-    for k, ink in enumerate(("#0072B2", "#D55E00", "#009E73", "#CC79A7")):
-        axis.semilogx(ratios, [100 * (published.KALKER[0.25][r][k] / found[r, 0.25]["linear"][k] - 1) for r in ratios],
-                      color=ink, linewidth=1.0, marker="x", markersize=4, label=f"$C_{{{_NAMES[k][1:]}}}$ printed")
-        axis.semilogx(ratios, [100 * (found[r, 0.25]["halfspace"][k] / found[r, 0.25]["linear"][k] - 1) for r in ratios],
-                      color=ink, linestyle="none", marker="o", markersize=3)
-    axis.set_yscale("symlog", linthresh=1)
-    axis.set_yticks([-1, -0.5, 0, 0.5, 1, 2, 5, 10], ["-1", "-0.5", "0", "0.5", "1", "2", "5", "10"])
-    axis.axhline(0, color=style.GREY, linewidth=0.8)
-    axis.set_xlabel("a/b (a along rolling)")
-    axis.set_ylabel("difference from the computed table [%]")
-    axis.legend(fontsize="small", ncol=2)
-    name = bench.save(figure, "kalker")
+    name = bench.save(_draw_kalker(found), "kalker")
     return Chapter(
         "kalker", "Kalker's linear theory: small creepage and spin",
         "Ellipses with a b = 36 mm² under a given pressure, friction effectively unbounded "
@@ -307,7 +316,7 @@ def kalker(bench):
         "(1967; 1990, table E.3; C11, C22 and C23 as two public codes have them, C33 checked by CONTACT only) is shown "
         "beside it.",
         rows, tables=[_long_patches(found), _printed_table(found)],
-        figures=[(name, "Kalker's printed values (crosses) and the half-space at 40 across (dots) against the computed table, "
+        figures=[(name, "Kalker's printed values (left) and the half-space at 40 across (right) against the computed table, "
                         "nu = 0.25; logarithmic beyond 1 %")],
         cost=[Cost(f"half-space, {len(found)} ellipses of three load points", seconds)],
         tests=["verification.KalkersCoefficients.FromTheSolverAt40ElementsForEveryAspectAndPoissonsRatio",
@@ -329,6 +338,29 @@ def kalker(bench):
               "0.14 % low at 20, 40, 80 and 160 across, within its bar.")
 
 
+def _draw_benchmark_9(found):
+    """Differences of force and moment from what CONTACT extrapolates to, on ever finer grids."""
+    figure, axes = plt.subplots(1, 2, figsize=(8.4, 3.3))
+    contact = published.CONTACT_BENCHMARK_9
+    for axis, k, words, limit, bar in zip(axes, (0, 2), ("$F_x$", "$M_z$"), (10250, -1168), (2, 6)):
+        whole = published.EXTRAPOLATED_BENCHMARK_9[k]
+        percent = lambda value, whole=whole: 100 * (value / whole - 1)
+        axis.axhline(0, color=style.GREY, linestyle=(0, (5, 3)), linewidth=1.0, label="CONTACT, extrapolated")
+        axis.axhspan(percent(limit - bar), percent(limit + bar), color="#0072B2", alpha=0.25, linewidth=0,
+                     label="limit enclosed by rollfem")
+        for values, look in ((contact, {"color": "black", "marker": "x", "linewidth": 1.0, "label": "CONTACT, first order"}),
+                             (found, {"color": "#0072B2", "marker": "o", "markersize": 4, "linewidth": 1.2,
+                                      "label": "half-space"})):
+            axis.semilogx(list(values), [percent(v[k]) for v in values.values()], **look)
+        axis.set_xticks([10, 20, 40, 80, 160], ["10", "20", "40", "80", "160"])
+        axis.minorticks_off()
+        axis.set_xlabel("elements across the patch")
+        axis.set_ylabel(f"difference in {words} [%]")
+    axes[0].legend()
+    figure.tight_layout()
+    return figure
+
+
 def benchmark_9(bench):
     """Partial slip with creepage and spin against CONTACT"""
     found, cost = {}, []
@@ -342,29 +374,14 @@ def benchmark_9(bench):
     for n in (80, 160):
         for k, (words, unit, most) in enumerate((("F_x", "N", 0.005), ("F_y", "N", 0.005), ("M_z", "N mm", 0.05))):
             rows.append(Row(f"{words}, {n} across", unit, published.EXTRAPOLATED_BENCHMARK_9[k], found[n][k], most))
-    figure, axes = plt.subplots(1, 2, figsize=(8.4, 3.3))
-    contact = published.CONTACT_BENCHMARK_9
-    for axis, k, words in zip(axes, (0, 2), ("$F_x$ [N]", "$M_z$ [N mm]")):
-        axis.axhline(published.EXTRAPOLATED_BENCHMARK_9[k], color=style.GREY, linestyle=(0, (5, 3)), linewidth=1.0,
-                     label="CONTACT, extrapolated")
-        axis.semilogx(list(contact), [v[k] for v in contact.values()], color="black", marker="x", linewidth=1.0,
-                      label="CONTACT, first order")
-        axis.semilogx(list(found), [v[k] for v in found.values()], color="#0072B2", marker="o", markersize=4,
-                      linewidth=1.2, label="half-space")
-        axis.set_xticks([10, 20, 40, 80, 160], ["10", "20", "40", "80", "160"])
-        axis.minorticks_off()
-        axis.set_xlabel("elements across the patch")
-        axis.set_ylabel(words)
-    axes[0].legend()
-    figure.tight_layout()
-    name = bench.save(figure, "benchmark_9")
+    name = bench.save(_draw_benchmark_9(found), "benchmark_9")
     return Chapter(
         "benchmark-9", "Partial slip with creepage and spin",
         "A circle of 6 mm under Hertz's pressure of 82 kN, mu = 0.3, xi = -0.1 %, eta = 0.05 %, spin 1e-4 rad/mm "
         "([case](../../cases/benchmark9.toml)).",
         "CONTACT rev 2707 on 20 to 120 elements across with its first-order difference, extrapolated in 1/n (some 0.1 % in "
         "the forces, a few percent in the moment). Two sequences of rollfem enclose 10 250 +- 2 N and -1168 +- 6 N mm.",
-        rows, figures=[(name, "Longitudinal force and spin moment against the grid")], cost=cost,
+        rows, figures=[(name, "Longitudinal force and spin moment against the grid, as differences from CONTACT's extrapolation")], cost=cost,
         tests=["verification.GivenPressure.GivesBenchmark9ThroughTheModel",
                "verification.SteadyRolling.SecondOrderReachesTheConvergedForcesAt20Across",
                "verification.SteadyRolling.FirstOrderGivesTheValuesOfTheDesignAndOfContact",

@@ -10,6 +10,7 @@ from ..chapter import Chapter, Cost, Row, Table
 from ..page import number, percent
 
 MODELS = ("hertz", "fastsim", "strip", "halfspace", "fem")
+MU = 0.55
 RADII = {"a": (2000.0, np.inf), "b": (500.0, np.inf), "c": (100.0, np.inf), "d": (2000.0, 105.263),
          "e": (100.0, -105.263), "f": (50.0, -51.282)}  # rail, wheel across, mm
 WORDS = {"a": "a flat wheel on a gently crowned rail", "b": "a nearly circular patch",
@@ -126,28 +127,39 @@ def _costs(results):
 
 
 def _curves(bench, results):
-    figure, axes = plt.subplots(2, 3, figsize=(10.2, 6.4), sharex=True)
-    shown = {}
-    for axis, (letter, result) in zip(axes.flat, results.items()):
-        for model in result.models:
-            if model.name == "hertz":
-                continue
-            xi = [100 * p["longitudinal_creepage"] for p in model.points]
-            shown[style.label(model)] = axis.plot(xi, [p["traction_coefficient"] for p in model.points],
-                                                  marker=style.marker(model), markersize=3.5, **style.line(model))[0]
-        others = {"a": published.CONTACT_CURVE_A, "e": published.CONTACT_CURVE_E,
-                  "c": {xi: 2 * f - c for xi, (c, f) in published.CONTACT_CURVE_C.items()}}.get(letter)
-        if others:
-            shown["CONTACT"] = axis.plot([100 * x for x in others], list(others.values()), linestyle="none",
-                                         marker="o", markerfacecolor="none", markersize=8, color="black")[0]
-        axis.axhline(0, color=style.GREY, linewidth=0.6)
-        axis.set_title(f"{letter}: {WORDS[letter]}")
-    for axis in axes[1]:
-        axis.set_xlabel(r"longitudinal creepage $\xi$ [%]")
-    for axis in axes[:, 0]:
-        axis.set_ylabel("$-F_x/F_z$")
-    figure.tight_layout(rect=(0, 0, 1, 0.95))
-    figure.legend(shown.values(), shown.keys(), loc="upper center", ncol=len(shown))
+    """The half-space's curves above, and below for every case what the others differ by."""
+    figure = plt.figure(figsize=(9.0, 8.6))
+    rows = figure.add_gridspec(3, 3, height_ratios=(1.25, 1, 1))
+    top, below = figure.add_subplot(rows[0, :]), None
+    for number, (letter, result) in enumerate(results.items()):
+        own = {round(p["longitudinal_creepage"], 9): p for p in result.model("halfspace").points}
+        percent = [100 * xi for xi in own]
+        top.plot(percent, [p["traction_coefficient"] for p in own.values()], marker="osD^vP"[number], markersize=4,
+                 linewidth=1.2, label=f"{letter}: {WORDS[letter]}")
+        below = figure.add_subplot(rows[1 + number // 3, number % 3], sharex=top, sharey=below)
+        bars = [100 * (p.bar("traction_coefficient") or 0.0) / MU for p in own.values()]
+        shown = {"error bar, half-space": below.fill_between(percent, bars, [-bar for bar in bars], color="#0072B2", alpha=0.25,
+                                                             linewidth=0)}
+        others = {style.label(m): ([(p["longitudinal_creepage"], p["traction_coefficient"]) for p in m.points],
+                                   {"marker": style.marker(m), "markersize": 3.5, **style.line(m)})
+                  for m in result.models if m.name not in ("hertz", "halfspace")}
+        others["CONTACT"] = ({"a": published.CONTACT_CURVE_A, "e": published.CONTACT_CURVE_E,
+                              "c": {xi: 2 * f - c for xi, (c, f) in published.CONTACT_CURVE_C.items()}}.get(letter, {}).items(),
+                             {"linestyle": "none", "marker": "o", "markerfacecolor": "none", "markersize": 7, "color": "black"})
+        for words, (curve, look) in others.items():
+            differences = [(100 * xi, 100 * (value - own[round(xi, 9)]["traction_coefficient"]) / MU)
+                           for xi, value in curve if round(xi, 9) in own]
+            shown[words] = below.plot(*(zip(*differences) if differences else ([], [])), **look)[0]
+        below.axhline(0, color=style.GREY, linewidth=0.6)
+        below.set_title(f"{letter}: minus half-space")
+        if number % 3 == 0:
+            below.set_ylabel(r"difference [% of $\mu$]")
+        if number > 2:
+            below.set_xlabel(r"longitudinal creepage $\xi$ [%]")
+    top.set(xlabel=r"longitudinal creepage $\xi$ [%]", ylabel="$-F_x/F_z$", title="Half-space")
+    top.legend()
+    figure.tight_layout(rect=(0, 0.04, 1, 1))
+    figure.legend(shown.values(), shown.keys(), loc="lower center", ncol=len(shown))
     return bench.save(figure, "thesis_curves")
 
 
@@ -191,7 +203,7 @@ def thesis_cases(bench):
         "also at 40 with CONTACT's first-order difference in both programs. FEM minus half-space, 0.6 % of mu at small "
         "creepage (next chapter), is within the tolerance. The 2012 study (TU Graz) is shown for comparison only.",
         _normal_rows(results) + _curve_rows(results) + _rows_with_contacts_slip(bench), tables=[*_beside(results), _costs(results)],
-        figures=[(_curves(bench, results), "Creep curves of the six cases by all models"),
+        figures=[(_curves(bench, results), "Creep curves of the six cases, and what other models and CONTACT differ by from the half-space"),
                  (_paths(bench, results), "Tangential traction along rolling through the middle at 0.2 % creepage")],
         cost=cost,
         tests=["verification.CreepCurve.OfCaseAIsWithinHalfAPercentOfTheLargest",

@@ -20,7 +20,9 @@ constexpr double least_load_of_wheel = 5e-3;        // N/mm^2, force over the ro
 constexpr double largest_friction = 1.0;
 constexpr double full_adhesion = 100.0;  // from here on it means no limit
 constexpr double largest_creepage = 0.3;
-constexpr double largest_spin = 0.1;  // rad/mm
+constexpr double largest_spin = 0.1;         // rad/mm
+constexpr double narrowest_gauge = 100.0;    // mm, of models
+constexpr double largest_inclination = 0.1;  // tangent; rails lean by up to 1:20
 
 class Doubts {
  public:
@@ -60,6 +62,34 @@ void doubt_moduli(const Case& input, Doubts& doubts) {
   };
   check("wheel.young_modulus", input.wheel.material.young_modulus);
   check("rail.young_modulus", input.rail.material.young_modulus);
+}
+
+/// Profiles are those of metal wheels on rails, as are loads that a soft wheel would not carry.
+void doubt_softness(const Case& input, Doubts& doubts) {
+  const double radius = input.wheel.rolling_radius;
+  const double force = input.load.vertical_force.value_or(input.load.normal_force.value_or(0.0));
+  const bool loaded = input.geometry.shape == ContactShape::point && std::isfinite(radius) &&
+                      radius >= smallest_wheel && force >= least_load_of_wheel * radius * radius;
+  if (!loaded && !input.has_profiles()) return;
+  const auto check = [&](const char* key, double modulus) {
+    doubts.add(modulus < least_of_metal, key, modulus, " MPa",
+               "metals have 7e4 to 2.1e5; do: give it in MPa if this is in GPa");
+  };
+  check("wheel.young_modulus", input.wheel.material.young_modulus);
+  check("rail.young_modulus", input.rail.material.young_modulus);
+}
+
+void doubt_track(const Case& input, Doubts& doubts) {
+  if (!input.has_profiles()) return;
+  for (const auto& [key, length] :
+       {std::pair{"track.gauge", input.track.gauge},
+        std::pair{"wheelset.flange_back_distance", input.wheelset.flange_back_distance}})
+    doubts.add(length < narrowest_gauge, key, length, " mm",
+               "no track is that narrow; do: give it in mm if this is in m");
+  doubts.add(std::abs(input.track.inclination) > largest_inclination, "track.inclination",
+             std::atan(input.track.inclination), " rad",
+             "rails lean by 0.025 to 0.05 rad (1:40 to 1:20); do: give it in rad if this is in "
+             "degrees, or as a ratio such as \"1:40\"");
 }
 
 void doubt_load(const Case& input, Doubts& doubts) {
@@ -112,6 +142,8 @@ std::vector<std::string> implausible_values(const Case& input) {
   Doubts doubts(input);
   doubt_radii(input, doubts);
   doubt_moduli(input, doubts);
+  doubt_softness(input, doubts);
+  doubt_track(input, doubts);
   doubt_load(input, doubts);
   doubt_friction(input, doubts);
   doubt_creepages(input, doubts);

@@ -20,7 +20,10 @@ std::string instance_of(const Key& key) {
   if (!value.empty()) return fmt::format("`{} = {}`", key.name, value);
   if (key.kind == KeyKind::text) return fmt::format("`{} = \"points.csv\"`", key.name);
   if (key.kind == KeyKind::pair) return fmt::format("`{} = [0.2, 0.2]`", key.name);
-  const double plain = 2.0;
+  const double plain = key.unit == "N"      ? 80e3
+                       : key.unit == "MPa"  ? 1000.0
+                       : key.unit == "mm/s" ? 30e3
+                                            : 2.0;
   const Bounds& of = key.bounds;
   return fmt::format("`{} = {}`", key.name, toml_text(of.contains(plain) ? plain : 0.5 * of.upper));
 }

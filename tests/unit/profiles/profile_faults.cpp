@@ -118,6 +118,21 @@ const std::vector<Fault> faults{
              }),
      {"kink of 26", "rounding = 0.05", "largest_kink = 27"},
      {}},
+    {"WheelAsRail",
+     false,
+     changed("S1002", same),
+     {"seems to be a wheel", "tip at y = -55.", "tread up to y = 59.",
+      "do: give it as the profile of the wheel"},
+     {}},
+    {"MirroredWheelAsRail",
+     false,
+     changed("S1002",
+             [](Points& p) {
+               for (auto& q : p) q[0] = -q[0];
+               std::reverse(p.begin(), p.end());
+             }),
+     {"seems to be a wheel", "tip at y = 55.", "tread up to y = -59."},
+     {}},
     {"Step",
      false,
      changed("60E1",

@@ -53,6 +53,17 @@ const CreepTable& rim_table() {
   return table;
 }
 
+TEST(WheelTable, KeysThatDoNotApplyAreNamed) {
+  contact::Case input = rim_case();
+  EXPECT_EQ(tables::ignored_keys(input), "");
+  input.wheelset.lateral_shift = {3.0};
+  input.wheelset.free_rolling = contact::FreeRolling::force;
+  input.wheelset.yaw = {0.002};  // a table is of one yaw
+  EXPECT_TRUE(says(tables::ignored_keys(input),
+                   "does not use wheelset.lateral_shift, wheelset.free_rolling"));
+  EXPECT_FALSE(says(tables::ignored_keys(input), "yaw"));
+}
+
 TEST(WheelTable, PointsAreSingleSolutions) {
   const CreepTable& table = rim_table();
   ASSERT_EQ(table.size(), 3U * 3U * 3U * 3U);

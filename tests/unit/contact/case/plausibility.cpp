@@ -60,6 +60,37 @@ TEST(Plausibility, SlipsOfUnitsAreTold) {
   Values pascals;
   pascals.modulus = "2.1e8";
   EXPECT_EQ(doubts(pascals).size(), 2u);
+  for (const char* gigapascals : {"210", "2100"}) {
+    Values soft;
+    soft.modulus = gigapascals;
+    const auto found = doubts(soft);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_TRUE(says(found[0], std::string("wheel.young_modulus = ") + gigapascals + " MPa",
+                     "do: give it in MPa if this is in GPa"));
+    EXPECT_TRUE(says(found[1], "rail.young_modulus"));
+  }
+}
+
+TEST(Plausibility, SlipsOfUnitsOfTheTrackAreTold) {
+  const auto doubts_of = [](const std::string& lines) {
+    return implausible_values(parse_case(
+        "[load]\nvertical_force = 80e3\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = "
+        "460\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n" +
+            lines,
+        "slip.toml"));
+  };
+  const std::string leaning = "[track]\ninclination = \"1:20\"\n";
+  EXPECT_TRUE(doubts_of(leaning + "gauge = 1000\n").empty());
+  EXPECT_TRUE(doubts_of("[track]\ninclination = \"none\"\n").empty());
+  for (const auto& [lines, beginning] :
+       {std::pair<std::string, std::string>{leaning + "gauge = 1.435\n", "track.gauge = 1.435 mm"},
+        {leaning + "[wheelset]\nflange_back_distance = 1.36\n",
+         "wheelset.flange_back_distance = 1.36 mm"},
+        {"[track]\ninclination = 0.4\n", "track.inclination = 0.4 rad"}}) {
+    const auto found = doubts_of(lines);
+    ASSERT_EQ(found.size(), 1u) << lines;
+    EXPECT_TRUE(says(found.front(), "slip.toml: " + beginning, "do: give it in "));
+  }
 }
 
 TEST(Plausibility, WhatIsMeantIsNotDoubted) {

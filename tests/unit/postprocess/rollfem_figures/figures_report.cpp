@@ -44,6 +44,31 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
   EXPECT_EQ(testing::count(report, "not converged"), 0U);
 }
 
+/// A patch that lies 8 mm beside the contact point, as between tread and flange.
+TEST_F(FiguresTest, LinesGoThroughTheLargestPressureAndObliqueViewsHaveRoomForIt) {
+  RunRecord run = testing::synthetic_run();
+  for (contact::ModelResult& model : run.models) model.grid.y_first += 8.0;
+  EXPECT_EQ(said(R"(
+from rollfem_figures import curves, load_points, maps, read_result
+result = read_result(sys.argv[1])
+models = load_points.with_pressure(result)
+at = curves.line_place(models, 'x')
+assert abs(at - 8) < models[0].dy and curves.line_place(models, 'y') == 0
+for model in models:
+    pressure = model.points[0].fields['pressure']
+    assert np.nanmax(curves.line_of('x', at)(model, model.points[0], 'pressure')[1]) > 0.98 * pressure.max()
+    assert model.middle(pressure, 'x').max() < 0.9 * pressure.max()
+assert 'at <tspan class="it">y</tspan> = 8' in curves.path(result, 'x').svg(), curves.path(result, 'x').svg()
+model = models[-1]
+pressure = model.points[0].fields['pressure']
+view = maps._Oblique(model, pressure)
+panel = maps.oblique(result, model).panels[0]
+assert panel.y.limits[1] > view(0, model.y[:, None], pressure)[..., 1].max()
+)",
+                 draw(run).string()),
+            "");
+}
+
 TEST_F(FiguresTest, HertzAloneHasNoCreepCurveAndBreaksNothing) {
   RunRecord run = testing::synthetic_run();
   run.models.resize(1);
