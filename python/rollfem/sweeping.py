@@ -246,9 +246,7 @@ class Sweep(Tabular):
                 raise InputError("the case has several positions; do: sweep over them (lateral_shift=[...])")
             name = model.name if model.place is None else f"{model.name}_{model.place['wheel']}"
             if name not in self._patches:
-                self._patches[name] = np.empty(self.shape, dtype=object)
-                for each in np.ndindex(self.shape):
-                    self._patches[name][each] = []
+                self._patches[name] = np.frompyfunc(lambda _: [], 1, 1)(np.empty(self.shape))
             for number, index in enumerate(indices):
                 # What knows no creepage has one load point for all of them.
                 self._patches[name][index].append(model.points[number if len(model) > 1 else 0])

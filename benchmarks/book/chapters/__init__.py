@@ -8,7 +8,8 @@ from .friction import cattaneo, creep_frequency, spence, transient
 from .hybrid import hybrid
 from .normal import grid_order, hertz, steuermann
 from .profiles import manchester, wheel_on_rail
-from .rolling import benchmark_9, bentall_johnson, carter, fastsim, kalker, nowell_hills
+from .kalker import kalker
+from .rolling import benchmark_9, bentall_johnson, carter, fastsim, nowell_hills
 from .stress import stress_case_a, stress_circle
 from .thesis import half_space_limits, thesis_cases
 
