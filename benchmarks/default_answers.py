@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What does `rollfem run CASE` answer by default, and how fast? For the 300 scenes of benchmarks/default_scenes.py
 without model and accuracy: wall time, crashes, runs beyond the limit, refused scenes, accuracy met or missing accuracy
-reported; and predicted against measured seconds of every grid tried.
+reported; and predicted against measured seconds of every run.
 
     benchmarks/default_answers.py --program build/app/rollfem --measured ../shared/reference/measured -o /tmp/default
 
@@ -26,26 +26,24 @@ import scene_sets
 from model_error import friction_of
 
 WANTED = 60.0  # s
-TRIED = re.compile(r"^(?P<model>\S+)\s.*tried next\s.*?(?P<across>\d+) across, about (?P<time>[\d.e+-]+) (?P<unit>s|min|h)")
+EXPECTED = re.compile(r"^auto\s+expected\s+[\d.]+ s\s+(?P<models>.+): about (?P<time>[\d.e+-]+) (?P<unit>s|min|h) for ")
 SECONDS = {"s": 1, "min": 60, "h": 3600}
 
 
 def watched(command, cache, limit):
-    """The status of a run, None beyond the limit; its seconds; its last line; and model, grid, predicted and measured
-    seconds of each grid tried."""
-    tried, last, begin = [], "", time.monotonic()
+    """The status of a run, None beyond the limit; its seconds; its last line; and the models, predicted and measured
+    seconds of its solutions."""
+    expected, last, begin = None, "", time.monotonic()
     run = subprocess.Popen(["timeout", str(limit), *command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                            text=True, errors="replace", env={**os.environ, "ROLLFEM_CACHE": cache, "TERM": "dumb"})
     for line in run.stderr:
         last = line.strip() or last
-        found = TRIED.match(line)
+        found = EXPECTED.match(line)
         if found:
-            tried.append([found["model"], int(found["across"]), float(found["time"]) * SECONDS[found["unit"]],
-                          time.monotonic()])
+            expected = [found["models"], float(found["time"]) * SECONDS[found["unit"]], time.monotonic()]
     status, end = run.wait(), time.monotonic()
-    ends = [attempt[3] for attempt in tried[1:]] + [end]
-    attempts = [[*attempt[:3], after - attempt[3]] for attempt, after in zip(tried, ends)]
-    return {"status": None if status == 124 else status, "seconds": end - begin, "last": last, "tried": attempts}
+    return {"status": None if status == 124 else status, "seconds": end - begin, "last": last,
+            "expected": expected and [*expected[:2], end - expected[2]]}
 
 
 def models_of(folder):
@@ -103,7 +101,7 @@ def run(options, scene):
         row = watched([options.program, "run", str(case), "--no-report", "-o", str(folder)], cache, options.limit)
     models = models_of(folder) if row["status"] in (0, 1) else []
     row["taken"] = sorted({model["name"] for model in models})
-    row["short"] = any(note.startswith("warning: accuracy") for model in models for note in model.get("notes", []))
+    row["short"] = bool(models and json.loads((folder / "summary.json").read_text("utf-8"))["verdict"])
     kept.write_text(json.dumps(row), "utf-8")
     return row
 
@@ -135,26 +133,18 @@ def table(rows):
     return "\n".join(lines)
 
 
-LABELS = {"halfspace": "half-space", "hybrid": "hybrid", "fem": "finite elements"}
-
-
-def solved_models(folder):
-    """Models that reached a result, according to the sentence of the choice; the others failed or refused."""
-    told = " ".join(model.get("choice", "") for model in models_of(folder))
-    return [name for name, label in LABELS.items() if re.search(rf"{label}, \d+ across", told)]
-
-
 def predictions(rows):
-    """Table for grids that take long enough to matter, of models that reached a result."""
+    """Table for runs that take long enough to matter, by their expected models."""
     worth_it = 2.0
-    lines = ["| model | grids of 2 s and more | within a factor of 3, % | median of measured over predicted | worst |",
+    lines = ["| expected models | runs of 2 s and more | within a factor of 3, % | median of measured over predicted | worst |",
              "|---|---|---|---|---|"]
-    for model in LABELS:
-        ratios = sorted(measured / predicted for _, row in rows for name, _, predicted, measured in row["tried"]
-                        if name == model and name in row["solved"] and max(measured, predicted) > worth_it)
+    known = [row["expected"] for _, row in rows if row["expected"] and row["taken"]]
+    for models in sorted({models for models, *_ in known}):
+        ratios = sorted(measured / predicted for name, predicted, measured in known
+                        if name == models and max(measured, predicted) > worth_it)
         if ratios:
             held = sum(1 / 3 <= ratio <= 3 for ratio in ratios)
-            lines.append(f"| {model} | {len(ratios)} | {100 * held / len(ratios):.0f} | "
+            lines.append(f"| {models} | {len(ratios)} | {100 * held / len(ratios):.0f} | "
                          f"{statistics.median(ratios):.2g} | {ratios[0]:.2g}, {ratios[-1]:.2g} |")
     return "\n".join(lines)
 
@@ -173,10 +163,8 @@ def main():
     rows, near = [], []
     for scene in default_scenes.scenes(options.seed, options.output, options.measured)[::options.every]:
         row = run(options, scene)
-        row["solved"] = solved_models(options.output / scene.name)
         rows.append((scene.kind, row))
-        tried = ", ".join(f"{model} {across}: {measured:.2g} ({predicted:.2g})"
-                          for model, across, predicted, measured in row["tried"])
+        tried = "{}: {:.2g} s expected, took {:.2g}".format(*row["expected"]) if row["expected"] else ""
         off = nearness(options, scene) if options.truth else None
         if off:
             near.append(off[0] <= 1.0)

@@ -130,7 +130,7 @@ def _case_section(comparison, case, directory):
     result, figures = report.build(os.path.join(directory, case["name"]), comparison["reference"], "halfspace")
     inner = (report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
              + page.section("Cost", tables.cost_table(result)) + report.notes(result))
-    return "".join([heading, report.asked(result), _missing(case), report.lower(inner),
+    return "".join([heading, report.warned(result), report.asked(result), _missing(case), report.lower(inner),
                     f"<p class=screen><a href=\"{escape(case['name'])}/report.html\">"
                     "full report of this case</a></p>"])
 

@@ -197,7 +197,7 @@ def _said(result):
 
 def warned(result):
     """The box below the title: results that miss the accuracy, and all warnings of the models."""
-    rows = [verdict(result.verdict)] + [f"<p class=say>{escape(name)}: {escape(note[len(WARNING):])}</p>"
+    rows = [verdict(result.verdict)] + [f"<p class=say>{escape(name)}: {escape(note)}</p>"
                                         for name, note in _said(result) if note.startswith(WARNING)]
     return "".join(rows)
 
