@@ -38,19 +38,4 @@ contact::ModelResult run_hertz_of_patch(const contact::Scene& scene,
 contact::ModelResult run_each_load(const contact::Model& model, const contact::Scene& scene,
                                    const contact::Progress& progress);
 
-// The error of a theory relative to the half-space it approximates.
-
-/// What a theory takes from closed forms, or leaves out.
-struct TheoryKind {
-  bool with_friction = true;  ///< it has forces, too
-  bool hertzian = true;       ///< its patch and pressure without true profiles are Hertz's
-};
-
-/// Sets PointResult::model_error of a theory's values: 0 where it is exact for half-spaces,
-/// otherwise from a half-space solution of the same scene with 32 elements across, the difference
-/// and half of that solution's own bar. Where the half-space has no result, model_error_source
-/// states the reason.
-void estimate_model_error(const contact::Scene& scene, const TheoryKind& kind,
-                          const contact::Progress& progress, contact::ModelResult& theory);
-
 }  // namespace rollfem::theories

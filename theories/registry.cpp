@@ -11,6 +11,7 @@
 #include "theories/elliptic_patch.hpp"
 #include "theories/equivalent_ellipse.hpp"
 #include "theories/fastsim.hpp"
+#include "theories/model_error.hpp"
 #include "theories/polach.hpp"
 #include "theories/strip.hpp"
 #include "theories/vermeulen_johnson.hpp"
