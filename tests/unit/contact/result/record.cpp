@@ -5,7 +5,6 @@
 
 #include "contact/result/quantities.hpp"
 #include "contact/result/unsolved.hpp"
-
 #include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/summary_json.hpp"
 
