@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/model_error.hpp"
 
-#include "contact/base/progress.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
@@ -10,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace rollfem::theories {
 

@@ -2,7 +2,9 @@
 // The error of a theory relative to the half-space it approximates.
 #pragma once
 
-#include "contact/solve/model.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/result/result.hpp"
+#include "contact/scene/scene.hpp"
 
 namespace rollfem::theories {
 

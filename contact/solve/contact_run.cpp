@@ -6,7 +6,6 @@
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "contact/result/derived.hpp"
-#include "contact/result/unsolved.hpp"
 #include "contact/result/validity.hpp"
 
 #include <fmt/format.h>
@@ -58,24 +57,6 @@ SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape
 }
 
 }  // namespace
-
-std::string steep_friction_note(const LevelResult& level, const Friction& friction) {
-  if (level.steepness <= 1.0 && level.several == 0) return {};
-  const std::string found =
-      level.several == 0
-          ? std::string("several states are possible")
-          : fmt::format(
-                "there are several states at {} of {} load points (a second one that small "
-                "changes do not leave was found)",
-                level.several, level.points.size());
-  const bool steps = !level.points.empty() && level.points.front().step > 0;
-  const SteepCause steep = steep_cause(*friction, level.steepness, steps ? 0.0 : level.grid.dx);
-  return fmt::format(
-      "warning: {} ({:.2g} times what one element withstands) that {}, which depend on the grid: "
-      "given is "
-      "the one of friction.branch; for one alone: {} (docs/friction.md)",
-      steep.cause, level.steepness, found, steep.cure);
-}
 
 ContactRun::ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
                        const Progress& progress, PointStore* store)
@@ -142,20 +123,6 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   return true;
 }
 
-/// False if no load point is left that has a solution.
-bool ContactRun::leave_unsolved(std::size_t k, const NoSteadyFriction& error) {
-  result_.unsolved.emplace_back(error.what());
-  if (!options_.leaves_unsolved || scene_.is_history() ||
-      result_.unsolved.size() == scene_.points.size())
-    return false;
-  PointResult point;
-  motion_->describe(k, motion_->given_unknowns(k), point);
-  leave_empty(point);
-  result_.points.push_back(std::move(point));
-  result_.relative_traction.emplace_back();
-  return true;
-}
-
 void ContactRun::prepare() {
   const Stopwatch setup;
   elasticity_->prepare();
@@ -217,22 +184,6 @@ bool ContactRun::press(std::size_t k) {
   if (solved_anew) elasticity_->check_patch(patch_size(result_.grid, normal.pressure));
   result_.normal_seconds += watch.seconds();
   return !touches_border(result_.grid, normal.pressure);
-}
-
-/// Before load points are solved that may take minutes each.
-void ContactRun::warn_if_steep() const {
-  if (!friction_ || !friction_->feels_slip() || scene_.problem != Problem::steady) return;
-  const double way = result_.grid.dx;
-  const double gain =
-      steepness(*friction_, result_.pressure.maxCoeff(),
-                elasticity_->standin().rolling(scene_.upwind_order).diagonal(), way);
-  if (gain <= 1.0) return;
-  ProgressEvent event;
-  event.note = fmt::format(
-      "warning: {} ({:.2g} times what one element withstands) that there may be several states or "
-      "none, and a load point may take minutes; do: {}",
-      steep_cause(*friction_, gain, way).cause, gain, steep_cause(*friction_, gain, way).cure);
-  tell(event, "friction", true);
 }
 
 /// A first guess from the coarser level: its p_t / g times the bound here.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the driver does where friction falls so steeply that load points have several states or
+// none: warns, before and after, and leaves those empty that have none.
+#include "contact/iteration/friction_newton.hpp"
+#include "contact/result/unsolved.hpp"
+#include "contact/solve/contact_run.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace rollfem::contact {
+
+std::string steep_friction_note(const LevelResult& level, const Friction& friction) {
+  if (level.steepness <= 1.0 && level.several == 0) return {};
+  const std::string found =
+      level.several == 0
+          ? std::string("several states are possible")
+          : fmt::format(
+                "there are several states at {} of {} load points (a second one that small "
+                "changes do not leave was found)",
+                level.several, level.points.size());
+  const bool steps = !level.points.empty() && level.points.front().step > 0;
+  const SteepCause steep = steep_cause(*friction, level.steepness, steps ? 0.0 : level.grid.dx);
+  return fmt::format(
+      "warning: {} ({:.2g} times what one element withstands) that {}, which depend on the grid: "
+      "given is "
+      "the one of friction.branch; for one alone: {} (docs/friction.md)",
+      steep.cause, level.steepness, found, steep.cure);
+}
+
+/// Before load points are solved that may take minutes each.
+void ContactRun::warn_if_steep() const {
+  if (!friction_ || !friction_->feels_slip() || scene_.problem != Problem::steady) return;
+  const double way = result_.grid.dx;
+  const double gain =
+      steepness(*friction_, result_.pressure.maxCoeff(),
+                elasticity_->standin().rolling(scene_.upwind_order).diagonal(), way);
+  if (gain <= 1.0) return;
+  ProgressEvent event;
+  event.note = fmt::format(
+      "warning: {} ({:.2g} times what one element withstands) that there may be several states or "
+      "none, and a load point may take minutes; do: {}",
+      steep_cause(*friction_, gain, way).cause, gain, steep_cause(*friction_, gain, way).cure);
+  tell(event, "friction", true);
+}
+
+/// False if no load point is left that has a solution.
+bool ContactRun::leave_unsolved(std::size_t k, const NoSteadyFriction& error) {
+  result_.unsolved.emplace_back(error.what());
+  if (!options_.leaves_unsolved || scene_.is_history() ||
+      result_.unsolved.size() == scene_.points.size())
+    return false;
+  PointResult point;
+  motion_->describe(k, motion_->given_unknowns(k), point);
+  leave_empty(point);
+  result_.points.push_back(std::move(point));
+  result_.relative_traction.emplace_back();
+  return true;
+}
+
+}  // namespace rollfem::contact
