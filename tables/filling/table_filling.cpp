@@ -22,7 +22,15 @@ namespace rollfem::tables {
 namespace {
 
 constexpr unsigned seed = 20120816;
-constexpr std::size_t points_of_a_place = 10;  ///< random points per intermediate place
+constexpr std::size_t points_of_a_place = 10;  ///< random points per intermediate place, at most
+
+/// Few points of a table over loads or speeds are of many places all the same, because one load and
+/// speed says little of the others.
+std::size_t points_of_each_place(const CreepTable& table, int count) {
+  constexpr std::size_t places = 20;
+  if (table.load.size() < 2 && table.speed.size() < 2) return points_of_a_place;
+  return std::clamp<std::size_t>(static_cast<std::size_t>(count) / places, 1, points_of_a_place);
+}
 
 /// Creepage indices of point `n` of a node of the other axes, in boustrophedon order, so that
 /// consecutive points are neighbours.
@@ -115,9 +123,10 @@ std::vector<CheckedPoint> points_between(const CreepTableReader& reader, int cou
     if (axis_of(table, axis).size() > 1) axes.push_back(axis);
   std::vector<CheckedPoint> points(static_cast<std::size_t>(count));
   TablePlace place;
+  const std::size_t of_each = points_of_each_place(table, count);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (k % points_of_a_place == 0)
-      place = between(reader, table.node(k / points_of_a_place % table.nodes()), axes, draw);
+    if (k % of_each == 0)
+      place = between(reader, table.node(k / of_each % table.nodes()), axes, draw);
     points[k].place = place;
     for (std::size_t q = 0; q < 3; ++q) {
       const double end = table_coordinate(table.creepage[q].back());
@@ -228,8 +237,8 @@ void look_between(CreepTable& table, const TableSource& source, int count,
   CreepTableReader reader(std::move(table));  // avoids a second copy of a large table
   std::vector<CheckedPoint> points = points_between(reader, count);
   if (!points.empty()) {
-    TableParts parts{"check", "points between", {}, parts_of(points.size(), points_of_a_place), {},
-                     {}};
+    const std::size_t of_each = points_of_each_place(reader.table(), count);
+    TableParts parts{"check", "points between", {}, parts_of(points.size(), of_each), {}, {}};
     parts.solve = [&](const TablePart& part) {
       std::vector<Scaled> creepages;
       for (std::size_t k = part.begin; k < part.end; ++k) creepages.push_back(points[k].creepage);

@@ -14,6 +14,8 @@
 #include "support/worn_wheels.hpp"
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace {
 
@@ -73,6 +75,14 @@ const CreepTableReader& ellipses() {
 
 double between(const CreepTableReader& reader) {
   return reader.table().interpolation.by_axis[4] + reader.table().interpolation.by_axis[5];
+}
+
+/// Otherwise the bars would be those of a single load and speed.
+TEST(LoadAndSpeed, FewCheckPointsAreAtManyLoadsAndSpeeds) {
+  std::set<std::pair<double, double>> places;
+  for (const tables::CheckedPoint& point : ellipses().table().checked)
+    places.insert({point.place.load, point.place.speed});
+  EXPECT_EQ(places.size(), 10U);
 }
 
 TEST(LoadAndSpeed, OfEllipsesHoldForBodiesOfOtherCurvature) {
