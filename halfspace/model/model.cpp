@@ -372,6 +372,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
       fmt::format("{} of {} load points are left empty, because they have no solution: {}",
                   fine.unsolved.size(), scene.points.size(), fine.unsolved.front());
   result.shortfall = why;
+  result.notes.push_back("warning: " + why);
   throw contact::PartlySolved(why, std::move(result));
 }
 

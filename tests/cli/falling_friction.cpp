@@ -85,6 +85,8 @@ TEST(FallingFriction, ALoadPointWithoutAStateIsLeftEmptyBesideTheOthers) {
   EXPECT_EQ(points[1]["converged"], false);
   for (const char* name : {"normal_force", "max_pressure", "traction_coefficient", "approach"})
     EXPECT_FALSE(points[1].contains(name)) << name;
+  const auto notes = folder.json("out/summary.json")["models"][0]["notes"];
+  EXPECT_EQ(notes.back().get<std::string>().rfind("warning: 1 of 3 load points are left", 0), 0U);
   const auto rows = csv_records(folder.text("out/creep_curve.csv"));
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[1].at("traction_coefficient"), "");
