@@ -39,8 +39,8 @@ void expect_same_stresses(const Folder& folder, const std::string& one, const st
   const double scale = point_of(folder, one)["max_pressure"];
   const Json a = point_of(folder, one)["stress_maxima"];
   const Json b = point_of(folder, other)["stress_maxima"];
-  ASSERT_EQ(a.size(), 8u);
-  ASSERT_EQ(b.size(), 8u);
+  ASSERT_EQ(a.size(), 12u);
+  ASSERT_EQ(b.size(), 12u);
   for (std::size_t k = 0; k < a.size(); ++k)
     EXPECT_NEAR(a[k]["value"], b[k]["value"], tolerance * scale) << a[k]["measure"];
   // From the places on.

@@ -294,6 +294,11 @@ MUTATIONS = [
              "wheels of CONTACT's module 1 turn backwards",
              ("unit_converted_cases",)),
     # postprocess/
+    Mutation("side_of_the_lateral_force", "postprocess/write/wheelset_rows.cpp",
+             "return tilt * normal * std::sin(place.contact_angle)",
+             "return normal * std::sin(place.contact_angle)",
+             "the normal force pushes each wheel to the side to which its contact plane falls",
+             ("cli_wheelset",)),
     Mutation("richardson", "postprocess/study/convergence.cpp",
              "result.richardson = fine + now /", "result.richardson = fine - now /",
              "values are extrapolated away from the limit",
