@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/input/wheelset.hpp"
 
+#include "app/frame/command_frame.hpp"
 #include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
@@ -139,6 +140,7 @@ void tell(const WheelsetRequest& request, const contact::Case& input,
 void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models, bool& undrawn) {
   const contact::Case input =
       contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+  warn_of_doubts(input);
   check(request, input);
   const std::vector<WheelsetRow> rows =
       track::wheelset_rows(input, track::search_scene_of(input), request.reach, shift_step);

@@ -308,6 +308,7 @@ class Tables(MadeTables):
         self.assertAlmostEqual(slide.longitudinal_force[0] / -15e3, 1.0, 2)
         self.assertTrue((np.hypot(slide.longitudinal_force, slide.lateral_force) <= 15e3 * (1 + 1e-12)).all())
         self.assertTrue((slide.force_bar > 0).all())
+        self.assertLess(len(repr(self.table.scaled(np.linspace(0.0, 2.0, 1000), axis_ratio=2.0))), 800)
 
     def test_other_files_are_refused(self):
         with self.assertRaises(rollfem.InputError):
