@@ -300,7 +300,7 @@ def build(directory, reference="", default_reference=""):
 
 
 # Replacements that turn a verdict for the terminal into HTML.
-LOOKS = [("`([^`]*)`", r"<code>\1</code>"), (r"\bmu\b", "μ"), (r"\bp0\b", "p<sub>0</sub>"), (r"([Fp])_([xyz])", r"\1<sub>\2</sub>"), ("-F<", "−F<")]
+LOOKS = [("`([^`]*)`", r"<code>\1</code>"), (r"\bmu\b", "μ"), (r"\bp0\b", "p<sub>0</sub>"), (r"([Fp])_([xyz0])", r"\1<sub>\2</sub>"), ("-F<", "−F<")]
 
 
 def verdict(text):
