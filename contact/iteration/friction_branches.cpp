@@ -17,10 +17,6 @@ namespace {
 /// From this steepness of the law on (contact::steepness) there may be several solutions.
 constexpr double steep = 0.5;
 
-/// Up to this steepness elements have a single solution; another one that all of them help each
-/// other to is rare (docs/friction.md).
-constexpr double one_state = 1.0;
-
 /// A slip at which all laws are down to their kinetic friction.
 constexpr double fast = 1e9;
 
@@ -41,9 +37,9 @@ double largest_real_part(const Eigen::MatrixXd& hessenberg) {
   return largest;
 }
 
-/// The memory distance, mm, with which elements of this steepness have one state.
+/// The memory distance, mm, with which the law is no longer steep.
 double sufficient_memory(const FrictionLaw& law, double steepness, double way) {
-  const double wanted = one_state * steepest_fall(law, way, law.memory()) / steepness;
+  const double wanted = steep * steepest_fall(law, way, law.memory()) / steepness;
   const double least_slip = law.memory() ? law.memory()->least_slip : 0.0;
   double lower = 1e-9, upper = 1e3;
   while (upper > 1.01 * lower) {
@@ -57,17 +53,17 @@ double sufficient_memory(const FrictionLaw& law, double steepness, double way) {
 }  // namespace
 
 SteepCause steep_cause(const FrictionLaw& law, double steepness, double way) {
-  SteepCause steep{"friction falls so steeply with the slip velocity",
-                   "give a larger friction.memory_distance or half_velocity"};
-  if (law.feels_slip() && way > 0.0 && steepness > one_state)
-    steep.cure = fmt::format(
+  SteepCause words{"friction falls so steeply with the slip velocity",
+                   "give friction.memory_distance, or a larger one, or a larger half_velocity"};
+  if (law.feels_slip() && way > 0.0 && steepness > steep)
+    words.cure = fmt::format(
         "give friction.memory_distance (one state from about {:.2g} mm), or a larger half_velocity",
         sufficient_memory(law, steepness, way));
-  if (!law.plasticity || law.plasticity->hardening >= 0.0) return steep;
+  if (!law.plasticity || law.plasticity->hardening >= 0.0) return words;
   const std::string cure = "give a layer.hardening nearer to 0";
   if (!law.feels_slip()) return {"the layer softens so fast", cure};
   return {"friction falls with the slip velocity and the layer softens so fast",
-          cure + ", or " + steep.cure};
+          cure + ", or " + words.cure};
 }
 
 /// Of a single element, or of all together: with tractions in proportion to the pressure, the

@@ -230,7 +230,7 @@ void leave_empty(PointResult& point) {
 }
 
 bool is_solved(const PointResult& point) {
-  return !std::isnan(point.normal_force);
+  return point.converged || !std::isnan(point.normal_force);
 }
 
 double quantity(const PointResult& point, const std::string& name) {

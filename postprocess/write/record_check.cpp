@@ -2,6 +2,7 @@
 #include "postprocess/write/record_check.hpp"
 
 #include "contact/result/quantities.hpp"
+#include "contact/result/unsolved.hpp"
 #include "postprocess/write/point_table.hpp"
 
 #include <fmt/core.h>
@@ -63,8 +64,11 @@ void check_vectors(const std::string& where, const Vectors& vectors, std::size_t
 
 void check_point(const std::string& where, const contact::ContactGrid& grid,
                  const contact::PointResult& point) {
-  for (const contact::Quantity& quantity : contact::quantities())
-    require_finite(quantity.value(point).value_or(0.0), fmt::format("{}/{}", where, quantity.name));
+  for (const contact::Quantity& quantity : contact::quantities()) {
+    const bool may_be_absent = quantity.member.may_be_absent || !contact::is_solved(point);
+    require_finite(quantity.value(point).value_or(may_be_absent ? 0.0 : std::nan("")),
+                   fmt::format("{}/{}", where, quantity.name));
+  }
   for (const auto& [quantity, error] : point.error_estimate)
     require_finite(error, fmt::format("{}/error_estimate/{}", where, quantity));
   for (const auto& [quantity, error] : point.model_error)
