@@ -176,8 +176,19 @@ struct StressOutput::Implementation {
 
   static StressMaximum xz_range(const Part& part, const NodalStress& stress,
                                 const contact::PointResult& point) {
-    const double step = 0.1 * std::min(point.semi_axis_x, point.semi_axis_y);
-    const auto lines = contact::rolling_lines(point, step, 15, [&](double x, double y, double z) {
+    // Only the first process knows the patch.
+    const auto known = dealii::Utilities::MPI::broadcast(
+        part.body.dofs().get_communicator(),
+        std::vector<double>{point.semi_axis_x, point.semi_axis_y,
+                            point.patch_x_middle.value_or(0.0), point.patch_y_middle.value_or(0.0)},
+        0);
+    contact::PointResult patch;
+    patch.semi_axis_x = known[0];
+    patch.semi_axis_y = known[1];
+    patch.patch_x_middle = known[2];
+    patch.patch_y_middle = known[3];
+    const double step = 0.1 * std::min(patch.semi_axis_x, patch.semi_axis_y);
+    const auto lines = contact::rolling_lines(patch, step, 15, [&](double x, double y, double z) {
       return place_below(part.body.shape(), x, y, z);
     });
     std::vector<double> xz;
