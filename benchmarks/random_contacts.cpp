@@ -24,7 +24,7 @@ struct Tally {
   std::vector<int> steps, krylov;
   std::vector<int> outer;  ///< for unlike materials only
   int failed = 0;
-  int chatter = 0;  ///< no state stays: no failure
+  int chatter = 0;  ///< no stable state: no failure
   int beyond = 0;   ///< contacts with more than many_steps
 
   void add(const testing::RandomOutcome& outcome) {
@@ -80,7 +80,7 @@ int main(int count, char** words) {
   fmt::print("seed {}, contacts from {} on, {}\n\n", words[1], number,
              start == testing::RandomStart::nested ? "on coarser grids first" : "from scratch");
   fmt::print(
-      "| across | contacts | failures | no state stays | Newton steps: median / 99 % / largest | "
+      "| across | contacts | failures | no stable state | Newton steps: median / 99 % / largest | "
       "above {} | Krylov "
       "iterations: median / 99 % / largest | outer iterations of unlike materials: median / 99 % / "
       "largest |\n|---|---|---|---|---|---|---|---|\n",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Which solution Newton's method has to find where friction falls steeply with the slip and there
-// may be several, and whether small changes leave it.
+// may be several, and whether it is stable.
 #include "contact/iteration/friction_newton.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -141,7 +141,7 @@ bool FrictionNewton::follow_bounds(double scale) {
     const double change = moved.abs().maxCoeff(&restless_);
     const Eigen::VectorXd next = held_ + part * (point_->bound - held_);
     if (lags) step = solved ? std::min(longest_step, 1.5 * step) : 0.5 * step;
-    // Longer steps would end in the state found last, which small changes leave.
+    // Longer steps would end in the state found last, which is unstable.
     if (lags && effort_.feedback > 1.0) step = std::min(step, 0.5 / (*effort_.feedback - 1.0));
     if (change < near && near > least_near) {
       if (finish(scale, near)) return true;
@@ -275,18 +275,19 @@ void FrictionNewton::fail(double scale) const {
   const Index k = (*places_)[static_cast<std::size_t>(restless_)];
   const std::string found =
       effort_.feedback
-          ? fmt::format("small changes leave the one found, where {:.3g} of them comes back",
+          ? fmt::format("in the one found a small change returns {:.3g} times as large",
                         *effort_.feedback)
-          : std::string("none was found");
+          : std::string("Newton's method found none");
   const SteepCause steep =
       steep_cause(problem_->law, effort_.steepness,
                   problem_->past != nullptr ? problem_->past->length : grid.dx);
-  throw NoSteadyFriction(fmt::format(
-      "{} (steepness {:.2g}) that no state stays: {}, and bounds went up and down most at x = "
-      "{:.4g} mm, y = {:.4g} mm; such surfaces stick and slip in turn, which steps of "
-      "rolling.problem = \"transient\" follow; do: {} ({})",
-      steep.cause, effort_.steepness, found, grid.x(static_cast<int>(k % grid.nx)),
-      grid.y(static_cast<int>(k / grid.nx)), steep.cure, how));
+  throw NoSteadyFriction(
+      fmt::format("{} (steepness {:.2g}) that no stable steady state was found: {}, and bounds "
+                  "went up and down most at x = "
+                  "{:.4g} mm, y = {:.4g} mm; such surfaces stick and slip in turn, which steps of "
+                  "rolling.problem = \"transient\" follow; do: {} ({})",
+                  steep.cause, effort_.steepness, found, grid.x(static_cast<int>(k % grid.nx)),
+                  grid.y(static_cast<int>(k / grid.nx)), steep.cure, how));
 }
 
 }  // namespace rollfem::contact

@@ -37,7 +37,7 @@ class FrictionNewton {
 
   /// `places`: grid indices of the elements in contact. `start`: initial tractions, empty for the
   /// projected full-stick solution. Throws SolveError when it does not converge, NoSteadyFriction
-  /// when there is no solution that small changes do not leave.
+  /// when there is no stable solution.
   Effort solve(ElementOperator& compliance, const FrictionProblem& problem,
                const std::vector<Eigen::Index>& places, const TangentialOptions& options,
                const TangentialField& start);

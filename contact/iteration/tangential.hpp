@@ -15,8 +15,8 @@
 
 namespace rollfem::contact {
 
-/// Friction falls so steeply that every state found is one that small changes leave. The text says
-/// where and what helps.
+/// Friction falls so steeply that no stable steady state was found. The text says where, and what
+/// helps.
 class NoSteadyFriction : public SolveError {
  public:
   using SolveError::SolveError;

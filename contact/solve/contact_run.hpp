@@ -79,7 +79,7 @@ struct RunOptions {
   ContactAccuracy force_accuracy;  ///< for a prescribed force
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
-  /// Goes on behind a load point without a state that stays, unless it is the start of the next.
+  /// Goes on behind a load point without a stable state, unless it is the start of the next.
   bool leaves_unsolved = false;
   Response first_defect;  ///< from an earlier run without friction; empty: to be computed
 };

@@ -256,10 +256,11 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
     const SteepCause steep =
         steep_cause(*problem.friction, solution.tangential.steepness,
                     problem.past ? problem.past->length : halfspace.whole.grid().dx);
-    throw NoSteadyFriction(steep.cause +
-                           " that no state stays: it jumps to another one whenever pressure and "
-                           "slip are corrected for each other; do: " +
-                           steep.cure + " (" + how + ")");
+    throw NoSteadyFriction(
+        steep.cause +
+        " that no stable steady state was found: it jumps to another one whenever pressure and "
+        "slip are corrected for each other; do: " +
+        steep.cure + " (" + how + ")");
   }
   throw SolveError(how);
 }

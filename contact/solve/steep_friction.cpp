@@ -13,19 +13,15 @@ namespace rollfem::contact {
 
 std::string steep_friction_note(const LevelResult& level, const Friction& friction) {
   if (level.steepness <= 1.0 && level.several == 0) return {};
-  const std::string found =
-      level.several == 0
-          ? std::string("several states are possible")
-          : fmt::format(
-                "there are several states at {} of {} load points (a second one that small "
-                "changes do not leave was found)",
-                level.several, level.points.size());
+  const std::string found = level.several == 0
+                                ? std::string("several states are possible")
+                                : fmt::format("there are several states at {} of {} load points",
+                                              level.several, level.points.size());
   const bool steps = !level.points.empty() && level.points.front().step > 0;
   const SteepCause steep = steep_cause(*friction, level.steepness, steps ? 0.0 : level.grid.dx);
   return fmt::format(
       "warning: {} ({:.2g} times what one element withstands) that {}, which depend on the grid: "
-      "given is "
-      "the one of friction.branch; for one alone: {} (docs/friction.md)",
+      "the result is the one chosen by friction.branch; for one alone: {} (docs/friction.md)",
       steep.cause, level.steepness, found, steep.cure);
 }
 

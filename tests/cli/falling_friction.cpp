@@ -58,7 +58,7 @@ TEST(FallingFriction, StressesOfTheSurfaceAreThoseOfItsTractions) {
   EXPECT_NEAR(shear, sliding * pressure, 0.01 * sliding * pressure);
 }
 
-/// So steep that the second load point has no state that stays; the third slides as a whole.
+/// So steep that the second load point has no stable state; the third slides as a whole.
 std::vector<std::string> steep_run(const std::string& directory, const std::string& memory,
                                    const std::string& creepages = "[0.008, 0.014, 0.2]") {
   std::vector<std::string> call{"run", ROLLFEM_SOURCE_DIR "/cases/falling_friction.toml", "-o",
@@ -77,7 +77,7 @@ TEST(FallingFriction, ALoadPointWithoutAStateIsLeftEmptyBesideTheOthers) {
   const Outcome outcome = call(folder, steep_run("out", "0"));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(says(outcome.err, "the results were written, but",
-                   "1 of 3 load points are left empty", "load point 2 of 3", "no state stays"))
+                   "1 of 3 load points are left empty", "load point 2 of 3", "no stable steady state"))
       << outcome.err;
   const nlohmann::json points = folder.json("out/summary.json")["models"][0]["points"];
   ASSERT_EQ(points.size(), 3U);

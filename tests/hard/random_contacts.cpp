@@ -67,7 +67,7 @@ TEST(RandomContacts, WhereNoStateStaysTheMessageSaysWhatToDo) {
       RandomContacts(1).falling_contact(30, 20, false), testing::RandomStart::nested);
   EXPECT_FALSE(outcome.solved);
   EXPECT_TRUE(outcome.chatters) << outcome.message;
-  EXPECT_NE(outcome.message.find("no state stays"), std::string::npos) << outcome.message;
+  EXPECT_NE(outcome.message.find("no stable steady state"), std::string::npos) << outcome.message;
   EXPECT_NE(outcome.message.find("do: give friction.memory_distance"), std::string::npos)
       << outcome.message;
 }

@@ -64,7 +64,7 @@ struct RandomContact {
 /// Effort of the solver for a contact on one grid: the largest numbers of any of its problems.
 struct RandomOutcome {
   bool solved = true;
-  bool chatters = false;  ///< there is no state that small changes do not leave
+  bool chatters = false;  ///< there is no stable state
   std::string message;    ///< why it is not
   int problems = 0;
   int newton_steps = 0;
