@@ -3,6 +3,7 @@
 // every case, model and figure.
 #include "postprocess/compare/comparison.hpp"
 #include "postprocess/files/result_folder.hpp"
+#include "postprocess/files/seal.hpp"
 #include "postprocess/study/study.hpp"
 
 #include <gtest/gtest.h>
@@ -188,7 +189,8 @@ TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
 }
 
 TEST_F(PagesTest, DataOfAnotherKindIsRefusedInALine) {
-  std::ofstream(base_ / "compare.json") << "{\"format\": 1, \"kind\": \"compare\"}";
+  std::ofstream(base_ / "compare.json")
+      << sealed_json("{\n  \"format\": 1,\n  \"kind\": \"compare\"\n}\n");
   const std::string message = make_report(base_.string(), scripts);
   EXPECT_TRUE(says(message, "not a comparison that this program reads"));
   EXPECT_FALSE(says(message, "\n"));
