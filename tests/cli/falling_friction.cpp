@@ -77,7 +77,8 @@ TEST(FallingFriction, ALoadPointWithoutAStateIsLeftEmptyBesideTheOthers) {
   const Outcome outcome = call(folder, steep_run("out", "0"));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(says(outcome.err, "the results were written, but",
-                   "1 of 3 load points are left empty", "load point 2 of 3", "no stable steady state"))
+                   "1 of 3 load points are left empty", "load point 2 of 3",
+                   "no stable steady state"))
       << outcome.err;
   const nlohmann::json points = folder.json("out/summary.json")["models"][0]["points"];
   ASSERT_EQ(points.size(), 3U);

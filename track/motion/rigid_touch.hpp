@@ -35,9 +35,9 @@ std::vector<WheelsetTouch> rigid_touches(const contact::Case& input, const Searc
 
 struct WheelsetRow {
   WheelsetTouch touch;
-  /// Equivalent conicity at the amplitude of this shift (wheelset_motion.hpp), by harmonic linearisation
-  /// and by the wave of the free wheelset, and its wavelength in mm. None at 0, and where the
-  /// wheelset does not recentre.
+  /// Equivalent conicity at the amplitude of this shift (wheelset_motion.hpp), by harmonic
+  /// linearisation and by the wave of the free wheelset, and its wavelength in mm. None at 0, and
+  /// where the wheelset does not recentre.
   std::optional<double> harmonic, wave, wave_length;
 };
 
