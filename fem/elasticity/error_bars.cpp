@@ -7,6 +7,7 @@
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/model/step_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +117,21 @@ struct Beside {
     return limit != nullptr && std::all_of(at.begin(), at.end(), [](auto* of) { return of; });
   }
 
+  /// Steps of a transient err as those of half-spaces on the second finest level.
+  void count_steps(const Scene& scene, ModelResult& finest) const {
+    if (scene.problem != contact::Problem::transient) return;
+    if (const LevelResult* whole = at[at.size() - 2]) {
+      double length = 0.0;
+      for (const PointResult& point : whole->points)
+        length = std::max(length, point.contact_length);
+      const auto steps = halfspace::divided_steps(without(scene), length);
+      HalfspaceLevels shorter(steps.scene);
+      if (const LevelResult* divided = shorter.solve(whole->grid))
+        return halfspace::add_step_errors(whole->points, divided->points, steps, finest.points);
+    }
+    finest.notes.emplace_back(halfspace::steps_left_out);
+  }
+
  private:
   /// Finite-element bodies do not include other contacts of their wheel.
   static Scene without(Scene scene) {
@@ -175,6 +191,7 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
     }
     halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, true, fine);
   }
+  beside.count_steps(scene, levels[last]);
   return beside.complete();
 }
 

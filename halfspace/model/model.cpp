@@ -234,8 +234,7 @@ void count_steps(const Scene& scene, const PatchSearch& area, const std::vector<
   const auto divided = coarser_level(steps.scene, area, cells[cells.size() - 2], nullptr, true,
                                      progress, elasticity);
   if (!divided) {
-    result.notes.push_back(
-        "error bars leave out the length of the steps: no solution with shorter ones");
+    result.notes.emplace_back(steps_left_out);
     return;
   }
   add_step_errors(levels.coarse->points, divided->points, steps, levels.fine->points);

@@ -27,4 +27,8 @@ void add_step_errors(const std::vector<contact::PointResult>& whole,
                      const std::vector<contact::PointResult>& divided, const DividedSteps& steps,
                      std::vector<contact::PointResult>& fine);
 
+/// The note where there is no solution in shorter steps.
+inline constexpr const char* steps_left_out =
+    "error bars leave out the length of the steps: no solution with shorter ones";
+
 }  // namespace rollfem::halfspace

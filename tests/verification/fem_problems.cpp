@@ -104,6 +104,22 @@ TEST(FemProblems, TransientRollingEndsInTheSteadyState) {
   EXPECT_NEAR(last.lateral_force, end.lateral_force, 0.02 * sliding(steady, end));
 }
 
+TEST(FemProblems, BarsOfALongStepHoldTheSteadyStateThatGoesOn) {
+  Case input = case_b();
+  input.rolling.problem = Problem::transient;
+  input.starts_steady = true;
+  input.history.assign(2, {});
+  input.history[1].step_length = 12.0;  // twice the patch
+  input.rolling.creepages.assign(2, {0.0015, 0.0007, 2e-4});
+  const auto points = fem::run_fem(input, {}).points;
+  const double error = std::abs(points[1].longitudinal_force - points[0].longitudinal_force);
+  const double bar_of_start = points[0].error_estimate.at("longitudinal_force");
+  const double bar = points[1].error_estimate.at("longitudinal_force");
+  EXPECT_GT(error, 2.0 * bar_of_start);  // of the step, not of the cells
+  EXPECT_LT(error, bar + bar_of_start);
+  EXPECT_LT(bar, 3.0 * error);
+}
+
 TEST(FemProblems, UnlikeMaterialsCoupleAsInTheHalfSpace) {
   Case input = case_b();
   input.wheel.material = {70e3, 0.33};
