@@ -72,13 +72,15 @@ def _look(place, series):
     return {**look, "name": name, "dash": dash or look["dash"], "marker": marker or look["marker"], "hollow": hollow}
 
 
-def _add_band(panel, drawn, key, friction):
-    """Draws a band of errors below the largest uncertainty of the references; returns whether there is one."""
+def _add_band(panel, place, drawn, key, friction):
+    """Draws a band of errors below the uncertainty of the limit of the reference model, or the largest of others;
+    returns whether there is one."""
     def relative(reference):
         scale = friction if _is_coefficient(key) else abs(reference["value"])
         return 100 * reference["uncertainty"] / scale if scale > 0 else 0.0
 
-    level = max(relative(series["references"][key]) for series in drawn)
+    of_reference = [series for series in drawn if series["model"] == place["reference"]]
+    level = max(relative(series["references"][key]) for series in of_reference or drawn)
     low = panel.y.range()[0]
     if level > low:
         panel.band(low, level)
@@ -146,7 +148,7 @@ def errors_figure(place, across, wanted, friction):
                 ends = np.array([spots[0][0], spots[-1][0]]) * 1.6
                 panel.line(ends, 1.6 * spots[0][1] * ends[0] / ends, **ORDER)
                 extra["order 2"] = ORDER
-        if _add_band(panel, [series for series, _ in found], key, friction):
+        if _add_band(panel, place, [series for series, _ in found], key, friction):
             extra["uncertainty of the limit"] = {"fill": "band"}
     for name in sorted(extra):
         figure.entry(name, **extra[name])
