@@ -6,6 +6,7 @@
 #include "contact/result/result.hpp"
 #include "contact/result/stress_measures.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string>
@@ -46,6 +47,13 @@ struct RollingLines {
 /// through the neighbours. The place is that of the largest xz on the line.
 StressMaximum largest_xz_range(const std::string& body, const RollingLines& lines,
                                const std::vector<double>& xz);
+
+/// Depth of the first layer of rolling lines, mm, and their number, in bodies whose stress is known
+/// everywhere.
+inline double rolling_step(const PointResult& point) {
+  return 0.1 * std::min(point.semi_axis_x, point.semi_axis_y);
+}
+inline constexpr int rolling_layers = 15;
 
 /// Lines along the patch of a load point and as far beyond it, between one and `layers` steps of
 /// depth below the surface; `place` returns the point at x, y and depth in mm.

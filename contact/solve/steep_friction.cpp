@@ -33,11 +33,12 @@ void ContactRun::warn_if_steep() const {
       steepness(*friction_, result_.pressure.maxCoeff(),
                 elasticity_->standin().rolling(scene_.upwind_order).diagonal(), way);
   if (gain <= 1.0) return;
+  const SteepCause steep = steep_cause(*friction_, gain, way);
   ProgressEvent event;
   event.note = fmt::format(
       "warning: {} ({:.2g} times what one element withstands) that there may be several states or "
       "none, and a load point may take minutes; do: {}",
-      steep_cause(*friction_, gain, way).cause, gain, steep_cause(*friction_, gain, way).cure);
+      steep.cause, gain, steep.cure);
   tell(event, "friction", true);
 }
 

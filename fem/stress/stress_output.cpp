@@ -187,10 +187,10 @@ struct StressOutput::Implementation {
     patch.semi_axis_y = known[1];
     patch.patch_x_middle = known[2];
     patch.patch_y_middle = known[3];
-    const double step = 0.1 * std::min(patch.semi_axis_x, patch.semi_axis_y);
-    const auto lines = contact::rolling_lines(patch, step, 15, [&](double x, double y, double z) {
-      return place_below(part.body.shape(), x, y, z);
-    });
+    const double step = contact::rolling_step(patch);
+    const auto lines = contact::rolling_lines(
+        patch, step, contact::rolling_layers,
+        [&](double x, double y, double z) { return place_below(part.body.shape(), x, y, z); });
     std::vector<double> xz;
     for (const auto& value : stress_at(part.locator.find(lines.places, step), stress))
       xz.push_back(value[5]);

@@ -31,7 +31,7 @@ contact::StressMaximum largest_range(const contact::BodyField& body, const Point
     return std::clamp(value, sampler.lower()[c], sampler.upper()[c]);
   };
   const contact::RollingLines lines = contact::rolling_lines(
-      point, 0.1 * std::min(point.semi_axis_x, point.semi_axis_y), 15,
+      point, contact::rolling_step(point), contact::rolling_layers,
       [&](double x, double y, double depth) {
         return postprocess::Place{within(x, 0), within(y, 1), within(sign * depth, 2)};
       });

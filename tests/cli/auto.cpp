@@ -94,30 +94,6 @@ TEST(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
 #endif
 }
 
-/// Two wheels in two positions. Beyond the middle the left wheel touches with a larger model error
-/// than the others.
-const std::string two_positions = R"(
-[load]
-vertical_force = 100e3
-[friction]
-coefficient = 0.55
-[wheel]
-rolling_radius = 450.0
-profile = "S1002"
-[rail]
-profile = "UIC60-manchester"
-[track]
-inclination = "1:40"
-[wheelset]
-side = "both"
-lateral_shift = [0.0, 2.0]
-roll = 0.0
-[rolling]
-longitudinal_creepage = 0.001
-[output]
-fields = false
-)";
-
 /// The number after `words`, in seconds.
 double seconds_after(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);

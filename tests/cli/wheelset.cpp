@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Cases with profiles from the command line: check prints the contacts of the wheels, run solves
 // every patch of a lateral sweep, and an interrupted run resumes patch by patch.
+#include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
 #include <cmath>
@@ -9,44 +10,21 @@ namespace {
 
 using namespace rollfem::testing;
 
-const std::string two_positions = R"(
-title = "two positions"
-models = ["halfspace"]
-[load]
-vertical_force = 100e3
-[friction]
-coefficient = 0.55
-[wheel]
-rolling_radius = 450.0
-profile = "S1002"
-[rail]
-profile = "UIC60-manchester"
-[track]
-inclination = "1:40"
-[wheelset]
-side = "both"
-lateral_shift = [0.0, 2.0]
-roll = 0.0
-[rolling]
-longitudinal_creepage = 0.001
-[contact_grid]
-elements_across = 20
-[output]
-fields = false
-)";
+const std::string twenty_across = "title = \"two positions\"\nmodels = [\"halfspace\"]\n" +
+                                  two_positions + "[contact_grid]\nelements_across = 20\n";
 
 }  // namespace
 
 TEST(Wheelset, CheckTellsWhereTheWheelsTouch) {
   const Folder folder;
-  const Outcome outcome = done(folder, {"check", folder.file("case.toml", two_positions)});
+  const Outcome outcome = done(folder, {"check", folder.file("case.toml", twenty_across)});
   EXPECT_TRUE(says(outcome.out, "where wheel and rail touch", "UIC60-manchester", "y track mm"));
 }
 
 TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   const Folder folder;
   const Outcome outcome =
-      done(folder, {"run", folder.file("case.toml", two_positions), "-o", "out", "--no-report"});
+      done(folder, {"run", folder.file("case.toml", twenty_across), "-o", "out", "--no-report"});
   const auto summary = folder.json("out/summary.json");
   ASSERT_EQ(summary["models"].size(), 4U);
   const auto& left = summary["models"][2];
@@ -109,7 +87,7 @@ TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
 
 TEST(Wheelset, WheelOffTheRailIsSaidInOneLine) {
   const Folder folder;
-  std::string text = two_positions;
+  std::string text = twenty_across;
   text.replace(text.find("[0.0, 2.0]"), 10, "-60.0");
   const Outcome outcome = call(folder, {"run", folder.file("case.toml", text), "-o", "out"});
   EXPECT_EQ(outcome.status, 1);

@@ -25,6 +25,29 @@ transverse_radius = inf
 transverse_radius = 2000.0
 )";
 
+/// Two wheels in two positions. Beyond the middle the left wheel touches with a larger model error
+/// than the others.
+inline const std::string two_positions = R"([load]
+vertical_force = 100e3
+[friction]
+coefficient = 0.55
+[wheel]
+rolling_radius = 450.0
+profile = "S1002"
+[rail]
+profile = "UIC60-manchester"
+[track]
+inclination = "1:40"
+[wheelset]
+side = "both"
+lateral_shift = [0.0, 2.0]
+roll = 0.0
+[rolling]
+longitudinal_creepage = 0.001
+[output]
+fields = false
+)";
+
 /// The small case with one piece of text replaced by another.
 inline std::string with(const std::string& piece, const std::string& replacement) {
   std::string text = small_case;
