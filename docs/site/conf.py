@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The searchable site of all pages with the C++, C and Python references: ./rollfem docs."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+root = pathlib.Path(__file__).resolve().parents[2]
+build = pathlib.Path(os.environ["ROLLFEM_BUILD"])
+
+project = "rollfem"
+author = "the authors of rollfem"
+root_doc = "docs/site/index"
+include_patterns = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/**", "examples/**"]
+exclude_patterns = ["docs/site/doxygen*"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "breathe"]
+myst_heading_anchors = 4
+html_theme = "alabaster"
+html_theme_options = {"page_width": "72em", "sidebar_width": "16em", "description": "wheel-rail rolling contact"}
+html_show_sourcelink = False
+
+# The module as built, without a trace of it in the sources.
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(build / "python"))
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+
+breathe_projects = {"rollfem": str(build / "docs" / "doxygen" / "xml")}
+breathe_default_project = "rollfem"
+breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
+
+headers = ["capi/rollfem/rollfem.h", "interface/rollfem/rollfem.hpp", "contact/case/case.hpp",
+           "contact/result/result.hpp", "contact/base/progress.hpp", "postprocess/write/output.hpp"]
+(build / "docs" / "doxygen").mkdir(parents=True, exist_ok=True)
+subprocess.run(["doxygen", "-"], check=True, cwd=root, text=True, input=f"""
+INPUT = {" ".join(headers)}
+OUTPUT_DIRECTORY = {build / "docs" / "doxygen"}
+GENERATE_XML = YES
+GENERATE_HTML = NO
+GENERATE_LATEX = NO
+EXTRACT_ALL = YES
+QUIET = YES
+MACRO_EXPANSION = YES
+# Comments of the C header are plain: those behind a member belong to it, others to what follows.
+FILTER_PATTERNS = *.h="sed -e 's|^\\( *\\)/\\*|\\1/**|' -e 's|\\([^ ] *\\)/\\* |\\1/**< |'"
+""")
+
+
+def as_written(app, what, name, thing, options, lines):
+    """What a docstring sets in columns or indents, before its sections of parameters, stays as it stands."""
+    heads = [i for i, line in enumerate(lines) if re.fullmatch("-{3,}", line)]
+    sections = lines[heads[0] - 1:] if heads else []
+    paragraphs = "\n".join(lines[:heads[0] - 1] if heads else lines).split("\n\n")
+    lines.clear()
+    for paragraph in paragraphs:
+        rows = paragraph.split("\n")
+        if any(row.startswith(" ") or "  " in row for row in rows):
+            lines += ["::", "", *("    " + row for row in rows), ""]
+        else:
+            lines += [re.sub(r"([*|])", r"\\\1", row) for row in rows] + [""]
+    lines += [row.replace("|", "\\|") for row in sections]
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", as_written, priority=100)  # before napoleon
