@@ -5,13 +5,12 @@ import os
 from dataclasses import dataclass
 from html import escape
 
-import h5py
 import numpy as np
 
 from .figure import Figure
 from .files import results_are_sound
 from .page import draw_all, hint, section, write_page
-from .reader import ResultError
+from .reader import ResultError, hdf5
 from .tables import number, plain, table
 
 FORCES = ("longitudinal_force", "lateral_force", "spin_moment")
@@ -43,7 +42,7 @@ def read_table(directory):
     path = os.path.join(directory, "table.h5")
     if not results_are_sound(path):
         raise ResultError(f"{path}: is damaged; do: run rollfem table again")
-    with h5py.File(path, "r") as file:
+    with hdf5().File(path, "r") as file:
         if file.attrs.get("format") != "rollfem table":
             raise ResultError(f"{path}: is not a table")
         checked = file["interpolation"]

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers for other libraries: data frames, labelled arrays, tables of a notebook; and figures of the report."""
-import importlib
 import os
-import sys
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
 from typing import Any
@@ -97,9 +95,10 @@ class Written(Tabular):
         >>> result.figure("path_x")
         >>> rollfem.study("cases/thesis_a.toml").figure("error_unknowns")
         """
+        from rollfem_figures.catalogue import figures
         asked = self.first_figure if name is None else name
         with self._stored() as folder:
-            found: dict[str, Callable[[], Any]] = figures_module("catalogue").figures(folder)
+            found = figures(folder)
             if asked not in found:
                 raise KeyError(f"{asked}: allowed: {', '.join(found)}")
             if (figure := found[asked]()) is None:
@@ -156,15 +155,3 @@ def html_table(title: str, heads: Sequence[str], rows: Iterable[Sequence[Any]]) 
     body = "".join(f"<tr>{''.join(f'<td>{cell(value)}</td>' for value in row)}</tr>" for row in rows)
     head = "".join(f"<th>{escape(head)}</th>" for head in heads)
     return f"<p>{escape(title)}</p><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
-
-
-def figures_module(name: str) -> Any:
-    """A module of the plotting program."""
-    folder = os.path.dirname(_core.figures_directory())
-    if folder not in sys.path:
-        sys.path.append(folder)
-    try:
-        return importlib.import_module(f"rollfem_figures.{name}")
-    except ImportError as error:
-        raise ImportError(f"reading results and drawing reports needs h5py and {folder}/rollfem_figures: {error}; "
-                          "do: apt install python3-h5py") from error

@@ -12,10 +12,11 @@ from html import escape
 from typing import Any
 
 import numpy as np
+from rollfem_figures.stress_reader import read_stress
 
 from . import _core
 from .case import Case, toml_lines
-from .frames import Written, figures_module
+from .frames import Written
 from .result import Result
 from .solving import Told, checked, names_of
 
@@ -242,7 +243,7 @@ class Stress(Files):
         super().__init__(contents, text, folder)
         with tempfile.TemporaryDirectory() as here:
             _core.write_files(here, self.contents)
-            self.models: list[Any] = figures_module("stress_reader").read_stress(here).models
+            self.models: list[Any] = read_stress(here).models
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Stress, (self.contents, self.text, self.folder)
