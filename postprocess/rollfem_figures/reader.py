@@ -178,7 +178,7 @@ class Model(ModelRecord):
         return min(self.points, key=lambda p: abs(p["longitudinal_creepage"] - longitudinal_creepage))
 
 
-@dataclass
+@dataclass(frozen=True)
 class Quantity:
     """Description of a scalar of a load point."""
 
@@ -187,6 +187,11 @@ class Quantity:
     unit: str  # "-" if it has none
     meaning: str = ""
     percent_of: str = ""  # reference of errors and differences in percent: "value", "mu F_z", ...
+
+    @property
+    def label(self):
+        """For an axis: "largest pressure (MPa)"."""
+        return self.title if self.unit == "-" else f"{self.title} ({self.unit})"
 
 
 @dataclass

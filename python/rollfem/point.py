@@ -9,26 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from rollfem_figures.reader import PointRecord
+from rollfem_figures.reader import PointRecord, Quantity
 
 from . import _core
 from .names import known
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """Description of a scalar of a load point."""
-
-    title: str  #: for headings: "largest pressure"
-    symbol: str  #: "F_x", "xi"; empty where there is none
-    unit: str  #: "-" where it has none
-    meaning: str
-    percent_of: str  #: what errors are given in percent of: "the value", "mu F_z", ...
-
-    @property
-    def label(self) -> str:
-        """For an axis: "largest pressure (MPa)"."""
-        return self.title if self.unit == "-" else f"{self.title} ({self.unit})"
 
 
 @dataclass(frozen=True)
