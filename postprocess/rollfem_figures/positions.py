@@ -204,9 +204,9 @@ def draw_wheelset(table, loaded=()):
         f"{angle['right'].max():.3g} degrees", _conicity_seen(table)])
 
 
-def build(path):
-    """Draws NAME.svg from a table NAME.csv of `rollfem wheelset`."""
-    draw_wheelset(read_columns(path, "conicity_wave")[1]).save(os.path.splitext(path)[0] + ".svg")
+def of_table(path):
+    """The figure of a table of `rollfem wheelset`."""
+    return draw_wheelset(read_columns(path, "conicity_wave")[1])
 
 
 def wheelset(result):

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .files import json_is_sound, results_are_sound
+from .files import folder_of, json_is_sound, results_are_sound
 
 FORMAT_VERSION = 2
 JSON_FORMATS = {"compare": ("comparison", 3), "study": ("study", 4)}
@@ -369,11 +369,13 @@ def sound_json(path):
 def read_json(directory, kind):
     """Reads compare.json or study.json by its kind, with the numbers of a study's levels. Raises ResultError if it is
     damaged or has another format."""
+    directory = folder_of(directory)
     path = os.path.join(directory, f"{kind}.json")
     data = sound_json(path)
     word, version = JSON_FORMATS[kind]
     if (data.get("kind"), data.get("format")) != (kind, version):
         raise ResultError(f"{path} is not a {word} that this program reads")
+    data["directory"] = directory
     if kind == "study":
         _add_numbers(data, os.path.join(directory, "study.csv"))
     return data
@@ -382,8 +384,7 @@ def read_json(directory, kind):
 def read_result(path, of_model=Model):
     """Reads a result folder or its results.h5, with models of this type (ModelRecord). Raises ResultError if it is not
     complete."""
-    directory = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
-    file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
+    directory, file = folder_of(path), os.path.join(path, "results.h5") if os.path.isdir(path) else path
     if not os.path.exists(file):
         raise ResultError(f"there is no {file}: not a result folder of `rollfem run`")
     if not os.path.isfile(file):  # a device would have no end
