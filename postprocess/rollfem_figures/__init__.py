@@ -9,11 +9,8 @@
 `python3 -m rollfem_figures DIR` draws DIR/figures/*.svg and writes DIR/report.html. `read_stress(DIR)` reads a folder of
 `rollfem stress`. Needs numpy and h5py.
 """
-try:
-    from .reader import Body, Model, Point, Result, ResultError, read_result
-    from .stress_reader import StressModel, StressResult, StressSet, read_stress
-except ImportError as error:
-    raise ImportError(f"figures need numpy and h5py: {error}; do: apt install python3-numpy python3-h5py") from error
+from .reader import Model, Point, Result, ResultError, read_result
+from .stress_reader import StressModel, StressResult, StressSet, read_stress
 
-__all__ = ["Body", "Model", "Point", "Result", "ResultError", "StressModel", "StressResult", "StressSet",
-           "read_result", "read_stress"]
+__all__ = ["Model", "Point", "Result", "ResultError", "StressModel", "StressResult", "StressSet", "read_result",
+           "read_stress"]

@@ -1,44 +1,49 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The figures of what rollfem has written, by name, each drawn when it is asked for."""
+"""What rollfem writes, and the module that draws it: of a folder with `read` (of its path), `captioned` ((file name, caption,
+function that makes a Figure or returns None) of all figures), `page` (the arguments of page.write_page) and PAGE (its
+file); of a table NAME.csv with `of_table`."""
+import importlib
 import os
 
-from . import compare, report, stress_page, styles, study, table
-from .reader import read_result
-from .stress_reader import read_stress
+from .reader import ResultError, read_rows
+
+# (kind, a characteristic file of the folder, module).
+FOLDERS = (("result", "results.h5", "report"), ("table", "table.h5", "table"), ("study", "study.json", "study"),
+           ("compare", "compare.json", "compare"), ("stress", "stress.json", "stress_page"))
+# (characteristic column of a table, module).
+TABLES = (("part", "profiles"), ("conicity_wave", "positions"), ("curvature", "profiles"))
 
 
-# What a folder holds, by the file that tells.
-KINDS = {"results.h5": "result", "table.h5": "table", "study.json": "study", "compare.json": "compare",
-         "stress.json": "stress", "wheelset.csv": "wheelset"}
+def _module(name):
+    """Loads only the modules of the call, because the user waits for each of them."""
+    return importlib.import_module(f".{name}", __package__)
+
+
+def _row(path):
+    """The row of FOLDERS of a folder, or of a file of it."""
+    if os.path.isdir(path):
+        return next((row for row in FOLDERS if os.path.exists(os.path.join(path, row[1]))), FOLDERS[0])
+    return next((row for row in FOLDERS if row[1] == os.path.basename(path)), FOLDERS[0])
 
 
 def kind_of(path):
     """What rollfem has written at a path: a folder, or a file of it."""
-    if os.path.isdir(path):
-        return next((kind for name, kind in KINDS.items() if os.path.exists(os.path.join(path, name))), "result")
-    return KINDS.get(os.path.basename(path), "result")
-
-
-def _know(models):
-    styles.know({model.name: model.label for model in models})
+    return _row(path)[0]
 
 
 def figures(path):
     """{name: function that returns the Figure, or None where there is no data for it} of a folder of results, of a
     comparison, a study, a table or stresses. Raises ResultError and OSError as the readers do."""
-    kind, folder = kind_of(path), path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
-    if kind == "study":
-        captioned = study.captioned(study.read_study(folder))
-    elif kind == "compare":
-        captioned = compare.captioned(compare.read_comparison(folder))
-    elif kind == "table":
-        captioned = table.figures(table.read_table(folder))
-    elif kind == "stress":
-        found = read_stress(folder)
-        _know(found.models)
-        captioned = stress_page.figures(found)
-    else:
-        result = read_result(path)
-        _know(result.models)
-        captioned = report.all_captions(result)
-    return {name.removesuffix(".svg"): draw for name, _, draw in captioned}
+    module = _module(_row(path)[2])
+    return {name.removesuffix(".svg"): draw for name, _, draw in module.captioned(module.read(path))}
+
+
+def build(path):
+    """Draws what lies at a path: the figures and the page of a folder, or NAME.svg of a table NAME.csv."""
+    if not path.endswith(".csv"):
+        _module("page").build(_module(_row(path)[2]), path)
+        return
+    columns = next(iter(read_rows(path)[1]), ())
+    if not (name := next((module for column, module in TABLES if column in columns), None)):
+        raise ResultError(f"{path}: no figure exists for this table; allowed: tables of rollfem profile and rollfem wheelset")
+    _module(name).of_table(path).save(os.path.splitext(path)[0] + ".svg")

@@ -5,8 +5,9 @@ from html import escape
 
 import numpy as np
 
-from . import page, report, styles, tables
+from . import report, styles, tables
 from .figure import Figure
+from .page import build, hint, made_by, section
 from .reader import read_json
 
 
@@ -123,13 +124,14 @@ def _missing(case):
         for m in case["missing"])
 
 
-def _case_section(comparison, case, directory):
+def _case_section(comparison, case):
     heading = f"<h2 id=\"{escape(case['name'])}\">{escape(case['title'] or case['name'])}</h2>"
     if not case["complete"]:
         return heading + _missing(case)
-    result, figures = report.build(os.path.join(directory, case["name"]), comparison["reference"], "halfspace")
+    result, figures = build(report, os.path.join(comparison["directory"], case["name"]), reference=comparison["reference"],
+                            default_reference="halfspace")
     inner = (report.touching(result, figures) + report.patches(result, figures, f"of-{case['name']}-")
-             + page.section("Cost", tables.cost_table(result)) + report.notes(result))
+             + section("Cost", tables.cost_table(result)) + report.notes(result))
     return "".join([heading, report.warned(result), report.asked(result), _missing(case), report.lower(inner),
                     f"<p class=screen><a href=\"{escape(case['name'])}/report.html\">"
                     "full report of this case</a></p>"])
@@ -162,7 +164,10 @@ def _complete(comparison):
     return [case for case in comparison["cases"] if case["complete"]]
 
 
-def read_comparison(directory):
+PAGE = "compare.html"
+
+
+def read(directory):
     """compare.json; figures then know how its models are called."""
     comparison = read_json(directory, "compare")
     styles.know(comparison.get("labels", {}))
@@ -170,25 +175,23 @@ def read_comparison(directory):
 
 
 def captioned(comparison):
-    """(file name, caption, function that makes the figure or returns None) of all cases together."""
+    """The figures of all cases together."""
     return [("difference_cost.svg", "Difference of each model from the reference against its cost, one marker per case. "
              "Differences below 0.0001 % are drawn at that value.", lambda: cost_figure(_complete(comparison)))]
 
 
-def build(directory):
-    """Draws every case of the comparison in `directory` and writes compare.html."""
-    comparison = read_comparison(directory)
+def page(comparison, drawn):
+    """The page; it also draws the report of every case."""
     cases = _complete(comparison)
-    sections = [_case_section(comparison, c, directory) for c in comparison["cases"]]
-    drawn = page.draw_all(captioned(comparison), directory)
+    sections = [_case_section(comparison, c) for c in comparison["cases"]]
     found = _differences(cases, comparison["quantities"])
     title = "Comparison of models on " + (
         escape(cases[0]["name"]) if len(cases) == 1 else f"{len(comparison['cases'])} cases")
-    page.write_page(
-        os.path.join(directory, "compare.html"), title, page.made_by(comparison["program"], comparison), [
-            report.verdict(comparison["verdict"]), _asked(comparison), page.section("Differences between models", drawn(""), found),
-            page.hint("Largest difference over the load points of the case, with its sign. Bold: at least one "
-                      "load point exceeds the error bars of both models together; their number is given below. “bars”: "
-                      f"sum of both at that point.{_elasticity(cases)}") if found else "",
-            page.section("Cost", _cost_table(cases)), *sections, report.CONVENTIONS],
+    return title, made_by(comparison["program"], comparison), [
+        report.verdict(comparison["verdict"]), _asked(comparison),
+        section("Differences between models", drawn(""), found),
+        hint("Largest difference over the load points of the case, with its sign. Bold: at least one "
+             "load point exceeds the error bars of both models together; their number is given below. “bars”: "
+             f"sum of both at that point.{_elasticity(cases)}") if found else "",
+        section("Cost", _cost_table(cases)), *sections, report.CONVENTIONS], (
         "Also in this folder: compare.csv with every number, compare.json, and a result folder for each case.")

@@ -26,6 +26,11 @@ def write_whole(path, text):
         file.write(text)
 
 
+def folder_of(path):
+    """The folder at a path, or of a file there."""
+    return path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
+
+
 def results_are_sound(path):
     """False if the checksum of results.h5 is missing or does not match."""
     with open(path, "rb") as file:

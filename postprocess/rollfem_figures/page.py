@@ -6,7 +6,7 @@ import re
 from html import escape
 
 from . import styles
-from .files import write_whole
+from .files import folder_of, write_whole
 
 _LIGHT = ("--ink:#1a1a1a;--soft:#555;--ground:#fff;--line:#ddd;--strong:#888;--box:#f5f5f5;--accent:#0067a3;"
           "--warn:#E69F00;--bad:#D55E00")
@@ -119,10 +119,24 @@ def _do_task(number):
     return _task(number)
 
 
+def build(module, path, **how):
+    """Draws what lies at a path to figures/ and writes its page, by a module (catalogue); returns what was read and the
+    figures for which there is data (Drawn)."""
+    found, folder = module.read(path, **how), folder_of(path)
+    drawn = draw_all(module.captioned(found), folder)
+    write_page(os.path.join(folder, module.PAGE), *module.page(found, drawn))
+    return found, drawn
+
+
 def section(heading, *parts):
     """Parts under a second-level heading; empty if they are empty."""
     body = "".join(parts)
     return f"<h2>{heading}</h2>{body}" if body else ""
+
+
+def case_file(name, text):
+    """The case file, to be opened by the reader."""
+    return f"<details><summary>case file {escape(name)}</summary><pre>{escape(text)}</pre></details>"
 
 
 def hint(text):

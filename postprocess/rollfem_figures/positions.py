@@ -32,14 +32,6 @@ def pair(result, wheel, position):
     return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}") if drawn and touching else None
 
 
-def lateral_force_track(model):
-    """Force on the wheel along y of the track at the first load point, N, to the right, from the forces in the patch frame
-    (docs/track.md)."""
-    angle, tilt = model.place["contact_angle"], 1 if model.place["wheel"] == "left" else -1
-    point = model.points[0]
-    return -point["lateral_force"] * math.cos(angle) + tilt * point["normal_force"] * math.sin(angle)
-
-
 PRESSURE = "largest pressure"
 FORCES = ("$F_x$ on the wheel", "$Y$ on the wheel, to the right")  # summed over all its patches
 
@@ -61,7 +53,7 @@ PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_r
           ("longitudinal creepage $\\xi$", "[%]", 0.02, _at("longitudinal_creepage", 100)),
           ("spin $\\varphi$", "[rad/m]", 0.02, _at("spin", 1e3)),
           (FORCES[0], "[kN]", 0.2, _at("longitudinal_force", 1e-3)),
-          (FORCES[1], "[kN]", 0.2, lambda model: lateral_force_track(model) / 1e3))
+          (FORCES[1], "[kN]", 0.2, lambda model: model.points[0].lateral_force_track / 1e3))
 
 
 def along(result):
@@ -212,9 +204,9 @@ def draw_wheelset(table, loaded=()):
         f"{angle['right'].max():.3g} degrees", _conicity_seen(table)])
 
 
-def build(path):
-    """Draws NAME.svg from a table NAME.csv of `rollfem wheelset`."""
-    draw_wheelset(read_columns(path, "conicity_wave")[1]).save(os.path.splitext(path)[0] + ".svg")
+def of_table(path):
+    """The figure of a table of `rollfem wheelset`."""
+    return draw_wheelset(read_columns(path, "conicity_wave")[1])
 
 
 def wheelset(result):

@@ -2,7 +2,6 @@
 """Profiles: a profile of wheel or rail with its curvature over y; and a wheel on its rail with the distance between
 them."""
 import math
-import os
 
 import numpy as np
 
@@ -98,8 +97,7 @@ def _pair_of(path):
                    for row in rows if row["part"].startswith("patch")], title
 
 
-def build(path):
-    """Draws NAME.svg from a table NAME.csv of `rollfem profile`, for one profile or a case's wheel on its rail."""
+def of_table(path):
+    """The figure of a table of `rollfem profile`, for one profile or a case's wheel on its rail."""
     pair = "part" in read_rows(path)[1][0]
-    figure = draw_pair(*_pair_of(path)) if pair else draw_profile(*read_columns(path, "curvature"))
-    figure.save(os.path.splitext(path)[0] + ".svg")
+    return draw_pair(*_pair_of(path)) if pair else draw_profile(*read_columns(path, "curvature"))

@@ -11,10 +11,9 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-import h5py
 import numpy as np
 
-from .files import json_is_sound, results_are_sound
+from .files import folder_of, json_is_sound, results_are_sound
 
 FORMAT_VERSION = 2
 JSON_FORMATS = {"compare": ("comparison", 3), "study": ("study", 4)}
@@ -26,20 +25,19 @@ class ResultError(Exception):
     """The folder or file is not a complete rollfem result."""
 
 
-@dataclass
-class Body:
-    """Wheel or rail of a finite-element model: `points` [n, 3] mm undeformed, `cells` [m, 8] numbers
-    of points in VTK's order of a hexahedron, `displacement` [n, 3] mm, `stress` [n, 6] MPa (xx, yy,
-    zz, xy, yz, xz; tension positive)."""
-
-    points: np.ndarray
-    cells: np.ndarray
-    displacement: np.ndarray
-    stress: np.ndarray
+def hdf5():
+    """h5py, loaded by whoever reads a file: `import rollfem` does not wait for it."""
+    try:
+        import h5py  # pylint: disable=import-outside-toplevel
+    except ImportError as error:
+        raise ImportError(f"figures need numpy and h5py: {error}; do: apt install python3-numpy python3-h5py") from error
+    return h5py
 
 
 class Bodies(Mapping):
-    """{"wheel": Body, "rail": Body} under one load. They are large, so every look-up reads from the file."""
+    """{"wheel": ..., "rail": ...} of finite elements under one load: dicts of `points` [n, 3] mm undeformed, `cells` [m, 8]
+    numbers of points in VTK's order of a hexahedron, `displacement` [n, 3] mm, `stress` [n, 6] MPa (xx, yy, zz, xy, yz,
+    xz; tension positive). They are large, so every look-up reads from the file."""
 
     def __init__(self, nodes, values):
         """`nodes`, `values`: the groups that hold points and cells, displacement and stress."""
@@ -49,9 +47,9 @@ class Bodies(Mapping):
     def __getitem__(self, name):
         nodes, values = self._groups[name]
         try:
-            with h5py.File(self._file, "r") as file:
-                return Body(*(file[nodes][part][()] for part in ("points", "cells")),
-                            *(file[values][part][()].astype(float) for part in ("displacement", "stress")))
+            with hdf5().File(self._file, "r") as file:
+                return {**{part: file[nodes][part][()] for part in ("points", "cells")},
+                        **{part: file[values][part][()].astype(float) for part in ("displacement", "stress")}}
         except (OSError, KeyError) as error:
             raise ResultError(f"{self._file}: the {name} cannot be read: {error}") from error
 
@@ -66,28 +64,37 @@ class Bodies(Mapping):
 TWICE = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
 
 
-@dataclass
-class Point:
-    """One load point of one model.
+class PointRecord:
+    """One load point of one model, from a file or from the solution (rollfem.Point).
 
     `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in summary.json.
     `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y, gap (mm), state (0 exterior, 1
     adhesion, 2 slip, 3 plastic), ...; fields not given by the model are missing. By quantity: `error_estimate`, the error bar, in
     its unit; `no_bar`, why it has none ("exact", "given", ...);
     `model_error`, in its unit; `richardson`, the value extrapolated to element size 0.
+    `subsurface`: dicts for every [[subsurface.*]]: kind, body, points [n, 3], displacement [n, 3], stress [n, 6];
+    `stress_maxima`, the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm); `bodies`: Bodies of finite
+    elements, if stored; otherwise empty.
+    `x`, `y`, `place`: those of its model.
     """
 
-    scalars: dict
-    fields: dict
-    error_estimate: dict
-    no_bar: dict
-    model_error: dict
-    richardson: dict
-    subsurface: list  # dicts for every [[subsurface.*]]: kind, body, points [n, 3], displacement [n, 3], stress [n, 6]
-    stress_maxima: list  # the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm)
-    bodies: Mapping  # {"wheel": Body, "rail": Body} of finite elements, if stored; otherwise empty
-    number: int = 0  # number of the load point, from 0
-    by_number: bool = False  # identified by its number: steps of a history, prescribed forces
+    def __init__(self, record, x, y, place):
+        self.__dict__.update(record)
+        self.x, self.y, self.place = x, y, place
+
+    @property
+    def lateral_force_track(self):
+        """Lateral force on the wheel in the track frame (to the right), N, where lateral_force lies in the plane of the
+        patch (docs/track.md); None without a track."""
+        if self.place is None:
+            return None
+        angle, tilt = self.place["contact_angle"], 1 if self.place["wheel"] == "left" else -1
+        return float(tilt * self.scalars["normal_force"] * math.sin(angle) - self.scalars["lateral_force"] * math.cos(angle))
+
+
+class Point(PointRecord):
+    """A load point as figures need it. `number`: of the load point, from 0; `by_number`: identified by it (steps of a
+    history, prescribed forces)."""
 
     def __getitem__(self, name):
         return self.scalars[name]
@@ -116,32 +123,37 @@ class Point:
         return (float(self.number + 1),) if self.by_number else self.creepages
 
 
-@dataclass
-class Model:
-    """All load points of one model on its contact grid; `x`, `y` are element centres in mm."""
+class ModelRecord:
+    """All load points of one model on its contact grid, from a file or from the solution (rollfem.ModelResult).
 
-    name: str
-    label: str  # label in figures
-    key: str  # name of its group in results.h5: the name, with profiles followed by the patch
-    seconds: dict
-    unknowns: int
-    contact_elements: int
-    notes: list
-    model_error_source: str  # source of the model errors, or why there are none
-    x: np.ndarray
-    y: np.ndarray
-    dx: float
-    dy: float
-    # with profiles: the place of the patch, a dict of wheel, position, patch, y_track (mm), contact_angle (rad), ...;
-    # otherwise None
-    place: dict
-    points: list
-    _found: dict = field(default=None, repr=False, compare=False)  # points by key, created on first use
+    `name`, `label` (in figures), `key` (name of its group in results.h5: the name, with profiles followed by the patch);
+    `seconds`, `unknowns`, `contact_elements`, `notes`; `model_error_source`, source of the model errors, or why there are
+    none; `x`, `y`, element centres, and `dx`, `dy` (mm); `place`, with profiles that of the patch: a dict of wheel,
+    position, patch, y_track (mm), contact_angle (rad), ...; otherwise None.
+    """
 
-    @property
-    def bodies(self):
-        """{"wheel": Body, "rail": Body} of the last load point that stores them; empty except for finite elements."""
-        return next((p.bodies for p in reversed(self.points) if p.bodies), {})
+    of_point = PointRecord  # type of its load points
+
+    def __init__(self, record):
+        self.__dict__.update(record)
+        self.points = [self.of_point(point, self.x, self.y, self.place) for point in record["points"]]
+
+    def middle(self, values, axis, at=0.0):
+        """`values` [ny, nx] along a line: axis "x" for the line y = at, "y" for x = at.
+
+        The row or column nearest to it; the mean of two if they are equally near.
+        """
+        across = self.y if axis == "x" else self.x
+        distance = np.abs(across - at)
+        lines = np.flatnonzero(distance < distance.min() + 1e-6 * (self.dy if axis == "x" else self.dx))
+        return values[lines, :].mean(axis=0) if axis == "x" else values[:, lines].mean(axis=1)
+
+
+class Model(ModelRecord):
+    """A model as figures need it."""
+
+    of_point = Point
+    _found = None  # points by key, created on first use
 
     @property
     def has_friction(self):
@@ -165,18 +177,8 @@ class Model:
         """The point whose xi is nearest."""
         return min(self.points, key=lambda p: abs(p["longitudinal_creepage"] - longitudinal_creepage))
 
-    def middle(self, values, axis, at=0.0):
-        """`values` [ny, nx] along a line: axis "x" for the line y = at, "y" for x = at.
 
-        The row or column nearest to it; the mean of two if they are equally near.
-        """
-        across = self.y if axis == "x" else self.x
-        distance = np.abs(across - at)
-        lines = np.flatnonzero(distance < distance.min() + 1e-6 * (self.dy if axis == "x" else self.dx))
-        return values[lines, :].mean(axis=0) if axis == "x" else values[:, lines].mean(axis=1)
-
-
-@dataclass
+@dataclass(frozen=True)
 class Quantity:
     """Description of a scalar of a load point."""
 
@@ -185,6 +187,11 @@ class Quantity:
     unit: str  # "-" if it has none
     meaning: str = ""
     percent_of: str = ""  # reference of errors and differences in percent: "value", "mu F_z", ...
+
+    @property
+    def label(self):
+        """For an axis: "largest pressure (MPa)"."""
+        return self.title if self.unit == "-" else f"{self.title} ({self.unit})"
 
 
 @dataclass
@@ -246,16 +253,17 @@ def _texts(dataset):
 
 
 def _read_point(group, number, by_number, nodes):
-    parts = [_attributes(group[name]) if name in group else {}
-             for name in ("error_estimate", "no_bar", "model_error", "richardson")]
     below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
              for _, part in sorted(group.get("subsurface", {}).items())]
     maxima = {name: data[()] for name, data in group.get("stress_maxima", {}).items()}
     largest = [{name: each if name == "place" else _plain(each) for name, each in zip(maxima, row)}
                for row in zip(*maxima.values())]
-    return Point(_attributes(group), {n: d[()] for n, d in group.items() if isinstance(d, h5py.Dataset)}, *parts, below,
-                 largest, Bodies(nodes, group["bodies"]) if nodes is not None and "bodies" in group else {}, number,
-                 by_number)
+    return {"scalars": _attributes(group), "fields": {n: d[()] for n, d in group.items() if hasattr(d, "shape")},
+            **{name: _attributes(group[name]) if name in group else {}
+               for name in ("error_estimate", "no_bar", "model_error", "richardson")},
+            "subsurface": below, "stress_maxima": largest,
+            "bodies": Bodies(nodes, group["bodies"]) if nodes is not None and "bodies" in group else {},
+            "number": number, "by_number": by_number}
 
 
 def full_sliding(point, percent_of, friction):
@@ -276,13 +284,15 @@ def _read_model(key, group, by_number):
     # Hertz always has a single point.
     points = [_read_point(group["points"][each], number, by_number and name != "hertz", group.get("bodies"))
               for number, each in enumerate(sorted(group["points"]))]
-    return Model(name, about.get("label", ""), key, _attributes(group["seconds"]), about["unknowns"],
-                 about["contact_elements"], _texts(group["notes"]), about.get("model_error_source", ""),
-                 grid["x"][()], grid["y"][()], _plain(grid.attrs["dx"]), _plain(grid.attrs["dy"]), place, points)
+    return {"name": name, "label": about.get("label", ""), "key": key, "seconds": _attributes(group["seconds"]),
+            "unknowns": about["unknowns"], "contact_elements": about["contact_elements"], "notes": _texts(group["notes"]),
+            "choice": "", "shortfall": "", "model_error_source": about.get("model_error_source", ""),
+            **{side: grid[side][()] for side in ("x", "y")}, **{size: _plain(grid.attrs[size]) for size in ("dx", "dy")},
+            "place": place, "points": points}
 
 
-def _read_file(path, directory):
-    with h5py.File(path, "r") as file:
+def _read_file(path, directory, of_model):
+    with hdf5().File(path, "r") as file:
         about = _attributes(file)
         if about.get("format") != "rollfem results":
             raise ResultError(f"{path} is not a result of rollfem")
@@ -295,7 +305,7 @@ def _read_file(path, directory):
         if "friction_law" in file["case"]:  # [n, 2]: slip velocity, mm/s, and coefficient of friction
             case["friction_law"] = file["case/friction_law"][()]
         by_number = bool(case.get("problem", "steady") in ("shift", "transient") or case.get("prescribed_forces", ""))
-        models = [_read_model(name, group, by_number) for name, group in
+        models = [of_model(_read_model(name, group, by_number)) for name, group in
                   sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))]
         columns = [_texts(file["quantities"][n]) for n in ("name", "title", "symbol", "unit", "meaning", "percent_of")]
         profiles = {(_plain(group.attrs["wheel"]), _plain(group.attrs["position"])):
@@ -359,20 +369,22 @@ def sound_json(path):
 def read_json(directory, kind):
     """Reads compare.json or study.json by its kind, with the numbers of a study's levels. Raises ResultError if it is
     damaged or has another format."""
+    directory = folder_of(directory)
     path = os.path.join(directory, f"{kind}.json")
     data = sound_json(path)
     word, version = JSON_FORMATS[kind]
     if (data.get("kind"), data.get("format")) != (kind, version):
         raise ResultError(f"{path} is not a {word} that this program reads")
+    data["directory"] = directory
     if kind == "study":
         _add_numbers(data, os.path.join(directory, "study.csv"))
     return data
 
 
-def read_result(path):
-    """Reads a result folder or its results.h5. Raises ResultError if it is not complete."""
-    directory = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
-    file = os.path.join(path, "results.h5") if os.path.isdir(path) else path
+def read_result(path, of_model=Model):
+    """Reads a result folder or its results.h5, with models of this type (ModelRecord). Raises ResultError if it is not
+    complete."""
+    directory, file = folder_of(path), os.path.join(path, "results.h5") if os.path.isdir(path) else path
     if not os.path.exists(file):
         raise ResultError(f"there is no {file}: not a result folder of `rollfem run`")
     if not os.path.isfile(file):  # a device would have no end
@@ -381,13 +393,13 @@ def read_result(path):
         sound = results_are_sound(file)
     except OSError as error:
         raise ResultError(f"{file} cannot be read: {error}") from error
-    if not h5py.is_hdf5(file):
+    if not hdf5().is_hdf5(file):
         raise ResultError(f"{file} is not a result of rollfem (no HDF5 file)")
     if not sound:
         raise ResultError(f"{file} is truncated or damaged: its checksum does not match; "
                           "run the case again, or use a copy")
     try:
-        return _read_file(file, directory)
+        return _read_file(file, directory, of_model)
     except OSError as error:
         raise ResultError(f"{file} is truncated or damaged: {error}; run the case again") from error
     except KeyError as error:

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """report.html: the problem, the patch, forces, tractions and stresses of every model."""
-import os
 import re
 from html import escape
 
 from . import curves, load_points, maps, positions, stresses, styles, tables
-from .page import draw_all, hint, made_by, section, write_page
+from .page import case_file, hint, made_by, section
 from .reader import place_label, read_result
 
 CONVENTIONS = section("Signs", """<p>x is the rolling direction, and material enters the patch at large x (on the right of
@@ -80,7 +79,7 @@ def _telling(scene):
             *(f"oblique_{what}_{reference.name}.svg" for what in ("px", "pn")))
 
 
-def all_captions(result):
+def captioned(result):
     """The same for a whole run: the places of the patches, then the figures of each patch, whose names begin with s1_,
     s2_, ... if there are several."""
     scenes = result.scenes()
@@ -126,8 +125,7 @@ def asked(result):
     if case.get("prescribed_forces"):
         what += "Tangential forces are prescribed; creepages are results. "
     return (f"<p>{said}{';' if 'given_max_pressure' in case else ','} {law}. {what}</p>"
-            f"<details><summary>case file {escape(result.case_file)}</summary>"
-            f"<pre>{escape(result.case_text)}</pre></details>")
+            + case_file(result.case_file, result.case_text))
 
 
 def _numbers(result):
@@ -277,26 +275,30 @@ def touching(result, figures):
              "profile coordinates: y to the field side. Forces and pressures at the first load point."), figures("pair_", "positions"))
 
 
-def build(directory, reference="", default_reference=""):
-    """Draws and writes the report of a folder; returns its result and the figures for which it has data (page.Drawn).
-    `reference`, `default_reference`: names of the reference model chosen by the user and by the command."""
+PAGE = "report.html"
+
+
+def read(directory, reference="", default_reference=""):
+    """The result of a folder. `reference`, `default_reference`: names of the reference model chosen by the user and by the
+    command."""
     result = read_result(directory)
     result.reference, result.default_reference = reference, default_reference
     styles.know({model.name: model.label for model in result.models})
-    figures = draw_all(all_captions(result), result.directory)
-    made = result.provenance
+    return result
+
+
+def page(result, figures):
+    """The report of a result."""
     details = "".join(f"<details><summary>all numbers of {escape(styles.label(m))}"
                       f"{', ' if m.place else ''}{escape(place_label(m.place))}</summary>"
                       f"{tables.points_table(result, m)}</details>" for m in result.models if m.points)
-    write_page(os.path.join(result.directory, "report.html"),
-               escape(result.title or result.case_file or "rollfem result"), made_by(made, made), [
+    return escape(result.title or result.case_file or "rollfem result"), made_by(result.provenance, result.provenance), [
         warned(result), asked(result), figures("friction_law"), touching(result, figures), patches(result, figures),
         section("Cost", tables.cost_table(result)),
-        notes(result), CONVENTIONS, f"<div class=screen><h2>Every load point</h2>{details}</div>"],
+        notes(result), CONVENTIONS, f"<div class=screen><h2>Every load point</h2>{details}</div>"], (
         "Also in this folder: results.h5 (all fields), summary.json, creep_curve.csv, contacts.csv (with profiles), "
         "wheelset.csv (for a lateral sweep), path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "
         "ParaView), figures/.")
-    return result, figures
 
 
 # Replacements that turn a verdict for the terminal into HTML.

@@ -2,7 +2,6 @@
 """stress.html: results of `rollfem stress` at all requested load points: depth profiles, lines, planes and the
 shakedown map."""
 import math
-import os
 from html import escape
 
 import numpy as np
@@ -10,7 +9,7 @@ import numpy as np
 from . import labels, load_points, stresses, styles
 from .figure import Figure
 from .outline import at_points, contour_lines
-from .page import draw_all, hint, section, write_page
+from .page import hint, section
 from .panel import nice_step
 from .stress_reader import read_stress
 from .stresses import MEASURES
@@ -224,8 +223,8 @@ def shakedown_map(result):
     return figure.tell("Shakedown map, ", [panel.seen()])
 
 
-def figures(result):
-    """(file name, caption, function that makes the figure or returns None) of everything."""
+def captioned(result):
+    """The figures of everything."""
     yield "shakedown_map.svg", "Shakedown map.", lambda: shakedown_map(result)
     depths = {}
     for (name, body), parts in _by_name(result, "depth_").items():
@@ -293,17 +292,22 @@ def _verdicts(result, image):
         "limits of line and circle."), image)
 
 
-def build(path):
-    """Draws the folder of stress.json to figures/ and writes stress.html."""
-    directory = os.path.dirname(os.path.abspath(path))
-    result = read_stress(directory)
+PAGE = "stress.html"
+
+
+def read(path):
+    """The stresses of a folder."""
+    result = read_stress(path)
     styles.know({model.name: model.label for model in result.models})
-    drawn = draw_all(figures(result), directory)
+    return result
+
+
+def page(result, drawn):
+    """The page of stresses."""
     heads = [labels.html(f"{styles.label(m)}, {load_point(m)}") for m in result.models]
-    write_page(os.path.join(directory, "stress.html"), "Stress below the surface: " + escape(result.title),
-               f"from <code>{escape(result.source)}</code>", [
+    return "Stress below the surface: " + escape(result.title), f"from <code>{escape(result.source)}</code>", [
         section("Load points", _contacts(result, heads)), "<h2>Largest stresses</h2>", _largest(result, heads),
         hint("±: the model's own error estimate, or why there is none. Places x (along rolling), y, z (into "
              "the wheel). Tension is positive."),
-        _verdicts(result, drawn("shakedown")), section("Lines and planes", drawn("depth_", "line_", "surface_", "plane_"))],
+        _verdicts(result, drawn("shakedown")), section("Lines and planes", drawn("depth_", "line_", "surface_", "plane_"))], (
         "Also in this folder: stress.csv with every place, stress.json, figures/.")

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .files import folder_of
 from .reader import ResultError, read_rows, sound_json
 
 
@@ -67,7 +68,8 @@ def _rows(path):
 
 
 def read_stress(directory):
-    """Reads the folder of a `rollfem stress` call. Raises ResultError if it is not one."""
+    """Reads the folder of a `rollfem stress` call, or its stress.json. Raises ResultError if it is not one."""
+    directory = folder_of(directory)
     try:
         data = sound_json(os.path.join(directory, "stress.json"))
         if data["format"] != 2:

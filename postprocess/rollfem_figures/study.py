@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """study.html: values and errors of one case on successively finer grids."""
-import os
 from html import escape
 
 import numpy as np
 
-from . import page, report, styles, tables
+from . import report, styles, tables
 from .figure import Figure
 from .reader import Quantity, read_json
 from .labels import math
+from .page import case_file, hint, made_by, section
 
 PATCH = ["max_pressure", "semi_axis_x", "semi_axis_y", "contact_length", "contact_width", "approach"]
 SMALLEST = 1e-9  # relative; smaller errors cannot be drawn
@@ -237,7 +237,7 @@ def _overview(study):
                   _value_cell(place, series, levels[-1], "max_pressure"),
                   _limit_cell(series["limits"].get("max_pressure")),
                   tables.number(sum(level["seconds"] for level in series["levels"]), 3)]] if levels else []
-    return page.section("Largest pressure of every patch", tables.table(
+    return section("Largest pressure of every patch", tables.table(
         ["patch", "shift [mm]", "yaw [mrad]", "model", "finest level", "p<sub>0</sub> there [MPa]",
          "p<sub>0</sub>, limit [MPa]", "seconds, all levels"], rows)) if len(study["places"]) > 1 else ""
 
@@ -258,7 +258,7 @@ MOST_OPEN = 3
 
 
 def captioned(study):
-    """(file name, caption, function that makes the figure or returns None) of all places."""
+    """The figures of all places."""
     friction = study["friction_coefficient"]
     for place in study["places"]:
         suffix = f"_{place['key']}" if place["key"] else ""
@@ -286,11 +286,14 @@ def _place_part(study, place, drawn):
         parts.append(_series_table(place, series) if series["levels"] else "")
     title, body = escape(place["name"]), "".join(parts)
     if len(study["places"]) <= MOST_OPEN:
-        return page.section(title, body) if title else body
+        return section(title, body) if title else body
     return f"<details><summary>{title}</summary>{body}</details>"
 
 
-def read_study(directory):
+PAGE = "study.html"
+
+
+def read(directory):
     """study.json with what figures need."""
     study = read_json(directory, "study")
     styles.know(study.get("labels", {}))
@@ -302,16 +305,10 @@ def read_study(directory):
     return study
 
 
-def build(directory):
-    """Draws the study in `directory` and writes study.html."""
-    study = read_study(directory)
-    drawn = page.draw_all(captioned(study), directory)
-    page.write_page(
-        os.path.join(directory, "study.html"), "Refinement study: " + escape(study["title"] or study["case_file"]),
-        page.made_by(study["program"], study), [
-            report.verdict(study["verdict"]),
-            f"<details><summary>case file {escape(study['case_file'])}</summary>"
-            f"<pre>{escape(study['case_text'])}</pre></details>",
-            *(page.hint(f"{escape(note)}.") for note in study["notes"]), _overview(study),
-            *(_place_part(study, place, drawn) for place in study["places"]), page.hint(HINTS)],
+def page(study, drawn):
+    """The page of the study."""
+    return "Refinement study: " + escape(study["title"] or study["case_file"]), made_by(study["program"], study), [
+        report.verdict(study["verdict"]), case_file(study["case_file"], study["case_text"]),
+        *(hint(f"{escape(note)}.") for note in study["notes"]), _overview(study),
+        *(_place_part(study, place, drawn) for place in study["places"]), hint(HINTS)], (
         "Also in this folder: study.csv with every number, study.json, figures/.")

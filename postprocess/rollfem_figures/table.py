@@ -5,13 +5,12 @@ import os
 from dataclasses import dataclass
 from html import escape
 
-import h5py
 import numpy as np
 
 from .figure import Figure
-from .files import results_are_sound
-from .page import draw_all, hint, section, write_page
-from .reader import ResultError
+from .files import folder_of, results_are_sound
+from .page import hint, section
+from .reader import ResultError, hdf5
 from .tables import number, plain, table
 
 FORCES = ("longitudinal_force", "lateral_force", "spin_moment")
@@ -38,12 +37,12 @@ class CreepTable:
         return next(iter(self.axes))
 
 
-def read_table(directory):
+def read(path):
     """Reads the table of a folder."""
-    path = os.path.join(directory, "table.h5")
+    path = os.path.join(folder_of(path), "table.h5")
     if not results_are_sound(path):
         raise ResultError(f"{path}: is damaged; do: run rollfem table again")
-    with h5py.File(path, "r") as file:
+    with hdf5().File(path, "r") as file:
         if file.attrs.get("format") != "rollfem table":
             raise ResultError(f"{path}: is not a table")
         checked = file["interpolation"]
@@ -259,8 +258,8 @@ def errors(found):
     return result
 
 
-def figures(found):
-    """(file name, caption, function that makes the figure or returns None) of everything."""
+def captioned(found):
+    """The figures of everything."""
     varied = "the ratios of the ellipse's axes" if found.first == "axis_ratio" else "shifts of the wheelset"
     for draw, caption in (
             (surfaces, "Forces on the wheel of opposite sign, over scaled creepages in steps of the table."),
@@ -304,18 +303,18 @@ def _of_what(found):
             "a and b are the semi-axes of the equivalent ellipse")
 
 
-def build(directory):
-    """Draws the table of a folder to its figures/ and writes table.html."""
-    found = read_table(directory)
+PAGE = "table.html"
+
+
+def page(found, drawn):
+    """The page of a table."""
     about = found.about
     made = f"{escape(about['program'])}, {escape(about['started'])}<br><code>{escape(about['command'])}</code>"
-    write_page(os.path.join(directory, "table.html"), escape(about["title"]), made, [
+    return escape(about["title"]), made, [
         f"<p>{_of_what(found)}, {found.force_bar.size} points, Poisson's ratio {number(float(about['poisson_ratio']), 4)}. "
         "Forces are over μF<sub>n</sub>, the moment over μF<sub>n</sub>c, c = √(ab); ξ′ = ξ G ab C<sub>11</sub>/(3μF<sub>n</sub>), "
         "η′ = η G ab C<sub>22</sub>/(3μF<sub>n</sub>), φ′ = φ G (ab)<sup>3/2</sup> √(C<sub>23</sub>² + C<sub>33</sub>²)/(μF<sub>n</sub>).</p>",
         section("Errors", _said(found)),
         section("Forces", "".join(f"<p>At a {name} of {values[len(values) // 2]:g} {LETTER[name].split()[1][1:-1]}.</p>"
-                                  for name, values in found.conditions.items())
-                + draw_all(figures(found), directory)("")),
-        section("Axes", _axes(found))],
-        "Beside this file: table.h5, table.csv, interpolation.csv, figures/.")
+                                  for name, values in found.conditions.items()) + drawn("")),
+        section("Axes", _axes(found))], "Beside this file: table.h5, table.csv, interpolation.csv, figures/."

@@ -8,6 +8,7 @@
 Units are mm, N, MPa, s, rad. x is the rolling direction, y lateral, z normal and into the wheel; forces and tractions
 act on the wheel, and traction_coefficient is -F_x/F_z. `help(rollfem.Point)` lists every quantity with unit and sign.
 """
+from . import figures as _figures
 from ._core import FileError, InputError, Progress, SolveError
 from ._core import models as _models
 from ._core import version as _version

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers for other libraries: data frames, labelled arrays, tables of a notebook; and figures of the report."""
-import importlib
 import os
-import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from html import escape
 from typing import Any
 
@@ -43,6 +43,100 @@ class Tabular:
         return pandas.DataFrame(self.columns())
 
 
+class Written(Tabular):
+    """What rollfem writes to a folder, with the figures of its report."""
+
+    first_figure = ""
+    drawn_from = ""  # the file that reports are drawn from; otherwise the folder
+
+    def _contents(self) -> Mapping[str, str | bytes]:
+        """The files by their names."""
+        raise NotImplementedError
+
+    def _store(self, folder: str, report: bool) -> str:
+        """Writes the folder; why its report could not be drawn, or empty."""
+        _core.write_files(folder, self._contents())
+        return _core.draw(os.path.join(folder, self.drawn_from)) if report else ""
+
+    @contextmanager
+    def _stored(self) -> Iterator[str]:
+        """A folder that holds this."""
+        with tempfile.TemporaryDirectory() as folder:
+            self._store(os.path.join(folder, "result"), False)
+            yield os.path.join(folder, "result")
+
+    def figure(self, name: str | None = None) -> Any:
+        """A figure of the report.
+
+        Parameters
+        ----------
+        name : str, optional
+            Of its file in figures/, without .svg: of a result "creep_curve" (the default), "path_x", "outlines",
+            "oblique_px_halfspace", ...; with several patches "s1_path_x", "wheelset", "positions", ...; of a table
+            "table_curves" (the default), "table_surfaces", "table_ratios", "table_shifts", "table_wheels",
+            "table_errors"; of a study "error_unknowns", ...
+
+        Returns
+        -------
+        Figure
+            Notebooks show it; `figure.save("curve.svg")` writes it.
+
+        Raises
+        ------
+        KeyError
+            If there is no such figure; the message names those there are.
+        ValueError
+            If there is no data for it.
+        ImportError
+            Without h5py.
+
+        Examples
+        --------
+        >>> result.figure("path_x")
+        >>> rollfem.study("cases/thesis_a.toml").figure("error_unknowns")
+        """
+        from rollfem_figures.catalogue import figures
+        asked = self.first_figure if name is None else name
+        with self._stored() as folder:
+            found = figures(folder)
+            if asked not in found:
+                raise KeyError(f"{asked}: allowed: {', '.join(found)}")
+            if (figure := found[asked]()) is None:
+                raise ValueError(f"{asked}: there is no data for this figure")
+            return figure
+
+    def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
+        """Writes the folder that the command writes (`rollfem run`, `table`, `study`, ...), whole or not at all.
+
+        Parameters
+        ----------
+        folder : str or os.PathLike
+            An earlier result in it is replaced.
+        report : bool
+            Also draws figures and the page, which takes some seconds.
+
+        Returns
+        -------
+        str or os.PathLike
+            The folder.
+
+        Raises
+        ------
+        FileError
+            If it cannot be written.
+        InputError
+            If this is a Result that was read.
+
+        Examples
+        --------
+        >>> result.write("results/crowned", report=True)
+        >>> rollfem.table("cases/thesis_a.toml").write("results/thesis_a_table")
+        """
+        if problem := self._store(os.fspath(folder), report):
+            raise _core.FileError(f"{folder}: the results were written, but the report was not drawn: {problem}")
+        return folder
+
+
 def dataset_of(values: Mapping[str, tuple[Sequence[str], Any, Mapping[str, str]]], coordinates: Mapping[str, Any],
                attributes: Mapping[str, Any]) -> Any:
     """A xarray.Dataset of {name: (dimensions, values, attributes)}."""
@@ -61,26 +155,3 @@ def html_table(title: str, heads: Sequence[str], rows: Iterable[Sequence[Any]]) 
     body = "".join(f"<tr>{''.join(f'<td>{cell(value)}</td>' for value in row)}</tr>" for row in rows)
     head = "".join(f"<th>{escape(head)}</th>" for head in heads)
     return f"<p>{escape(title)}</p><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
-
-
-def figures_module(name: str) -> Any:
-    """A module of the plotting program."""
-    folder = os.path.dirname(_core.figures_directory())
-    if folder not in sys.path:
-        sys.path.append(folder)
-    try:
-        return importlib.import_module(f"rollfem_figures.{name}")
-    except ImportError as error:
-        raise ImportError(f"reading results and drawing reports needs h5py and {folder}/rollfem_figures: {error}; "
-                          "do: apt install python3-h5py") from error
-
-
-def drawn(path: str, name: str) -> Any:
-    """A figure of the report of what rollfem has written at a path."""
-    found: dict[str, Callable[[], Any]] = figures_module("catalogue").figures(path)
-    if name not in found:
-        raise KeyError(f"{name}: allowed: {', '.join(found)}")
-    figure = found[name]()
-    if figure is None:
-        raise ValueError(f"{name}: there is no data for this figure")
-    return figure

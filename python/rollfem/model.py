@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from rollfem_figures.reader import ModelRecord
 
 from . import plot
 from .frames import Tabular, dataset_of, html_table
@@ -20,7 +21,7 @@ def count(things: Sequence[Any], word: str) -> str:
     return f"{len(things)} {word}{'' if len(things) == 1 else 's'}"
 
 
-class ModelResult(Tabular):
+class ModelResult(Tabular, ModelRecord):
     """Results of one model on one patch: its load points on its contact grid.
 
     Every quantity is an array over the load points: model.traction_coefficient; nan where the model does not give it.
@@ -60,10 +61,8 @@ class ModelResult(Tabular):
     y: np.ndarray
     place: dict[str, Any] | None
 
-    def __init__(self, record: dict[str, Any]) -> None:
-        points = record.pop("points")
-        self.__dict__.update(record)
-        self.points = [Point(each, self.x, self.y, self.place) for each in points]
+    points: list[Point]
+    of_point = Point
 
     if TYPE_CHECKING:
         def __getattr__(self, name: str) -> Any: ...
@@ -144,12 +143,7 @@ class ModelResult(Tabular):
         """
         values = self.points[point].fields[known(field, FIELDS, "a field")]
         known(axis, ("x", "y"), "an axis")
-        across, size = (self.y, self.dy) if axis == "x" else (self.x, self.dx)
-        distance = np.abs(across)
-        lines = np.flatnonzero(distance < distance.min() + 1e-6 * size)
-        if axis == "x":
-            return self.x, values[lines, :].mean(axis=0)
-        return self.y, values[:, lines].mean(axis=1)
+        return (self.x if axis == "x" else self.y), super().middle(values, axis)
 
     def __len__(self) -> int:
         return len(self.points)

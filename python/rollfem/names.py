@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Names that calls are given: keys of cases, quantities. A wrong one is never taken in silence."""
-import difflib
 from collections.abc import Collection, Container, Iterator, Mapping
 from typing import Any
 
@@ -27,6 +26,7 @@ def known(name: str, allowed: Collection[str], what: str = "a quantity") -> str:
     """The name, if it is allowed; otherwise KeyError with what might be meant."""
     if name in allowed:
         return name
+    import difflib
     near = difflib.get_close_matches(str(name), allowed, 1)
     raise KeyError(f"{name}: not {what}; {f'did you mean {near[0]}? ' if near else ''}allowed: {', '.join(allowed)}")
 

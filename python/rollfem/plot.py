@@ -6,8 +6,6 @@ import numpy as np
 
 from .names import with_unit
 
-STATE_COLOURS = {"adhesion": "#56B4E9", "slip": "#E69F00"}
-
 
 def _axes(ax: Any) -> Any:
     if ax is not None:

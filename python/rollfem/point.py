@@ -3,32 +3,16 @@
 
 Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx], x the rolling direction.
 """
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+from rollfem_figures.reader import PointRecord, Quantity
 
 from . import _core
 from .names import known
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """Description of a scalar of a load point."""
-
-    title: str  #: for headings: "largest pressure"
-    symbol: str  #: "F_x", "xi"; empty where there is none
-    unit: str  #: "-" where it has none
-    meaning: str
-    percent_of: str  #: what errors are given in percent of: "the value", "mu F_z", ...
-
-    @property
-    def label(self) -> str:
-        """For an axis: "largest pressure (MPa)"."""
-        return self.title if self.unit == "-" else f"{self.title} ({self.unit})"
 
 
 @dataclass(frozen=True)
@@ -44,7 +28,7 @@ QUANTITIES = {name: Quantity(*row) for name, row in _core.quantities().items()}
 FIELDS = {name: Field(*row) for name, row in _core.fields().items()}
 
 
-class Point:
+class Point(PointRecord):
     """One load point of one model: every quantity and every field by its name.
 
     point.max_pressure is a number, None where the model does not give it or the load point has no solution; point.pressure
@@ -71,17 +55,17 @@ class Point:
         The place of the patch, as of its ModelResult.
     """
 
-    def __init__(self, record: Mapping[str, Any], x: np.ndarray, y: np.ndarray, place: dict[str, Any] | None) -> None:
-        self.scalars: dict[str, Any] = record["scalars"]
-        self.fields: dict[str, np.ndarray] = record["fields"]
-        self.error_estimate: dict[str, float] = record["error_estimate"]
-        self.no_bar: dict[str, str] = record["no_bar"]
-        self.model_error: dict[str, float] = record["model_error"]
-        self.richardson: dict[str, float] = record["richardson"]
-        self.subsurface: list[dict[str, Any]] = record["subsurface"]
-        self.stress_maxima: list[dict[str, Any]] = record["stress_maxima"]
-        self.bodies: dict[str, Any] = record["bodies"]
-        self.x, self.y, self.place = x, y, place
+    scalars: dict[str, Any]
+    fields: dict[str, np.ndarray]
+    error_estimate: dict[str, float]
+    no_bar: dict[str, str]
+    model_error: dict[str, float]
+    richardson: dict[str, float]
+    subsurface: list[dict[str, Any]]
+    stress_maxima: list[dict[str, Any]]
+    bodies: Mapping[str, dict[str, np.ndarray]]
+    place: dict[str, Any] | None
+    lateral_force_track: float | None
 
     if TYPE_CHECKING:
         def __getattr__(self, name: str) -> Any: ...
@@ -114,15 +98,6 @@ class Point:
         >>> result.points[0].bar("max_pressure")
         """
         return self.error_estimate.get(known(name, QUANTITIES))
-
-    @property
-    def lateral_force_track(self) -> float | None:
-        """Lateral force on the wheel in the track frame (to the right), N, where lateral_force lies in the plane of the
-        patch; None without a track."""
-        if self.place is None:
-            return None
-        angle, tilt = self.place["contact_angle"], 1 if self.place["wheel"] == "left" else -1
-        return float(tilt * self.normal_force * math.sin(angle) - self.lateral_force * math.cos(angle))
 
     def __repr__(self) -> str:
         at = ", ".join(f"{QUANTITIES[name].symbol} = {self.scalars[name]:.4g}"

@@ -4,21 +4,14 @@ import os
 import tomllib
 from typing import Any
 
+from rollfem_figures.reader import ResultError, read_json, read_result
+
 from . import _core
 from .case import Case
-from .frames import figures_module
 from .model import ModelResult
 from .result import Result
 from .studies import Comparison, Files, Stress, Study
 from .tables import Table
-
-
-def _point(point: Any) -> dict[str, Any]:
-    return {**vars(point), "bodies": {name: vars(body) for name, body in point.bodies.items()}}
-
-
-def _model(model: Any) -> ModelResult:
-    return ModelResult({**vars(model), "choice": "", "shortfall": "", "points": [_point(point) for point in model.points]})
 
 
 def _text(folder: str, name: str) -> str:
@@ -51,18 +44,20 @@ def read(path: str | os.PathLike[str]) -> Any:
     >>> rollfem.read("results/thesis_a")["halfspace"].max_pressure
     """
     name = os.fspath(path)
-    reader = figures_module("reader")
+    from rollfem_figures.catalogue import kind_of
     try:
-        kind = figures_module("catalogue").kind_of(name)
+        kind = kind_of(name)
         if kind == "table":
             return Table(name)
         if kind in ("study", "compare", "stress"):
             return _files(kind, name if os.path.isdir(name) else os.path.dirname(name) or ".")
-        stored = reader.read_result(name)
-    except (reader.ResultError, OSError) as error:
+        stored = read_result(name, ModelResult)
+    except (ResultError, OSError) as error:
         raise _core.FileError(str(error)) from error
+    for point in (point for model in stored.models for point in model.points):
+        point.bodies = dict(point.bodies)  # the file may go
     case = StoredCase(stored.case_file, str(stored.title), str(stored.case_text))
-    return Result(case, [_model(model) for model in stored.models], provenance=stored.provenance, folder=stored.directory,
+    return Result(case, stored.models, provenance=stored.provenance, folder=stored.directory,
                   verdict=stored.verdict)
 
 
@@ -71,7 +66,7 @@ def _files(kind: str, folder: str) -> Study | Comparison | Stress:
     contents = {name: _text(folder, name) for name in (found.json, found.table)}
     if kind == "stress":
         return Stress(contents, folder=folder)
-    figures_module("reader").read_json(folder, kind)  # which knows checksums
+    read_json(folder, kind)  # which knows checksums
     if kind == "study":
         return Study(contents, folder=folder)
     made = Comparison(contents, folder=folder)

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The results of a case."""
-import os
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
@@ -10,12 +8,12 @@ import numpy as np
 
 from . import _core, plot
 from .case import Case
-from .frames import Tabular, drawn, html_table
+from .frames import Written, html_table
 from .model import HEADS, SHOWN, ModelResult, count
 from .point import Point
 
 
-class Result(Tabular):
+class Result(Written):
     """A case and the results of its models: result["halfspace"], or result.models in the order of the run, with true
     profiles one for each patch of each wheel and position.
 
@@ -32,6 +30,8 @@ class Result(Tabular):
     verdict : str
         Which contacts miss the accuracy, by how much, and what would help; empty if none does.
     """
+
+    first_figure = "creep_curve"
 
     def __init__(self, case: Case, models: list[ModelResult], core: _core.Result | None = None,
                  provenance: dict[str, Any] | None = None, folder: str = "",
@@ -104,76 +104,18 @@ class Result(Tabular):
                                           for part, m in zip(parts, self.models)])
         return found
 
-    def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
-        """Writes the folder that `rollfem run` writes, whole or not at all.
-
-        Parameters
-        ----------
-        folder : str or os.PathLike
-            An earlier result in it is replaced.
-        report : bool
-            Also draws figures and report.html, which takes some seconds.
-
-        Returns
-        -------
-        str or os.PathLike
-            The folder.
-
-        Raises
-        ------
-        FileError
-            If it cannot be written.
-        InputError
-            If this result was read.
-
-        Examples
-        --------
-        >>> result.write("results/crowned", report=True)
-        """
+    def _store(self, folder: str, report: bool) -> str:
         if self._core is None:
             raise _core.InputError(f"{folder}: this result was read from {self.folder}; do: copy that folder")
-        problem = _core.write(self._core, os.fspath(folder), report)
-        if problem:
-            raise _core.FileError(f"{folder}: the results were written, but the report was not drawn: {problem}")
-        return folder
-
-    def figure(self, name: str = "creep_curve") -> Any:
-        """A figure of the report.
-
-        Parameters
-        ----------
-        name : str
-            Of its file in figures/, without .svg: "creep_curve", "path_x", "outlines", "oblique_px_halfspace", ...; with
-            several patches "s1_path_x", "wheelset", "positions", ...
-
-        Returns
-        -------
-        Figure
-            Notebooks show it; `figure.save("curve.svg")` writes it.
-
-        Raises
-        ------
-        KeyError
-            If the report of this result has no such figure; the message names those there are.
-        ImportError
-            Without h5py.
-
-        Examples
-        --------
-        >>> result.figure("path_x")
-        """
-        with self._stored() as folder:
-            return drawn(folder, name)
+        return _core.write(self._core, folder, report)
 
     @contextmanager
     def _stored(self) -> Iterator[str]:
-        """A folder that holds this result."""
         if self._core is None:
             yield self.folder
             return
-        with tempfile.TemporaryDirectory() as folder:
-            _core.write(self._core, os.path.join(folder, "result"), False)
-            yield os.path.join(folder, "result")
+        with super()._stored() as folder:
+            yield folder
 
     plot_creep_curve = plot.creep_curves
 

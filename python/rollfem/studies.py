@@ -12,15 +12,16 @@ from html import escape
 from typing import Any
 
 import numpy as np
+from rollfem_figures.stress_reader import read_stress
 
 from . import _core
 from .case import Case, toml_lines
-from .frames import Tabular, drawn, figures_module
+from .frames import Written
 from .result import Result
 from .solving import Told, checked, names_of
 
 
-class Files(Tabular):
+class Files(Written):
     """What a command writes.
 
     Attributes
@@ -61,64 +62,8 @@ class Files(Tabular):
         rows = list(csv.reader(io.StringIO(self.contents[self.table])))
         return {name: _column([row[k] for row in rows[1:]]) for k, name in enumerate(rows[0])}
 
-    def figure(self, name: str) -> Any:
-        """A figure of the report.
-
-        Parameters
-        ----------
-        name : str
-            Of its file in figures/, without .svg.
-
-        Returns
-        -------
-        Figure
-            Notebooks show it; `figure.save("errors.svg")` writes it.
-
-        Raises
-        ------
-        KeyError
-            If there is no such figure; the message names those there are.
-
-        Examples
-        --------
-        >>> rollfem.study("cases/thesis_a.toml").figure("error_unknowns")
-        """
-        with tempfile.TemporaryDirectory() as folder:
-            _core.write_files(folder, self.contents)
-            return drawn(folder, name)
-
-    def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
-        """Writes the folder that the command writes.
-
-        Parameters
-        ----------
-        folder : str or os.PathLike
-        report : bool
-            Also draws figures and the page, which takes some seconds.
-
-        Returns
-        -------
-        str or os.PathLike
-            The folder.
-
-        Raises
-        ------
-        FileError
-            If it cannot be written.
-
-        Examples
-        --------
-        >>> rollfem.study("cases/thesis_a.toml").write("results/thesis_a_study", report=True)
-        """
-        self._write_results(os.fspath(folder))
-        _core.write_files(os.fspath(folder), self.contents)
-        problem = _core.draw(os.path.join(folder, self.json) if self.json == "stress.json" else os.fspath(folder)) if report else ""
-        if problem:
-            raise _core.FileError(f"{folder}: the results were written, but the report was not drawn: {problem}")
-        return folder
-
-    def _write_results(self, folder: str) -> None:
-        """Hook: writes extra files next to `contents`."""
+    def _contents(self) -> dict[str, str]:
+        return self.contents
 
     def __repr__(self) -> str:
         return f"<rollfem.{type(self).__name__} {self.title!r}>"
@@ -217,10 +162,11 @@ class Comparison(Files):
         super().__init__(contents, text, folder)
         self.results = results or {}
 
-    def _write_results(self, folder: str) -> None:
+    def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
         for name, result in self.results.items():
             if result.models:
                 result.write(os.path.join(folder, name))
+        return super().write(folder, report)
 
     def __repr__(self) -> str:
         return f"<rollfem.Comparison of {', '.join(self.results)}>"
@@ -290,13 +236,14 @@ class Stress(Files):
         ..., von_mises, tresca, ... in MPa), and `largest`.
     """
 
-    table, json = "stress.csv", "stress.json"
+    table = "stress.csv"
+    json = drawn_from = "stress.json"
 
     def __init__(self, contents: Mapping[str, str], text: str = "", folder: str = "") -> None:
         super().__init__(contents, text, folder)
         with tempfile.TemporaryDirectory() as here:
             _core.write_files(here, self.contents)
-            self.models: list[Any] = figures_module("stress_reader").read_stress(here).models
+            self.models: list[Any] = read_stress(here).models
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Stress, (self.contents, self.text, self.folder)

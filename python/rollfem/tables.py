@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from .frames import Tabular, dataset_of, drawn, html_table
+from .frames import Written, dataset_of, html_table
 from .solving import Told, checked
 
 
-class Table(Tabular):
+class Table(Written):
     """A table of creep forces, with interpolation between its points (docs/tables.md).
 
     Parameters
@@ -54,6 +54,8 @@ class Table(Tabular):
     ...                      longitudinal_creepage=[0.001, 0.002], spin=1e-4)
     >>> force.longitudinal_force, force.force_bar              # N
     """
+
+    first_figure = "table_curves"
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self._take(_core.CreepTable(os.fspath(path)))
@@ -272,59 +274,8 @@ class Table(Tabular):
                   for name, column in self.columns().items() if name not in self.axes}
         return dataset_of(values, self.axes, {"title": self.title})
 
-    def figure(self, name: str = "table_curves") -> Any:
-        """A figure of the report.
-
-        Parameters
-        ----------
-        name : str
-            "table_surfaces", "table_curves", "table_ratios", "table_shifts", "table_wheels", "table_errors".
-
-        Returns
-        -------
-        Figure
-            Notebooks show it; `figure.save("table.svg")` writes it.
-
-        Raises
-        ------
-        KeyError, ValueError
-            If there is no such figure, or no data for it.
-
-        Examples
-        --------
-        >>> table.figure("table_errors")
-        """
-        with tempfile.TemporaryDirectory() as folder:
-            _core.write_files(folder, self._core.files())
-            return drawn(folder, name)
-
-    def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
-        """Writes the folder that `rollfem table` writes.
-
-        Parameters
-        ----------
-        folder : str or os.PathLike
-        report : bool
-            Also draws figures and table.html, which takes some seconds.
-
-        Returns
-        -------
-        str or os.PathLike
-            The folder.
-
-        Raises
-        ------
-        FileError
-            If it cannot be written.
-
-        Examples
-        --------
-        >>> rollfem.table("cases/thesis_a.toml").write("results/thesis_a_table")
-        """
-        _core.write_files(os.fspath(folder), self._core.files())
-        if problem := _core.draw(os.fspath(folder)) if report else "":
-            raise _core.FileError(f"{folder}: the table was written, but the report was not drawn: {problem}")
-        return folder
+    def _contents(self) -> dict[str, bytes]:
+        return self._core.files()
 
     def __repr__(self) -> str:
         return f"<rollfem.Table {self.title!r}, {' x '.join(map(str, self.shape))} points>"

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _core, plot
 from .case import Case
-from .frames import Tabular, figures_module, html_table
+from .frames import Tabular, html_table
 from .solving import checked
 
 #: Columns of a wheelset over its lateral shift, as those of wheelset.csv.
@@ -74,7 +74,8 @@ class Wheelset(Tabular):
         --------
         >>> rollfem.wheelset("cases/manchester_A22.toml").figure()
         """
-        return figures_module("positions").draw_wheelset(self.columns())
+        from rollfem_figures.positions import draw_wheelset
+        return draw_wheelset(self.columns())
 
     def __repr__(self) -> str:
         return f"<rollfem.Wheelset {self.title!r}, lateral shift 0 to {self.lateral_shift[-1]:.4g} mm>"
@@ -310,7 +311,8 @@ class Profile(Tabular):
         --------
         >>> rollfem.Profile("S1002").figure()
         """
-        return figures_module("profiles").draw_profile(f"{self.body} {self.name}", self.columns())
+        from rollfem_figures.profiles import draw_profile
+        return draw_profile(f"{self.body} {self.name}", self.columns())
 
     def __repr__(self) -> str:
         return f"<rollfem.Profile {self.body} {self.name!r}, y = {self.y[0]:.4g} to {self.y[-1]:.4g} mm>"
