@@ -4,7 +4,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
-#include "contact/base/root.hpp"
+#include "contact/solve/load_sharing.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
@@ -255,32 +255,30 @@ void check_lift(const Scene& scene, const ModelResult& result) {
 /// fixed point, because friction carries a part of the load.
 ModelResult run_tilted_load(const contact::Model& model, const Scene& scene,
                             const contact::Progress& progress) {
-  constexpr int most_steps = 40;
-  constexpr double carried_to = 1e-9;
+  constexpr double carried_to = 1e-9;  // of the load, across and upwards
   const contact::NormalLoad& wanted = scene.points.front().load;
   if (!wanted.force || wanted.direction[0] == 0.0) return model(scene, progress);
   Scene single = scene;
   ModelResult result;
   const auto [across, upwards] = wanted.direction;
-  contact::PositiveFixedPoint search;
-  double force = *wanted.force / upwards;
-  for (int step = 0; step < most_steps; ++step) {
-    single.points.front().load = {force, {}};
-    result = model(single, progress);
-    const PointResult& point = result.points.front();
-    const double missing =
-        *wanted.force - across * point.lateral_force - upwards * point.normal_force;
-    if (std::abs(missing) <= carried_to * *wanted.force) {
-      check_lift(scene, result);
-      return result;
-    }
-    force = search.next(force, force + missing / upwards);
+  contact::LoadSharing sharing;
+  sharing.load = *wanted.force;
+  sharing.tolerance = carried_to / upwards;
+  try {
+    sharing.solve(sharing.load / upwards, [&, across = across, upwards = upwards](double force,
+                                                                                  int) {
+      single.points.front().load = {force, {}};
+      result = model(single, progress);
+      const PointResult& point = result.points.front();
+      return force +
+             (sharing.load - across * point.lateral_force - upwards * point.normal_force) / upwards;
+    });
+  } catch (const contact::SolveError&) {
+    if (!result.points.empty()) check_lift(scene, result);
+    throw;
   }
   check_lift(scene, result);
-  throw contact::SolveError(fmt::format(
-      "pressure and friction do not converge to carry {:g} N together in {} iterations: friction "
-      "on the tilted patch carries nearly all of the load or more (Nadal's limit)",
-      *wanted.force, most_steps));
+  return result;
 }
 
 }  // namespace
