@@ -184,7 +184,7 @@ MUTATIONS = [
              "odd * local[s_yz], odd * local[s_xz]}", "odd * local[s_yz], local[s_xz]}",
              "the shear below friction has the sign of the wheel in both bodies",
              ("unit_subsurface", "verification_subsurface_hertz")),
-    Mutation("fastrip_spin", "theories/strip_theory.cpp",
+    Mutation("fastrip_spin", "theories/brush.cpp",
              "root = e * e + x * x * (1.0 - spin * spin)", "root = e * e + x * x",
              "spin shifts no border of adhesion in FaStrip",
              ("unit_fastrip", "verification_theories")),
