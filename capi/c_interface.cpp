@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Implements rollfem.h: unit conversion, and exceptions as status and text.
+// Implements rollfem.h: structures and units of the caller, exceptions as status and text.
 #include "capi/guarded.hpp"
-#include "capi/units.hpp"
 #include "capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case.hpp"
 #include "contact/case/case_reader.hpp"
+#include "tables/files/table_files.hpp"
 
 #include <fmt/format.h>
 
@@ -15,17 +15,15 @@
 
 using rollfem::capi::Given;
 using rollfem::capi::guarded;
-using rollfem::capi::PatchForces;
-using rollfem::capi::SolvedPatch;
-using rollfem::capi::SolvedWheel;
 using rollfem::capi::taken;
 using rollfem::capi::Units;
 using rollfem::capi::units_of;
 using rollfem::capi::wanted;
 using rollfem::capi::WheelDerivatives;
 using rollfem::capi::WheelRailPair;
-using rollfem::capi::WheelState;
+using rollfem::tables::CreepTableReader;
 namespace contact = rollfem::contact;
+namespace tables = rollfem::tables;
 
 namespace {
 
@@ -33,6 +31,8 @@ namespace {
 /// force.
 constexpr std::size_t first_definition = offsetof(rollfem_definition, kinetic_coefficient);
 constexpr std::size_t first_state = offsetof(rollfem_state, given);
+
+constexpr const char* opened = "what rollfem_table_open returned";
 
 const char* name_of(rollfem_side side) {
   if (side == ROLLFEM_LEFT) return "left";
@@ -56,16 +56,10 @@ std::string quoted(const char* what, const char* text) {
 }
 
 const char* name_of(rollfem_law law) {
-  switch (law) {
-    case ROLLFEM_CONSTANT:
-      return word_of(contact::FallShape::none);
-    case ROLLFEM_LINEAR:
-      return word_of(contact::FallShape::linear);
-    case ROLLFEM_RATIONAL:
-      return word_of(contact::FallShape::rational);
-    case ROLLFEM_EXPONENTIAL:
-      return word_of(contact::FallShape::exponential);
-  }
+  for (const contact::FallShape shape :
+       {contact::FallShape::none, contact::FallShape::linear, contact::FallShape::rational,
+        contact::FallShape::exponential})
+    if (static_cast<int>(shape) == static_cast<int>(law)) return word_of(shape);
   throw contact::InputError(fmt::format(
       "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
       "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL; do: fill the definition with rollfem_defaults",
@@ -117,92 +111,58 @@ contact::Case case_of(const rollfem_definition& definition) {
   return contact::parse_case(text, "pair");
 }
 
-WheelState state_of(const rollfem_state& state, const Units& units) {
-  WheelState found;
-  found.lateral_shift = state.lateral_shift * units.length;
-  found.yaw = state.yaw;
-  found.roll = state.roll;
-  found.forward_speed = state.forward_speed * units.length;
-  found.lateral_velocity = state.lateral_velocity * units.length;
-  found.yaw_rate = state.yaw_rate;
-  found.rotation_speed = state.rotation_speed;
-  switch (state.given) {
-    case ROLLFEM_VERTICAL_FORCE:
-      found.given = WheelState::Given::vertical_force;
-      found.load = state.vertical_force * units.force;
-      return found;
-    case ROLLFEM_HEIGHT:
-      found.given = WheelState::Given::height;
-      found.load = state.height * units.length;
-      return found;
-    case ROLLFEM_PENETRATION:
-      found.given = WheelState::Given::penetration;
-      found.load = state.penetration * units.length;
-      return found;
-  }
-  throw contact::InputError(
-      fmt::format("given = {}: is not known; allowed: ROLLFEM_VERTICAL_FORCE, ROLLFEM_HEIGHT, "
-                  "ROLLFEM_PENETRATION; do: write one of them",
-                  static_cast<int>(state.given)));
+/// In mm and N.
+rollfem_state state_of(rollfem_state state, const Units& units) {
+  if (state.given != ROLLFEM_VERTICAL_FORCE && state.given != ROLLFEM_HEIGHT &&
+      state.given != ROLLFEM_PENETRATION)
+    throw contact::InputError(
+        fmt::format("given = {}: is not known; allowed: ROLLFEM_VERTICAL_FORCE, ROLLFEM_HEIGHT, "
+                    "ROLLFEM_PENETRATION; do: write one of them",
+                    static_cast<int>(state.given)));
+  for (double* value : {&state.lateral_shift, &state.forward_speed, &state.lateral_velocity,
+                        &state.height, &state.penetration})
+    *value *= units.length;
+  state.vertical_force *= units.force;
+  return state;
 }
 
-rollfem_patch patch_of(const SolvedPatch& patch, const Units& units) {
-  const double length = units.length, force = units.force, area = length * length;
-  const PatchForces& of = patch.forces;
-  rollfem_patch found{};
-  for (int d = 0; d < 3; ++d) {
-    found.position[d] = patch.origin[d] / length;
-    found.force[d] = patch.force[d] / force;
-  }
-  found.contact_angle = patch.contact_angle;
-  found.rolling_radius = patch.rolling_radius / length;
-  found.longitudinal_creepage = of.creepage.longitudinal;
-  found.lateral_creepage = of.creepage.lateral;
-  found.spin = of.creepage.spin * length;
-  found.normal_force = of.normal_force / force;
-  found.longitudinal_force = of.longitudinal_force / force;
-  found.lateral_force = of.lateral_force / force;
-  found.lateral_pressure = of.lateral_pressure / force;
-  found.spin_moment = of.spin_moment / (force * length);
-  found.length = of.length / length;
-  found.width = of.width / length;
-  found.area = of.area / area;
-  found.max_pressure = of.max_pressure / units.stress();
-  found.max_pressure_bar = of.max_pressure_bar / units.stress();
-  found.adhesion_area = of.adhesion_area / area;
-  found.creepage_work = of.creepage_work / force;
-  return found;
+/// A patch of mm and N in the caller's units.
+void convert(const Units& units, rollfem_patch& patch) {
+  const double length = units.length;
+  patch.spin *= length;
+  patch.spin_moment /= units.force * length;
+  for (double* value : {&patch.position[0], &patch.position[1], &patch.position[2],
+                        &patch.rolling_radius, &patch.length, &patch.width})
+    *value /= length;
+  for (double* value : {&patch.force[0], &patch.force[1], &patch.force[2], &patch.normal_force,
+                        &patch.longitudinal_force, &patch.lateral_force, &patch.lateral_pressure,
+                        &patch.creepage_work})
+    *value /= units.force;
+  for (double* value : {&patch.area, &patch.adhesion_area}) *value /= length * length;
+  for (double* value : {&patch.max_pressure, &patch.max_pressure_bar}) *value /= units.stress();
 }
 
-rollfem_result result_of(const SolvedWheel& wheel, const Units& units) {
-  static_assert(SolvedWheel::most_patches == ROLLFEM_MAX_PATCHES);
-  rollfem_result result{};
-  result.patch_count = static_cast<int>(wheel.count);
-  result.patches_unlisted = static_cast<int>(wheel.unlisted);
-  for (std::size_t k = 0; k < wheel.count; ++k) result.patch[k] = patch_of(wheel.patches[k], units);
-  for (int d = 0; d < 3; ++d) {
-    result.force[d] = wheel.sum.force[d] / units.force;
-    result.moment[d] = wheel.sum.moment[d] / (units.force * units.length);
-  }
-  result.creepage_work = wheel.creepage_work / units.force;
-  result.roll = wheel.roll;
-  result.touching_height = wheel.height / units.length;
-  result.penetration = wheel.penetration / units.length;
-  return result;
+rollfem_result result_of(rollfem_result wheel, const Units& units) {
+  for (int k = 0; k < wheel.patch_count; ++k) convert(units, wheel.patch[k]);
+  for (double& force : wheel.force) force /= units.force;
+  for (double& moment : wheel.moment) moment /= units.force * units.length;
+  wheel.creepage_work /= units.force;
+  wheel.touching_height /= units.length;
+  wheel.penetration /= units.length;
+  return wheel;
 }
 
-rollfem_derivatives derivatives_of(const WheelDerivatives& found, const WheelState& state,
+rollfem_derivatives derivatives_of(const WheelDerivatives& found, rollfem_given given,
                                    const Units& units) {
-  static_assert(rollfem::capi::state_variables.size() == ROLLFEM_STATE_VARIABLES);
-  const bool by_force = state.given == WheelState::Given::vertical_force;
   const double length = units.length, force = units.force;
   // What one unit of a variable is in mm, N, s, rad.
-  const double unit[] = {length, 1.0, 1.0, length, length, 1.0, 1.0, by_force ? force : length};
+  const double unit[] = {length, 1.0, 1.0, length,
+                         length, 1.0, 1.0, given == ROLLFEM_VERTICAL_FORCE ? force : length};
   rollfem_derivatives derivatives{};
-  for (std::size_t k = 0; k < found.by.size(); ++k)
+  for (int k = 0; k < ROLLFEM_STATE_VARIABLES; ++k)
     for (int d = 0; d < 3; ++d) {
-      derivatives.force[d][k] = found.by[k].force[d] * unit[k] / force;
-      derivatives.moment[d][k] = found.by[k].moment[d] * unit[k] / (force * length);
+      derivatives.force[d][k] = found.by(d, k) * unit[k] / force;
+      derivatives.moment[d][k] = found.by(3 + d, k) * unit[k] / (force * length);
     }
   derivatives.stiffness = found.stiffness * length / force;
   return derivatives;
@@ -213,6 +173,10 @@ rollfem_derivatives derivatives_of(const WheelDerivatives& found, const WheelSta
 struct rollfem_pair {
   Units units;
   WheelRailPair pair;
+};
+
+struct rollfem_table {
+  CreepTableReader reader;
 };
 
 extern "C" {
@@ -247,7 +211,7 @@ rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* stat
       [&] {
         const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
         place.check("result", "a place for the result");
-        const WheelState at =
+        const rollfem_state at =
             state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
         place.give(result_of(of.pair.solve(at), of.units));
       },
@@ -264,17 +228,81 @@ rollfem_status rollfem_linearise(const rollfem_pair* pair, const rollfem_state* 
         const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
         place.check("result", "a place for the result");
         place_of_derivatives.check("derivatives", "a place for the derivatives");
-        const WheelState at =
+        const rollfem_state at =
             state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
         WheelDerivatives found;
         place.give(result_of(of.pair.linearise(at, found), of.units));
-        place_of_derivatives.give(derivatives_of(found, at, of.units));
+        place_of_derivatives.give(derivatives_of(found, at.given, of.units));
       },
       message, size);
 }
 
 void rollfem_destroy(rollfem_pair* pair) {
   delete pair;
+}
+
+rollfem_table* rollfem_table_open(const char* path, char* message, size_t size) {
+  rollfem_table* made = nullptr;
+  guarded(
+      [&] {
+        if (path == nullptr || *path == '\0')
+          throw contact::InputError("no table given; do: name its file");
+        made = new rollfem_table{CreepTableReader(tables::read_table(path))};
+      },
+      message, size);
+  return made;
+}
+
+rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_ellipse* ellipse,
+                                    rollfem_creep_forces* forces, char* message, size_t size) {
+  Given<rollfem_creep_forces> result(forces);
+  return guarded(
+      [&] {
+        const rollfem_ellipse of =
+            taken(ellipse, "ellipse", "an ellipse", offsetof(rollfem_ellipse, speed));
+        const auto found =
+            wanted(table, "table", opened)
+                .reader.physical(
+                    of.semi_axis_x, of.semi_axis_y, of.shear_modulus, of.friction_bound,
+                    {of.longitudinal_creepage, of.lateral_creepage, of.spin}, of.speed);
+        result.check("forces", "a place for the forces");
+        result.give({0, found.forces[0], found.forces[1], found.forces[2], found.force_bar,
+                     found.moment_bar});
+      },
+      message, size);
+}
+
+rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
+                                          const rollfem_shifted_wheel* wheel,
+                                          rollfem_wheel_forces* forces, char* message,
+                                          size_t size) {
+  Given<rollfem_wheel_forces> result(forces);
+  return guarded(
+      [&] {
+        const rollfem_shifted_wheel of = taken(wheel, "wheel", "a wheel at a lateral shift",
+                                               offsetof(rollfem_shifted_wheel, load));
+        const auto& reader = wanted(table, "table", opened).reader;
+        const auto [length, newtons] = units_of(of.units);
+        const tables::TablePlace asked{length * of.lateral_shift, newtons * of.load,
+                                       length * of.speed};
+        const auto place = reader.wheel_at({asked.first, asked.load});
+        const double own = reader.table().friction_coefficient * place.normal_force;
+        const double bound = of.friction_bound == 0.0 ? own : newtons * of.friction_bound;
+        const auto found = reader.of_wheel(
+            asked, bound, {of.longitudinal_creepage, of.lateral_creepage, of.spin / length});
+        const double moment = newtons * length;
+        result.check("forces", "a place for the forces");
+        result.give({0, found.forces[0] / newtons, found.forces[1] / newtons,
+                     found.along_normal / newtons, found.forces[2] / moment,
+                     found.force_bar / newtons, found.moment_bar / moment, bound / newtons,
+                     place.normal_force / newtons, place.contact_angle,
+                     place.rolling_radius / length, place.jump_after != 0.0});
+      },
+      message, size);
+}
+
+void rollfem_table_close(rollfem_table* table) {
+  delete table;
 }
 
 const char* rollfem_version(void) {

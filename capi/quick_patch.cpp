@@ -2,6 +2,7 @@
 #include "capi/quick_patch.hpp"
 
 #include "contact/iteration/leading_edge.hpp"
+#include "contact/solve/load_sharing.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "track/motion/placed_scenes.hpp"
 
@@ -20,8 +21,6 @@ namespace {
 constexpr double traction_tolerance = 1e-5;
 /// Tolerance of Newton's linear systems; a looser one costs more steps than it saves.
 constexpr double krylov_tolerance = 0.05;
-/// A surface nearly parallel to the load carries almost none of it.
-constexpr double least_carried = 0.05;
 /// Number of point loads along and across that represent the tractions of a patch acting on its
 /// neighbours.
 constexpr int loads_across = 5;
@@ -112,7 +111,7 @@ bool QuickPatch::place_grid(double dx, double dy, double x_middle, double y_midd
     place_[k] = geometry_->lateral_place(grid_.y(j));
     climb_[k] = geometry_->climb(grid_.y(j));
     cosine_[k] = 1.0 / contact::stretch_of(climb_[k]);
-    carried_[k] = std::max(upwards - across * climb_[k], least_carried) * cosine_[k];
+    carried_[k] = contact::carried_part(direction_, climb_[k]) * cosine_[k];
     of_lateral_[k] = (across + upwards * climb_[k]) * cosine_[k];
     auto row = distance_.segment(grid_.index(0, j), grid_.nx);
     row = row.array() / carried_[k] + first_sinking();
@@ -173,11 +172,11 @@ void QuickPatch::spread(const Eigen::Ref<const Eigen::VectorXd>& of_elements,
   }
 }
 
-bool QuickPatch::respond(std::array<PatchSums, 3>& by_creepage) {
+bool QuickPatch::respond(SumsByCreepage& by_creepage) {
   const auto count = static_cast<Eigen::Index>(rolling_.grid_indices().size());
   slip_change_.resize(2 * count);
   traction_change_.resize(2 * count);
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (Eigen::Index c = 0; c < 3; ++c) {
     contact::Creepage changed = given_->creepage;
     (c == 0 ? changed.longitudinal : c == 1 ? changed.lateral : changed.spin) += 1.0;
     // Slip is linear in the creepages.
@@ -189,7 +188,7 @@ bool QuickPatch::respond(std::array<PatchSums, 3>& by_creepage) {
     }
     if (!newton_.respond(slip_change_, traction_change_)) return false;
     spread(traction_change_, change_);
-    by_creepage[c] = sum(nullptr, change_);
+    by_creepage.col(c) = sum(nullptr, change_);
   }
   return true;
 }
@@ -296,7 +295,7 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
 
 /// Resultants of pressure and tractions; without a pressure, of the tractions alone.
 PatchSums QuickPatch::sum(const Field* pressure, const contact::TangentialField& traction) const {
-  PatchSums sums;
+  PatchSums sums = PatchSums::Zero();
   for (int j = 0; j < grid_.ny; ++j) {
     const auto row = static_cast<std::size_t>(j);
     for (int i = 0; i < grid_.nx; ++i) {
@@ -304,18 +303,14 @@ PatchSums QuickPatch::sum(const Field* pressure, const contact::TangentialField&
       const double pressed = pressure == nullptr ? 0.0 : (*pressure)[k];
       const double of_pressure = -climb_[row] * pressed * cosine_[row];
       const double across = traction.y[k] * cosine_[row] + of_pressure;
-      sums.lateral_pressure += of_pressure;
-      sums.longitudinal += traction.x[k];
-      sums.lateral += across;
-      sums.normal += (pressed + climb_[row] * traction.y[k]) * cosine_[row];
-      sums.spin_moment += grid_.x(i) * across - place_[row] * traction.x[k];
+      sums[PatchSum::lateral_pressure] += of_pressure;
+      sums[PatchSum::longitudinal] += traction.x[k];
+      sums[PatchSum::lateral] += across;
+      sums[PatchSum::normal] += (pressed + climb_[row] * traction.y[k]) * cosine_[row];
+      sums[PatchSum::spin_moment] += grid_.x(i) * across - place_[row] * traction.x[k];
     }
   }
-  const double area = grid_.element_area();
-  for (double* value :
-       {&sums.longitudinal, &sums.lateral, &sums.normal, &sums.lateral_pressure, &sums.spin_moment})
-    *value *= area;
-  return sums;
+  return grid_.element_area() * sums;
 }
 
 /// Work of the creep forces per mm rolled, N.
@@ -326,11 +321,11 @@ double QuickPatch::creepage_work() const {
 void QuickPatch::fill_sums() {
   const PatchSums sums = this->sums();
   point_.creepage = given_->creepage;
-  point_.longitudinal_force = sums.longitudinal;
-  point_.lateral_force = sums.lateral;
-  point_.lateral_pressure = sums.lateral_pressure;
-  point_.normal_force = sums.normal;
-  point_.spin_moment = sums.spin_moment;
+  point_.longitudinal_force = sums[PatchSum::longitudinal];
+  point_.lateral_force = sums[PatchSum::lateral];
+  point_.lateral_pressure = sums[PatchSum::lateral_pressure];
+  point_.normal_force = sums[PatchSum::normal];
+  point_.spin_moment = sums[PatchSum::spin_moment];
   point_.creepage_work = creepage_work();
   const PeakPressure::Peak peak = peak_.of(*geometry_, grid_, pressure_);
   point_.max_pressure = peak.pressure;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "capi/peak_pressure.hpp"
-#include "capi/solved_wheel.hpp"
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/result.hpp"
@@ -22,14 +21,25 @@
 
 namespace rollfem::capi {
 
+/// Entries of PatchSums.
+struct PatchSum {
+  enum { longitudinal, lateral, normal, lateral_pressure, spin_moment, count };
+};
+/// Resultants of the tractions of a patch on the wheel, in the patch frame, or their derivatives:
+/// N, the moment in N mm.
+using PatchSums = Eigen::Matrix<double, PatchSum::count, 1>;
+/// Derivatives of these sums by xi, eta and phi.
+using SumsByCreepage = Eigen::Matrix<double, PatchSum::count, 3>;
+
 /// A contact from the search, or a near one that closes under load. The surface of its geometry
 /// follows the bodies over the extent of the contact grid (contact::ContactSurface).
 struct QuickContact {
   const track::WheelRailContact* contact = nullptr;
   contact::Geometry geometry;
   contact::Creepage creepage;
-  /// Derivatives by rotation, lateral and yaw velocity (track::Motion), if a response follows.
-  std::array<contact::Creepage, 3> by_motion{};
+  /// Derivatives of xi, eta and phi by rotation, lateral and yaw velocity (track::Motion), if a
+  /// response follows.
+  Eigen::Matrix3d by_motion;
 };
 
 /// Extents of a grid, mm.
@@ -105,7 +115,7 @@ class QuickPatch {
   /// Derivatives of the friction forces by xi, eta and phi at fixed pressure, from the linearised
   /// friction problem; the friction law must still live. False if its linear systems do not
   /// converge.
-  bool respond(std::array<PatchSums, 3>& by_creepage);
+  bool respond(SumsByCreepage& by_creepage);
   double max_pressure_bar() const { return max_pressure_bar_; }  ///< MPa
 
  private:

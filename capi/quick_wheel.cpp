@@ -2,8 +2,8 @@
 #include "capi/quick_wheel.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/root.hpp"
 #include "contact/result/validity.hpp"
+#include "contact/solve/load_sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +34,9 @@ constexpr int most_rounds = 8;
 /// smooths over elements that enter the contact.
 constexpr double sinking_step = 0.05;
 constexpr double pressure_tolerance_of_steps = 1e-7;
+
+/// Thrown where friction changes the pressure so much that a patch needs another grid.
+struct LeavesGrids {};
 
 }  // namespace
 
@@ -74,13 +77,13 @@ QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contact
       return QuickOutcome::conformal;
     if (!lay_on_patches()) return QuickOutcome::unfit;
     set_problem();
-    const Sharing sharing = share_load(load, pressed);
-    if (sharing == Sharing::leaves_grid) {
+    try {
+      given_sinking_ ? settle(load) : share_load(load, pressed);
+    } catch (const LeavesGrids&) {
       constexpr double somewhat = 1.1;
       grow_boxes(given_sinking_ ? somewhat : std::cbrt(pressed / found_for));
       continue;
     }
-    if (sharing == Sharing::fails) return QuickOutcome::unfit;
     if (!every([](const QuickPatch& patch) { return patch.is_within_profiles(1.0); }))
       return QuickOutcome::unfit;
     if (!every([](const QuickPatch& patch) { return patch.is_within_limits(1.0); }))
@@ -117,6 +120,11 @@ template <class Good>
 bool QuickWheel::every(Good&& good) const {
   return std::all_of(loaded_.begin(), loaded_.end(),
                      [&](const QuickPatch* patch) { return good(*patch); });
+}
+
+bool QuickWheel::stays_on_grids() const {
+  return every(
+      [](const QuickPatch& patch) { return patch.has_pressure() && !patch.touches_border(); });
 }
 
 /// Scales the boxes; contacts grow with the cube root of their load.
@@ -236,44 +244,47 @@ bool QuickWheel::solve_friction(const QuickLoad& load, int turn) {
   });
 }
 
+/// Pressure that carries `share`, and friction under it.
+void QuickWheel::solve_in_turn(const QuickLoad& load, double share, int turn) {
+  if (turn > 0) feel_neighbours(load);
+  solve_normal(share, pressure_tolerance, turn == 0);
+  if (!stays_on_grids()) throw LeavesGrids();
+  if (!solve_friction(load, turn)) throw contact::SolveError("too many elements in contact");
+}
+
 /// Iterates between pressure and friction until they carry the load together. `share`: expected
 /// part of the load carried by pressure, updated to the computed part.
-QuickWheel::Sharing QuickWheel::share_load(const QuickLoad& load, double& share) {
-  const double expected = share;
-  double carried = 0.0;
-  contact::PositiveFixedPoint sharing;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    if (turn > 0) feel_neighbours(load);
-    // At a given sinking, friction changes only the pressures of other contacts.
-    if (turn == 0 || !given_sinking_ || loaded_.size() > 1)
-      solve_normal(share, pressure_tolerance, turn == 0);
-    if (!every([](const QuickPatch& patch) {
-          return patch.has_pressure() && !patch.touches_border();
-        }))
-      return Sharing::leaves_grid;
-    if (!solve_friction(load, turn)) return Sharing::fails;
-    const bool settled = loaded_.size() == 1 || turn + 1 >= fewest_turns_of_several;
-    if (given_sinking_) {
-      const double before = std::exchange(carried, joint_->solver.pressure().sum());
-      if (loaded_.size() == 1 || (settled && std::abs(carried - before) <= shared_to * carried))
-        return Sharing::done;
-      continue;
-    }
-    double of_friction = 0.0;
-    for (const QuickPatch* patch : loaded_) of_friction += patch->load_of_friction();
-    const double image = load.force - of_friction;
-    if (settled && std::abs(image - share) <= shared_to * load.force) {
-      for (QuickPatch* patch : loaded_) patch->scale(load.force / (share + of_friction));
-      return Sharing::done;
-    }
-    // In full sliding, friction is proportional to the pressure.
-    const double in_proportion = load.force * share / (share + of_friction);
-    share = turn == 0 && in_proportion > 0.0 ? in_proportion : sharing.next(share, image);
+void QuickWheel::share_load(const QuickLoad& load, double& share) {
+  contact::LoadSharing sharing;
+  sharing.load = load.force;
+  sharing.tolerance = shared_to;
+  sharing.most_turns = most_turns;
+  sharing.fewest_turns = loaded_.size() == 1 ? 1 : fewest_turns_of_several;
+  sharing.sliding = true;
+  double of_friction = 0.0;
+  sharing.solve(share, [&, expected = share](double pressing, int turn) {
+    share = pressing;
     constexpr double within_grid = 1.25;
-    if (share > within_grid * expected || share * within_grid < expected)
-      return Sharing::leaves_grid;
+    if (share > within_grid * expected || share * within_grid < expected) throw LeavesGrids();
+    solve_in_turn(load, share, turn);
+    of_friction = 0.0;
+    for (const QuickPatch* patch : loaded_) of_friction += patch->load_of_friction();
+    return load.force - of_friction;
+  });
+  for (QuickPatch* patch : loaded_) patch->scale(load.force / (share + of_friction));
+}
+
+/// At a given sinking, friction changes only the pressures of other contacts.
+void QuickWheel::settle(const QuickLoad& load) {
+  double carried = 0.0;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    solve_in_turn(load, 0.0, turn);
+    const double before = std::exchange(carried, joint_->solver.pressure().sum());
+    if (loaded_.size() == 1 ||
+        (turn + 1 >= fewest_turns_of_several && std::abs(carried - before) <= shared_to * carried))
+      return;
   }
-  return Sharing::fails;
+  throw contact::SolveError("the contacts of the wheel do not settle");
 }
 
 /// Resultants of every patch at another sinking, starting from the present solution.
@@ -281,11 +292,7 @@ bool QuickWheel::sums_at(double sinking, const QuickLoad& load, std::vector<Patc
   given_sinking_ = sinking;
   feel_neighbours(load);
   solve_normal(0.0, pressure_tolerance_of_steps, false);
-  if (!every([](const QuickPatch& patch) {
-        return patch.has_pressure() && !patch.touches_border();
-      }) ||
-      !solve_friction(load, 1))
-    return false;
+  if (!stays_on_grids() || !solve_friction(load, 1)) return false;
   sums.clear();
   for (const QuickPatch* patch : loaded_) sums.push_back(patch->sums());
   return true;
@@ -304,14 +311,8 @@ bool QuickWheel::respond(const QuickLoad& load, std::vector<PatchResponse>& resp
   } catch (const contact::SolveError&) {
     return false;
   }
-  const auto slope = [&](double PatchSums::*sum, std::size_t k) {
-    return (above_[k].*sum - below_[k].*sum) / (2.0 * step);
-  };
   for (std::size_t k = 0; k < loaded_.size(); ++k)
-    for (double PatchSums::*sum :
-         {&PatchSums::longitudinal, &PatchSums::lateral, &PatchSums::normal,
-          &PatchSums::lateral_pressure, &PatchSums::spin_moment})
-      responses[k].by_sinking.*sum = slope(sum, k);
+    responses[k].by_sinking = (above_[k] - below_[k]) / (2.0 * step);
   return true;
 }
 

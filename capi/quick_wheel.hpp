@@ -29,8 +29,8 @@ enum class QuickOutcome {
 
 /// Derivatives of the resultants of a patch.
 struct PatchResponse {
-  std::array<PatchSums, 3> by_creepage;  ///< at the same pressure, per unit of xi, eta and phi
-  PatchSums by_sinking;                  ///< per mm, at the same place and creepages
+  SumsByCreepage by_creepage = SumsByCreepage::Zero();  ///< at the same pressure
+  PatchSums by_sinking;                                 ///< per mm, at the same place and creepages
 };
 
 class QuickWheel {
@@ -64,8 +64,6 @@ class QuickWheel {
     contact::Field distance;
   };
 
-  enum class Sharing { done, leaves_grid, fails };
-
   QuickOutcome solve_or_throw(const std::vector<QuickContact>& contacts, const QuickLoad& load);
   bool find_patches(double force);
   bool adjust_boxes();
@@ -76,10 +74,13 @@ class QuickWheel {
   void solve_normal(double force, double tolerance, bool anew);
   bool sums_at(double sinking, const QuickLoad& load, std::vector<PatchSums>& sums);
   bool lay_on_patches();
-  Sharing share_load(const QuickLoad& load, double& share);
+  void solve_in_turn(const QuickLoad& load, double share, int turn);
+  void share_load(const QuickLoad& load, double& share);
+  void settle(const QuickLoad& load);
   void grow_boxes(double factor);
   template <class Good>
   bool every(Good&& good) const;
+  bool stays_on_grids() const;
   void feel_neighbours(const QuickLoad& load);
   bool solve_friction(const QuickLoad& load, int turn);
   void check(const QuickLoad& load);

@@ -7,36 +7,141 @@
 #include "halfspace/patch/correction_scene.hpp"
 #include "track/balance/position.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace rollfem::capi {
 
-namespace {
-
 using contact::Case;
 
-/// The contact that belongs to a scene from the balance.
-const track::WheelRailContact& contact_of(const contact::Scene& scene,
-                                          const std::vector<track::PlacedScene>& placed) {
-  const auto found = std::find_if(placed.begin(), placed.end(), [&](const auto& one) {
-    return one.contact.place.y_track == scene.place->y_track;
-  });
-  if (found == placed.end()) throw std::logic_error("a patch in balance that was not found before");
-  return found->contact;
+Eigen::Matrix<double, 6, PatchSum::count> wrenches_of(const track::WheelRailContact& contact) {
+  contact::Vector3 arm{};
+  for (std::size_t d = 0; d < 3; ++d) arm[d] = contact.origin[d] - contact.axle.point[d];
+  const auto vector = [](const contact::Vector3& v) { return Eigen::Vector3d(v[0], v[1], v[2]); };
+  const auto force = [&](const contact::Vector3& axis) {
+    Wrench wrench;
+    wrench << vector(axis), vector(contact::cross(arm, axis));
+    return wrench;
+  };
+  Eigen::Matrix<double, 6, PatchSum::count> wrenches;
+  wrenches << force(contact.along), force(contact.across), force(contact.normal), Wrench::Zero(),
+      Wrench::Zero();
+  wrenches.col(PatchSum::spin_moment).tail<3>() = vector(contact.normal);
+  return wrenches;
 }
 
-struct CheckedPatch {
-  contact::PointResult point;
-  double max_pressure_bar = 0.0;  ///< MPa
-};
+void check(const rollfem_state& state, double rolling_radius) {
+  const auto within = [](const char* name, double value, double limit) {
+    if (std::abs(value) <= limit) return;  // false for NaN
+    throw contact::InputError(
+        fmt::format("{} = {:g}: is out of bounds; allowed: magnitudes up to {:g}; do: correct it",
+                    name, value, limit));
+  };
+  const auto positive = [](const char* name, double value, double limit) {
+    if (value > 0.0 && value <= limit) return;
+    throw contact::InputError(
+        fmt::format("{} = {:g}: is out of bounds; allowed: above 0, up to {:g}; do: correct it",
+                    name, value, limit));
+  };
+  const double speed = state.forward_speed;
+  positive("forward_speed in mm/s", speed, 1e9);
+  switch (state.given) {
+    case ROLLFEM_VERTICAL_FORCE:
+      positive("vertical_force in N", state.vertical_force, 1e12);
+      break;
+    case ROLLFEM_HEIGHT:
+      within("height in mm", state.height, 1e3);
+      break;
+    case ROLLFEM_PENETRATION:
+      within("penetration in mm", state.penetration, 1e3);
+      break;
+  }
+  within("lateral_shift in mm", state.lateral_shift, 1e3);
+  within("yaw in rad", state.yaw, 0.2);
+  if (!std::isnan(state.roll)) within("roll in rad", state.roll, 0.2);
+  within("lateral_velocity over forward_speed", state.lateral_velocity / speed, 1.0);
+  within("yaw_rate over forward_speed in rad/mm", state.yaw_rate / speed, 1.0);
+  within("rotation_speed times rolling_radius over forward_speed, less 1,",
+         state.rotation_speed * rolling_radius / speed - 1.0, 1.0);
+}
+
+void set(const rollfem_state& state, Case& input) {
+  contact::Wheelset& wheelset = input.wheelset;
+  wheelset.lateral_shift.assign(1, state.lateral_shift);
+  wheelset.yaw.assign(1, state.yaw);
+  wheelset.roll.clear();
+  if (!std::isnan(state.roll)) wheelset.roll.push_back(state.roll);
+  wheelset.lateral_velocity = state.lateral_velocity / state.forward_speed;
+  wheelset.yaw_velocity = state.yaw_rate / state.forward_speed;
+  wheelset.rotation_change.assign(
+      1, state.rotation_speed * input.wheel.rolling_radius / state.forward_speed - 1.0);
+  input.rolling.speed = state.forward_speed;
+  input.load = {};
+  if (state.given == ROLLFEM_VERTICAL_FORCE)
+    input.load.vertical_force = state.vertical_force;
+  else
+    input.load.approach = 1.0;  // a placeholder: the search overrides it
+}
+
+namespace {
+
+/// Adds a patch to its wheel, where the most loaded ones are listed first.
+void add_patch(const contact::PointResult& point, double max_pressure_bar,
+               const track::WheelRailContact& contact, rollfem_result& wheel) {
+  const Wrench wrench = wrenches_of(contact) * PatchSums(point.longitudinal_force,
+                                                         point.lateral_force, point.normal_force,
+                                                         point.lateral_pressure, point.spin_moment);
+  rollfem_patch patch{};
+  for (int d = 0; d < 3; ++d) {
+    patch.position[d] = contact.origin[static_cast<std::size_t>(d)];
+    patch.force[d] = wrench[d];
+    wheel.force[d] += wrench[d];
+    wheel.moment[d] += wrench[3 + d];
+  }
+  patch.contact_angle = contact.place.contact_angle;
+  patch.rolling_radius = contact.place.rolling_radius;
+  patch.longitudinal_creepage = point.creepage.longitudinal;
+  patch.lateral_creepage = point.creepage.lateral;
+  patch.spin = point.creepage.spin;
+  patch.normal_force = point.normal_force;
+  patch.longitudinal_force = point.longitudinal_force;
+  patch.lateral_force = point.lateral_force;
+  patch.lateral_pressure = point.lateral_pressure;
+  patch.spin_moment = point.spin_moment;
+  patch.length = point.contact_length;
+  patch.width = point.contact_width;
+  patch.area = point.contact_area;
+  patch.adhesion_area = point.adhesion_area;
+  patch.max_pressure = point.max_pressure;
+  patch.max_pressure_bar = max_pressure_bar;
+  patch.creepage_work = point.creepage_work.value_or(0.0);
+  wheel.creepage_work += patch.creepage_work;
+  wheel.roll = contact.pose.roll;
+  wheel.touching_height = contact.pose.height;
+  rollfem_patch* end = wheel.patch + wheel.patch_count;
+  rollfem_patch* place = std::find_if(wheel.patch, end, [&](const rollfem_patch& other) {
+    return other.normal_force < patch.normal_force;
+  });
+  if (wheel.patch_count == ROLLFEM_MAX_PATCHES) {
+    ++wheel.patches_unlisted;
+    if (place == end--) return;
+  } else {
+    ++wheel.patch_count;
+  }
+  std::move_backward(place, end, end + 1);
+  *place = patch;
+}
 
 /// Solves the first load point with the model halfspace on one grid, without the coarser grids
-/// needed for error bars. Throws contact::SolveError and contact::InputError as the model does.
-CheckedPatch solve_patch(const contact::Scene& scene, int across) {
+/// needed for error bars, and adds its patch. Throws contact::SolveError and contact::InputError as
+/// the model does.
+void solve_patch(const contact::Scene& scene, int across, const track::WheelRailContact& contact,
+                 rollfem_result& wheel) {
   const halfspace::PatchSearch search(scene);
   const halfspace::PatchExtent extent = search.extent();
   contact::LevelResult level = halfspace::solve_level(scene, search, extent.length / across,
@@ -46,50 +151,14 @@ CheckedPatch solve_patch(const contact::Scene& scene, int across) {
   result.grid = level.grid;
   result.points = std::move(level.points);
   contact::check_validity(scene, result);
-  CheckedPatch patch{std::move(result.points.front()), 0.0};
+  contact::PointResult& point = result.points.front();
   const PeakPressure::Peak peak =
       PeakPressure(scene.material.contact_modulus)
-          .of(halfspace::halfspace_geometry(scene), result.grid, patch.point.fields.traction.n);
-  patch.point.max_pressure = peak.pressure;
-  patch.max_pressure_bar = peak.bar;
-  return patch;
-}
-
-PatchForces forces_of(const contact::PointResult& point, double max_pressure_bar) {
-  PatchForces found;
-  found.creepage = point.creepage;
-  found.normal_force = point.normal_force;
-  found.longitudinal_force = point.longitudinal_force;
-  found.lateral_force = point.lateral_force;
-  found.lateral_pressure = point.lateral_pressure;
-  found.spin_moment = point.spin_moment;
-  found.length = point.contact_length;
-  found.width = point.contact_width;
-  found.area = point.contact_area;
-  found.adhesion_area = point.adhesion_area;
-  found.max_pressure = point.max_pressure;
-  found.max_pressure_bar = max_pressure_bar;
-  found.creepage_work = point.creepage_work.value_or(0.0);
-  return found;
-}
-
-void set_pose(const track::WheelsetPose& pose, SolvedWheel& wheel) {
-  wheel.roll = pose.roll;
-  wheel.height = pose.height;
-}
-
-/// Adds a patch to the sums of its wheel.
-SolvedPatch add_patch(const contact::PointResult& point, double max_pressure_bar,
-                      const track::WheelRailContact& contact, SolvedWheel& wheel) {
-  const Wrench wrench =
-      wrench_of(contact, {point.longitudinal_force, point.lateral_force, point.normal_force,
-                          point.lateral_pressure, point.spin_moment});
-  add(wrench, 1.0, wheel.sum);
-  const SolvedPatch patch{forces_of(point, max_pressure_bar), contact.origin,
-                          contact.place.contact_angle, contact.place.rolling_radius, wrench.force};
-  wheel.creepage_work += patch.forces.creepage_work;
-  set_pose(contact.pose, wheel);
-  return patch;
+          .of(halfspace::halfspace_geometry(scene), result.grid, point.fields.traction.n);
+  point.max_pressure = peak.pressure;
+  add_patch(point, peak.bar, contact, wheel);
+  wheel.penetration = std::max(wheel.penetration, (point.approach + contact.place.separation) /
+                                                      std::cos(contact.place.contact_angle));
 }
 
 /// Margin around the overlap of the bodies, mm: more than a grid on the patch needs.
@@ -98,43 +167,54 @@ constexpr double around_overlap = 10.0;
 /// Largest separation, mm, of a near miss to describe: none.
 constexpr double none = -contact::infinity;
 
-track::SearchOptions search_options(const WheelState& state) {
+track::SearchOptions search_options(const rollfem_state& state) {
   track::SearchOptions options;
   options.with_reserve = true;
-  if (state.given == WheelState::Given::height) options.height = state.load;
-  if (state.given == WheelState::Given::penetration) options.sinking = state.load;
+  if (state.given == ROLLFEM_HEIGHT) options.height = state.height;
+  if (state.given == ROLLFEM_PENETRATION) options.sinking = state.penetration;
   return options;
 }
 
 /// Given depth below first touch, mm.
-std::optional<double> sinking_of(const WheelState& state, double touching_height) {
-  if (state.given == WheelState::Given::vertical_force) return {};
-  return state.given == WheelState::Given::height ? state.load - touching_height : state.load;
+std::optional<double> sinking_of(const rollfem_state& state, double touching_height) {
+  if (state.given == ROLLFEM_VERTICAL_FORCE) return {};
+  return state.given == ROLLFEM_HEIGHT ? state.height - touching_height : state.penetration;
+}
+
+bool touches(const track::WheelRailContact& contact) {
+  return contact.place.patch > 0;
 }
 
 /// Result of a wheel held above the rail.
-SolvedWheel apart(const track::WheelsetPose& pose, double sinking) {
-  SolvedWheel wheel;
-  set_pose(pose, wheel);
+rollfem_result apart(const track::WheelsetPose& pose, double sinking) {
+  rollfem_result wheel{};
+  wheel.roll = pose.roll;
+  wheel.touching_height = pose.height;
   wheel.penetration = sinking;
   return wheel;
 }
 
 /// Derivatives of the creepages by the motion, in which they are linear.
-std::array<contact::Creepage, 3> by_motion(const track::WheelRailContact& contact,
-                                           const track::Motion& motion,
-                                           const contact::Creepage& at) {
-  std::array<contact::Creepage, 3> by{};
-  const std::array<double track::Motion::*, 3> parts{
-      &track::Motion::rotation, &track::Motion::lateral_velocity, &track::Motion::yaw_velocity};
-  for (std::size_t k = 0; k < parts.size(); ++k) {
+Eigen::Matrix3d by_motion(const track::WheelRailContact& contact, const track::Motion& motion) {
+  const auto creepage_at = [&](const track::Motion& at) {
+    const contact::Creepage found = track::creepage_of(contact, at);
+    return Eigen::Vector3d(found.longitudinal, found.lateral, found.spin);
+  };
+  Eigen::Matrix3d by;
+  Eigen::Index k = 0;
+  for (double track::Motion::*part :
+       {&track::Motion::rotation, &track::Motion::lateral_velocity, &track::Motion::yaw_velocity}) {
     track::Motion moved = motion;
-    moved.*parts[k] += 1.0;
-    const contact::Creepage then = track::creepage_of(contact, moved);
-    by[k] = {then.longitudinal - at.longitudinal, then.lateral - at.lateral, then.spin - at.spin};
+    moved.*part += 1.0;
+    by.col(k++) = creepage_at(moved) - creepage_at(motion);
   }
   return by;
 }
+
+/// Surfaces tried in this order: a patch that reaches into another contact of the wheel forms one
+/// conformal contact with it, which no plane can represent.
+constexpr contact::SurfaceForm surfaces[] = {contact::SurfaceForm::automatic,
+                                             contact::SurfaceForm::curved};
 
 }  // namespace
 
@@ -174,52 +254,37 @@ WheelRailPair::WheelRailPair(Case input)
         across + 2 * QuickPatch::margin, elements + 2 * QuickPatch::margin, material_.uncoupled()));
 }
 
-SolvedWheel WheelRailPair::solve(const WheelState& state) const {
+rollfem_result WheelRailPair::solve(const rollfem_state& state) const {
   check(state, input_.wheel.rolling_radius);
   const Borrowed workspace(*this);
   return solve(*workspace, state);
 }
 
-SolvedWheel WheelRailPair::solve(Workspace& workspace, const WheelState& state) const {
+rollfem_result WheelRailPair::solve(Workspace& workspace, const rollfem_state& state) const {
   set(state, workspace.input);
   workspace.solved = nullptr;
-  SolvedWheel wheel;
-  if (!tables_.empty() && solve_quickly(workspace, state, wheel)) return wheel;
-  try {
-    solve_with_care(workspace.input, state, wheel);
-  } catch (const contact::SolveError&) {
-    if (!solve_curved(workspace.input, state, wheel)) throw;
+  contact::SurfaceForm& surface = workspace.input.halfspace.surface;
+  for (auto form = std::begin(surfaces); !tables_.empty() && form != std::end(surfaces); ++form) {
+    surface = *form;
+    rollfem_result wheel{};
+    const QuickOutcome outcome = solve_quickly(workspace, state, wheel);
+    if (outcome == QuickOutcome::solved) return wheel;
+    if (outcome == QuickOutcome::unfit) break;
   }
-  return wheel;
+  std::exception_ptr first;
+  for (const contact::SurfaceForm form : surfaces) {
+    surface = form;
+    try {
+      return solve_with_care(workspace.input, state);
+    } catch (const contact::SolveError&) {
+      if (!first) first = std::current_exception();
+    }
+  }
+  std::rethrow_exception(first);
 }
 
-/// Solves a patch that reaches into another contact of the wheel: both form one conformal contact,
-/// which no plane can represent.
-bool WheelRailPair::solve_curved(Case input, const WheelState& state, SolvedWheel& wheel) const {
-  input.halfspace.surface = contact::SurfaceForm::curved;
-  try {
-    solve_with_care(input, state, wheel);
-  } catch (const contact::SolveError&) {
-    return false;
-  }
-  return true;
-}
-
-/// False if QuickWheel cannot solve the contacts.
-bool WheelRailPair::solve_quickly(Workspace& workspace, const WheelState& state,
-                                  SolvedWheel& wheel) const {
-  contact::SurfaceForm& form = workspace.input.halfspace.surface;
-  for (const auto tried : {contact::SurfaceForm::automatic, contact::SurfaceForm::curved}) {
-    form = tried;
-    const QuickOutcome outcome = solve_quickly_on(workspace, state, wheel);
-    form = contact::SurfaceForm::automatic;
-    if (outcome != QuickOutcome::conformal) return outcome == QuickOutcome::solved;
-  }
-  return false;
-}
-
-QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, const WheelState& state,
-                                             SolvedWheel& wheel) const {
+QuickOutcome WheelRailPair::solve_quickly(Workspace& workspace, const rollfem_state& state,
+                                          rollfem_result& wheel) const {
   const Case& input = workspace.input;
   track::SearchOptions options = search_options(state);
   options.around_overlap = around_overlap;
@@ -228,10 +293,8 @@ QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, const WheelSt
   const track::WheelsetPose& pose = workspace.found.front().pose;
   workspace.load = {input.load.vertical_force.value_or(0.0), sinking_of(state, pose.height),
                     friction_falls() ? contact::friction_of(input) : friction_};
-  const bool touches =
-      std::any_of(workspace.found.begin(), workspace.found.end(),
-                  [](const track::WheelRailContact& contact) { return contact.place.patch > 0; });
-  if (const auto& sinking = workspace.load.sinking; sinking && !(*sinking > 0.0 && touches)) {
+  const bool touch = std::any_of(workspace.found.begin(), workspace.found.end(), touches);
+  if (const auto& sinking = workspace.load.sinking; sinking && !(*sinking > 0.0 && touch)) {
     wheel = apart(pose, *sinking);
     return QuickOutcome::solved;
   }
@@ -239,11 +302,11 @@ QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, const WheelSt
   std::vector<QuickContact>& contacts = workspace.contacts;
   contacts.clear();
   for (track::WheelRailContact& contact : workspace.found) {
-    if (!(contact.place.patch > 0 || contact.reserve)) continue;
+    if (!(touches(contact) || contact.reserve)) continue;
     QuickContact one;
     one.contact = &contact;
     one.creepage = track::creepage_of(contact, motion);
-    if (workspace.linearises) one.by_motion = by_motion(contact, motion, one.creepage);
+    if (workspace.linearises) one.by_motion = by_motion(contact, motion);
     one.geometry.surface = contact::ContactSurface::of(
         std::make_shared<const contact::PatchGeometry>(std::move(contact.geometry)));
     if (input.halfspace.surface == contact::SurfaceForm::automatic)
@@ -251,69 +314,38 @@ QuickOutcome WheelRailPair::solve_quickly_on(Workspace& workspace, const WheelSt
     contacts.push_back(std::move(one));
   }
   QuickOutcome outcome = QuickOutcome::unfit;
-  for (const auto& quick : workspace.wheels) {
-    outcome = quick->solve(contacts, workspace.load);
-    if (outcome == QuickOutcome::unfit) continue;
-    if (outcome == QuickOutcome::solved) {
-      workspace.solved = quick.get();
-      take(*quick, wheel);
-    }
-    break;
+  for (auto quick = workspace.wheels.begin();
+       outcome == QuickOutcome::unfit && quick != workspace.wheels.end(); ++quick) {
+    outcome = (*quick)->solve(contacts, workspace.load);
+    if (outcome == QuickOutcome::solved) workspace.solved = quick->get();
   }
+  if (outcome != QuickOutcome::solved) return outcome;
+  for (const QuickPatch* patch : workspace.solved->patches())
+    add_patch(patch->point(), patch->max_pressure_bar(), patch->contact(), wheel);
+  wheel.penetration = workspace.solved->sinking();
   return outcome;
 }
 
-void WheelRailPair::take(const QuickWheel& quick, SolvedWheel& wheel) {
-  std::array<const QuickPatch*, QuickWheel::most_patches> order{};
-  wheel.count = quick.patches().size();
-  wheel.penetration = quick.sinking();
-  const auto end = std::copy(quick.patches().begin(), quick.patches().end(), order.begin());
-  for (auto at = order.begin(); at != end; ++at)
-    std::iter_swap(at, std::max_element(at, end, [](const QuickPatch* a, const QuickPatch* b) {
-                     return a->point().normal_force < b->point().normal_force;
-                   }));
-  for (std::size_t k = 0; k < wheel.count; ++k)
-    wheel.patches[k] =
-        add_patch(order[k]->point(), order[k]->max_pressure_bar(), order[k]->contact(), wheel);
-}
-
-void WheelRailPair::solve_with_care(const Case& input, const WheelState& state,
-                                    SolvedWheel& wheel) const {
-  wheel = {};
+rollfem_result WheelRailPair::solve_with_care(const Case& input, const rollfem_state& state) const {
+  rollfem_result wheel{};
   std::vector<track::PlacedScene> placed =
       track::make_scenes(input, search_, search_options(state));
   const track::WheelsetPose& pose = placed.front().contact.pose;
   if (const auto sinking = sinking_of(state, pose.height)) {
-    const bool touches =
-        std::any_of(placed.begin(), placed.end(),
-                    [](const track::PlacedScene& scene) { return scene.contact.place.patch > 0; });
-    if (!(*sinking > 0.0 && touches)) {
-      wheel = apart(pose, *sinking);
-      return;
-    }
+    const bool touch = std::any_of(placed.begin(), placed.end(),
+                                   [](const auto& one) { return touches(one.contact); });
+    if (!(*sinking > 0.0 && touch)) return apart(pose, *sinking);
     for (track::PlacedScene& one : placed)
       one.scene.points.front().load.approach =
           *sinking * std::cos(one.contact.place.contact_angle) - one.contact.place.separation;
   }
-  std::vector<SolvedPatch> patches;
-  const auto solve_one = [&](const contact::Scene& scene, const track::WheelRailContact& contact) {
-    const CheckedPatch patch = solve_patch(scene, input.contact_grid.elements_across);
-    patches.push_back(add_patch(patch.point, patch.max_pressure_bar, contact, wheel));
-    wheel.penetration =
-        std::max(wheel.penetration, (patch.point.approach + contact.place.separation) /
-                                        std::cos(contact.place.contact_angle));
-  };
+  const int across = input.contact_grid.elements_across;
   if (placed.size() == 1)
-    solve_one(placed.front().scene, placed.front().contact);
+    solve_patch(placed.front().scene, across, placed.front().contact, wheel);
   else
     for (const contact::Scene& scene : track::balanced_position(input, placed))
-      solve_one(scene, contact_of(scene, placed));
-  std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
-    return a.forces.normal_force > b.forces.normal_force;
-  });
-  wheel.count = std::min(patches.size(), SolvedWheel::most_patches);
-  wheel.unlisted = patches.size() - wheel.count;
-  std::copy_n(patches.begin(), wheel.count, wheel.patches.begin());
+      solve_patch(scene, across, track::contact_of(scene, placed), wheel);
+  return wheel;
 }
 
 }  // namespace rollfem::capi

@@ -1,25 +1,33 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Implementation of rollfem.h: a wheel on its rail, prepared once and solved for one state after
-// another. Units mm, N, MPa, s, rad; track frame: x along the track, y to the right, z down.
+// another. States and results are those of rollfem.h, in mm, N, MPa, s, rad; track frame: x along
+// the track, y to the right, z down.
 #pragma once
 
 #include "capi/quick_wheel.hpp"
-#include "capi/solved_wheel.hpp"
-#include "capi/wheel_state.hpp"
 #include "contact/case/case.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <array>
+#include <Eigen/Core>
+
+#include "rollfem/rollfem.h"
 #include <memory>
 #include <mutex>
 #include <vector>
 
 namespace rollfem::capi {
 
-/// Derivatives of the sums over the patches of a wheel by state_variables; 0 for a roll that is
-/// found and for a wheel that does not touch.
+/// Force (N) and moment about the middle of the axle (N mm), track frame.
+using Wrench = Eigen::Matrix<double, 6, 1>;
+
+/// The wrenches of unit resultants of a patch: this matrix times PatchSums is their wrench.
+Eigen::Matrix<double, 6, PatchSum::count> wrenches_of(const track::WheelRailContact& contact);
+
+/// Derivatives of the sums over the patches of a wheel by the variables of its state, in the order
+/// of rollfem.h; 0 for a roll that is found and for a wheel that does not touch.
 struct WheelDerivatives {
-  std::array<Wrench, state_variables.size()> by;
+  Eigen::Matrix<double, 6, ROLLFEM_STATE_VARIABLES> by =
+      Eigen::Matrix<double, 6, ROLLFEM_STATE_VARIABLES>::Zero();
   double stiffness =
       0.0;  ///< N/mm, derivative of the upward force by the height, friction included
 };
@@ -32,12 +40,12 @@ class WheelRailPair {
 
   /// Throws contact::InputError for values out of bounds, contact::SolveError if there is no
   /// solution. Results do not depend on earlier calls. Thread-safe.
-  SolvedWheel solve(const WheelState& state) const;
+  rollfem_result solve(const rollfem_state& state) const;
 
   /// Also returns derivatives. Velocities use the linearised friction problem, the load two
   /// solutions on the same elements, the position central differences; all use differences if
   /// QuickWheel cannot solve the contacts.
-  SolvedWheel linearise(const WheelState& state, WheelDerivatives& derivatives) const;
+  rollfem_result linearise(const rollfem_state& state, WheelDerivatives& derivatives) const;
 
  private:
   /// Working memory of a call, kept for later calls of any thread.
@@ -53,21 +61,17 @@ class WheelRailPair {
   };
   class Borrowed;
 
-  SolvedWheel solve(Workspace& workspace, const WheelState& state) const;
-  bool solve_quickly(Workspace& workspace, const WheelState& state, SolvedWheel& wheel) const;
-  QuickOutcome solve_quickly_on(Workspace& workspace, const WheelState& state,
-                                SolvedWheel& wheel) const;
-  static void take(const QuickWheel& quick, SolvedWheel& wheel);
-  void solve_with_care(const contact::Case& input, const WheelState& state,
-                       SolvedWheel& wheel) const;
-  bool solve_curved(contact::Case input, const WheelState& state, SolvedWheel& wheel) const;
+  rollfem_result solve(Workspace& workspace, const rollfem_state& state) const;
+  QuickOutcome solve_quickly(Workspace& workspace, const rollfem_state& state,
+                             rollfem_result& wheel) const;
+  rollfem_result solve_with_care(const contact::Case& input, const rollfem_state& state) const;
 
-  bool respond(Workspace& workspace, const WheelState& state, WheelDerivatives& derivatives) const;
-  Wrench difference(Workspace& workspace, const WheelState& state, const SolvedWheel& at,
-                    std::size_t variable) const;
+  bool respond(Workspace& workspace, const rollfem_state& state,
+               WheelDerivatives& derivatives) const;
+  Wrench difference(Workspace& workspace, const rollfem_state& state, const rollfem_result& at,
+                    int variable) const;
   /// Then the law depends on the forward speed.
   bool friction_falls() const { return friction_ && friction_->feels_slip(); }
-  double step_of(const WheelState& state, const SolvedWheel& at, std::size_t variable) const;
 
   contact::Case input_;
   track::SearchScene search_;
@@ -95,5 +99,11 @@ class WheelRailPair::Borrowed {
   const WheelRailPair& pair_;
   std::unique_ptr<Workspace> workspace_;
 };
+
+/// Checks every number of a state against the bounds of case files. Throws contact::InputError.
+void check(const rollfem_state& state, double rolling_radius);
+
+/// Writes a state into a case. A given height or penetration goes to the search (SearchOptions).
+void set(const rollfem_state& state, contact::Case& input);
 
 }  // namespace rollfem::capi

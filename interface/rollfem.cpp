@@ -59,8 +59,8 @@ Result solve(const Case& input, const std::vector<std::string>& models, const Pr
   Ready ready = ready_for(names, progress);
   ready.how.go_on = missing != nullptr;
   modelling::Solved solved = modelling::solve(result.input, ready.how);
-  for (const modelling::Missing& one : solved.missing)
-    missing->push_back({one.model, one.reason, one.failed});
+  if (missing != nullptr)
+    missing->insert(missing->end(), solved.missing.begin(), solved.missing.end());
   result.models = std::move(solved.results);
   result.pairs = std::move(solved.pairs);
   result.verdict = std::move(solved.verdict);

@@ -59,8 +59,7 @@ Files compare(const std::vector<Compared>& cases, const std::string& reference) 
     compared.title = one.result.input.title;
     compared.friction = one.result.input.friction_coefficient;
     record.models = one.result.input.models;
-    for (const Missing& missing : one.missing)
-      compared.missing.push_back({missing.model, missing.reason, missing.failed});
+    compared.missing = one.missing;
     if (!one.result.models.empty()) {
       postprocess::check_record(one.result);
       compared.summary = postprocess::summary_json(one.result);

@@ -9,7 +9,7 @@
 namespace rollfem::python {
 
 namespace py = pybind11;
-using Shared = std::shared_ptr<const Result>;
+using Shared = std::shared_ptr<Result>;
 
 /// Results as dictionaries, one for each model and patch, in the order of the run. Arrays are views
 /// of the result without copies; each keeps the whole result alive.
@@ -17,7 +17,7 @@ py::list models_of(const Shared& result);
 
 /// The state of a pickled result, and the result of a state.
 py::tuple packed(const Result& result);
-std::shared_ptr<Result> unpacked(const py::tuple& state);
+Shared unpacked(const py::tuple& state);
 
 /// {name: (title, symbol, unit, meaning, percent_of)}, in the order of the files.
 py::dict quantities();
@@ -29,8 +29,8 @@ py::dict fields();
 /// ValueError unless the last axis has length six.
 py::dict stress_measures(const py::object& components);
 
-/// Where a patch is, with the numbers of postprocess::place_scalars.
-py::dict dict_of(const contact::ContactPlace& place);
+/// Where a patch is, with the numbers of postprocess::place_scalars; None without a place.
+py::object place_of(const std::optional<contact::ContactPlace>& place);
 
 /// The class CreepTable, on which rollfem.Table is made, and `fill_table`.
 void define_tables(py::module_& module);

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "python/bindings.hpp"
-#include "python/blas_threads.hpp"
 
 #include <optional>
 #include <utility>
@@ -42,6 +41,19 @@ class Caller {
 
   py::object callback_;
   std::optional<py::error_already_set> raised_;
+};
+
+/// Limits OpenBLAS to one thread while any of these objects lives; afterwards the previous number.
+/// The program sets OPENBLAS_NUM_THREADS before loading the library; in Python, numpy has already
+/// loaded it with one thread per core. These threads wait actively for each other, which on a busy
+/// machine turns seconds into minutes. Does nothing if the user has set that variable or no
+/// OpenBLAS is loaded.
+class OneBlasThread {
+ public:
+  OneBlasThread();
+  ~OneBlasThread();
+  OneBlasThread(const OneBlasThread&) = delete;
+  OneBlasThread& operator=(const OneBlasThread&) = delete;
 };
 
 /// work(progress) without the GIL; `callback`: a Python function or None.

@@ -16,23 +16,25 @@ namespace rollfem::python {
 
 namespace {
 
-using Solved = std::pair<Shared, std::vector<Missing>>;
-
-/// `go_on`: models that have no result are listed instead of ending the call.
-Solved solved(const Case& input, const std::vector<std::string>& models, py::object callback,
-              bool go_on) {
-  return without_gil(std::move(callback), [&](const Progress& progress) {
-    std::vector<Missing> missing;
-    Result result = solve(input, models, progress, go_on ? &missing : nullptr);
-    return Solved(std::make_shared<const Result>(std::move(result)), std::move(missing));
+/// (result, [(model, reason, failed)]). `go_on`: models that have no result are listed instead of
+/// ending the call.
+py::tuple solved(const Case& input, const std::vector<std::string>& models, py::object callback,
+                 bool go_on) {
+  std::vector<Missing> missing;
+  const auto result = without_gil(std::move(callback), [&](const Progress& progress) {
+    return std::make_shared<Result>(solve(input, models, progress, go_on ? &missing : nullptr));
   });
+  py::list without;
+  for (const Missing& one : missing)
+    without.append(py::make_tuple(one.model, one.reason, one.failed));
+  return py::make_tuple(result, without);
 }
 
 /// Python's Ctrl-C handler may not interrupt here; writing is complete or does not happen in any
 /// case.
-std::string written(const Shared& result, const std::string& folder, bool report) {
+std::string written(const Result& result, const std::string& folder, bool report) {
   const py::gil_scoped_release free;
-  return write(folder, *result, report);
+  return write(folder, result, report);
 }
 
 /// All [(section, key, unit)] of the case file.
@@ -115,18 +117,9 @@ PYBIND11_MODULE(_core, module) {
   module.def("read_case", &read_case);
   module.def("parse_case", &parse_case);
   module.def("models", &models);
-  module.def("solve", [](const Case& input, const std::vector<std::string>& names,
-                         const py::object& callback, bool go_on) {
-    auto [result, missing] = python::solved(input, names, callback, go_on);
-    py::list without;
-    for (const Missing& one : missing)
-      without.append(py::make_tuple(one.model, one.reason, one.failed));
-    return py::make_tuple(std::const_pointer_cast<Result>(result), without);
-  });
-  module.def("models_of",
-             [](const std::shared_ptr<Result>& result) { return python::models_of(result); });
-  module.def("write", [](const std::shared_ptr<Result>& result, const std::string& folder,
-                         bool report) { return python::written(result, folder, report); });
+  module.def("solve", &python::solved);
+  module.def("models_of", &python::models_of);
+  module.def("write", &python::written);
   module.def("stress_measures", &python::stress_measures);
   module.def("keys", &python::keys);
   module.def("quantities", &python::quantities);

@@ -79,7 +79,7 @@ py::tuple packed(const Result& result) {
                         py::bytes(record.bytes()));
 }
 
-std::shared_ptr<Result> unpacked(const py::tuple& state) {
+Shared unpacked(const py::tuple& state) {
   if (state[0].cast<std::string>() != program())
     throw InputError("a pickled result belongs to another version of rollfem (" +
                      state[0].cast<std::string>() + "); do: unpickle it there, and write it");

@@ -104,7 +104,6 @@ py::dict model_of(const ModelResult& model, const Shared& owner) {
   py::array_t<double> x(model.grid.nx), y(model.grid.ny);
   for (int i = 0; i < model.grid.nx; ++i) x.mutable_at(i) = model.grid.x(i);
   for (int j = 0; j < model.grid.ny; ++j) y.mutable_at(j) = model.grid.y(j);
-  const py::object place = model.place ? py::object(dict_of(*model.place)) : py::none();
   py::list points;
   for (const PointResult& point : model.points) points.append(point_of(model, point, owner));
   return py::dict("name"_a = model.name, "label"_a = model.label, "key"_a = model.key(),
@@ -112,7 +111,7 @@ py::dict model_of(const ModelResult& model, const Shared& owner) {
                   "contact_elements"_a = model.contact_elements, "notes"_a = model.notes,
                   "choice"_a = model.choice, "shortfall"_a = model.shortfall,
                   "model_error_source"_a = model.model_error_source, "dx"_a = model.grid.dx,
-                  "dy"_a = model.grid.dy, "x"_a = x, "y"_a = y, "place"_a = place,
+                  "dy"_a = model.grid.dy, "x"_a = x, "y"_a = y, "place"_a = place_of(model.place),
                   "points"_a = points);
 }
 
@@ -140,11 +139,12 @@ py::list models_of(const Shared& result) {
   return found;
 }
 
-py::dict dict_of(const contact::ContactPlace& place) {
+py::object place_of(const std::optional<contact::ContactPlace>& place) {
+  if (!place) return py::none();
   py::dict found;
-  found["wheel"] = place.left ? "left" : "right";
+  found["wheel"] = place->left ? "left" : "right";
   for (const postprocess::PlaceScalar& one : postprocess::place_scalars())
-    found[one.name] = one.value(place);
+    found[one.name] = one.value(*place);
   for (const char* count : {"position", "patch", "patches"})
     found[count] = py::int_(static_cast<int>(found[count].cast<double>()));
   return found;

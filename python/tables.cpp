@@ -43,11 +43,10 @@ std::map<std::string, double> interpolation_of(const tables::InterpolationError&
   return found;
 }
 
-/// Values of the wheel at every shift of the table.
-std::map<std::string, Column> wheels_of(const tables::CreepTable& table) {
+std::map<std::string, Column> columns_of(const std::vector<tables::TableWheel>& wheels) {
   std::map<std::string, Column> found;
   for (const tables::WheelColumn& column : tables::wheel_columns())
-    for (const tables::TableWheel& wheel : table.wheels)
+    for (const tables::TableWheel& wheel : wheels)
       found[column.name].push_back(wheel.*column.member);
   return found;
 }
@@ -66,7 +65,7 @@ py::dict contents_of(const CreepTableReader& reader) {
                   "poisson_ratio"_a = table.poisson_ratio, "over_shifts"_a = table.over_shifts(),
                   "shear_modulus"_a = table.shear_modulus,
                   "friction_coefficient"_a = table.friction_coefficient,
-                  "only_for"_a = table.only_for, "wheels"_a = wheels_of(table),
+                  "only_for"_a = table.only_for, "wheels"_a = columns_of(table.wheels),
                   "along_normal"_a = table.along_normal, "axes"_a = axes,
                   "interpolation"_a = interpolation_of(table.interpolation),
                   "forces"_a = table.forces, "bars"_a = table.bars);
@@ -75,13 +74,10 @@ py::dict contents_of(const CreepTableReader& reader) {
 /// Values of the wheel at arbitrary shifts and loads.
 std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Column& shifts,
                                         const Column& loads) {
-  std::map<std::string, Column> found;
-  for (std::size_t k = 0; k < shifts.size(); ++k) {
-    const tables::TableWheel wheel = reader.wheel_at({shifts[k], loads[k]});
-    for (const tables::WheelColumn& column : tables::wheel_columns())
-      found[column.name].push_back(wheel.*column.member);
-  }
-  return found;
+  std::vector<tables::TableWheel> wheels;
+  for (std::size_t k = 0; k < shifts.size(); ++k)
+    wheels.push_back(reader.wheel_at({shifts[k], loads[k]}));
+  return columns_of(wheels);
 }
 
 CreepTableReader filled(const Case& input, py::object callback) {

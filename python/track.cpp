@@ -72,7 +72,7 @@ py::list contact_points_of(const Case& input) {
     contacts = track::place_wheels(input, track::search_scene_of(input));
   }
   py::list found;
-  for (const track::WheelRailContact& contact : contacts) found.append(dict_of(contact.place));
+  for (const track::WheelRailContact& contact : contacts) found.append(place_of(contact.place));
   return found;
 }
 

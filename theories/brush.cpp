@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rollfem::theories {
 
@@ -102,6 +103,57 @@ BrushStrip ellipse_strip(const halfspace::HertzContact& ellipse, double y, doubl
   const double root = std::sqrt(remainder);
   const double factor = shape == BoundShape::parabolic ? remainder : root;
   return {y, ellipse.semi_axis_x * root, factor > 0.0 ? bound * factor : 0.0, shape, 0.0};
+}
+
+StripTheory::StripTheory(const halfspace::HertzContact& ellipse,
+                         const contact::CombinedMaterial& material, double bound,
+                         const contact::Creepage& creepage, double y)
+    : bound_(bound) {
+  const double a = ellipse.semi_axis_x;
+  const double b = ellipse.semi_axis_y;
+  const double nu = material.poisson_ratio;
+  const halfspace::KalkerCoefficients kalker = halfspace::kalker_coefficients(a, b, nu);
+  half_length_ = a * std::sqrt(std::max(0.0, (1.0 - y / b) * (1.0 + y / b)));
+  const double scale = material.shear_modulus / bound;
+  // Strip theory by itself has C11 = pi^2/(4 (1 - nu)), C22 = pi^2/4, C23 = pi/3 sqrt(a/b).
+  const double spin = 1.5 / pi * kalker.c23 * std::sqrt(b / a) * creepage.spin * scale;
+  const double x =
+      2.0 / (pi * pi) * kalker.c11 * creepage.longitudinal * scale - spin * y / (1.0 - nu);
+  const double e = 2.0 / (pi * pi) * kalker.c22 * creepage.lateral * scale;
+  across_ = spin;
+  if (x == 0.0 && e == 0.0) {  // nothing moves but the spin, which the strip bears up to its bound
+    if (std::abs(spin) >= 1.0) slip_ = std::numeric_limits<double>::infinity();
+    return;
+  }
+  // k d = -x, l d = -e, and k^2 + (l - P)^2 = 1 at the end of adhesion.
+  const double root = e * e + x * x * (1.0 - spin * spin);
+  const double divisor = std::sqrt(std::max(0.0, root)) - e * spin;
+  slip_ = root >= 0.0 && divisor > 0.0 ? (x * x + e * e) / divisor
+                                       : std::numeric_limits<double>::infinity();
+  if (slip_ >= half_length_) slip_ = std::numeric_limits<double>::infinity();
+  k_ = -x / slip_;
+  l_ = -e / slip_;
+}
+
+namespace {
+
+/// Mean of sqrt(radius^2 - t^2) over t from `first` to `last`, 0 beyond the radius.
+double mean_root(double radius, double first, double last) {
+  const auto integral = [radius](double t) {
+    const double u = std::clamp(t, -radius, radius);
+    return 0.5 * (u * std::sqrt(radius * radius - u * u) + radius * radius * std::asin(u / radius));
+  };
+  return (integral(last) - integral(first)) / (last - first);
+}
+
+}  // namespace
+
+StripTheory::Traction StripTheory::traction(double x, double step) const {
+  const double first = x - 0.5 * step;
+  const double last = x + 0.5 * step;
+  const double whole = mean_root(half_length_, first, last);
+  const double rest = whole - mean_root(half_length_ - slip_, first - slip_, last - slip_);
+  return {bound_ * k_ * rest, bound_ * (l_ * rest - across_ * whole)};
 }
 
 StripElements chord_elements(const BrushStrip& strip, int count) {
@@ -206,6 +258,16 @@ contact::Creepage strip_creepage(const contact::ChartedGeometry& geometry,
   return {slip.x[0], slip.y[0], creepage.spin};
 }
 
+std::vector<StripPlace> strip_places(double half_width, int count) {
+  const double angle = pi / count;
+  std::vector<StripPlace> places;
+  for (int j = 0; j < count; ++j) {
+    const double t = -0.5 * pi + (j + 0.5) * angle;
+    places.push_back({half_width * std::sin(t), half_width * std::cos(t) * angle});
+  }
+  return places;
+}
+
 void add_strip(const BrushStrip& strip, const StripTractions& tractions, double width,
                BrushTotals& totals) {
   const StripElements& elements = tractions.elements;
@@ -225,29 +287,26 @@ void add_strip(const BrushStrip& strip, const StripTractions& tractions, double 
   totals.elements += elements.count;
 }
 
-std::vector<StripPlace> strip_places(double half_width, int count) {
-  const double angle = pi / count;
-  std::vector<StripPlace> places;
-  for (int j = 0; j < count; ++j) {
-    const double t = -0.5 * pi + (j + 0.5) * angle;
-    places.push_back({half_width * std::sin(t), half_width * std::cos(t) * angle});
-  }
-  return places;
+namespace {
+
+StripTractions solve_strip(const BrushProblem& problem, const BrushStrip& strip,
+                           const StripElements& elements) {
+  return solve_strip(strip, problem.flexibilities,
+                     strip_creepage(problem.geometry, problem.creepage, strip.y), elements);
 }
 
-BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, double half_width,
-                       int count) {
-  BrushTotals totals;
-  for (const auto& [y, width] : strip_places(half_width, count)) {
+}  // namespace
+
+void add_strips(const BrushProblem& problem, const StripAt& strip_at,
+                const std::vector<StripPlace>& places, BrushTotals& totals,
+                const ElementsOf& elements_of) {
+  for (const auto& [y, width] : places) {
     const BrushStrip strip = strip_at(y);
     if (strip.half_length <= 0.0) continue;
-    add_strip(strip,
-              solve_strip(strip, problem.flexibilities,
-                          strip_creepage(problem.geometry, problem.creepage, y),
-                          chord_elements(strip, problem.elements)),
-              width, totals);
+    const StripElements elements =
+        elements_of ? elements_of(strip) : chord_elements(strip, problem.elements);
+    add_strip(strip, solve_strip(problem, strip, elements), width, totals);
   }
-  return totals;
 }
 
 void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
@@ -255,10 +314,8 @@ void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& pro
   for (int j = 0; j < grid.ny; ++j) {
     const BrushStrip strip = strip_at(grid.y(j));
     if (strip.half_length <= 0.0) continue;
-    const StripTractions tractions = solve_strip(
-        strip, problem.flexibilities, strip_creepage(problem.geometry, problem.creepage, strip.y),
-        chord_elements(strip, problem.elements));
-    fill_row({grid, j}, strip, tractions, point.fields);
+    fill_row({grid, j}, strip, solve_strip(problem, strip, chord_elements(strip, problem.elements)),
+             point.fields);
   }
 }
 

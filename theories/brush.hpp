@@ -7,7 +7,6 @@
 #include "contact/result/result.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
-#include "theories/strip_theory.hpp"
 
 #include <functional>
 #include <optional>
@@ -32,6 +31,37 @@ BrushFlexibilities single_flexibility(const BrushFlexibilities& three,
                                       const contact::Creepage& creepage, double c);
 
 using contact::BoundShape;
+
+/// Strip theory of an elliptic patch (Haines and Ollerton 1963, Kalker 1967): every strip along
+/// rolling is a line contact with both components of traction. In a strip of half length a the
+/// traction on the wheel is, in adhesion,
+///   m (k r, l r - P r) - m (k, l) r',  r = sqrt(a^2 - x^2),  r' = sqrt((a - d)^2 - (x - d)^2),
+/// so that the slip vanishes there, and reaches the bound m r where adhesion ends, x = 2 d - a.
+class StripTheory {
+ public:
+  struct Traction {
+    double x = 0.0, y = 0.0;  ///< MPa
+  };
+
+  /// `bound` = mu p_0/a of the ellipse, MPa/mm, above 0. `creepage` is that of the strip at y. The
+  /// slopes are scaled to the linear theory's C11, C22 and C23, so that F_x and F_y of small
+  /// creepages are Kalker's (Sichani, Enblom and Berg 2016, Vehicle System Dynamics 54, 748-764).
+  StripTheory(const halfspace::HertzContact& ellipse, const contact::CombinedMaterial& material,
+              double bound, const contact::Creepage& creepage, double y);
+
+  /// Whether the strip adheres at x; from the leading edge as far as 2 d - a.
+  bool adheres(double x) const { return x > 2.0 * slip_ - half_length_; }
+  /// Its mean over an element of that length about x, where the strip adheres: with small creepages
+  /// it grows without bound towards the trailing edge.
+  Traction traction(double x, double step) const;
+
+ private:
+  double bound_;
+  double half_length_;        ///< a, mm
+  double slip_ = 0.0;         ///< d, half the length of the slip area, mm; infinite: no adhesion
+  double across_ = 0.0;       ///< P
+  double k_ = 0.0, l_ = 0.0;  ///< of the part that is taken away
+};
 
 /// A line along x through the patch.
 struct BrushStrip {
@@ -119,9 +149,13 @@ struct StripPlace {
 /// order.
 std::vector<StripPlace> strip_places(double half_width, int count);
 
-/// Sum over `count` strips with this spacing.
-BrushTotals sum_strips(const BrushProblem& problem, const StripAt& strip_at, double half_width,
-                       int count);
+/// Elements of a strip.
+using ElementsOf = std::function<StripElements(const BrushStrip&)>;
+
+/// Adds the strips at these places; without `elements_of` by chord_elements.
+void add_strips(const BrushProblem& problem, const StripAt& strip_at,
+                const std::vector<StripPlace>& places, BrushTotals& totals,
+                const ElementsOf& elements_of = {});
 
 /// Tractions, slip, state and (when finite) the bound of the strips of a load point on its contact
 /// grid: every row of elements is a strip.

@@ -136,8 +136,8 @@ double CarterSolution::slip(double x) const {
   return creepage_ - std::copysign(saturation, creepage_) * x / contact_.half_width;
 }
 
-contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress,
-                                int strips) {
+contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress) {
+  const int strips = scene.options.carter.strips;
   const EllipticPatch patch = elliptic_patch(scene);
   const auto fill = [&](contact::PointResult& point) {
     fill_fields(patch, point);

@@ -40,9 +40,8 @@ class CarterSolution {
 
 /// The model "carter": every strip of Hertz's ellipse rolls as a line contact with the strip's
 /// length and pressure, with the extra rigid slip of the case. The forces are exact integrals along
-/// x and `strips` strips across. Exact for a patch much wider than long; the initial slope is that
+/// x and sums over strips across. Exact for a patch much wider than long; the initial slope is that
 /// of plane strain. Throws contact::InputError for lateral creepage or spin.
-contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress,
-                                int strips = 200);
+contact::ModelResult run_carter(const contact::Scene& scene, const contact::Progress& progress);
 
 }  // namespace rollfem::theories

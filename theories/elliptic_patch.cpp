@@ -7,7 +7,6 @@
 #include "halfspace/patch/patch_search.hpp"
 #include "theories/registry.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -19,11 +18,32 @@ using contact::PointResult;
 
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+void report_done(const contact::ModelResult& result, const char* stage, int points,
+                 const contact::Progress& progress) {
+  contact::ProgressEvent done;
+  done.model = result.name;
+  done.stage = stage;
+  done.points = points;
+  done.contact_elements = result.contact_elements;
+  done.finished = true;
+  contact::report(progress, done);
+}
+
+int pressed_elements(const PointResult& point) {
+  return static_cast<int>((point.fields.traction.n.array() > 0.0).count());
 }
 
 }  // namespace
+
+halfspace::CreepForces EllipticPatch::linear_forces(const contact::Creepage& creepage) const {
+  return halfspace::linear_creep_forces(hertz.semi_axis_x, hertz.semi_axis_y,
+                                        material.shear_modulus, material.poisson_ratio, creepage);
+}
+
+double EllipticPatch::friction_at(const contact::Creepage& creepage) const {
+  return falling ? falling->at(std::hypot(creepage.longitudinal, creepage.lateral)).value
+                 : friction;
+}
 
 EllipticPatch elliptic_patch(const contact::Scene& scene) {
   contact::ModelResult hertz = run_hertz(scene, {});
@@ -60,31 +80,25 @@ contact::ModelResult run_theory(const contact::Scene& scene, const contact::Cont
                                 const contact::PointResult& normal, const std::string& name,
                                 const contact::Progress& progress, const FillTangential& fill) {
   theories::models().check(scene, name);  // for callers other than the registry
-  const auto start = std::chrono::steady_clock::now();
+  const contact::Stopwatch watch;
   contact::ModelResult result;
   result.name = name;
   result.grid = grid;
-  result.contact_elements = static_cast<int>((normal.fields.traction.n.array() > 0.0).count());
+  result.contact_elements = pressed_elements(normal);
   if (scene.material.difference != 0.0)
     result.notes.push_back(
         "unlike materials: combined constants, without coupling of pressure and friction");
   for (const contact::LoadPoint& load_point : scene.points) {
-    const auto point_start = std::chrono::steady_clock::now();
+    const contact::Stopwatch watch_of_point;
     contact::PointResult point = normal;
     point.creepage = load_point.creepage;
     fill(point);
     point.converged = true;
-    point.seconds = seconds_since(point_start);
+    point.seconds = watch_of_point.seconds();
     result.points.push_back(std::move(point));
   }
-  result.seconds["total"] = seconds_since(start);
-  contact::ProgressEvent done;
-  done.model = name;
-  done.stage = "solved";
-  done.points = static_cast<int>(result.points.size());
-  done.contact_elements = result.contact_elements;
-  done.finished = true;
-  contact::report(progress, done);
+  result.seconds["total"] = watch.seconds();
+  report_done(result, "solved", static_cast<int>(result.points.size()), progress);
   return result;
 }
 
@@ -112,12 +126,9 @@ contact::ContactFields sampled_fields(const contact::Scene& scene,
                                       const ContactGrid& grid) {
   const double modulus = scene.material.contact_modulus;
   const contact::Curvatures curvatures = halfspace::curvatures_of_scene(scene);
-  const Field zero = Field::Zero(grid.size());
-  contact::ContactFields fields;
-  fields.traction = {zero, zero,
-                     grid.sample([&](double x, double y) { return hertz.pressure(x, y); })};
-  fields.slip = {zero, zero};
-  fields.traction_bound = scene.friction_coefficient() * fields.traction.n;
+  contact::ContactFields fields =
+      resting_fields(grid, grid.sample([&](double x, double y) { return hertz.pressure(x, y); }),
+                     scene.friction_coefficient());
   const halfspace::LineHertz line{hertz.semi_axis_x, hertz.max_pressure, hertz.approach};
   const Field displacement = grid.sample([&](double x, double y) {
     return grid.is_line() ? halfspace::line_displacement(line, modulus, x)
@@ -125,20 +136,16 @@ contact::ContactFields sampled_fields(const contact::Scene& scene,
   });
   const Field distance = grid.sample(
       [&](double x, double y) { return contact::undeformed_distance(curvatures, x, y); });
-  const auto inside = fields.traction.n.array() > 0.0;
   fields.gap = distance + displacement;
   fields.gap.array() -= hertz.approach;
-  fields.displacement = {zero, zero, displacement};
-  for (Eigen::Index k = 0; k < grid.size(); ++k)
-    fields.state.push_back(inside[k] ? contact::ElementState::adhesion
-                                     : contact::ElementState::exterior);
+  fields.displacement = {fields.slip.x, fields.slip.y, displacement};
   return fields;
 }
 
 }  // namespace
 
 contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progress& progress) {
-  const auto begin = std::chrono::steady_clock::now();
+  const contact::Stopwatch watch;
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(scene);
   contact::ModelResult result;
   result.name = "hertz";
@@ -155,20 +162,13 @@ contact::ModelResult run_hertz(const contact::Scene& scene, const contact::Progr
   point.adhesion_area = point.contact_area;
   point.converged = true;
   point.fields = sampled_fields(scene, hertz, result.grid);
-  result.contact_elements = static_cast<int>((point.fields.traction.n.array() > 0.0).count());
-  result.seconds["total"] =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  point.seconds = result.seconds["total"];
+  result.contact_elements = pressed_elements(point);
+  point.seconds = result.seconds["total"] = watch.seconds();
   result.points.push_back(std::move(point));
   result.notes = {
       "Hertz has no friction: one load point at creepage 0, without tangential tractions",
       "patch, pressure, approach and area are exact; the fields are sampled at element centres"};
-  contact::ProgressEvent event;
-  event.model = "hertz";
-  event.stage = "normal";
-  event.contact_elements = result.contact_elements;
-  event.finished = true;
-  contact::report(progress, event);
+  report_done(result, "normal", 0, progress);
   return result;
 }
 

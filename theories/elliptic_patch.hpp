@@ -22,6 +22,11 @@ struct EllipticPatch {
   contact::Friction falling{};  ///< the law if friction falls with slip, otherwise null
   contact::ContactGrid grid;
   contact::PointResult normal;  ///< everything normal filled in, tractions along the surface 0
+
+  /// Forces of the linear theory.
+  halfspace::CreepForces linear_forces(const contact::Creepage& creepage) const;
+  /// The coefficient at the rigid slip in the middle, without spin.
+  double friction_at(const contact::Creepage& creepage) const;
 };
 
 /// Patch on the potential contact area of the case. Throws contact::InputError when the case has no

@@ -4,7 +4,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
-#include "contact/base/root.hpp"
+#include "contact/solve/load_sharing.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
@@ -32,6 +32,13 @@ using contact::pi;
 constexpr double worth_a_note = 0.02;
 
 constexpr const char* elements_of_ellipse = "elements across the equivalent ellipse (contact_grid)";
+
+/// The ellipse, and the case with its Hertz pressure given in a frame at its centre.
+struct EquivalentEllipse {
+  halfspace::ExpectedPatch patch;               ///< of the half-space
+  double semi_axis_x = 0.0, semi_axis_y = 0.0;  ///< mm
+  contact::Scene scene;  ///< creepages at the centre of the ellipse: (xi - phi y, eta + phi x)
+};
 
 /// A row of `count` elements from `first` on, extended by whole elements to cover low to high.
 void widen(double low, double high, double cell, double& first, int& count) {
@@ -130,15 +137,6 @@ contact::Lattice extra_slip_about(const Scene& scene, const EquivalentEllipse& e
   return lattice;
 }
 
-void shift_points(contact::SubsurfaceField& field, double x, double y) {
-  for (auto& point : field.points) {
-    point[0] += x;
-    point[1] += y;
-  }
-}
-
-}  // namespace
-
 EquivalentEllipse equivalent_ellipse(const Scene& scene) {
   EquivalentEllipse ellipse;
   ellipse.patch = halfspace::PatchSearch(scene).patch();
@@ -164,22 +162,27 @@ EquivalentEllipse equivalent_ellipse(const Scene& scene) {
   return ellipse;
 }
 
+/// Converts results in the frame of the ellipse into results of the case with profiles: grid, spin
+/// moment, creepages and approach, with a note on the equivalent ellipse.
 void return_to_patch_frame(const Scene& scene, const EquivalentEllipse& ellipse,
                            ModelResult& result) {
-  const double x = ellipse.patch.x_centre;
-  const double y = ellipse.patch.y_centre;
+  const halfspace::ExpectedPatch& patch = ellipse.patch;
+  const double x = patch.x_centre, y = patch.y_centre;
   result.grid.x_first += x;
   result.grid.y_first += y;
   for (std::size_t k = 0; k < result.points.size(); ++k) {
     PointResult& point = result.points[k];
     point.creepage = scene.points[k].creepage;
     point.spin_moment += x * point.lateral_force - y * point.longitudinal_force;
-    point.approach = ellipse.patch.approach;
+    point.approach = patch.approach;
     point.patch_x_middle = x;
     point.patch_y_middle = y;
-    for (contact::SubsurfaceField& field : point.subsurface) shift_points(field, x, y);
+    for (contact::SubsurfaceField& field : point.subsurface)
+      for (auto& place : field.points) {
+        place[0] += x;
+        place[1] += y;
+      }
   }
-  const halfspace::ExpectedPatch& patch = ellipse.patch;
   result.notes.push_back(fmt::format(
       "true profiles: the theory is solved on the ellipse of the same area and ratio of extents as "
       "the half-space patch, semi-axes {:.4g} and {:.4g} mm about its centre of pressure ({:.3g}, "
@@ -192,6 +195,8 @@ void return_to_patch_frame(const Scene& scene, const EquivalentEllipse& ellipse,
                     "between them: one ellipse represents all; halfspace and strip resolve each",
                     patch.gaps, patch.width()));
 }
+
+}  // namespace
 
 ModelResult run_on_ellipse(const contact::Model& model, const Scene& scene,
                            const contact::Progress& progress, bool no_spin) {
@@ -255,32 +260,30 @@ void check_lift(const Scene& scene, const ModelResult& result) {
 /// fixed point, because friction carries a part of the load.
 ModelResult run_tilted_load(const contact::Model& model, const Scene& scene,
                             const contact::Progress& progress) {
-  constexpr int most_steps = 40;
-  constexpr double carried_to = 1e-9;
+  constexpr double carried_to = 1e-9;  // of the load, across and upwards
   const contact::NormalLoad& wanted = scene.points.front().load;
   if (!wanted.force || wanted.direction[0] == 0.0) return model(scene, progress);
   Scene single = scene;
   ModelResult result;
   const auto [across, upwards] = wanted.direction;
-  contact::PositiveFixedPoint search;
-  double force = *wanted.force / upwards;
-  for (int step = 0; step < most_steps; ++step) {
-    single.points.front().load = {force, {}};
-    result = model(single, progress);
-    const PointResult& point = result.points.front();
-    const double missing =
-        *wanted.force - across * point.lateral_force - upwards * point.normal_force;
-    if (std::abs(missing) <= carried_to * *wanted.force) {
-      check_lift(scene, result);
-      return result;
-    }
-    force = search.next(force, force + missing / upwards);
+  contact::LoadSharing sharing;
+  sharing.load = *wanted.force;
+  sharing.tolerance = carried_to / upwards;
+  try {
+    sharing.solve(sharing.load / upwards, [&, across = across, upwards = upwards](double force,
+                                                                                  int) {
+      single.points.front().load = {force, {}};
+      result = model(single, progress);
+      const PointResult& point = result.points.front();
+      return force +
+             (sharing.load - across * point.lateral_force - upwards * point.normal_force) / upwards;
+    });
+  } catch (const contact::SolveError&) {
+    if (!result.points.empty()) check_lift(scene, result);
+    throw;
   }
   check_lift(scene, result);
-  throw contact::SolveError(fmt::format(
-      "pressure and friction do not converge to carry {:g} N together in {} iterations: friction "
-      "on the tilted patch carries nearly all of the load or more (Nadal's limit)",
-      *wanted.force, most_steps));
+  return result;
 }
 
 }  // namespace

@@ -3,12 +3,13 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/iteration/compliance.hpp"
-#include "theories/polach.hpp"
+#include "theories/closed_forms.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <functional>
+#include <vector>
 
 namespace rollfem::theories {
 
@@ -24,28 +25,25 @@ StripAt strips_of(const EllipticPatch& patch, BoundShape shape) {
   };
 }
 
-BrushTotals sum_grid_strips(const BrushProblem& problem, const halfspace::HertzContact& ellipse,
-                            const StripAt& strip_at, int strips) {
-  const double width = 2.0 * ellipse.semi_axis_y / strips;
-  BrushTotals totals;
-  for (int j = 0; j < strips; ++j) {
-    const BrushStrip strip = strip_at(-ellipse.semi_axis_y + (j + 0.5) * width);
-    const StripElements elements = grid_elements(strip, ellipse.semi_axis_x, problem.elements);
-    const contact::Creepage creepage = strip_creepage(problem.geometry, problem.creepage, strip.y);
-    add_strip(strip, solve_strip(strip, problem.flexibilities, creepage, elements), width, totals);
-  }
-  return totals;
-}
-
 BrushTotals sum_ellipse(const EllipticPatch& patch, const contact::Creepage& creepage,
                         const BrushFlexibilities& flexibilities, const StripAt& strip_at,
                         const FastsimOptions& options) {
   if (options.strips < 1 || options.strip_elements < 1)
     throw contact::InputError("FASTSIM needs at least one strip and one element in each");
   const BrushProblem problem{patch.geometry, creepage, flexibilities, options.strip_elements};
-  if (options.elements == FastsimElements::grid)
-    return sum_grid_strips(problem, patch.hertz, strip_at, options.strips);
-  return sum_strips(problem, strip_at, patch.hertz.semi_axis_y, options.strips);
+  const auto [a, b] = std::array{patch.hertz.semi_axis_x, patch.hertz.semi_axis_y};
+  BrushTotals totals;
+  if (options.elements == FastsimElements::chord) {
+    add_strips(problem, strip_at, strip_places(b, options.strips), totals);
+    return totals;
+  }
+  const double width = 2.0 * b / options.strips;
+  std::vector<StripPlace> places;
+  for (int j = 0; j < options.strips; ++j) places.push_back({-b + (j + 0.5) * width, width});
+  add_strips(problem, strip_at, places, totals, [&, a = a](const BrushStrip& strip) {
+    return grid_elements(strip, a, problem.elements);
+  });
+  return totals;
 }
 
 /// Order of convergence, measured: 2; 1.5 with the elliptic bound, taken as 1; 1 where spin turns
@@ -63,13 +61,10 @@ double slope_factor(const EllipticPatch& patch, const contact::Creepage& creepag
                     const std::array<double, 3>& reduction) {
   const auto& [start, end, decay] = reduction;
   if (patch.friction == 0.0) return start;
-  const halfspace::CreepForces linear = halfspace::linear_creep_forces(
-      patch.hertz.semi_axis_x, patch.hertz.semi_axis_y, patch.material.shear_modulus,
-      patch.material.poisson_ratio, creepage);
-  const double slip = std::hypot(creepage.longitudinal, creepage.lateral);
-  const double friction = patch.falling ? patch.falling->at(slip).value : patch.friction;
-  const double gradient = start * polach_gradient(std::hypot(linear.longitudinal, linear.lateral),
-                                                  friction * patch.hertz.normal_force);
+  const halfspace::CreepForces linear = patch.linear_forces(creepage);
+  const double gradient =
+      start * polach_gradient(std::hypot(linear.longitudinal, linear.lateral),
+                              patch.friction_at(creepage) * patch.hertz.normal_force);
   return start * (end + (1.0 - end) / (1.0 + decay * gradient));
 }
 
@@ -113,43 +108,6 @@ BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepag
 
 namespace {
 
-/// A model on brushes of an ellipse: its strips at given creepages, and its order in the elements.
-struct BrushModel {
-  const char* name;
-  const char* label;
-  std::function<StripAt(const EllipticPatch&, const contact::Creepage&)> strips;
-  std::function<int(const EllipticPatch&, const contact::Creepage&)> order;
-};
-
-contact::ModelResult run_brushes(const BrushModel& model, const contact::Scene& scene,
-                                 const contact::Progress& progress, const FastsimOptions& options) {
-  const EllipticPatch patch = elliptic_patch(scene);
-  FastsimOptions half = options;
-  half.strips = (options.strips + 1) / 2;
-  half.strip_elements = (options.strip_elements + 1) / 2;
-  long unknowns = 0;
-  const auto fill = [&](contact::PointResult& point) {
-    const contact::Creepage& creepage = point.creepage;
-    const BrushFlexibilities flexibilities = fastsim_flexibilities(patch, creepage, options);
-    const StripAt strip_at = model.strips(patch, creepage);
-    const BrushProblem problem{patch.geometry, creepage, flexibilities, options.strip_elements};
-    fill_brush_fields(patch.grid, problem, strip_at, point);
-    const BrushTotals totals = sum_ellipse(patch, creepage, flexibilities, strip_at, options);
-    set_totals(totals, point);
-    estimate_error(totals, sum_ellipse(patch, creepage, flexibilities, strip_at, half),
-                   model.order(patch, creepage), point);
-    unknowns = 2 * totals.elements;
-  };
-  contact::ModelResult result =
-      run_theory(scene, patch.grid, patch.normal, model.name, progress, fill);
-  result.unknowns = unknowns;
-  result.notes.push_back(
-      fmt::format("{}: error estimates cover the resolution only; see model_error for the error of "
-                  "the theory itself",
-                  model.label));
-  return result;
-}
-
 /// Strips under Hertz's pressure with the adhesion of strip theory.
 StripAt strips_with_theory(const EllipticPatch& patch, const contact::Creepage& creepage) {
   return [&patch, creepage, plain = strips_of(patch, BoundShape::elliptic)](double y) {
@@ -162,27 +120,51 @@ StripAt strips_with_theory(const EllipticPatch& patch, const contact::Creepage& 
   };
 }
 
-}  // namespace
-
-contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress,
-                                 const FastsimOptions& options) {
-  const auto strips = [&](const EllipticPatch& patch, const contact::Creepage&) {
-    return strips_of(patch, options.bound);
+/// FASTSIM, or FaStrip with the adhesion of strip theory.
+contact::ModelResult run_brushes(bool adhesion_of_strips, const contact::Scene& scene,
+                                 const contact::Progress& progress, const FastsimOptions& options) {
+  const EllipticPatch patch = elliptic_patch(scene);
+  FastsimOptions half = options;
+  half.strips = (options.strips + 1) / 2;
+  half.strip_elements = (options.strip_elements + 1) / 2;
+  long unknowns = 0;
+  const auto fill = [&](contact::PointResult& point) {
+    const contact::Creepage& creepage = point.creepage;
+    const BrushFlexibilities flexibilities = fastsim_flexibilities(patch, creepage, options);
+    const StripAt strip_at =
+        adhesion_of_strips ? strips_with_theory(patch, creepage) : strips_of(patch, options.bound);
+    const BrushProblem problem{patch.geometry, creepage, flexibilities, options.strip_elements};
+    fill_brush_fields(patch.grid, problem, strip_at, point);
+    const BrushTotals totals = sum_ellipse(patch, creepage, flexibilities, strip_at, options);
+    set_totals(totals, point);
+    // In FaStrip the tractions begin and end with a root.
+    const int order =
+        adhesion_of_strips ? 1 : convergence_order(options, creepage, patch.falling != nullptr);
+    estimate_error(totals, sum_ellipse(patch, creepage, flexibilities, strip_at, half), order,
+                   point);
+    unknowns = 2 * totals.elements;
   };
-  const auto order = [&](const EllipticPatch& patch, const contact::Creepage& creepage) {
-    return convergence_order(options, creepage, patch.falling != nullptr);
-  };
-  return run_brushes({"fastsim", "FASTSIM", strips, order}, scene, progress, options);
+  contact::ModelResult result = run_theory(
+      scene, patch.grid, patch.normal, adhesion_of_strips ? "fastrip" : "fastsim", progress, fill);
+  result.unknowns = unknowns;
+  result.notes.push_back(
+      fmt::format("{}: error estimates cover the resolution only; see model_error for the error of "
+                  "the theory itself",
+                  adhesion_of_strips ? "FaStrip" : "FASTSIM"));
+  return result;
 }
 
-contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Progress& progress,
-                                 const FastsimOptions& options) {
-  // The tractions begin and end with a root.
-  const auto first = [](const EllipticPatch&, const contact::Creepage&) { return 1; };
-  FastsimOptions one = options;
+}  // namespace
+
+contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress) {
+  return run_brushes(false, scene, progress, scene.options.fastsim);
+}
+
+contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Progress& progress) {
+  FastsimOptions one = scene.options.fastsim;
   one.flexibilities = Flexibilities::one;
   one.slope_reduction = FastsimOptions().slope_reduction;
-  return run_brushes({"fastrip", "FaStrip", strips_with_theory, first}, scene, progress, one);
+  return run_brushes(true, scene, progress, one);
 }
 
 }  // namespace rollfem::theories

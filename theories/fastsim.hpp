@@ -39,17 +39,15 @@ BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepag
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const BrushFlexibilities& flexibilities, const FastsimOptions& options);
 
-/// The model "fastsim": forces by `options`, fields on the case's contact grid. The recorded
-/// traction bound is the parabola of the theory, which exceeds mu p_n by a third in the middle.
-/// error_estimate covers the resolution only, not the theory (10 to 15 % in the forces).
-contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress,
-                                 const FastsimOptions& options = {});
+/// The model "fastsim": forces by the options of the scene, fields on the case's contact grid. The
+/// recorded traction bound is the parabola of the theory, which exceeds mu p_n by a third in the
+/// middle. error_estimate covers the resolution only, not the theory (10 to 15 % in the forces).
+contact::ModelResult run_fastsim(const contact::Scene& scene, const contact::Progress& progress);
 
-/// The model "fastrip", on the strips and elements of `options`, under Hertz's pressure. In the
+/// The model "fastrip", on the same strips and elements, under Hertz's pressure. In the
 /// adhesion area tractions are those of strip theory; in the slip area they have the bound's size
 /// and the direction that FASTSIM gives them, and slip is FASTSIM's, with one flexibility: with
 /// three, tractions in full sliding are not opposite to the slip.
-contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Progress& progress,
-                                 const FastsimOptions& options = {});
+contact::ModelResult run_fastrip(const contact::Scene& scene, const contact::Progress& progress);
 
 }  // namespace rollfem::theories

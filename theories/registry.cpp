@@ -8,17 +8,17 @@
 #include "halfspace/model/refinements.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "theories/carter.hpp"
+#include "theories/closed_forms.hpp"
 #include "theories/elliptic_patch.hpp"
 #include "theories/equivalent_ellipse.hpp"
 #include "theories/fastsim.hpp"
 #include "theories/model_error.hpp"
-#include "theories/polach.hpp"
 #include "theories/strip.hpp"
-#include "theories/vermeulen_johnson.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace rollfem::theories {
@@ -40,43 +40,23 @@ int scaled(int count, int k) {
   return std::max(1, count / 4) * (1 << k);
 }
 
-RefinedInput strips_level(int strips, ModelInput input) {
-  return {fmt::format("{} strips", strips), static_cast<double>(strips), std::move(input)};
-}
-
-RefinedInput carter_level(ModelInput input, int k, int /*n*/) {
-  input.options.carter.strips = scaled(input.options.carter.strips, k);
-  return strips_level(input.options.carter.strips, std::move(input));
-}
-
-RefinedInput fastsim_level(ModelInput input, int k, int /*n*/) {
-  input.options.fastsim.strips = scaled(input.options.fastsim.strips, k);
-  input.options.fastsim.strip_elements = scaled(input.options.fastsim.strip_elements, k);
-  return strips_level(input.options.fastsim.strips, std::move(input));
-}
-
-RefinedInput strip_level(ModelInput input, int k, int /*n*/) {
-  input.options.strip.strips = scaled(input.options.strip.strips, k);
-  input.options.strip.strip_elements = scaled(input.options.strip.strip_elements, k);
-  return strips_level(input.options.strip.strips, std::move(input));
-}
-
 /// Refinement levels of a theory in a study: the case's strips and elements are the third of five
 /// levels.
-Refinement strips_of(RefinedInput (*level)(ModelInput, int, int)) {
+template <class Options, Options contact::ModelOptions::*options>
+Refinement refined_strips() {
+  const auto level = [](ModelInput input, int k, int /*n*/) -> RefinedInput {
+    Options& of = input.options.*options;
+    of.strips = scaled(of.strips, k);
+    if constexpr (!std::is_same_v<Options, contact::CarterOptions>)
+      of.strip_elements = scaled(of.strip_elements, k);
+    const int strips = of.strips;
+    return {fmt::format("{} strips", strips), static_cast<double>(strips), std::move(input)};
+  };
   return {"grid", "", "strips", 2.0, 5, false, level};
 }
 
 /// Slip below this value changes no force of a theory.
 constexpr double smallest_slip_worth_a_note = 1e-7;
-
-ModelResult run_fastsim_of_case(const Scene& scene, const Progress& progress) {
-  return run_fastsim(scene, progress, scene.options.fastsim);
-}
-
-ModelResult run_fastrip_of_case(const Scene& scene, const Progress& progress) {
-  return run_fastrip(scene, progress, scene.options.fastsim);
-}
 
 ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& progress,
                                            contact::Checkpoint* checkpoint) {
@@ -109,130 +89,104 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
 }
 
 /// A theory of an elliptic patch, on the equivalent ellipse where the case has true profiles.
-contact::Model elliptic(contact::Model theory, Leaves leaves = {}) {
-  const contact::Model model = [theory = std::move(theory), leaves](const Scene& c,
-                                                                    const Progress& p) {
+contact::Model elliptic(const contact::Model& theory, Leaves leaves = {}) {
+  const contact::Model on_patch = [=](const Scene& c, const Progress& p) {
     return c.has_profiles() ? run_on_ellipse(theory, c, p, leaves.spin) : theory(c, p);
   };
-  return [model, leaves](const Scene& c, const Progress& p) {
-    if (!leaves.extra_slip || c.geometry.extra_slip != contact::ExtraSlip::automatic)
-      return run_each_load(model, c, p);
-    const contact::Model without = [model](const Scene& s, const Progress& q) {
-      return run_without_extra_slip(model, s, q);
-    };
-    return run_each_load(without, c, p);
+  const contact::Model model = [=](const Scene& c, const Progress& p) {
+    const bool neglects =
+        leaves.extra_slip && c.geometry.extra_slip == contact::ExtraSlip::automatic;
+    return neglects ? run_without_extra_slip(on_patch, c, p) : on_patch(c, p);
   };
-}
-
-ModelResult run_strip_of_case(const Scene& scene, const Progress& progress) {
-  return run_strip(scene, progress,
-                   {scene.options.strip.strips, scene.options.strip.strip_elements,
-                    scene.options.strip.virtual_penetration});
-}
-
-/// No checkpoint: a theory takes no time. Its model error (difference from the half-space) is
-/// added.
-contact::ModelRun theory(contact::Model model, TheoryKind kind = {}) {
-  return [model = std::move(model), kind](const Scene& c, const Progress& p, contact::Checkpoint*) {
-    ModelResult result = model(c, p);
-    estimate_model_error(c, kind, p, result);
-    return result;
-  };
+  return [=](const Scene& c, const Progress& p) { return run_each_load(model, c, p); };
 }
 
 /// A theory on Hertz's ellipse: closed forms throughout, or strips with error estimates.
 constexpr contact::BarRules closed_form{true, contact::no_bar::theory};
 constexpr contact::BarRules strips_on_ellipse{true, contact::no_bar::not_estimated};
 
-/// Keys that every theory of an elliptic patch supports, and `more`.
-Demands of_ellipse(const Demands& more) {
-  Demands all{Demand::distance_quadratic, Demand::given_pressure, Demand::rigid_body,
-              Demand::stress_in_rigid_body, Demand::beyond_half_space};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+/// A theory of an elliptic patch: `more` than the keys that all of them support. No checkpoint, for
+/// a theory takes no time; its model error (difference from the half-space) is added.
+ModelInfo theory(const char* name, const char* label, const char* sentence, const Demands& more,
+                 const contact::Model& model, TheoryKind kind = {}) {
+  ModelInfo info{name, label, sentence};
+  info.takes = {Demand::distance_quadratic, Demand::given_pressure, Demand::rigid_body,
+                Demand::stress_in_rigid_body, Demand::beyond_half_space};
+  info.takes.insert(info.takes.end(), more.begin(), more.end());
+  info.run = [=](const Scene& c, const Progress& p, contact::Checkpoint*) {
+    ModelResult result = model(c, p);
+    estimate_model_error(c, kind, p, result);
+    return result;
+  };
+  return info;
 }
 
-void add_theories(contact::ModelRegistry& models) {
-  ModelInfo hertz{"hertz", "Hertz", "elliptic patch and pressure in closed form, without friction"};
+void add_closed_forms(contact::ModelRegistry& models) {
   // Frictionless: accepts any problem and gives only the patch.
-  hertz.takes = of_ellipse(
+  ModelInfo hertz = theory(
+      "hertz", "Hertz", "elliptic patch and pressure in closed form, without friction",
       {Demand::line_contact, Demand::history, Demand::tangential_force, Demand::profiles,
        Demand::lateral_creepage, Demand::spin, Demand::extra_slip, Demand::extra_slip_on_profiles,
-       Demand::falling_friction, Demand::varying_friction, Demand::layer, Demand::plastic_layer});
-  hertz.run = theory(
+       Demand::falling_friction, Demand::varying_friction, Demand::layer, Demand::plastic_layer},
       [](const Scene& c, const Progress& p) {
         return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
       },
       {false, true});
-  hertz.bars = closed_form;
   hertz.in_compare = true;
-  models.add(hertz);
-
-  ModelInfo linear{"linear", "linear theory",
-                   "Kalker's linear theory: creep forces without a friction bound"};
-  linear.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin});
+  ModelInfo linear = theory("linear", "linear theory",
+                            "Kalker's linear theory: creep forces without a friction bound",
+                            {Demand::profiles, Demand::lateral_creepage, Demand::spin},
+                            elliptic(run_linear, {false, true}));
   linear.bounded = false;
-  linear.run = theory(elliptic(run_linear, {false, true}));
-  linear.bars = closed_form;
-  models.add(linear);
-
-  ModelInfo vermeulen{"vermeulen-johnson", "Vermeulen-Johnson",
-                      "Vermeulen and Johnson's creep forces on an ellipse, without spin"};
-  vermeulen.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage});
-  vermeulen.run = theory(elliptic(run_vermeulen_johnson, {true, true}));
-  vermeulen.bars = closed_form;
-  models.add(vermeulen);
-
-  ModelInfo polach{"polach", "Polach",
-                   "Polach's closed form of the creep force, without spin, for comparison"};
-  polach.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::falling_friction});
-  polach.run = theory(elliptic(run_polach, {true, true}));
-  polach.bars = closed_form;
-  models.add(polach);
+  ModelInfo vermeulen = theory("vermeulen-johnson", "Vermeulen-Johnson",
+                               "Vermeulen and Johnson's creep forces on an ellipse, without spin",
+                               {Demand::profiles, Demand::lateral_creepage},
+                               elliptic(run_vermeulen_johnson, {true, true}));
+  ModelInfo polach = theory("polach", "Polach",
+                            "Polach's closed form of the creep force, without spin, for comparison",
+                            {Demand::profiles, Demand::lateral_creepage, Demand::falling_friction},
+                            elliptic(run_polach, {true, true}));
+  for (ModelInfo* model : {&hertz, &linear, &vermeulen, &polach}) {
+    model->bars = closed_form;
+    models.add(*model);
+  }
 }
 
 void add_theories_of_strips(contact::ModelRegistry& models) {
-  ModelInfo carter{"carter", "Carter", "strips of an ellipse along rolling, each a line contact"};
-  carter.takes = of_ellipse({Demand::line_contact, Demand::extra_slip});
-  carter.run = theory(
-      [](const Scene& c, const Progress& p) { return run_carter(c, p, c.options.carter.strips); });
-  carter.bars = strips_on_ellipse;
-  carter.refinements = {strips_of(carter_level)};
-  models.add(carter);
-
-  ModelInfo fastsim{"fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse"};
-  fastsim.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
-                              Demand::extra_slip, Demand::falling_friction, Demand::layer});
-  fastsim.run = theory(elliptic(run_fastsim_of_case));
-  fastsim.bars = strips_on_ellipse;
-  fastsim.refinements = {strips_of(fastsim_level)};
+  using contact::ModelOptions;
+  ModelInfo carter =
+      theory("carter", "Carter", "strips of an ellipse along rolling, each a line contact",
+             {Demand::line_contact, Demand::extra_slip}, run_carter);
+  carter.refinements = {refined_strips<contact::CarterOptions, &ModelOptions::carter>()};
+  ModelInfo fastsim = theory("fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse",
+                             {Demand::profiles, Demand::lateral_creepage, Demand::spin,
+                              Demand::extra_slip, Demand::falling_friction, Demand::layer},
+                             elliptic(run_fastsim));
+  fastsim.refinements = {refined_strips<FastsimOptions, &ModelOptions::fastsim>()};
   fastsim.in_compare = true;
-  models.add(fastsim);
-
-  ModelInfo fastrip{"fastrip", "FaStrip",
-                    "FASTSIM's direction of slip with the adhesion area of strip theory"};
-  fastrip.takes =
-      of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip});
-  fastrip.run = theory(elliptic(run_fastrip_of_case));
-  fastrip.bars = strips_on_ellipse;
-  fastrip.refinements = {strips_of(fastsim_level)};
-  models.add(fastrip);
-
-  ModelInfo strip{"strip", "strip",
-                  "strips along rolling, each with Hertzian pressure and brushes"};
-  strip.takes = of_ellipse({Demand::profiles, Demand::lateral_creepage, Demand::spin,
-                            Demand::extra_slip, Demand::extra_slip_on_profiles});
-  strip.run = theory(
-      [](const Scene& c, const Progress& p) { return run_each_load(run_strip_of_case, c, p); },
-      {true, false});
-  strip.refinements = {strips_of(strip_level)};
+  ModelInfo fastrip = theory(
+      "fastrip", "FaStrip", "FASTSIM's direction of slip with the adhesion area of strip theory",
+      {Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip},
+      elliptic(run_fastrip));
+  fastrip.refinements = fastsim.refinements;
+  for (ModelInfo* model : {&carter, &fastsim, &fastrip}) {
+    model->bars = strips_on_ellipse;
+    models.add(*model);
+  }
+  ModelInfo strip =
+      theory("strip", "strip", "strips along rolling, each with Hertzian pressure and brushes",
+             {Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
+              Demand::extra_slip_on_profiles},
+             [](const Scene& c, const Progress& p) { return run_each_load(run_strip, c, p); },
+             {true, false});
+  strip.refinements = {refined_strips<contact::StripOptions, &ModelOptions::strip>()};
   strip.in_compare = true;
   models.add(strip);
 }
 
 contact::ModelRegistry make_models() {
   contact::ModelRegistry models;
-  add_theories(models);
+  add_closed_forms(models);
   add_theories_of_strips(models);
   ModelInfo halfspace{"halfspace", "half-space",
                       "Kalker's problem for elastic half-spaces, solved on a grid"};

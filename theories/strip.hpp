@@ -91,16 +91,9 @@ StripSection strip_section(const StripProfile& profile, const StripNormalSolutio
 /// below the approach of expected_patch, beyond which there is no contact.
 StripProfile strip_profile(const contact::Scene& scene, int strips);
 
-struct StripOptions {
-  int strips = 100;          ///< across the patch
-  int strip_elements = 100;  ///< along each strip
-  std::optional<double> virtual_penetration = {};
-};
-
 /// The model "strip": the traction bound of a strip is the parabola with the friction force of its
 /// pressure, 3 pi/8 mu p0(y) in the middle. Extra rigid slip is allowed. error_estimate covers the
 /// resolution only.
-contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress,
-                               const StripOptions& options = {});
+contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress);
 
 }  // namespace rollfem::theories

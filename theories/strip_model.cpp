@@ -115,38 +115,26 @@ BrushProblem brush_problem(const StripContact& contact, const StripPatch& patch,
           elements};
 }
 
+/// The strips of one patch.
+StripAt strips_in(const StripContact& contact, const StripPatch& patch) {
+  return [&](double y) -> BrushStrip {
+    if (y < patch.y_lower || y > patch.y_upper) return {y, 0.0, 0.0, BoundShape::parabolic, 0.0};
+    return brush_strip(strip_section(contact.profile, contact.normal, y), y,
+                       contact.scene.friction_coefficient());
+  };
+}
+
 BrushTotals strip_totals(const StripContact& contact, const contact::Creepage& creepage,
                          int elements) {
   BrushTotals totals;
   for (const StripPatch& patch : contact.normal.patches) {
-    const BrushProblem problem = brush_problem(contact, patch, creepage, elements);
-    for (int j = patch.first; j <= patch.last; ++j) {
-      const double y = contact.profile.y(j);
-      const double middle = contact.profile.middle.empty() ? 0.0 : contact.profile.middle[j];
-      const StripSection section{contact.normal.half_length[j], contact.normal.max_pressure[j],
-                                 middle};
-      const BrushStrip strip = brush_strip(section, y, contact.scene.friction_coefficient());
-      add_strip(
-          strip,
-          solve_strip(strip, problem.flexibilities, strip_creepage(contact.geometry, creepage, y),
-                      chord_elements(strip, elements)),
-          contact.profile.width, totals);
-    }
+    std::vector<StripPlace> places;
+    for (int j = patch.first; j <= patch.last; ++j)
+      places.push_back({contact.profile.y(j), contact.profile.width});
+    add_strips(brush_problem(contact, patch, creepage, elements), strips_in(contact, patch), places,
+               totals);
   }
   return totals;
-}
-
-void fill_fields(const StripContact& contact, const contact::ContactGrid& grid, int elements,
-                 contact::PointResult& point) {
-  for (const StripPatch& patch : contact.normal.patches) {
-    const auto strip_at = [&](double y) -> BrushStrip {
-      if (y < patch.y_lower || y > patch.y_upper) return {y, 0.0, 0.0, BoundShape::parabolic, 0.0};
-      return brush_strip(strip_section(contact.profile, contact.normal, y), y,
-                         contact.scene.friction_coefficient());
-    };
-    fill_brush_fields(grid, brush_problem(contact, patch, point.creepage, elements), strip_at,
-                      point);
-  }
 }
 
 /// Strips over all y at which the profiles overlap at the half-space's approach.
@@ -207,8 +195,8 @@ void estimate_normal_errors(const contact::PointResult& coarse, contact::PointRe
 
 }  // namespace
 
-contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress,
-                               const StripOptions& options) {
+contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress) {
+  const contact::StripOptions& options = scene.options.strip;
   if (options.strips < 8 || options.strip_elements < 4)
     throw contact::InputError("the strip model needs at least 8 strips of 4 elements");
   const StripContact fine = strip_contact(scene, options.strips, options.virtual_penetration);
@@ -218,7 +206,9 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
   estimate_normal_errors(normal_part(coarse, grid), normal);
   long unknowns = 0;
   const auto fill = [&](contact::PointResult& point) {
-    fill_fields(fine, grid, options.strip_elements, point);
+    for (const StripPatch& patch : fine.normal.patches)
+      fill_brush_fields(grid, brush_problem(fine, patch, point.creepage, options.strip_elements),
+                        strips_in(fine, patch), point);
     const BrushTotals totals = strip_totals(fine, point.creepage, options.strip_elements);
     set_totals(totals, point);
     const int order = point.creepage.spin == 0.0 ? 2 : 1;

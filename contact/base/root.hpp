@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -31,31 +30,5 @@ using ValuesAt = std::function<std::vector<ValueAt>(const std::vector<std::array
 /// Local maximum uphill from `start`: tries the 26 points around the best one at distance `step`
 /// (mm) and its diagonals, and halves the step when none is better, down to a hundredth of it.
 ValueAt local_maximum(const ValuesAt& values, ValueAt start, double step);
-
-// Positive scalar fixed points by the secant method: plain iteration is slow for slopes near one
-// and diverges for steep ones.
-
-class PositiveFixedPoint {
- public:
-  /// The next argument after `at` was mapped to `image`. The first step is a plain iteration.
-  double next(double at, double image) {
-    const double change = image - at;
-    double step = change;
-    if (known_ && at != last_at_) {
-      const double slope = (change - last_change_) / (at - last_at_);
-      if (slope < 0.0) step = -change / slope;
-    }
-    known_ = true;
-    last_at_ = at;
-    last_change_ = change;
-    // The solution is positive; steps below zero are shortened.
-    return at + step > 0.0 ? at + step : 0.25 * at;
-  }
-
- private:
-  bool known_ = false;
-  double last_at_ = 0.0;
-  double last_change_ = 0.0;
-};
 
 }  // namespace rollfem::contact

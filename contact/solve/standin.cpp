@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/solve/standin.hpp"
 
-#include "contact/base/errors.hpp"
-#include "contact/base/root.hpp"
 #include "contact/iteration/leading_edge.hpp"
-
-#include <fmt/format.h>
+#include "contact/solve/load_sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -116,13 +113,11 @@ void solve_tractions(const Preconditioner& standin, const CoupledProblem& proble
 
 VerticalFrame vertical_frame(const PatchShape& shape, const std::array<double, 2>& direction) {
   if (shape.climb.size() == 0) return {};
-  // A surface parallel to the load carries almost none of it.
-  constexpr double least = 0.05;
-  const auto [across, upwards] = direction;
-  Field carried = (upwards - across * shape.climb.array()).max(least);
+  Field carried =
+      shape.climb.unaryExpr([&](double climb) { return carried_part(direction, climb); });
   if (shape.y.size() == 0) {
     const Field to_load = shape.stretch.cwiseQuotient(carried);
-    return {to_load, across == 0.0 && upwards == 1.0 ? Field() : carried};
+    return {to_load, direction == std::array{0.0, 1.0} ? Field() : carried};
   }
   carried = carried.array() * (1.0 + shape.climb.array().square()).rsqrt();
   return {carried.cwiseInverse(), carried};
@@ -171,7 +166,6 @@ NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem&
 namespace {
 
 constexpr double shared_to = 1e-10;
-constexpr int most_turns = 40;
 /// Weights at the leading edge jump when an element comes into contact, and forces jump by 0.1 % of
 /// the load: the force may jump across the required share, so that no iterate meets it. From this
 /// iteration on the weights are fixed.
@@ -186,32 +180,27 @@ void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
                    bool pressed, StandinSolution& solution) {
   const ContactGrid& grid = standin.whole.grid();
   const Field gap = defect ? defect->displacement.n : Field();
-  const bool shares = problem.shares_load();
-  std::optional<double> share = problem.load.force;
-  if (shares) {
-    share = pressure_share(grid, problem, solution);
-    // A start from another load may be far away.
-    if (!(*share > 0.0)) share = frictionless_share(problem);
-  }
-  PositiveFixedPoint sharing;
   Field weights;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    if (!pressed || shares)
+  const auto solve_for = [&](const std::optional<double>& share, int turn) {
+    if (!pressed || problem.shares_load())
       solution.normal =
           solve_pressure(standin.normal, problem, gap, share, normal, solution.normal.pressure);
     if (turn < turns_until_kept) weights = standin.fitted_weights(solution.normal.pressure);
     if (!problem.frictionless())
       solve_tractions(standin, problem, defect, tangential, weights, solution);
-    if (!shares) return;
-    const double image = pressure_share(grid, problem, solution);
-    if (std::abs(image - *share) <= shared_to * *problem.load.force) return;
-    share = sharing.next(*share, image);
-    if (*share > largest_share * *problem.load.force) break;
-  }
-  throw SolveError(fmt::format(
-      "pressure and friction do not converge to carry {:g} N together in {} iterations: friction "
-      "on the tilted surface carries nearly all of the load or more (Nadal's limit)",
-      *problem.load.force, most_turns));
+  };
+  if (!problem.shares_load()) return solve_for(problem.load.force, 0);
+  double share = pressure_share(grid, problem, solution);
+  // A start from another load may be far away.
+  if (!(share > 0.0)) share = frictionless_share(problem);
+  LoadSharing sharing;
+  sharing.load = *problem.load.force;
+  sharing.tolerance = shared_to;
+  sharing.largest_share = largest_share;
+  sharing.solve(share, [&](double pressing, int turn) {
+    solve_for(pressing, turn);
+    return pressure_share(grid, problem, solution);
+  });
 }
 
 }  // namespace

@@ -30,6 +30,9 @@ using contact::SolveError;
 /// A case with its results, one ModelResult for each model and patch.
 using Result = postprocess::RunRecord;
 
+/// A model without a result for a case, and why.
+using Missing = postprocess::MissingModel;
+
 /// Reads a case file. Throws InputError with FILE:LINE:COLUMN, key, value, allowed values and
 /// advice.
 Case read_case(const std::string& file);
@@ -40,12 +43,6 @@ Case parse_case(const std::string& text, const std::string& name = "case");
 
 /// Multi-line text with every key, its value and unit, and whether it is the default.
 std::string describe(const Case& input);
-
-/// A model without a result for a case, and why.
-struct Missing {
-  std::string model, reason;
-  bool failed = false;  ///< it tried; else it cannot take the case
-};
 
 /// Names of the models that this build has, the cheaper first.
 std::vector<std::string> models();

@@ -17,12 +17,7 @@
 
 namespace rollfem::modelling {
 
-/// A model without a result for a case, with the reason in one sentence.
-struct Missing {
-  std::string model;
-  std::string reason;
-  bool failed = false;  ///< true: the solution failed; false: it cannot take the case
-};
+using Missing = postprocess::MissingModel;
 
 struct Solved {
   std::vector<contact::ModelResult> results;

@@ -13,13 +13,6 @@
 
 namespace rollfem::postprocess {
 
-/// A model without a result for a case, and the reason.
-struct MissingModel {
-  std::string model;
-  std::string reason;
-  bool failed = false;  ///< false: it cannot take the case
-};
-
 struct ComparedCase {
   std::string name;       ///< of its result folder beside the comparison
   std::string case_file;  ///< as given by the user

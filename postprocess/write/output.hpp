@@ -46,6 +46,12 @@ struct RigidWheelset {
   double radius_difference() const { return radius_right - radius_left; }  ///< mm
 };
 
+/// A model without a result for a case, and why.
+struct MissingModel {
+  std::string model, reason;
+  bool failed = false;  ///< it tried; else it cannot take the case
+};
+
 struct RunRecord {
   contact::Case input;
   Provenance provenance;

@@ -4,9 +4,9 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
 #include "theories/carter.hpp"
+#include "theories/closed_forms.hpp"
 #include "theories/fastsim.hpp"
 #include "theories/strip.hpp"
-#include "theories/vermeulen_johnson.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace rollfem::track {
@@ -36,14 +35,6 @@ Case frictionless(Case input) {
   input.accuracy.reset();
   input.halfspace.model_error = false;
   return input;
-}
-
-const WheelRailContact& contact_of(const Scene& scene, const std::vector<PlacedScene>& placed) {
-  const auto found = std::find_if(placed.begin(), placed.end(), [&](const auto& one) {
-    return one.contact.place.y_track == scene.place->y_track;
-  });
-  if (found == placed.end()) throw std::logic_error("a contact in balance that was not found");
-  return found->contact;
 }
 
 double bar_of(const PointResult& point, const char* quantity, double none) {

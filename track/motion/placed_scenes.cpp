@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 namespace rollfem::track {
@@ -124,6 +125,15 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene
     }
   }
   return scenes;
+}
+
+const WheelRailContact& contact_of(const contact::Scene& scene,
+                                   const std::vector<PlacedScene>& placed) {
+  const auto found = std::find_if(placed.begin(), placed.end(), [&](const PlacedScene& one) {
+    return one.contact.place.y_track == scene.place->y_track;
+  });
+  if (found == placed.end()) throw std::logic_error("a contact in balance that was not found");
+  return found->contact;
 }
 
 std::vector<PlacedScene> make_scenes(const Case& input, const SearchOptions& options) {

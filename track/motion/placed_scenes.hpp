@@ -29,6 +29,10 @@ SearchScene search_scene_of(const contact::Case& input);
 std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchScene& scene,
                                      const SearchOptions& options = {});
 
+/// The contact of one of these scenes after their balance.
+const WheelRailContact& contact_of(const contact::Scene& scene,
+                                   const std::vector<PlacedScene>& placed);
+
 /// The same with the profiles that the case names.
 std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchOptions& options = {});
 

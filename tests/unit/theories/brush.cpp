@@ -3,8 +3,8 @@
 #include "theories/brush.hpp"
 
 #include "contact/base/errors.hpp"
+#include "theories/closed_forms.hpp"
 #include "theories/fastsim.hpp"
-#include "theories/vermeulen_johnson.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,10 @@ TEST(Brush, FlexibilitiesGiveTheForcesOfTheLinearTheory) {
   };
   for (const contact::Creepage& creepage :
        {contact::Creepage{1e-4, 0, 0}, {0, -1e-4, 0}, {0, 0, 1e-4}, {1e-4, 2e-4, -3e-5}}) {
-    const CreepForces sum =
-        sum_strips({plane(input), creepage, flexibilities, 200}, strip_at, 2.5, 200).forces;
+    BrushTotals totals;
+    add_strips({plane(input), creepage, flexibilities, 200}, strip_at, strip_places(2.5, 200),
+               totals);
+    const CreepForces& sum = totals.forces;
     const CreepForces linear = linear_creep_forces(6.0, 2.5, 80769.0, 0.3, creepage);
     const double size = std::hypot(linear.longitudinal, linear.lateral);
     EXPECT_NEAR(sum.longitudinal, linear.longitudinal, 1e-4 * size);
@@ -140,9 +142,8 @@ TEST(Fastsim, ModelForcesAreThoseOfItsFields) {
   input.contact_grid.elements_across = 80;
   input.rolling.creepages = {{0, 0, 0}, {1e-3, 5e-4, 1e-4}, {0.05, 0, 0}};
   for (const BoundShape bound : {BoundShape::parabolic, BoundShape::elliptic}) {
-    FastsimOptions options;
-    options.bound = bound;
-    const contact::ModelResult result = run_fastsim(input, {}, options);
+    input.fastsim.bound = bound;
+    const contact::ModelResult result = run_fastsim(input, {});
     testing::expect_forces_of_fields(result, 2e-3 * 27500);
     for (const contact::PointResult& point : result.points)
       EXPECT_LE(point.adhesion_area, point.contact_area * (1 + 1e-12));

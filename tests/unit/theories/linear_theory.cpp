@@ -3,7 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/brush.hpp"
-#include "theories/vermeulen_johnson.hpp"
+#include "theories/closed_forms.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Polach's closed form: its limits, its reductions, and friction that falls with the slip velocity.
-#include "theories/polach.hpp"
-
 #include "contact/case/case_reader.hpp"
+#include "theories/closed_forms.hpp"
 #include "theories/registry.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "theories/strip.hpp"
 
 #include "contact/base/errors.hpp"
-#include "theories/vermeulen_johnson.hpp"
+#include "theories/closed_forms.hpp"
 
 #include <gtest/gtest.h>
 

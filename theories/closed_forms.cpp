@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "theories/vermeulen_johnson.hpp"
+#include "theories/closed_forms.hpp"
 
+#include "contact/base/pi.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"
@@ -13,14 +14,10 @@ namespace rollfem::theories {
 
 namespace {
 
+using contact::pi;
+
 double root_of_rest(double x, double y) {
   return std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
-}
-
-VermeulenJohnson solve(const EllipticPatch& patch, const contact::Creepage& creepage) {
-  return vermeulen_johnson(patch.hertz.semi_axis_x, patch.hertz.semi_axis_y,
-                           patch.material.shear_modulus, patch.material.poisson_ratio,
-                           patch.friction * patch.hertz.normal_force, creepage);
 }
 
 /// In the adhesion area of the solution.
@@ -90,7 +87,9 @@ contact::ModelResult run_vermeulen_johnson(const contact::Scene& scene,
   const EllipticPatch patch = elliptic_patch(scene);
   const auto fill = [&](contact::PointResult& point) {
     if (patch.friction == 0.0) return;
-    const VermeulenJohnson solution = solve(patch, point.creepage);
+    const VermeulenJohnson solution = vermeulen_johnson(
+        patch.hertz.semi_axis_x, patch.hertz.semi_axis_y, patch.material.shear_modulus,
+        patch.material.poisson_ratio, patch.friction * patch.hertz.normal_force, point.creepage);
     const double force = patch.friction * point.normal_force * solution.saturation;
     fill_fields(patch, solution, point);
     set_forces(
@@ -104,25 +103,58 @@ contact::ModelResult run_vermeulen_johnson(const contact::Scene& scene,
 
 contact::ModelResult run_linear(const contact::Scene& scene, const contact::Progress& progress) {
   const EllipticPatch patch = elliptic_patch(scene);
-  const double a = patch.hertz.semi_axis_x;
-  const double b = patch.hertz.semi_axis_y;
-  const contact::CombinedMaterial& material = patch.material;
   const BrushFlexibilities flexibilities =
-      kalker_flexibilities(a, b, material.shear_modulus, material.poisson_ratio);
+      kalker_flexibilities(patch.hertz.semi_axis_x, patch.hertz.semi_axis_y,
+                           patch.material.shear_modulus, patch.material.poisson_ratio);
   const auto strip_at = [&](double y) {
     return ellipse_strip(patch.hertz, y, std::numeric_limits<double>::infinity(),
                          BoundShape::parabolic);
   };
-  return run_theory(scene, patch.grid, patch.normal, "linear", progress,
-                    [&](contact::PointResult& point) {
-                      if (patch.friction == 0.0) return;
-                      const BrushProblem problem{patch.geometry, point.creepage, flexibilities, 64};
-                      fill_brush_fields(patch.grid, problem, strip_at, point);
-                      const halfspace::CreepForces forces = halfspace::linear_creep_forces(
-                          a, b, material.shear_modulus, material.poisson_ratio, point.creepage);
-                      set_forces(forces, point);
-                      set_largest_tractions(point);
-                    });
+  const auto fill = [&](contact::PointResult& point) {
+    if (patch.friction == 0.0) return;
+    const BrushProblem problem{patch.geometry, point.creepage, flexibilities, 64};
+    fill_brush_fields(patch.grid, problem, strip_at, point);
+    set_forces(patch.linear_forces(point.creepage), point);
+    set_largest_tractions(point);
+  };
+  return run_theory(scene, patch.grid, patch.normal, "linear", progress, fill);
+}
+
+double polach_gradient(double linear_force, double friction_force) {
+  return 0.25 * pi * linear_force / friction_force;
+}
+
+double polach_saturation(double gradient, double adhesion, double slip) {
+  const double stuck = adhesion * gradient;
+  return 2.0 / pi * (stuck / (1.0 + stuck * stuck) + std::atan(slip * gradient));
+}
+
+contact::ModelResult run_polach(const contact::Scene& scene, const contact::Progress& progress) {
+  const EllipticPatch patch = elliptic_patch(scene);
+  const contact::PolachOptions& options = scene.options.polach;
+  const auto fill = [&](contact::PointResult& point) {
+    const contact::Creepage creepage{point.creepage.longitudinal, point.creepage.lateral, 0.0};
+    const halfspace::CreepForces linear = patch.linear_forces(creepage);
+    const double size = std::hypot(linear.longitudinal, linear.lateral);
+    if (patch.friction == 0.0 || size == 0.0) return;
+    const double bound = patch.friction_at(creepage) * point.normal_force;
+    const double force =
+        bound * polach_saturation(polach_gradient(size, bound), options.adhesion_reduction,
+                                  options.slip_reduction);
+    contact::SurfaceField& traction = point.fields.traction;
+    traction.x = force * linear.longitudinal / (size * point.normal_force) * traction.n;
+    traction.y = force * linear.lateral / (size * point.normal_force) * traction.n;
+    set_forces({force * linear.longitudinal / size, force * linear.lateral / size, 0.0}, point);
+    set_largest_tractions(point);
+  };
+  contact::ModelResult result =
+      run_theory(scene, patch.grid, patch.normal, "polach", progress, fill);
+  result.notes.push_back(
+      "Polach's formula gives forces only: tractions are spread like the pressure, and the "
+      "adhesion area is the whole patch");
+  if (patch.falling && patch.falling->memory())
+    result.notes.push_back("friction is that of the rigid slip; memory_distance is neglected");
+  return result;
 }
 
 }  // namespace rollfem::theories
