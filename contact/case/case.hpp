@@ -158,6 +158,9 @@ struct Rolling {
   LeadingEdge leading_edge = LeadingEdge::fitted;
   ExtraSlip extra_slip = ExtraSlip::automatic;
   std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
+  /// Slip velocity over slip as results give it, mm/s: the rolling speed. A shift has none: its
+  /// slip in mm is taken as that of one second.
+  double slip_speed() const { return problem == Problem::shift ? 1.0 : speed; }
 };
 
 /// Data specific to one step of the problems `shift` and `transient`. Shifts are rigid

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/friction_law.hpp"
 
-#include "contact/case/slip_speed.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -43,7 +41,7 @@ LawNumbers numbers_of(double mu, const FrictionFall& fall) {
 std::shared_ptr<FrictionLaw> law_of(const Case& input, const LawNumbers& at) {
   const FrictionFall& fall = input.friction_fall;
   if (fall.shape == FallShape::none) return std::make_shared<CoulombFriction>(at.rest);
-  const double speed = slip_speed(input.rolling);
+  const double speed = input.rolling.slip_speed();
   std::optional<FrictionMemory> memory;
   if (fall.memory_distance > 0.0)
     memory = FrictionMemory{fall.memory_distance, fall.memory_velocity / speed};

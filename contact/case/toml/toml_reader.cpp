@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/case/toml/toml_reader.hpp"
 
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_text.hpp"
 #include "contact/case/toml/toml_values.hpp"
