@@ -23,10 +23,10 @@ void add_material(Keys<Body>& keys) {
            "Young's modulus, of steel by default; inf: a rigid body (not both).");
   keys.add("poisson_ratio", inside(&Body::material, &Material::poisson_ratio), symbol("nu"),
            upper_open(between(0.0, 0.5)), "Poisson's ratio; 0.5 (incompressible) is not covered.");
-  keys.add("density", inside(&Body::material, &Material::density), symbol("rho"), unit("t/mm^3"),
-           zero_or(1e-15, 1e-7),
-           "Mass density, of steel by default (1 t/mm^3 = 1e12 kg/m^3); matters only with "
-           "fem.inertia.");
+  keys.add(
+      "density", inside(&Body::material, &Material::density), symbol("rho"), unit("t/mm^3"),
+      zero_or(1e-15, 1e-7),
+      "Mass density, of steel by default (1 t/mm^3 = 1e12 kg/m^3); matters only with fem.inertia.");
 }
 
 /// `names`: built-in profiles, `files`: formats besides two columns.
@@ -81,12 +81,11 @@ SectionWithKeys geometry_section() {
            between(smallest_radius, largest), otherwise("wheel.rolling_radius, on a straight rail"),
            "Line contact: R of the undeformed distance h = x^2 / (2 R); for two rollers 1/R = 1/R1 "
            "+ 1/R2.");
-  keys.add(
-      "reference_distance", &ContactShapeCase::reference_distance, unit("mm"), or_inf(positive()),
-      otherwise("the relative radius"),
-      "Line contact: displacements are relative to the surface at this distance from a line "
-      "load, with inf to distant points, in the middle of a load as long as `width`; approach, "
-      "elastic energy, shifts and transients depend on it.");
+  keys.add("reference_distance", &ContactShapeCase::reference_distance, unit("mm"),
+           or_inf(positive()), otherwise("the relative radius"),
+           "Line contact: displacements are relative to the surface at this distance from a line "
+           "load, with inf to distant points, in the middle of a load as long as `width`; "
+           "approach, elastic energy, shifts and transients depend on it.");
   return keys;
 }
 
@@ -139,9 +138,9 @@ void add_mending(ProfileKeys& keys) {
            "Merge points closer than this into their mean; 0: keep all.");
   keys.add("longest_gap", &Profile::longest_gap, unit("mm"), positive(),
            "Largest gap that the curve bridges; a larger one is an error.");
-  keys.add("largest_kink", &Profile::largest_kink, unit("degrees"), between(0.1, 180.0),
-           "Largest angle between two chords; a larger one, or a step that stands out, is an "
-           "error.");
+  keys.add(
+      "largest_kink", &Profile::largest_kink, unit("degrees"), between(0.1, 180.0),
+      "Largest angle between two chords; a larger one, or a step that stands out, is an error.");
   keys.add("rounding", &Profile::rounding, unit("mm"), zero_or(smallest, 100.0),
            "Drop points within this distance of a kink or step and bridge the gap smoothly; 0: "
            "kinks are errors.");

@@ -162,8 +162,8 @@ SectionWithKeys layer_section() {
            "Its shear modulus; tractions p_t move the surfaces by p_t h_3/G_3 against each other.");
   keys.add("yield_stress", &Layer::yield_stress, symbol("tau_c0"), unit("MPa"), positive(),
            otherwise("it does not yield"),
-           "Shear stress at which the layer yields; tractions are at most the smaller of it and "
-           "mu p_n.");
+           "Shear stress at which the layer yields; tractions are at most the smaller of it and mu "
+           "p_n.");
   keys.add("hardening", &Layer::hardening, symbol("k_tau"), unit("MPa/mm"), within(largest),
            otherwise("0, perfectly plastic"),
            "Rise of the yield stress per mm by which a particle has yielded since it entered the "

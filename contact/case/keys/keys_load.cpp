@@ -11,13 +11,13 @@ SectionWithKeys general_section() {
   Keys<Case> keys("", "Before the first section", whole_case());
   keys.add("title", &Case::title, example(R"("a wheel on a crowned rail")"),
            otherwise("the name of the file"), "Heading of the report.");
-  keys.add(KeyKind::words, "models",
-           Access<Case>{
-               [](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
-               [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); }},
-           "Models that `run` solves, in this order; `--model` overrides it. `auto`, on its own, "
-           "chooses the cheapest of halfspace, hybrid and fem that meets `accuracy` "
-           "(docs/choice.md).");
+  keys.add(
+      KeyKind::words, "models",
+      Access<Case>{
+          [](const Case& c) -> KeyValue { return c.models.empty() ? KeyValue() : c.models; },
+          [](Case& c, const KeyValue& v) { c.models = std::get<Words>(v); }},
+      "Models that `run` solves, in this order; `--model` overrides it. `auto`, on its own, "
+      "chooses the cheapest of halfspace, hybrid and fem that meets `accuracy` (docs/choice.md).");
   keys.add("accuracy", &Case::accuracy, between(1e-5, 0.5), otherwise("unset: no refinement"),
            "Largest estimated relative error of the quantities in `accuracy_of`. halfspace and fem "
            "halve their cells until it is reached; if memory or the finest grid ends this first, "

@@ -8,38 +8,26 @@ namespace {
 
 SectionWithKeys halfspace_section() {
   Keys<HalfspaceOptions> keys("halfspace", "Model `halfspace`", &Case::halfspace);
-  keys.add("surface", &HalfspaceOptions::surface,
-           {{"auto", SurfaceForm::automatic},
-            {"planar", SurfaceForm::planar},
-            {"curved", SurfaceForm::curved}},
-           "`planar`: the tangent plane of the contact point; `curved` follows the common surface "
-           "of wheel and rail across rolling, with local normals and rolling radii (steady or "
-           "frictionless rolling of like materials, no subsurface stress). `auto`: planar unless "
-           "the normals of true profiles spread by more than 0.03 rad, fully curved from 0.06 rad "
-           "on (docs/track.md).");
+  keys.add(
+      "surface", &HalfspaceOptions::surface,
+      {{"auto", SurfaceForm::automatic},
+       {"planar", SurfaceForm::planar},
+       {"curved", SurfaceForm::curved}},
+      "`planar`: the tangent plane of the contact point; `curved` follows the common surface of "
+      "wheel and rail across rolling, with local normals and rolling radii (steady or frictionless "
+      "rolling of like materials, no subsurface stress). `auto`: planar unless the normals of true "
+      "profiles spread by more than 0.03 rad, fully curved from 0.06 rad on (docs/track.md).");
   keys.add("model_error", &HalfspaceOptions::model_error,
            "Estimate the half-space's model error, per quantity and load point, from the true "
            "curvature of wheel and rail (some 0.1 s per load point); needs radii or profiles.");
   return keys;
 }
 
-template <class Options>
-void add_strips(Keys<Options>& keys, int fewest) {
-  keys.add("strips", &Options::strips, between(fewest, 2000), "Strips across the patch.");
-}
-
-template <class Options>
-void add_strip_elements(Keys<Options>& keys) {
-  keys.add("strip_elements", &Options::strip_elements, between(4, 2000),
-           "Elements along each strip.");
-}
-
 SectionWithKeys fastsim_section() {
-  Keys<FastsimOptions> keys(
-      "fastsim",
-      "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse; `fastrip` takes strips and "
-      "elements",
-      &Case::fastsim);
+  Keys<FastsimOptions> keys("fastsim",
+                            "Model `fastsim`: Kalker's simplified theory on Hertz's ellipse; "
+                            "`fastrip` takes strips and elements",
+                            &Case::fastsim);
   keys.add("bound", &FastsimOptions::bound,
            {{"parabolic", BoundShape::parabolic}, {"elliptic", BoundShape::elliptic}},
            "Traction bound: `parabolic` 4/3 mu p0 (1 - r^2), the usual choice; `elliptic` mu p0 "
@@ -52,12 +40,13 @@ SectionWithKeys fastsim_section() {
            {{"chord", FastsimElements::chord}, {"grid", FastsimElements::grid}},
            "`chord` divides every strip equally; `grid` uses elements of a common grid and "
            "evaluates the spin a sixth of a step upstream, as CONTACT does (first order).");
-  add_strips(keys, 8);
-  add_strip_elements(keys);
+  keys.add("strips", &FastsimOptions::strips, between(8, 2000), "Strips across the patch.");
+  keys.add("strip_elements", &FastsimOptions::strip_elements, between(4, 2000),
+           "Elements along each strip.");
   keys.add("slope_reduction", &FastsimOptions::slope_reduction, symbol("k_0, alpha_inf, beta"),
            between(1e-6, 100.0),
-           "Reduce the brushes' stiffness on surfaces that are not clean (docs/theory.md); all "
-           "1: Kalker's slope. Not for `fastrip`.");
+           "Reduce the brushes' stiffness on surfaces that are not clean (docs/theory.md); all 1: "
+           "Kalker's slope. Not for `fastrip`.");
   return keys;
 }
 
@@ -65,8 +54,9 @@ SectionWithKeys strip_section() {
   Keys<StripOptions> keys(
       "strip", "Model `strip`: strips along rolling, each with Hertzian pressure and brushes",
       &Case::strip);
-  add_strips(keys, 16);
-  add_strip_elements(keys);
+  keys.add("strips", &StripOptions::strips, between(16, 2000), "Strips across the patch.");
+  keys.add("strip_elements", &StripOptions::strip_elements, between(4, 2000),
+           "Elements along each strip.");
   keys.add("virtual_penetration", &StripOptions::virtual_penetration, between(0.3, 1.0),
            otherwise("from the Hertzian ellipse of equal depth and volume"),
            "Fraction of the approach by which the undeformed profiles penetrate to define the "
@@ -77,7 +67,7 @@ SectionWithKeys strip_section() {
 SectionWithKeys carter_section() {
   Keys<CarterOptions> keys("carter", "Model `carter`: strips along rolling, each a line contact",
                            &Case::carter);
-  add_strips(keys, 8);
+  keys.add("strips", &CarterOptions::strips, between(8, 2000), "Strips across the patch.");
   return keys;
 }
 
@@ -120,21 +110,21 @@ void add_elements(FemKeys& keys) {
 }
 
 void add_meshes(FemKeys& keys) {
-  keys.add("mesh", &FemOptions::mesh,
-           {{"structured", MeshFamily::structured}, {"gmsh", MeshFamily::gmsh}},
-           otherwise("`structured`"),
-           "`structured` lays a graded box on the surface; `gmsh` revolves or extrudes a "
-           "quadrilateral mesh of the cross-section, with profiles the true section of rail and "
-           "wheel rim.");
+  keys.add(
+      "mesh", &FemOptions::mesh,
+      {{"structured", MeshFamily::structured}, {"gmsh", MeshFamily::gmsh}},
+      otherwise("`structured`"),
+      "`structured` lays a graded box on the surface; `gmsh` revolves or extrudes a quadrilateral "
+      "mesh of the cross-section, with profiles the true section of rail and wheel rim.");
   keys.add("width", &FemOptions::width, unit("mm"), positive(), otherwise("twice the extent"),
            "Width of the segments across rolling.");
   keys.add("depth", &FemOptions::depth, unit("mm"), positive(),
            otherwise("the extent; for true sections 172 (rail foot)"),
            "Depth of the segments; for the true section of a rail the depth below its top at which "
            "it is cut and fixed.");
-  keys.add("rim_thickness", &FemOptions::rim_thickness, unit("mm"), positive(), otherwise("65"),
-           "Thickness of the wheel's rim below the contact in a true section; its inner side is "
-           "fixed.");
+  keys.add(
+      "rim_thickness", &FemOptions::rim_thickness, unit("mm"), positive(), otherwise("65"),
+      "Thickness of the wheel's rim below the contact in a true section; its inner side is fixed.");
   keys.add("length", &FemOptions::length, unit("mm"), positive(), otherwise("twice the extent"),
            "Length of the segments along rolling, on the wheel of the arc.");
   keys.add("far_boundary", &FemOptions::far_boundary,

@@ -34,31 +34,23 @@ SectionWithKeys output_section() {
   return keys;
 }
 
-/// A list instead of `points` and `largest`.
-void add_list(Keys<TableOptions>& keys, const std::string& name, const std::string& letter,
-              const std::string& sentence, std::vector<double> TableOptions::*list) {
-  keys.add(name, list, symbol(letter), zero_or(smallest, 1000.0),
-           otherwise("from points and largest"), sentence);
-}
-
 SectionWithKeys table_section() {
   Keys<TableOptions> keys("table", "Grid of `rollfem table`; other commands ignore it",
                           &Case::table);
   keys.add("axis_ratio", &TableOptions::axis_ratio, symbol("a/b"), between(0.02, 50.0),
            otherwise("from the case's Hertzian ellipse"),
            "Axis ratios a/b of the ellipse, a along rolling, in increasing order.");
-  keys.add("lateral_shift", &TableOptions::lateral_shift, unit("mm"), within(1e3),
-           otherwise("none: the table is over axis_ratio"),
-           "Lateral shifts of the wheelset, in increasing order, for a table of a wheel with "
-           "profiles.");
+  keys.add(
+      "lateral_shift", &TableOptions::lateral_shift, unit("mm"), within(1e3),
+      otherwise("none: the table is over axis_ratio"),
+      "Lateral shifts of the wheelset, in increasing order, for a table of a wheel with profiles.");
   keys.add("lateral_shift_step", &TableOptions::lateral_shift_step, unit("mm"), between(1e-3, 1e3),
            otherwise("lateral_shift lists every shift"),
            "Step between the first and the last shift; lateral_shift then holds only these two.");
-  keys.add(
-      "load", &TableOptions::load, unit("N"), between(1e-6, largest_force),
-      otherwise("that of the case"),
-      "Increasing loads, an axis in place of the force under [load]; of ellipses with a memory "
-      "or a layer.");
+  keys.add("load", &TableOptions::load, unit("N"), between(1e-6, largest_force),
+           otherwise("that of the case"),
+           "Increasing loads, an axis in place of the force under [load]; of ellipses with a "
+           "memory or a layer.");
   keys.add("speed", &TableOptions::speed, unit("mm/s"), between(1e-3, 1e8),
            otherwise("rolling.speed"),
            "Increasing speeds, an axis in place of rolling.speed under a falling law.");
@@ -69,16 +61,15 @@ SectionWithKeys table_section() {
   keys.add("largest", &TableOptions::largest, between(0.01, 1000.0),
            "Largest xi', eta' and phi' of the grid; beyond it full sliding is assumed (refused "
            "with a falling law or a layer).");
-  add_list(keys, "longitudinal_values", "xi'",
+  const auto of_lists = zero_or(smallest, 1000.0);
+  const auto from_points = otherwise("from points and largest");
+  keys.add("longitudinal_values", &TableOptions::longitudinal, symbol("xi'"), of_lists, from_points,
            "Scaled longitudinal creepages (docs/tables.md) from 0 on, instead of the first entries "
-           "of points and largest; over lateral shifts mirrored to negative values.",
-           &TableOptions::longitudinal);
-  add_list(keys, "lateral_values", "eta'",
-           "Scaled lateral creepages from 0 on, instead of the second entries.",
-           &TableOptions::lateral);
-  add_list(keys, "spin_values", "phi'",
-           "Scaled spins from 0 on, instead of the third entries; mirrored to negative values.",
-           &TableOptions::spin);
+           "of points and largest; over lateral shifts mirrored to negative values.");
+  keys.add("lateral_values", &TableOptions::lateral, symbol("eta'"), of_lists, from_points,
+           "Scaled lateral creepages from 0 on, instead of the second entries.");
+  keys.add("spin_values", &TableOptions::spin, symbol("phi'"), of_lists, from_points,
+           "Scaled spins from 0 on, instead of the third entries; mirrored to negative values.");
   keys.add("check_points", &TableOptions::check_points, between(0, 1e6),
            "Random points between grid points at which the interpolation error is evaluated.");
   return keys;
@@ -115,8 +106,7 @@ void add_body(RequestKeys& keys, const std::string& sentence) {
 
 constexpr const char* around_points =
     "Body of the points: z >= 0 in the wheel, z <= 0 in the rail; with hybrid and fem a concave "
-    "body "
-    "extends beyond z = 0 to its surface.";
+    "body extends beyond z = 0 to its surface.";
 
 void add_corner(RequestKeys& keys, const std::string& name, const std::string& sentence,
                 Corner corner) {
@@ -178,10 +168,10 @@ SectionWithKeys subsurface_surface_section() {
   add_body(keys, "The body whose surface is followed.");
   add_end(keys, "from", "One end of the line, [x, y].", &Request::from);
   add_end(keys, "to", "The other end.", &Request::to);
-  keys.add("depth", &Request::depth, unit("mm"), zero_or(smallest, 1e6), example("0.0"),
-           otherwise("0, on the surface"),
-           "Depth of the line below the surface: along z in the rail, towards the axle in the "
-           "wheel.");
+  keys.add(
+      "depth", &Request::depth, unit("mm"), zero_or(smallest, 1e6), example("0.0"),
+      otherwise("0, on the surface"),
+      "Depth of the line below the surface: along z in the rail, towards the axle in the wheel.");
   add_number_of_points(keys, "Points equally spaced in x and y, both ends included.");
   return keys;
 }

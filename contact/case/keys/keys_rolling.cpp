@@ -9,19 +9,17 @@ namespace {
 using RollingKeys = Keys<Rolling>;
 
 void add_motion(RollingKeys& keys) {
-  keys.add(
-      "longitudinal_creepage", of_each(&Rolling::creepages, &Creepage::longitudinal), symbol("xi"),
-      within(1.0), example("[0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006]"),
-      "Rigid slip of the wheel along x over the rolling speed; positive when braking: the rail "
-      "pulls the wheel towards -x. A list gives a creep curve.");
+  keys.add("longitudinal_creepage", of_each(&Rolling::creepages, &Creepage::longitudinal),
+           symbol("xi"), within(1.0), example("[0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006]"),
+           "Rigid slip of the wheel along x over the rolling speed; positive when braking: the "
+           "rail pulls the wheel towards -x. A list gives a creep curve.");
   keys.add("lateral_creepage", of_each(&Rolling::creepages, &Creepage::lateral), symbol("eta"),
            within(1.0), "The same along y.");
   keys.add("spin", of_each(&Rolling::creepages, &Creepage::spin), symbol("phi"), unit("rad/mm"),
            within(1.0), "Rigid rotation about the normal over the rolling speed.");
-  keys.add(
-      "speed", &Rolling::speed, symbol("V"), unit("mm/s"), zero_or(smallest, 1e8),
-      "Rolling speed, for a friction.law of the slip velocity and for fem.inertia; all else is "
-      "quasi-static.");
+  keys.add("speed", &Rolling::speed, symbol("V"), unit("mm/s"), zero_or(smallest, 1e8),
+           "Rolling speed, for a friction.law of the slip velocity and for fem.inertia; all else "
+           "is quasi-static.");
 }
 
 void add_difference(RollingKeys& keys) {
@@ -47,12 +45,11 @@ void add_extra_slip(RollingKeys& keys) {
 }
 
 void add_problem(RollingKeys& keys) {
-  keys.add(
-      "problem", &Rolling::problem,
-      words_of({Problem::steady, Problem::shift, Problem::transient, Problem::frictionless}),
-      "`steady`: steady rolling, each load point separately; `shift`: pressing and shifting "
-      "without rolling (Cattaneo), `transient`: rolling, both in steps, each from the previous "
-      "state; `frictionless`: the normal problem alone.");
+  keys.add("problem", &Rolling::problem,
+           words_of({Problem::steady, Problem::shift, Problem::transient, Problem::frictionless}),
+           "`steady`: steady rolling, each load point separately; `shift`: pressing and shifting "
+           "without rolling (Cattaneo), `transient`: rolling, both in steps, each from the "
+           "previous state; `frictionless`: the normal problem alone.");
   keys.add("longitudinal_force", of_each(&Rolling::forces, &PrescribedForce::longitudinal),
            symbol("F_x"), unit("N"), or_nan(within(largest_force)),
            otherwise("creepage or shift applies"),
@@ -121,11 +118,10 @@ SectionWithKeys history_section() {
               &HistoryStep::spin_shift}})
     keys.add(shift.name, of_each(&Case::history, shift.member), unit(shift.unit),
              within(shift.largest), otherwise("0"), shift.sentence);
-  keys.add(
-      "step_length", of_each(&Case::history, &HistoryStep::step_length), unit("mm"), positive(),
-      otherwise("required by `transient`"),
-      "Distance that the wheel rolls in each step (transient); error bars count it. An element "
-      "or a tenth of the patch is short enough.");
+  keys.add("step_length", of_each(&Case::history, &HistoryStep::step_length), unit("mm"),
+           positive(), otherwise("required by `transient`"),
+           "Distance that the wheel rolls in each step (transient); error bars count it. An "
+           "element or a tenth of the patch is short enough.");
   return keys;
 }
 

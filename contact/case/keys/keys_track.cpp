@@ -46,10 +46,9 @@ using WheelsetKeys = Keys<Wheelset>;
 
 /// Lists over the positions of the wheelset, extended to one length by complete_track.
 void add_positions(WheelsetKeys& keys) {
-  keys.add(
-      "lateral_shift", &Wheelset::lateral_shift, unit("mm"), within(1e3), per("positions"),
-      "Lateral shift of the wheelset, positive to the right seen along x. A list gives several "
-      "positions; lateral_shift, yaw and roll have one length or single numbers.");
+  keys.add("lateral_shift", &Wheelset::lateral_shift, unit("mm"), within(1e3), per("positions"),
+           "Lateral shift of the wheelset, positive to the right seen along x. A list gives "
+           "several positions; lateral_shift, yaw and roll have one length or single numbers.");
   keys.add("yaw", &Wheelset::yaw, unit("rad"), within(0.2), per("positions"),
            "Yaw of the wheelset about the vertical, positive to the right.");
   keys.add("roll", &Wheelset::roll, unit("rad"), within(0.2), per("positions"),
@@ -73,8 +72,8 @@ void add_motion(WheelsetKeys& keys) {
   keys.add(
       "free_rolling", &Wheelset::free_rolling,
       {{"none", FreeRolling::none}, {"force", FreeRolling::force}, {"torque", FreeRolling::torque}},
-      "Condition instead of rotation_change: `force`: F_x = 0 on each wheel separately; "
-      "`torque`: zero torque of both wheels about the axle.");
+      "Condition instead of rotation_change: `force`: F_x = 0 on each wheel separately; `torque`: "
+      "zero torque of both wheels about the axle.");
 }
 
 SectionWithKeys wheelset_section() {
