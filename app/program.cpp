@@ -4,7 +4,7 @@
 #include "app/commands.hpp"
 #include "app/frame/interruption.hpp"
 #include "app/version_text.hpp"
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "models/program/provenance.hpp"
 

@@ -59,10 +59,8 @@ void fill_coefficients(const ContactCase& given, Equivalent& made) {
               "takes one for a planar contact");
   }
   if (!falls(given) || given.digits.T == 0) return;
-  using contact::FallShape;
-  constexpr std::array laws{FallShape::linear, FallShape::rational, FallShape::exponential};
-  const auto law = laws.at(static_cast<std::size_t>(given.friction_law - 2));
-  made.set_word("friction", "law", word_of(law));
+  const auto number = static_cast<std::size_t>(given.friction_law - 1);
+  made.set_word("friction", "law", contact::fall_shapes().at(number).word);
   set("kinetic_coefficient", "", [](const FrictionSet& one) { return one.fkin; });
   set("half_velocity", "mm/s", [](const FrictionSet& one) { return one.fall[1]; });
   const bool second = std::any_of(sets.begin(), sets.end(),

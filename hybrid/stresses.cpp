@@ -2,7 +2,6 @@
 #include "hybrid/stresses.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/axes.hpp"
 #include "contact/result/stress_extremes.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/model/model.hpp"

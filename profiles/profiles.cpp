@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/profiles.hpp"
 
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_points.hpp"

@@ -3,7 +3,7 @@
 
 #include "app/frame/interruption.hpp"
 #include "app/frame/parts.hpp"
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/case/checks/plausibility.hpp"
 #include "models/program/provenance.hpp"
 #include "models/program/version.hpp"

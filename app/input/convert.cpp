@@ -2,7 +2,6 @@
 #include "app/input/convert.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/file_error.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
 #include "halfspace/patch/patch_search.hpp"

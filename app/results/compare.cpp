@@ -2,7 +2,6 @@
 #include "app/results/compare.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/case/case_edit.hpp"
 #include "contact/case/case_reader.hpp"
 #include "models/program/version.hpp"
 #include "models/registry.hpp"

@@ -29,4 +29,17 @@ class UnfitGrid : public SolveError {
   using SolveError::SolveError;
 };
 
+/// A file that is missing, cannot be read or written, is damaged or of another kind: callers may
+/// tell it from wrong values.
+class FileError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// The call is right, but its output cannot be written: the disk is full or fails (exit status 1).
+class OutputError : public FileError {
+ public:
+  using FileError::FileError;
+};
+
 }  // namespace rollfem::contact

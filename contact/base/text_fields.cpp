@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/text_fields.hpp"
 
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 
 #include <fmt/format.h>
 
@@ -127,8 +127,9 @@ std::string text_of_file(const std::string& path, const std::string& name, std::
   return text.str();
 }
 
-std::string printable(std::string_view field) {
-  std::string result(field.substr(0, 40));
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string result(text);
+  if (text.size() > longest) result.replace(longest - 3, std::string::npos, "...");
   for (char& c : result)
     if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
   return result;

@@ -51,8 +51,10 @@ bool looks_like_table(std::string_view text, std::string_view marks);
 /// or is larger than `largest` bytes.
 std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest);
 
-/// A field for a message: at most 40 characters, ? for unprintable ones.
-std::string printable(std::string_view field);
+/// A text for a message: at most so many characters, ? for those that would disturb a terminal or
+/// end the line.
+std::string printable(std::string_view text, std::size_t longest = 40);
+inline constexpr std::size_t longest_name = 80;
 
 // Suggestions for misspelt names.
 

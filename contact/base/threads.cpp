@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/threads.hpp"
 
-#include "contact/base/cgroups.hpp"
+#include "contact/base/available_memory.hpp"
 
 #include <algorithm>
 #include <cmath>

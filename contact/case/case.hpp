@@ -6,6 +6,7 @@
 #include "contact/base/choices.hpp"
 #include "contact/base/material.hpp"
 #include "contact/base/profile_drop.hpp"
+#include "contact/case/fall_shape.hpp"
 #include "contact/case/model_options.hpp"
 #include "contact/case/track.hpp"
 
@@ -43,29 +44,6 @@ enum class ContactShape {
   point,  ///< bodies of finite width: radii, profiles, points
   line,   ///< endless rollers
 };
-
-/// How friction falls with the velocity s of the slip: mu_kin + mu_1 f_1(s) + mu_2 f_2(s), where
-/// f_i is 1 at rest and 1/2 at s_hi.
-enum class FallShape {
-  none,         ///< Coulomb's law
-  linear,       ///< max(0, 1 - s/(2 s_hi))
-  rational,     ///< 1/(1 + s/s_h1), 1/(1 + (s/s_h2)^2)
-  exponential,  ///< 2^(-s/s_hi)
-};
-
-constexpr const char* word_of(FallShape shape) {
-  switch (shape) {
-    case FallShape::none:
-      return "constant";
-    case FallShape::linear:
-      return "linear";
-    case FallShape::rational:
-      return "rational";
-    case FallShape::exponential:
-      return "exponential";
-  }
-  return nullptr;
-}
 
 /// Which state to find where a law that falls steeply has several.
 enum class FrictionBranch {
@@ -180,6 +158,9 @@ struct Rolling {
   LeadingEdge leading_edge = LeadingEdge::fitted;
   ExtraSlip extra_slip = ExtraSlip::automatic;
   std::optional<Lattice> extra_slip_values;  ///< columns s_x, s_y; for ExtraSlip::file
+  /// Slip velocity over slip as results give it, mm/s: the rolling speed. A shift has none: its
+  /// slip in mm is taken as that of one second.
+  double slip_speed() const { return problem == Problem::shift ? 1.0 : speed; }
 };
 
 /// Data specific to one step of the problems `shift` and `transient`. Shifts are rigid

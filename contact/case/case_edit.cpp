@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contact/case/case_edit.hpp"
-
 #include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
 #include "contact/case/toml/toml_library.hpp"
 #include "contact/case/toml/toml_reader.hpp"

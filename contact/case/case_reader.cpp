@@ -2,7 +2,6 @@
 #include "contact/case/case_reader.hpp"
 
 #include "contact/base/text_fields.hpp"
-#include "contact/case/case_edit.hpp"
 #include "contact/case/checks/case_checks.hpp"
 #include "contact/case/lattice.hpp"
 #include "contact/case/toml/toml_reader.hpp"

@@ -4,15 +4,20 @@
 #pragma once
 
 #include "contact/case/case.hpp"
-#include "contact/case/model_words.hpp"
 
 #include <string>
 #include <vector>
 
 namespace rollfem::contact {
 
+/// The names of models allowed in a case file, supplied by the caller.
+struct ModelWords {
+  std::vector<std::string> known;       ///< empty: any name is accepted
+  std::vector<std::string> by_default;  ///< if the case names none
+};
+
 /// Reads and checks a case file. Throws InputError with one message: FILE:LINE:COLUMN, key, value,
-/// allowed values, remedy. `changes`: as in case_edit.hpp; the case then holds the changed text.
+/// allowed values, remedy. `changes`: as with_changes; the case then holds the changed text.
 Case read_case(const std::string& path, const ModelWords& models = {},
                const std::vector<std::string>& changes = {});
 
@@ -31,5 +36,19 @@ std::string case_template(const ModelWords& models = {});
 
 /// docs/case-file.md: every key with type, unit, bounds, default and one sentence.
 std::string case_reference_markdown(const ModelWords& models = {});
+
+// Changes of single keys, as in `--set friction.coefficient=0.3`. The text itself is edited, so
+// that the case stored with the results is the one that was solved.
+
+/// The text of a case file after all changes, in order. Each is "KEY=VALUE": the key with its
+/// section, the value as in TOML, or a single word without quotes. Missing keys are added. `file`
+/// is used in messages. Throws InputError when the text is not a case file, or a change has an
+/// unknown key or an invalid value.
+std::string with_changes(std::string text, const std::string& file,
+                         const std::vector<std::string>& changes, const ModelWords& models = {});
+
+/// The text of the case for a file in another folder: paths of files, which are relative to the
+/// case file, lead from there.
+std::string text_in_folder(const Case& input, const std::string& folder);
 
 }  // namespace rollfem::contact

@@ -8,29 +8,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace rollfem::contact {
 
 namespace {
 
-void check_size(const Field& field, const ContactGrid& grid, const char* name) {
-  if (field.size() != grid.size())
-    throw InputError(
-        fmt::format("{} has {} values for a contact grid of {} by {}; allowed: one per element",
-                    name, field.size(), grid.nx, grid.ny));
-}
-
-void check_tangential(const SurfaceField& traction, const ContactGrid& grid) {
-  check_size(traction.x, grid, "traction.x");
-  check_size(traction.y, grid, "traction.y");
-}
-
-double tangential_product(const ContactGrid& grid, const SurfaceField& traction,
-                          const TangentialField& slip, const char* name) {
-  check_tangential(traction, grid);
-  check_size(slip.x, grid, name);
-  check_size(slip.y, grid, name);
-  return (traction.x.dot(slip.x) + traction.y.dot(slip.y)) * grid.element_area();
+void check_sizes(const ContactGrid& grid, std::initializer_list<const Field*> fields,
+                 const char* what) {
+  for (const Field* field : fields)
+    if (field->size() != grid.size())
+      throw InputError(
+          fmt::format("{} has {} values for a contact grid of {} by {}; allowed: one per element",
+                      what, field->size(), grid.nx, grid.ny));
 }
 
 /// Moment of the tangential tractions about the origin, N mm.
@@ -48,48 +38,31 @@ double spin_moment(const ContactGrid& grid, const SurfaceField& traction) {
 
 double elastic_energy(const ContactGrid& grid, const SurfaceField& traction,
                       const SurfaceField& displacement) {
-  check_tangential(traction, grid);
-  check_size(traction.n, grid, "traction.n");
-  check_size(displacement.x, grid, "displacement.x");
-  check_size(displacement.y, grid, "displacement.y");
-  check_size(displacement.n, grid, "displacement.n");
+  check_sizes(grid, {&traction.x, &traction.y, &traction.n}, "traction");
+  check_sizes(grid, {&displacement.x, &displacement.y, &displacement.n}, "displacement");
   return 0.5 * grid.element_area() *
          (traction.x.dot(displacement.x) + traction.y.dot(displacement.y) +
           traction.n.dot(displacement.n));
 }
 
-double frictional_power(const ContactGrid& grid, const SurfaceField& traction,
-                        const TangentialField& slip, double speed) {
-  return -speed * tangential_product(grid, traction, slip, "slip");
-}
-
-double creepage_power(const ContactGrid& grid, const SurfaceField& traction,
-                      const Creepage& creepage, double speed, const TangentialField& extra_slip) {
-  check_tangential(traction, grid);
-  const double area = grid.element_area();
-  const double moment = spin_moment(grid, traction);
-  double work = creepage.longitudinal * traction.x.sum() * area +
-                creepage.lateral * traction.y.sum() * area + creepage.spin * moment;
-  if (extra_slip.x.size() != 0 || extra_slip.y.size() != 0)
-    work += tangential_product(grid, traction, extra_slip, "extra slip");
-  return -speed * work;
-}
-
 PowerBalance power_balance(const ContactGrid& grid, const SurfaceField& traction,
                            const TangentialField& slip, const Creepage& creepage, double speed,
                            const TangentialField& extra_slip) {
-  PowerBalance balance;
-  balance.friction = frictional_power(grid, traction, slip, speed);
-  balance.creepage = creepage_power(grid, traction, creepage, speed, extra_slip);
+  check_sizes(grid, {&traction.x, &traction.y}, "traction");
+  const double area = grid.element_area();
+  const auto product = [&](const TangentialField& with, const char* what) {
+    check_sizes(grid, {&with.x, &with.y}, what);
+    return (traction.x.dot(with.x) + traction.y.dot(with.y)) * area;
+  };
+  double work = creepage.longitudinal * traction.x.sum() * area +
+                creepage.lateral * traction.y.sum() * area +
+                creepage.spin * spin_moment(grid, traction);
+  if (extra_slip.x.size() != 0 || extra_slip.y.size() != 0)
+    work += product(extra_slip, "extra slip");
+  PowerBalance balance{-speed * product(slip, "slip"), -speed * work};
   const double scale = std::max(std::abs(balance.friction), std::abs(balance.creepage));
   if (scale > 0.0) balance.difference = std::abs(balance.friction - balance.creepage) / scale;
   return balance;
-}
-
-PowerBalance power_balance(const ContactGrid& grid, const PointResult& point, double speed,
-                           const TangentialField& extra_slip) {
-  return power_balance(grid, point.fields.traction, point.fields.slip, point.creepage, speed,
-                       extra_slip);
 }
 
 bool found_for_force(const PointResult& point, const std::string& name) {

@@ -29,13 +29,6 @@ std::size_t Record::length(std::size_t size, std::size_t bytes_each) {
   return static_cast<std::size_t>(count);
 }
 
-template <class Entry>
-void Record::plain(std::vector<Entry>& entries) {
-  static_assert(std::is_trivially_copyable_v<Entry>);
-  entries.resize(length(entries.size(), sizeof(Entry)));
-  raw(entries.data(), entries.size() * sizeof(Entry));
-}
-
 void Record::value(bool& truth) {
   unsigned char byte = truth ? 1 : 0;
   raw(&byte, 1);
@@ -61,73 +54,6 @@ void Record::value(Field& field) {
   raw(field.data(), size * sizeof(double));
 }
 
-void Record::value(TangentialField& field) {
-  values(field.x, field.y);
-}
-
-void Record::value(SurfaceField& field) {
-  values(field.x, field.y, field.n);
-}
-
-void Record::value(Response& response) {
-  values(response.displacement, response.curvature_slip);
-}
-
-void Record::value(std::vector<ElementState>& states) {
-  plain(states);
-}
-
-template <class Entry>
-void Record::by_name(std::map<std::string, Entry>& entries) {
-  const std::size_t count = length(entries.size(), 1);
-  if (reading_) {
-    entries.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      std::string name;
-      Entry entry{};
-      values(name, entry);
-      entries[name] = entry;
-    }
-    return;
-  }
-  for (auto& [name, entry] : entries) {
-    std::string copy = name;
-    values(copy, entry);
-  }
-}
-
-void Record::value(std::map<std::string, double>& numbers) {
-  by_name(numbers);
-}
-
-void Record::value(std::map<std::string, std::string>& words) {
-  by_name(words);
-}
-
-void Record::value(SubsurfaceField& field) {
-  static_assert(std::is_trivially_copyable_v<SubsurfaceRequest>);
-  raw(&field.request, sizeof field.request);
-  plain(field.points);
-  plain(field.displacement);
-  plain(field.stress);
-}
-
-void Record::value(BodyValues& values) {
-  plain(values.displacement);
-  plain(values.stress);
-}
-
-void Record::value(std::vector<BodyField>& bodies) {
-  bodies.resize(length(bodies.size(), 1));
-  for (BodyField& body : bodies) {
-    value(body.name);
-    plain(body.points);
-    plain(body.cells);
-    plain(body.displacement);
-    plain(body.stress);
-  }
-}
-
 void Record::value(PointResult& p) {
   for (const Quantity& quantity : quantities()) {
     std::optional<double> number = quantity.value(p);
@@ -138,16 +64,7 @@ void Record::value(PointResult& p) {
   values(p.error_estimate, p.no_bar, p.model_error, p.richardson);
   ContactFields& f = p.fields;
   values(f.traction, f.slip, f.traction_bound, f.gap, f.displacement, f.state);
-  std::size_t requests = length(p.subsurface.size(), 1);
-  p.subsurface.resize(requests);
-  for (SubsurfaceField& field : p.subsurface) value(field);
-  p.stress_maxima.resize(length(p.stress_maxima.size(), 1));
-  for (StressMaximum& maximum : p.stress_maxima) {
-    values(maximum.body, maximum.measure, maximum.value);
-    for (double& coordinate : maximum.place) value(coordinate);
-  }
-  p.bodies.resize(length(p.bodies.size(), 1));
-  for (BodyValues& body : p.bodies) value(body);
+  values(p.subsurface, p.stress_maxima, p.bodies);
 }
 
 unsigned long long checksum(std::string_view bytes, unsigned long long begin) {

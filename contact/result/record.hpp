@@ -30,23 +30,52 @@ class Record {
 
   /// Each function appends the value, or replaces it by the value read. Reading throws
   /// std::runtime_error when the record ends too early.
-  template <class Number, std::enable_if_t<std::is_arithmetic_v<Number>, int> = 0>
-  void value(Number& number) {
-    raw(&number, sizeof number);
+  template <class Plain, std::enable_if_t<std::is_trivially_copyable_v<Plain>, int> = 0>
+  void value(Plain& plain) {
+    raw(&plain, sizeof plain);
+  }
+  template <class Entry>
+  void value(std::vector<Entry>& entries) {
+    constexpr bool plain = std::is_trivially_copyable_v<Entry>;
+    entries.resize(length(entries.size(), plain ? sizeof(Entry) : 1));
+    if constexpr (plain)
+      raw(entries.data(), entries.size() * sizeof(Entry));
+    else
+      for (Entry& entry : entries) value(entry);
+  }
+  template <class Entry>
+  void value(std::map<std::string, Entry>& entries) {
+    std::size_t count = length(entries.size(), 1);
+    if (!reading_) {
+      for (auto& [name, entry] : entries) {
+        std::string copy = name;
+        values(copy, entry);
+      }
+      return;
+    }
+    for (entries.clear(); count > 0; --count) {
+      std::string name;
+      value(name);
+      value(entries[name]);
+    }
   }
   void value(bool& truth);
   void value(std::optional<double>& number);
   void value(std::string& text);
   void value(Field& field);
-  void value(TangentialField& field);
-  void value(SurfaceField& field);
-  void value(Response& response);
-  void value(std::vector<ElementState>& states);
-  void value(std::map<std::string, double>& numbers);
-  void value(std::map<std::string, std::string>& words);
-  void value(SubsurfaceField& field);
-  void value(BodyValues& values);
-  void value(std::vector<BodyField>& bodies);
+  void value(TangentialField& field) { values(field.x, field.y); }
+  void value(SurfaceField& field) { values(field.x, field.y, field.n); }
+  void value(Response& response) { values(response.displacement, response.curvature_slip); }
+  void value(SubsurfaceField& field) {
+    values(field.request, field.points, field.displacement, field.stress);
+  }
+  void value(StressMaximum& maximum) {
+    values(maximum.body, maximum.measure, maximum.value, maximum.place);
+  }
+  void value(BodyValues& body) { values(body.displacement, body.stress); }
+  void value(BodyField& body) {
+    values(body.name, body.points, body.cells, body.displacement, body.stress);
+  }
   void value(PointResult& point);
 
   /// Several in a row.
@@ -59,10 +88,6 @@ class Record {
   void raw(void* data, std::size_t size);
   /// Length of a list: given when writing, found when reading.
   std::size_t length(std::size_t size, std::size_t bytes_each);
-  template <class Entry>
-  void plain(std::vector<Entry>& entries);
-  template <class Entry>
-  void by_name(std::map<std::string, Entry>& entries);
 
   std::string bytes_;
   std::size_t position_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Scalar measures of a stress state: hydrostatic, von Mises, Tresca, principal and orthogonal shear
-// stress. For any model and either body. Tension is positive; units MPa.
+// stress; rotation into other axes. For any model and either body. Tension is positive; units MPa.
 #pragma once
 
 #include <array>
@@ -46,5 +46,16 @@ struct StressMeasure {
 };
 /// von_mises, tresca, orthogonal_shear, principal_1 (the largest principal stress, tension).
 const std::array<StressMeasure, 4>& reported_measures();
+
+/// Three orthogonal unit vectors.
+using Axes = std::array<std::array<double, 3>, 3>;
+
+/// Displacement or stress along the axes from components in x, y, z.
+std::array<double, 3> into_axes(const Axes& axes, const std::array<double, 3>& vector);
+Stress into_axes(const Axes& axes, const Stress& stress);
+
+/// Components in x, y, z from components along the axes.
+std::array<double, 3> out_of_axes(const Axes& axes, const std::array<double, 3>& vector);
+Stress out_of_axes(const Axes& axes, const Stress& stress);
 
 }  // namespace rollfem::contact

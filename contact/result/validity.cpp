@@ -20,22 +20,25 @@ namespace {
 constexpr double rounding = 1e-6;
 
 /// "load point 2 of 7: "
-std::string place_of(const CheckedPoint& at) {
+std::string place_of(const ValidatedPoint& at) {
   return fmt::format("load point {} of {}: ", at.index + 1, at.count);
 }
 
-[[noreturn]] void refuse(const CheckedPoint& at, const std::string& wrong) {
+[[noreturn]] void refuse(const ValidatedPoint& at, const std::string& wrong) {
   throw SolveError(place_of(at) + wrong);
+}
+
+template <class Numbers>
+bool finite(const Numbers& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::isfinite(v); });
 }
 
 template <class Values>
 bool all_finite(const Values& values) {
-  return std::all_of(values.begin(), values.end(), [](const auto& value) {
-    return std::all_of(value.begin(), value.end(), [](double v) { return std::isfinite(v); });
-  });
+  return std::all_of(values.begin(), values.end(), [](const auto& value) { return finite(value); });
 }
 
-void check_scalars(const CheckedPoint& at) {
+void check_scalars(const ValidatedPoint& at) {
   const PointResult& point = at.point;
   if (!point.converged)
     refuse(at, fmt::format("not converged, residual {:.3g}; do: use another grid or model",
@@ -50,28 +53,48 @@ void check_scalars(const CheckedPoint& at) {
   }
 }
 
-/// Checks displacements and stresses in the bodies, and the fields on the contact.
-void check_fields(const CheckedPoint& at) {
+/// The fields on the contact fit its grid, and those in the bodies their points; all are finite.
+void check_fields(const ValidatedPoint& at) {
   const PointResult& point = at.point;
-  const auto fail = [&](const std::string& what) {
-    refuse(at,
-           what + " that are not finite; do: check the case for extremely large or small values");
+  const auto check_finite = [&](bool finite, const std::string& what) {
+    if (!finite)
+      refuse(at,
+             what + " that are not finite; do: check the case for extremely large or small values");
+  };
+  const auto check_size = [&](std::size_t size, std::size_t expected, const char* what) {
+    if (size != 0 && size != expected)
+      refuse(at, fmt::format("{} {} for {} places; do: please report this case, it is a defect of "
+                             "the program",
+                             size, what, expected));
   };
   const ContactFields& fields = point.fields;
   for (const auto& [field, what] :
        {std::pair{&fields.traction.n, "pressures"}, std::pair{&fields.traction.x, "tractions"},
         std::pair{&fields.traction.y, "tractions"}, std::pair{&fields.slip.x, "slips"},
         std::pair{&fields.slip.y, "slips"}, std::pair{&fields.gap, "gaps"},
+        std::pair{&fields.traction_bound, "bounds of tractions"},
         std::pair{&fields.displacement.x, "displacements"},
         std::pair{&fields.displacement.y, "displacements"},
-        std::pair{&fields.displacement.n, "displacements"}})
-    if (!field->allFinite()) fail(what);
-  for (const SubsurfaceField& field : point.subsurface)
-    if (!all_finite(field.stress) || !all_finite(field.displacement)) fail("stresses");
+        std::pair{&fields.displacement.n, "displacements"}}) {
+    check_finite(field->allFinite(), what);
+    if (at.grid.size() > 0)
+      check_size(static_cast<std::size_t>(field->size()), static_cast<std::size_t>(at.grid.size()),
+                 what);
+  }
+  for (const SubsurfaceField& field : point.subsurface) {
+    check_finite(all_finite(field.stress) && all_finite(field.displacement), "stresses");
+    check_size(field.stress.size(), field.points.size(), "stresses");
+    check_size(field.displacement.size(), field.points.size(), "displacements");
+  }
   for (const StressMaximum& maximum : point.stress_maxima)
-    if (!std::isfinite(maximum.value)) fail("stresses");
-  for (const BodyValues& body : point.bodies)
-    if (!all_finite(body.stress) || !all_finite(body.displacement)) fail("stresses");
+    check_finite(std::isfinite(maximum.value) && finite(maximum.place), "stresses");
+  for (const BodyValues& body : point.bodies) {
+    check_finite(all_finite(body.stress) && all_finite(body.displacement), "stresses");
+    check_size(body.stress.size(), body.displacement.size(), "stresses");
+  }
+  for (const auto* errors : {&point.error_estimate, &point.model_error, &point.richardson})
+    for (const auto& [quantity, error] : *errors)
+      check_finite(std::isfinite(error), "errors of " + quantity);
 }
 
 /// Columns and rows of the grid with an element under pressure.
@@ -80,12 +103,12 @@ std::array<Eigen::Index, 2> elements_across(const ContactGrid& grid, const Field
   return {loaded.rowwise().any().count(), loaded.colwise().any().count()};
 }
 
-bool has_grid(const CheckedPoint& at) {
+bool has_grid(const ValidatedPoint& at) {
   const ContactGrid& grid = at.grid;
   return grid.size() > 0 && at.point.fields.traction.n.size() == grid.size();
 }
 
-void check_fineness(const CheckedPoint& at) {
+void check_fineness(const ValidatedPoint& at) {
   const ContactGrid& grid = at.grid;
   const auto [along, across] = elements_across(grid, at.point.fields.traction.n);
   if ((grid.is_line() ? along : std::min(along, across)) >= fewest_elements_across) return;
@@ -98,7 +121,7 @@ void check_fineness(const CheckedPoint& at) {
           along, across, grid.dx, grid.dy, fewest_elements_across));
 }
 
-void check_held(const CheckedPoint& at) {
+void check_held(const ValidatedPoint& at) {
   const PointResult& point = at.point;
   const ContactGrid& grid = at.grid;
   const double x = point.patch_x_middle.value_or(0.0);
@@ -124,7 +147,7 @@ void check_held(const CheckedPoint& at) {
                     grid.ny * grid.dy));
 }
 
-void check_bounds(const CheckedPoint& at) {
+void check_bounds(const ValidatedPoint& at) {
   const ContactFields& fields = at.point.fields;
   const Field& pressure = fields.traction.n;
   if (pressure.size() == 0) return;
@@ -147,7 +170,7 @@ void check_bounds(const CheckedPoint& at) {
                            fields.traction_bound.maxCoeff()));
 }
 
-void check_balance(const CheckedPoint& at) {
+void check_balance(const ValidatedPoint& at) {
   const NormalLoad& load = at.load;
   if (!load.force) return;
   const PointResult& point = at.point;
@@ -161,7 +184,7 @@ void check_balance(const CheckedPoint& at) {
 }
 
 /// Bodies under load must have a positive approach.
-void check_approach(const CheckedPoint& at) {
+void check_approach(const ValidatedPoint& at) {
   if (!at.touching || at.point.approach > 0.0) return;
   refuse(at, fmt::format("the bodies have come together by {:.4g} mm and carry {:.6g} N; allowed: "
                          "more than 0; do: please report this case, it is a defect of the program",
@@ -219,7 +242,7 @@ double smallest_radius(const Scene& scene) {
 
 }  // namespace
 
-void check_point(const CheckedPoint& at) {
+void check_point(const ValidatedPoint& at) {
   check_scalars(at);
   check_fields(at);
   if (has_grid(at)) {

@@ -29,7 +29,7 @@ inline constexpr double largest_approach_part = 0.02;
 inline constexpr double largest_elastic_pressure = 3000.0;
 
 /// A load point and the conditions for its check.
-struct CheckedPoint {
+struct ValidatedPoint {
   const ContactGrid& grid;
   const PointResult& point;
   NormalLoad load{};     ///< without a force there is no balance to check
@@ -43,7 +43,7 @@ struct CheckedPoint {
 /// pressure, a gap under pressure or an overlap beside it, a traction beyond its bound, a force
 /// different from the load, or a force without positive approach. The text names load point,
 /// figure, limit and remedy.
-void check_point(const CheckedPoint& at);
+void check_point(const ValidatedPoint& at);
 
 /// The same for the first such load point.
 void check_validity(const Scene& scene, const ModelResult& result, const ResultKind& kind = {});

@@ -45,31 +45,6 @@ double way_along_normal(const ContactSurface& surface, double y, HeightAt&& heig
   return way;
 }
 
-/// A ray relative to the axle: its distance from it, and the change along `direction`.
-struct RayPlace {
-  double axial;
-  double radius;
-  double radius_by_way;
-  double axial_by_way;
-};
-
-RayPlace ray_place(const Axle& axle, const Vector3& place, const Vector3& direction) {
-  RayPlace at{0.0, 0.0, 0.0, 0.0};
-  for (int d = 0; d < 3; ++d) {
-    at.axial += (place[d] - axle.point[d]) * axle.direction[d];
-    at.axial_by_way += direction[d] * axle.direction[d];
-  }
-  double square = 0.0, along = 0.0;
-  for (int d = 0; d < 3; ++d) {
-    const double across = place[d] - axle.point[d] - at.axial * axle.direction[d];
-    square += across * across;
-    along += across * direction[d];
-  }
-  at.radius = std::sqrt(square);
-  at.radius_by_way = along / at.radius;
-  return at;
-}
-
 /// Distance along the normal of the common surface at (x, y) to the wheel as a surface of
 /// revolution at its height under load, and back by the approach along that normal; by Newton's
 /// method, infinite where there is none.
@@ -85,10 +60,11 @@ double way_to_profile(const ContactSurface& surface, double x, double y) {
   double way = (profiles.wheel().at(y).value - start) / stretch - back +
                0.5 * x * x / (surface.rolling_radius * stretch);
   for (int step = 0; step < 40; ++step) {
-    const RayPlace at = ray_place(
-        profiles.axle(), {x, from[1] + way * normal[1], from[2] + way * normal[2]}, normal);
+    const AxlePlace at =
+        profiles.axle_place({x, from[1] + way * normal[1], from[2] + way * normal[2]});
     const CurveValue wheel = profiles.wheel_radius().at(at.axial);
-    const double by_way = at.radius_by_way - wheel.slope * at.axial_by_way;
+    const double by_way =
+        dot(at.across, normal) / at.radius - wheel.slope * dot(profiles.axle().direction, normal);
     if (!(by_way < -1e-3)) return infinity;
     const double change = (at.radius - wheel.value) / by_way;
     way -= change;

@@ -1,45 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/friction_law.hpp"
 
-#include "contact/case/slip_speed.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace rollfem::contact {
 
-namespace {
-
-/// What is left of part `i` of the fall at s, the slip over that at which it is halved.
-FrictionLaw::Coefficient part_left(FallShape shape, std::size_t i, double s) {
-  switch (shape) {
-    case FallShape::linear:
-      return s < 2.0 ? FrictionLaw::Coefficient{1.0 - 0.5 * s, -0.5} : FrictionLaw::Coefficient{};
-    case FallShape::rational: {
-      const double left = i == 0 ? 1.0 / (1.0 + s) : 1.0 / (1.0 + s * s);
-      return {left, i == 0 ? -left * left : -2.0 * s * left * left};
-    }
-    case FallShape::exponential:
-      break;
-    case FallShape::none:
-      return {1.0, 0.0};
-  }
-  const double rate = std::log(2.0);
-  const double left = std::exp(-rate * s);
-  return {left, -rate * left};
-}
-
-}  // namespace
-
 FrictionLaw::Coefficient FallingFriction::at(double slip) const {
   Coefficient sum{kinetic_, 0.0};
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const auto& [size, half_slip] = parts_[i];
     if (size == 0.0) continue;
-    const Coefficient left = part_left(shape_, i, slip / half_slip);
+    const FallShape::Left left = shape_.left(i, slip / half_slip);
     sum.value += size * left.value;
-    sum.by_slip += size * left.by_slip / half_slip;
+    sum.by_slip += size * left.slope / half_slip;
   }
   return sum;
 }
@@ -66,7 +41,7 @@ LawNumbers numbers_of(double mu, const FrictionFall& fall) {
 std::shared_ptr<FrictionLaw> law_of(const Case& input, const LawNumbers& at) {
   const FrictionFall& fall = input.friction_fall;
   if (fall.shape == FallShape::none) return std::make_shared<CoulombFriction>(at.rest);
-  const double speed = slip_speed(input.rolling);
+  const double speed = input.rolling.slip_speed();
   std::optional<FrictionMemory> memory;
   if (fall.memory_distance > 0.0)
     memory = FrictionMemory{fall.memory_distance, fall.memory_velocity / speed};

@@ -32,13 +32,10 @@ double mean_second(const HeightCurve& curve) {
 /// F = radius - f(axial) = 0 on the wheel, z_xx = -F_xx / F_z there.
 Curvatures curvatures_at_contact_point(const PatchGeometry& patch) {
   const Vector3& e = patch.axle().direction;
-  const Vector3 place{0.0, 0.0, patch.wheel().at(0.0).value};
-  const auto [axial, radius] = patch.axle_place(place);
-  const CurveValue f = patch.wheel_radius().at(axial);
-  const auto radial = [&, axial = axial, radius = radius](int d) {
-    return (place[d] - patch.axle().point[d] - axial * e[d]) / radius;
-  };
-  const double radius_xx = (1.0 - e[0] * e[0] - radial(0) * radial(0)) / radius;
+  const AxlePlace at = patch.axle_place({0.0, 0.0, patch.wheel().at(0.0).value});
+  const CurveValue f = patch.wheel_radius().at(at.axial);
+  const auto radial = [&](std::size_t d) { return at.across[d] / at.radius; };
+  const double radius_xx = (1.0 - e[0] * e[0] - radial(0) * radial(0)) / at.radius;
   const double z_xx = -(radius_xx - f.second * e[0] * e[0]) / (radial(2) - f.slope * e[2]);
   return {0.5 * z_xx, 0.5 * (mean_second(patch.wheel()) - mean_second(patch.rail()))};
 }

@@ -19,24 +19,6 @@ constexpr double steepest = 12.0;
 /// Knots of the wheel's section.
 constexpr double knot_distance = 0.05;  // mm
 
-struct Along {
-  double axial;
-  Vector3 across;  ///< from the axle, perpendicular to it
-  double radius;
-};
-
-Along along_axle(const Axle& axle, const Vector3& place) {
-  Along result{};
-  for (int d = 0; d < 3; ++d) result.axial += (place[d] - axle.point[d]) * axle.direction[d];
-  double square = 0.0;
-  for (int d = 0; d < 3; ++d) {
-    result.across[d] = place[d] - axle.point[d] - result.axial * axle.direction[d];
-    square += result.across[d] * result.across[d];
-  }
-  result.radius = std::sqrt(square);
-  return result;
-}
-
 struct Height {
   double value;
   double slope;  ///< dz/dy
@@ -49,7 +31,7 @@ Height height_of(const HeightCurve& wheel_radius, const Axle& axle, double x, do
   double z = start;
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < 60; ++step) {
-    const Along at = along_axle(axle, {x, y, z});
+    const AxlePlace at = axle_place(axle, {x, y, z});
     const CurveValue wanted = wheel_radius.at(at.axial);
     const double defect = at.radius - wanted.value;
     const double by_z = at.across[2] / at.radius - wanted.slope * axle.direction[2];
@@ -76,7 +58,7 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
     while (direction * y <= direction * end) {
       const Height height = height_of(wheel_radius, axle, 0.0, y, z);
       if (!height.found || std::abs(height.slope) > steepest) return;
-      if (!wheel_radius.contains(along_axle(axle, {0.0, y, height.value}).axial)) return;
+      if (!wheel_radius.contains(axle_place(axle, {0.0, y, height.value}).axial)) return;
       knots.push_back({y, height.value, height.slope});
       const double step = direction * knot_distance / std::sqrt(1.0 + height.slope * height.slope);
       y += step;
@@ -103,6 +85,18 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
 
 }  // namespace
 
+AxlePlace axle_place(const Axle& axle, const Vector3& place) {
+  AxlePlace result;
+  for (int d = 0; d < 3; ++d) result.axial += (place[d] - axle.point[d]) * axle.direction[d];
+  double square = 0.0;
+  for (int d = 0; d < 3; ++d) {
+    result.across[d] = place[d] - axle.point[d] - result.axial * axle.direction[d];
+    square += result.across[d] * result.across[d];
+  }
+  result.radius = std::sqrt(square);
+  return result;
+}
+
 PatchGeometry::PatchGeometry(HeightCurve rail, HeightCurve wheel_radius, const Axle& axle,
                              double y_lower, double y_upper)
     : rail_(std::move(rail)),
@@ -116,11 +110,6 @@ PatchGeometry PatchGeometry::under_load(double approach, const std::array<double
   loaded.sinking_ = {{-approach * sinks[0] / sinks[1], -approach},
                      {approach * along[0] / along[1], approach}};
   return loaded;
-}
-
-AxlePlace PatchGeometry::axle_place(const Vector3& place) const {
-  const Along at = along_axle(axle_, place);
-  return {at.axial, at.radius};
 }
 
 double PatchGeometry::wheel_height(double x, double y) const {

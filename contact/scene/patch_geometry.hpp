@@ -35,7 +35,9 @@ struct Axle {
 struct AxlePlace {
   double axial = 0.0;   ///< mm along the axle
   double radius = 0.0;  ///< mm from the axle
+  Vector3 across{};     ///< mm, from the axle, perpendicular to it
 };
+AxlePlace axle_place(const Axle& axle, const Vector3& place);
 
 /// Position of the wheel under load, y and z of the patch frame.
 struct Sinking {
@@ -72,7 +74,7 @@ class PatchGeometry {
   /// wheel() after the sideways motion; z as at first touch.
   CurveValue wheel_under_load(double y) const { return wheel_.at(y - sinking_.way[0]); }
 
-  AxlePlace axle_place(const Vector3& place) const;
+  AxlePlace axle_place(const Vector3& place) const { return contact::axle_place(axle_, place); }
   /// Height z of the wheel's surface, mm; infinite outside the wheel.
   double wheel_height(double x, double y) const;
   /// Undeformed distance along z, mm; 0 where the bodies just touch, which need not be the origin.

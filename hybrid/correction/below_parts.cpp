@@ -2,7 +2,7 @@
 #include "hybrid/correction/below_parts.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/axes.hpp"
+#include "contact/result/stress_measures.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "halfspace/stress/smooth_stress.hpp"
 

@@ -5,7 +5,7 @@
 // compatible within a minor version; everything else may change with every commit.
 #pragma once
 
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
 #include "contact/result/quantities.hpp"

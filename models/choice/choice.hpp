@@ -6,7 +6,7 @@
 
 #include "contact/base/accuracy.hpp"
 #include "contact/base/progress.hpp"
-#include "contact/result/reached.hpp"
+#include "contact/result/refinement.hpp"
 #include "contact/result/result.hpp"
 #include "models/choice/forecast.hpp"
 

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
-#include "contact/result/reached.hpp"
+#include "contact/result/refinement.hpp"
 #include "contact/result/unsolved.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/scene_checkpoint.hpp"

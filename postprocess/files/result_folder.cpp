@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/files/result_folder.hpp"
 
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

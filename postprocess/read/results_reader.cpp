@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/read/results_reader.hpp"
 
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"

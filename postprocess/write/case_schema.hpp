@@ -2,7 +2,7 @@
 // The keys of a case file as a JSON schema (draft 7), for completion and checks of TOML in editors.
 #pragma once
 
-#include "contact/case/model_words.hpp"
+#include "contact/case/case_reader.hpp"
 
 #include <string>
 

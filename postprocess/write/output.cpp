@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/output.hpp"
 
-#include "contact/case/case_edit.hpp"
+#include "contact/case/case_reader.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/record_check.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/results_hdf5.hpp"
 
-#include "contact/case/slip_speed.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "contact/scene/friction_law.hpp"
@@ -42,7 +41,7 @@ std::string prescribed_forces(const contact::Case& input) {
 void write_friction_law(hid_t group, const contact::Case& input) {
   const contact::Friction law = contact::friction_of(input);
   if (!law || !law->feels_slip()) return;
-  const double speed = contact::slip_speed(input.rolling);
+  const double speed = input.rolling.slip_speed();
   write_attribute(group, "law", std::string(word_of(input.friction_fall.shape)));
   write_attribute(group, "speed", speed);
   write_attribute(group, "memory_distance", input.friction_fall.memory_distance);

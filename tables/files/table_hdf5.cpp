@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
 #include "tables/files/table_files.hpp"

@@ -186,7 +186,8 @@ TEST(HardMaterials, FrictionalPowerIsWhatTheMotionPutsIn) {
   input.rolling.creepages = {{2e-3, 1e-3, 1e-4}};
   const ModelResult result = halfspace::run_halfspace(input, {});
   const PointResult& point = result.points[0];
-  const contact::PowerBalance balance = contact::power_balance(result.grid, point, 1.0);
+  const contact::PowerBalance balance = contact::power_balance(
+      result.grid, point.fields.traction, point.fields.slip, point.creepage, 1.0);
   const double slope = 2.0 * contact::relative_curvatures(input).A;
   const Field x = result.grid.sample([](double at, double) { return at; });
   const double resistance = slope * result.grid.element_area() * x.dot(point.fields.traction.n);

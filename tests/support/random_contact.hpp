@@ -111,7 +111,8 @@ class RandomContacts : private RandomDraws {
   RandomContact falling_contact(unsigned number, int across, bool remembers) {
     RandomContact c = contact(number, across);
     constexpr double speed = 1e4, s_0 = 1.0;
-    const auto shape = static_cast<contact::FallShape>(1 + static_cast<int>(uniform(0.0, 2.999)));
+    const contact::FallShape& shape =
+        contact::fall_shapes().at(1 + static_cast<std::size_t>(uniform(0.0, 2.999)));
     const double kinetic = c.friction * uniform(0.2, 1.0);
     const double second = chance(0.3) ? uniform(0.0, 1.0) : 0.0;
     const auto part = [&](double share) {

@@ -68,7 +68,8 @@ class RandomScenes : private RandomDraws {
     contact::Scene& scene = random.scene;
     const bool shifts = scene.problem == contact::Problem::shift;
     const double mu = scene.friction_coefficient(), part = uniform(0.2, 1.0);
-    const auto shape = static_cast<contact::FallShape>(1 + static_cast<int>(uniform(0.0, 2.999)));
+    const contact::FallShape& shape =
+        contact::fall_shapes().at(1 + static_cast<std::size_t>(uniform(0.0, 2.999)));
     const double second = chance(0.3) ? uniform(0.0, 1.0) : 0.0;
     const auto fall = [&](double share) {
       const double half_slip = mu * log_uniform(5e-3, 5.0) * (shifts ? 0.5 * reach : 1.0);

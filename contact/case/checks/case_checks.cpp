@@ -35,20 +35,14 @@ bool replaces_radii(const GivenCase& given) {
   return false;
 }
 
-[[noreturn]] void fail_missing(const GivenCase& given, const Key& key, unsigned section_line,
+[[noreturn]] void fail_missing(const GivenCase& given, const Key& key, unsigned line,
                                const std::string& section) {
-  CaseProblem problem;
-  problem.line = section_line;
-  problem.column = section_line > 0 ? 1 : 0;
-  problem.key = key.path();
-  problem.wrong = "is missing";
-  problem.allowed = allowed_values(key);
-  problem.action = fmt::format("add `{} = {}` under {}", key.name, key.example, section);
-  fail(given.file, problem);
+  fail_missing(given, key.path(), line, "is missing", allowed_values(key),
+               fmt::format("add `{} = {}` under {}", key.name, key.example, section));
 }
 
 void check_required(const GivenCase& given) {
-  const bool radii_replaced = replaces_radii(given) || is_line(given);
+  const bool radii_replaced = replaces_radii(given) || when::line(given);
   for (const Section& section : case_sections()) {
     if (section.repeated) continue;
     const bool is_body = section.name == "wheel" || section.name == "rail";
@@ -82,12 +76,11 @@ void check_list_lengths(const GivenCase& given, const std::string& group) {
       continue;
     }
     if (length == expected) continue;
-    CaseProblem problem = problem_at(key.path(), value);
-    problem.wrong = fmt::format("has {} entries, but {} of line {} has {}", length, first_path,
-                                first->line, expected);
-    problem.allowed = "lists of one common length, or a single number for all " + group;
-    problem.action = "make the lists equally long";
-    fail(given.file, problem);
+    fail_at(given, key.path(), value,
+            fmt::format("has {} entries, but {} of line {} has {}", length, first_path, first->line,
+                        expected),
+            "lists of one common length, or a single number for all " + group,
+            "make the lists equally long");
   }
 }
 
@@ -99,11 +92,10 @@ void check_approach(const GivenCase& given, const Case& input) {
       std::min({input.wheel.rolling_radius, std::abs(input.wheel.transverse_radius),
                 std::abs(input.rail.transverse_radius)});
   if (*input.load.approach < 0.1 * smallest) return;
-  CaseProblem problem = problem_at("load.approach", *approach);
-  problem.wrong = fmt::format("is not small against the smallest radius, {} mm", smallest);
-  problem.allowed = fmt::format("less than {} mm, a tenth of it", 0.1 * smallest);
-  problem.action = "give a smaller approach, or a force; linear elasticity does not cover more";
-  fail(given.file, problem);
+  fail_at(given, "load.approach", *approach,
+          fmt::format("is not small against the smallest radius, {} mm", smallest),
+          fmt::format("less than {} mm, a tenth of it", 0.1 * smallest),
+          "give a smaller approach, or a force; linear elasticity does not cover more");
 }
 
 /// The contact grid of a line is one row of elements across its width.
@@ -125,26 +117,60 @@ void check_grid_of_line(const GivenCase& given, const Case& input) {
   check("middle", grid.middle[1], 0.0);
 }
 
+/// Keys used by only one kind of profile.
+bool is_read(const std::string& key, const std::string& profile, std::string& by) {
+  const auto among = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), key) != names.end();
+  };
+  const bool arcs = profile == "arcs";
+  const bool polynomial = profile == "polynomial";
+  if (among({"radii", "ends", "symmetric", "slope"})) {
+    by = "profile = \"arcs\"";
+    return arcs;
+  }
+  if (among({"coefficients", "limits"})) {
+    by = "profile = \"polynomial\"";
+    return polynomial;
+  }
+  if (among({"mirror", "rotation", "shift"})) return true;
+  by = "profiles from files";
+  // Names of built-in profiles have no extension; a file without extension is given as "./name".
+  return !arcs && !polynomial && profile.find_first_of("./") != std::string::npos;
+}
+
+/// One shape for each body, and only keys used by its kind of profile.
+void check_profile(const GivenCase& given, const std::string& body) {
+  const GivenValue* profile = given.find(body, "profile");
+  const std::string section = body + "_profile";
+  for (const auto& [key, value] : given.values) {
+    if (key->section != section) continue;
+    if (profile == nullptr)
+      fail_at(given, key->path(), value,
+              fmt::format("is not used, because {}.profile is missing", body),
+              fmt::format("[{}] together with [{}] profile", section, body),
+              fmt::format("add `profile = \"FILE\"` under [{}], or remove [{}]", body, section));
+    std::string by;
+    if (!is_read(key->name, std::get<std::string>(profile->value), by))
+      fail_at(given, key->path(), value,
+              fmt::format("is not used with {}.profile = {}", body, profile->text), by,
+              "remove it, or name another profile");
+  }
+  if (profile != nullptr && std::get<std::string>(profile->value).empty())
+    fail_at(given, body + ".profile", *profile, "is empty",
+            "a built-in profile, arcs, polynomial or a file", "name one");
+}
+
 }  // namespace
-
-bool is_line(const GivenCase& given) {
-  const GivenValue* shape = given.find("geometry", "shape");
-  return shape != nullptr && std::get<std::string>(shape->value) == "line";
-}
-
-bool has_profiles(const GivenCase& given) {
-  return given.find("wheel", "profile") != nullptr || given.find("rail", "profile") != nullptr;
-}
 
 const GivenValue* GivenCase::find(const std::string& section, const std::string& name) const {
   const auto found = values.find(find_key(section, name));
   return found == values.end() ? nullptr : &found->second;
 }
 
-std::string word_of(const GivenCase& given, const char* section, const char* name,
-                    const char* otherwise) {
+std::string word_of(const GivenCase& given, const char* section, const char* name) {
   const GivenValue* value = given.find(section, name);
-  return value == nullptr ? otherwise : std::get<std::string>(value->value);
+  return std::get<std::string>(value == nullptr ? find_key(section, name)->get(default_case())
+                                                : value->value);
 }
 
 bool is_option(const std::string& file) {
@@ -170,11 +196,12 @@ void fail(const std::string& file, const CaseProblem& problem) {
 
 void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
              const std::string& wrong, const std::string& allowed, const std::string& action) {
-  CaseProblem problem = problem_at(path, value);
-  problem.wrong = wrong;
-  problem.allowed = allowed;
-  problem.action = action;
-  fail(given.file, problem);
+  fail(given.file, {value.line, value.column, path, value.text, wrong, allowed, action});
+}
+
+void fail_missing(const GivenCase& given, const std::string& path, unsigned line,
+                  const std::string& wrong, const std::string& allowed, const std::string& action) {
+  fail(given.file, {line, line > 0 ? 1U : 0U, path, "", wrong, allowed, action});
 }
 
 void check_entries(const GivenCase& given) {
@@ -185,7 +212,7 @@ void check_entries(const GivenCase& given) {
 }
 
 void check_together(const GivenCase& given) {
-  check_profiles(given);
+  for (const char* body : {"wheel", "rail"}) check_profile(given, body);
   check_rules(given);
   check_required(given);
   check_entries(given);
@@ -196,42 +223,39 @@ void check_together(const GivenCase& given) {
 void check_geometry(const GivenCase& given, const Case& input) {
   check_approach(given, input);
   check_grid_of_line(given, input);
-  if (replaces_radii(given) || has_profiles(given) || is_line(given)) return;
+  if (replaces_radii(given) || when::profiles(given) || when::line(given)) return;
   const double wheel = input.wheel.transverse_radius;
   const double rail = input.rail.transverse_radius;
   // B > 0 is not sufficient: radii that cancel to rounding would pass and overflow later.
   const double scale = 1.0 / std::abs(wheel) + 1.0 / std::abs(rail);
   if (1.0 / wheel + 1.0 / rail > 1e-9 * scale) return;
-  CaseProblem problem =
-      problem_at("wheel.transverse_radius", *given.find("wheel", "transverse_radius"));
-  if (std::isinf(wheel) && std::isinf(rail)) {
-    problem.wrong = "flat on a flat rail is an endless line contact";
-    problem.allowed = "a finite radius of the wheel or of the rail";
-    problem.action =
-        "give one of the two profiles a radius, which may be very large, or write shape = \"line\" "
-        "under [geometry]";
-  } else if (wheel < 0.0 && rail > 0.0 && !std::isinf(rail)) {
-    problem.wrong = fmt::format(
-        "concave and not wider than the rail's {} mm: the bodies would not touch in the middle",
-        rail);
-    problem.allowed = fmt::format("a concave radius below {} mm (larger in magnitude)", -rail);
-    problem.action = "flatten the wheel's profile or sharpen the rail's";
-  } else if (rail < 0.0 && wheel > 0.0 && !std::isinf(wheel)) {
-    problem.wrong = fmt::format(
-        "convex and not sharper than the concave rail's {} mm: the bodies would not touch in the "
-        "middle",
-        rail);
-    problem.allowed = fmt::format("a convex radius from 0 to below {} mm", -rail);
-    problem.action = "sharpen the wheel's profile or flatten the rail's";
-  } else {
-    problem.wrong = fmt::format(
-        "with rail.transverse_radius = {} leaves no convex body: the bodies would touch at their "
-        "edges",
-        rail);
-    problem.allowed = "at least one convex (positive) radius";
-    problem.action = "check the signs: positive is convex, for wheel and rail";
-  }
-  fail(given.file, problem);
+  const auto fail_here = [&](const std::string& wrong, const std::string& allowed,
+                             const std::string& action) {
+    fail_at(given, "wheel.transverse_radius", *given.find("wheel", "transverse_radius"), wrong,
+            allowed, action);
+  };
+  if (std::isinf(wheel) && std::isinf(rail))
+    fail_here("flat on a flat rail is an endless line contact",
+              "a finite radius of the wheel or of the rail",
+              "give one of the two profiles a radius, which may be very large, or write shape = "
+              "\"line\" under [geometry]");
+  if (wheel < 0.0 && rail > 0.0 && !std::isinf(rail))
+    fail_here(fmt::format("concave and not wider than the rail's {} mm: the bodies would not touch "
+                          "in the middle",
+                          rail),
+              fmt::format("a concave radius below {} mm (larger in magnitude)", -rail),
+              "flatten the wheel's profile or sharpen the rail's");
+  if (rail < 0.0 && wheel > 0.0 && !std::isinf(wheel))
+    fail_here(fmt::format("convex and not sharper than the concave rail's {} mm: the bodies would "
+                          "not touch in the middle",
+                          rail),
+              fmt::format("a convex radius from 0 to below {} mm", -rail),
+              "sharpen the wheel's profile or flatten the rail's");
+  fail_here(fmt::format("with rail.transverse_radius = {} leaves no convex body: the bodies would "
+                        "touch at their edges",
+                        rail),
+            "at least one convex (positive) radius",
+            "check the signs: positive is convex, for wheel and rail");
 }
 
 }  // namespace rollfem::contact

@@ -52,8 +52,7 @@ bool is_option(const std::string& file);
 [[noreturn]] void fail(const std::string& file, const CaseProblem& problem);
 
 /// The value of a word, or its default.
-std::string word_of(const GivenCase& given, const char* section, const char* name,
-                    const char* otherwise);
+std::string word_of(const GivenCase& given, const char* section, const char* name);
 
 /// Missing and contradictory keys, lists of different lengths. Throws InputError.
 void check_together(const GivenCase& given);
@@ -64,15 +63,6 @@ void check_entries(const GivenCase& given);
 /// Checks the number of subsurface points and, where the `bodies` of the case are known, that the
 /// points lie in them. Throws InputError.
 void check_places(const GivenCase& given, const Case& input, bool bodies = true);
-
-/// Rejects unused keys of [wheel_profile] and [rail_profile]. Throws InputError.
-void check_profiles(const GivenCase& given);
-
-/// Wheel or rail is given by a profile.
-bool has_profiles(const GivenCase& given);
-
-/// The contact is one of endless rollers.
-bool is_line(const GivenCase& given);
 
 /// Fills in derived values: the load of a history or a given pressure, radii that are not needed
 /// (inf), the length of the history, which creepages are given, lists over positions of the
@@ -90,6 +80,11 @@ CaseProblem problem_at(const std::string& path, const GivenValue& given);
 [[noreturn]] void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
                           const std::string& wrong, const std::string& allowed,
                           const std::string& action);
+
+/// Throws InputError: the key is missing in a section that begins on this line (0: missing too).
+[[noreturn]] void fail_missing(const GivenCase& given, const std::string& path, unsigned line,
+                               const std::string& wrong, const std::string& allowed,
+                               const std::string& action);
 
 /// Line on which a section begins, 0 if missing.
 unsigned section_line(const GivenCase& given, const std::string& section);

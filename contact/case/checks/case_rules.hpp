@@ -3,17 +3,15 @@
 // mutually exclusive alternatives, and groups with one required key.
 #pragma once
 
-#include "contact/case/checks/case_checks.hpp"
+#include "contact/case/checks/conditions.hpp"
 
 #include <vector>
 
 namespace rollfem::contact {
 
-/// Condition under which a rule applies to a case.
-using Condition = bool (*)(const GivenCase&);
-
 /// Keys that are not allowed if the condition holds: "section.name", with at most one *. In the
-/// texts, {problem} stands for the problem, {slip} for extra_slip, {law} for the friction law.
+/// texts, {problem} stands for the problem, {slip} for extra_slip, {law} for the friction law and
+/// {laws} for those that fall.
 struct Exclusion {
   Condition where;
   std::vector<const char*> keys;
@@ -23,14 +21,7 @@ struct Exclusion {
   bool defaults_too = false;  ///< also rejected with a value that has no effect
 };
 
-/// Keys excluded by the shape of the bodies.
-const std::vector<Exclusion>& exclusions_of_shapes();
-
-/// Keys excluded by the problem, or by data given instead of a part of it.
-const std::vector<Exclusion>& exclusions_of_problems();
-
-/// Keys excluded by a constant coefficient of friction, or by another law.
-const std::vector<Exclusion>& exclusions_of_friction();
+extern const std::vector<Exclusion> exclusions;
 
 /// Alternative keys: at most one of them is allowed.
 struct Rivals {
@@ -40,7 +31,7 @@ struct Rivals {
   bool by_point = false;  ///< a list with nan leaves these load points to the other key
 };
 
-const std::vector<Rivals>& rivals();
+extern const std::vector<Rivals> rivals;
 
 /// One of these keys is required where the condition holds.
 struct Need {
@@ -51,9 +42,7 @@ struct Need {
   const char* action;
 };
 
-const std::vector<Need>& needs();
-/// Of falling friction and of a layer.
-const std::vector<Need>& needs_of_friction();
+extern const std::vector<Need> needs;
 
 /// Applies the rules to the given keys. Throws InputError.
 void check_rules(const GivenCase& given);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Checks a case against the tables of case_rules.cpp.
+#include "contact/case/case_text.hpp"
 #include "contact/case/checks/case_rules.hpp"
 
 #include <fmt/format.h>
@@ -33,8 +34,7 @@ bool asks_for_nothing(const Key& key, const GivenValue& given) {
 
 /// Two defaults also contradict each other.
 bool is_none(const Key&, const GivenValue& given) {
-  const auto* word = std::get_if<std::string>(&given.value);
-  return word != nullptr && *word == "none";
+  return given.value == KeyValue(std::string("none"));
 }
 
 struct Found {
@@ -50,17 +50,26 @@ Found find_match(const GivenCase& given, const char* pattern,
   return {};
 }
 
+std::string falling_laws() {
+  std::vector<std::string> words;
+  for (const FallShape& shape : fall_shapes())
+    if (shape != FallShape::none) words.emplace_back(shape.word);
+  return joined(words);
+}
+
 void check_exclusion(const GivenCase& given, const Exclusion& rule) {
   if (!rule.where(given)) return;
   for (const char* pattern : rule.keys) {
     const Found found = find_match(given, pattern, rule.defaults_too ? is_none : asks_for_nothing);
     if (found.key == nullptr) continue;
-    const std::string wrong =
-        fmt::format(fmt::runtime(rule.wrong),
-                    fmt::arg("problem", word_of(given, "rolling", "problem", "steady")),
-                    fmt::arg("slip", word_of(given, "rolling", "extra_slip", "auto")),
-                    fmt::arg("law", word_of(given, "friction", "law", "constant")));
-    fail_at(given, found.key->path(), *found.value, wrong, rule.allowed, rule.action);
+    const auto filled = [&](const char* text) {
+      return fmt::format(
+          fmt::runtime(text), fmt::arg("problem", word_of(given, "rolling", "problem")),
+          fmt::arg("slip", word_of(given, "rolling", "extra_slip")),
+          fmt::arg("law", word_of(given, "friction", "law")), fmt::arg("laws", falling_laws()));
+    };
+    fail_at(given, found.key->path(), *found.value, filled(rule.wrong), filled(rule.allowed),
+            rule.action);
   }
 }
 
@@ -90,25 +99,16 @@ void check_need(const GivenCase& given, const Need& rule) {
     for (const auto& [known, value] : given.values)
       if (known->path() == key) return;
   const std::string path = rule.one_of.front();
-  CaseProblem problem;
-  problem.line = section_line(given, path.substr(0, path.find('.')));
-  problem.column = problem.line > 0 ? 1 : 0;
-  problem.key = path;
-  problem.wrong = rule.wrong;
-  problem.allowed = rule.allowed;
-  problem.action = rule.action;
-  fail(given.file, problem);
+  fail_missing(given, path, section_line(given, path.substr(0, path.find('.'))), rule.wrong,
+               rule.allowed, rule.action);
 }
 
 }  // namespace
 
 void check_rules(const GivenCase& given) {
-  for (const auto* rules :
-       {&exclusions_of_shapes(), &exclusions_of_problems(), &exclusions_of_friction()})
-    for (const Exclusion& rule : *rules) check_exclusion(given, rule);
-  for (const Rivals& rule : rivals()) check_rivals(given, rule);
-  for (const auto* rules : {&needs(), &needs_of_friction()})
-    for (const Need& rule : *rules) check_need(given, rule);
+  for (const Exclusion& rule : exclusions) check_exclusion(given, rule);
+  for (const Rivals& rule : rivals) check_rivals(given, rule);
+  for (const Need& rule : needs) check_need(given, rule);
 }
 
 }  // namespace rollfem::contact

@@ -18,39 +18,13 @@ struct Declarations {
 Declarations gather() {
   Declarations all;
   std::vector<std::size_t> counts;
-  for (auto* declare : {&general_section,
-                        &load_section,
-                        &friction_section,
-                        &layer_section,
-                        &wheel_section,
-                        &rail_section,
-                        &geometry_section,
-                        &wheel_profile_section,
-                        &rail_profile_section,
-                        &track_section,
-                        &wheelset_section,
-                        &rolling_section,
-                        &history_section,
-                        &undeformed_distance_section,
-                        &given_pressure_section,
-                        &contact_grid_section,
-                        &halfspace_section,
-                        &fastsim_section,
-                        &strip_section,
-                        &carter_section,
-                        &polach_section,
-                        &fem_section,
-                        &output_section,
-                        &table_section,
-                        &subsurface_point_section,
-                        &subsurface_line_section,
-                        &subsurface_plane_section,
-                        &subsurface_surface_section}) {
-    SectionWithKeys declared = declare();
-    all.sections.push_back(declared.section);
-    counts.push_back(declared.keys.size());
-    std::move(declared.keys.begin(), declared.keys.end(), std::back_inserter(all.keys));
-  }
+  for (auto* declare : {&load_sections, &friction_sections, &body_sections, &track_sections,
+                        &rolling_sections, &contact_sections, &model_sections, &output_sections})
+    for (SectionWithKeys& declared : declare()) {
+      all.sections.push_back(declared.section);
+      counts.push_back(declared.keys.size());
+      std::move(declared.keys.begin(), declared.keys.end(), std::back_inserter(all.keys));
+    }
   const Key* next = all.keys.data();
   for (std::size_t k = 0; k < counts.size(); ++k) {
     all.sections[k].first = next;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Declaration of a key in named parts, ending with the member of the case that it sets:
+// A key is one row: name, member of the case that it sets, what else belongs to it, a sentence.
 //
 //   Keys<Load> keys("load", "Load that presses the bodies together", &Case::load);
-//   keys.real("normal_force").symbol("F_z").unit("N").between(1e-6, 1e12)
-//       .says("Force that presses the wheel on the rail.").into(&Load::normal_force);
+//   keys.add("normal_force", &Load::normal_force, symbol("F_z"), unit("N"), between(1e-6, 1e12),
+//            "Force that presses the wheel on the rail.");
 //
-// Private to contact/case/keys_*.cpp; each of these files declares one section, or sections that
-// share their keys.
+// Private to contact/case/keys, whose files each declare the sections of one subject.
 #pragma once
 
 #include "contact/case/keys/case_keys.hpp"
@@ -15,6 +14,7 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace rollfem::contact {
@@ -41,84 +41,75 @@ Choices<Value> words_of(std::initializer_list<Value> members) {
   return choices;
 }
 
-// Conversion between members of a case and values of keys.
-
-inline KeyValue value_of(bool member) {
-  return member;
-}
-inline KeyValue value_of(double member) {
-  return member;
-}
-inline KeyValue value_of(int member) {
-  return static_cast<double>(member);
-}
-inline KeyValue value_of(const std::string& member) {
-  return member.empty() ? KeyValue() : KeyValue(member);
-}
-inline KeyValue value_of(const Words& member) {
-  return member;
-}
-inline KeyValue value_of(const Numbers& member) {
-  return member.empty() ? KeyValue() : KeyValue(member);
-}
-inline KeyValue value_of(const Lattice& member) {
-  return member.file;
-}
-template <class Number, std::size_t count>
-KeyValue value_of(const std::array<Number, count>& member) {
-  return Numbers(member.begin(), member.end());
-}
+/// What a member that may be absent holds; otherwise the member itself.
 template <class Member>
-KeyValue value_of(const std::optional<Member>& member) {
-  return member ? value_of(*member) : KeyValue();
-}
-
-inline void assign(bool& member, const KeyValue& value) {
-  member = std::get<bool>(value);
-}
-inline void assign(double& member, const KeyValue& value) {
-  member = std::get<double>(value);
-}
-inline void assign(int& member, const KeyValue& value) {
-  member = static_cast<int>(std::get<double>(value));
-}
-inline void assign(std::string& member, const KeyValue& value) {
-  member = std::get<std::string>(value);
-}
-inline void assign(Words& member, const KeyValue& value) {
-  member = std::get<Words>(value);
-}
-inline void assign(Numbers& member, const KeyValue& value) {
-  member = std::get<Numbers>(value);
-}
-/// A file of points: the reader fills in the rest.
-inline void assign(Lattice& member, const KeyValue& value) {
-  member.file = std::get<std::string>(value);
-}
-template <class Number, std::size_t count>
-void assign(std::array<Number, count>& member, const KeyValue& value) {
-  const auto& numbers = std::get<Numbers>(value);
-  for (std::size_t i = 0; i < numbers.size(); ++i) member.at(i) = static_cast<Number>(numbers[i]);
-}
-template <class Member>
-void assign(std::optional<Member>& member, const KeyValue& value) {
-  assign(member.emplace(), value);
-}
-/// nan, where it is allowed, stands for no number.
-inline void assign(std::optional<double>& member, const KeyValue& value) {
-  const double number = std::get<double>(value);
-  member = std::isnan(number) ? std::nullopt : std::optional(number);
-}
-
-/// The value of a word, for a member that may be absent.
-template <class Member>
-struct Chosen {
+struct Held {
   using Value = Member;
 };
 template <class Member>
-struct Chosen<std::optional<Member>> {
+struct Held<std::optional<Member>> {
   using Value = Member;
 };
+template <class Member>
+constexpr bool is_optional = !std::is_same_v<Member, typename Held<Member>::Value>;
+
+template <class Member>
+constexpr std::size_t array_size = 0;
+template <class Number, std::size_t count>
+constexpr std::size_t array_size<std::array<Number, count>> = count;
+
+/// The kind of the keys of a member.
+template <class Member>
+constexpr KeyKind kind_of() {
+  using Value = typename Held<Member>::Value;
+  if constexpr (std::is_same_v<Value, bool>) return KeyKind::boolean;
+  if constexpr (std::is_same_v<Value, int>) return KeyKind::integer;
+  if constexpr (std::is_same_v<Value, double>) return KeyKind::number;
+  if constexpr (std::is_same_v<Value, Numbers>) return KeyKind::numbers;
+  if constexpr (std::is_same_v<Value, Words>) return KeyKind::words;
+  if constexpr (array_size<Value> == 2) return KeyKind::pair;
+  if constexpr (array_size<Value> == 3) return KeyKind::triple;
+  return KeyKind::text;
+}
+
+/// The value that a member has as a key.
+template <class Member>
+KeyValue value_of(const Member& member) {
+  if constexpr (is_optional<Member>)
+    return member ? value_of(*member) : KeyValue();
+  else if constexpr (std::is_same_v<Member, int>)
+    return static_cast<double>(member);
+  else if constexpr (std::is_same_v<Member, Lattice>)
+    return member.file;
+  else if constexpr (array_size<Member> > 0)
+    return Numbers(member.begin(), member.end());
+  else if constexpr (std::is_same_v<Member, std::string> || std::is_same_v<Member, Numbers>)
+    return member.empty() ? KeyValue() : KeyValue(member);
+  else
+    return member;
+}
+
+/// nan, where it is allowed, stands for no number. Of a file of points the reader fills in the
+/// rest.
+template <class Member>
+void assign(Member& member, const KeyValue& value) {
+  if constexpr (std::is_same_v<Member, std::optional<double>>) {
+    const double number = std::get<double>(value);
+    member = std::isnan(number) ? std::nullopt : std::optional(number);
+  } else if constexpr (is_optional<Member>) {
+    assign(member.emplace(), value);
+  } else if constexpr (std::is_same_v<Member, int>) {
+    member = static_cast<int>(std::get<double>(value));
+  } else if constexpr (std::is_same_v<Member, Lattice>) {
+    member.file = std::get<std::string>(value);
+  } else if constexpr (array_size<Member> > 0) {
+    const auto& numbers = std::get<Numbers>(value);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      member.at(i) = static_cast<typename Member::value_type>(numbers[i]);
+  } else {
+    member = std::get<Member>(value);
+  }
+}
 
 /// A single number when all entries are the same; nothing when all are nan.
 KeyValue shortened(Numbers values);
@@ -146,146 +137,133 @@ inline Place<Case> whole_case() {
   return {[](const Case& c) { return &c; }, [](Case& c) -> Case& { return c; }};
 }
 
-/// The member at the end of a path of pointers to members, or of functions.
-template <class Part>
-Part& follow(Part& part) {
-  return part;
-}
-template <class Part, class First, class... Rest>
-auto& follow(Part& part, const First& first, const Rest&... rest) {
-  return follow(std::invoke(first, part), rest...);
-}
+// What belongs to a key besides its name, member and sentence.
 
-/// One key being declared: a chain of calls that ends with `into` or `by`.
-template <class Part>
-class KeyBuilder {
- public:
-  KeyBuilder(Key& key, Place<Part> place) : key_(key), place_(std::move(place)) {}
-
-  KeyBuilder& symbol(const std::string& text) { return put(key_.symbol, text); }
-  KeyBuilder& unit(const std::string& text) { return put(key_.unit, text); }
-  KeyBuilder& says(const std::string& sentence) { return put(key_.sentence, sentence); }
-  KeyBuilder& example(const std::string& toml) { return put(key_.example, toml); }
-  /// Behaviour without the key, if there is no default value.
-  KeyBuilder& otherwise(const std::string& text) { return put(key_.when_absent, text); }
-  KeyBuilder& among(const Words& words) { return put(key_.words, words); }
-  KeyBuilder& or_empty() { return put(key_.empty, true); }
-  /// Lists with the same `per` have equal length; a single number applies to all entries.
-  KeyBuilder& per(const std::string& what) { return put(key_.per, what); }
-  KeyBuilder& required(const std::string& toml) {
-    key_.required = true;
-    return example(toml);
-  }
-
-  KeyBuilder& between(double lower, double upper) { return put(key_.bounds, {lower, upper}); }
-  KeyBuilder& positive() { return between(smallest, largest); }
-  /// Lengths, velocities and densities that may vanish, but not almost: work grows as their
-  /// inverse.
-  KeyBuilder& zero_or(double lower, double upper) {
-    return put(key_.bounds, {lower, upper, false, false, false, true});
-  }
-  /// Bounds of the absolute value.
-  KeyBuilder& sized(double lower, double upper) {
-    return put(key_.bounds, {lower, upper, false, true});
-  }
-  KeyBuilder& within(double limit) { return sized(0.0, limit); }
-  /// The upper bound itself is outside.
-  KeyBuilder& upper_open() { return put(key_.bounds.upper_open, true); }
-  KeyBuilder& or_inf() { return put(key_.bounds.infinite, true); }
-  KeyBuilder& or_nan() { return put(key_.bounds.none, true); }
-
-  /// The member set by the key, at the end of a path from the section's part.
-  template <class... Path>
-  void into(Path... path) {
-    const bool listed = !key_.per.empty();
-    by(
-        [listed, path...](const Part& part) {
-          const KeyValue value = value_of(follow(part, path...));
-          const auto* numbers = std::get_if<Numbers>(&value);
-          return listed && numbers != nullptr ? shortened(*numbers) : value;
-        },
-        [path...](Part& part, const KeyValue& value) { assign(follow(part, path...), value); });
-  }
-
-  /// The same for a word with a value.
-  template <class Member>
-  void into(Member Part::*member, const Choices<typename Chosen<Member>::Value>& choices) {
-    into_chosen(
-        [member](auto& part) -> auto& { return part.*member; }, choices);
-  }
-  template <class Whole, class Member>
-  void into(Whole Part::*whole, Member Whole::*member, const Choices<Member>& choices) {
-    into_chosen(
-        [ whole, member ](auto& part) -> auto& { return part.*whole.*member; }, choices);
-  }
-
-  /// One number for each load point, in the entries of a list, which are created if missing.
-  template <class Entry, class... Path>
-  void into_each(std::vector<Entry> Part::*list, Path... path) {
-    per("load points");
-    key_.get = [find = place_.find, list, path...](const Case& c) {
-      Numbers numbers;
-      for (const Entry& entry : find(c)->*list) {
-        const KeyValue value = value_of(follow(entry, path...));
-        const auto* number = std::get_if<double>(&value);
-        numbers.push_back(number != nullptr ? *number : std::nan(""));
-      }
-      return shortened(numbers);
-    };
-    key_.set = [make = place_.make, list, path...](Case& c, const KeyValue& value) {
-      const auto& numbers = std::get<Numbers>(value);
-      auto& entries = make(c).*list;
-      entries.resize(c.rolling.creepages.size());
-      grow_load_points(c, numbers.size());
-      for (std::size_t k = 0; k < entries.size(); ++k)
-        assign(follow(entries[k], path...), numbers.size() == 1 ? numbers.front() : numbers.at(k));
-    };
-  }
-
-  /// For anything other than a plain member: both functions receive the section's part.
-  void by(std::function<KeyValue(const Part&)> get,
-          std::function<void(Part&, const KeyValue&)> set) {
-    key_.get = [find = place_.find, get = std::move(get)](const Case& c) {
-      const Part* part = find(c);
-      return part == nullptr ? KeyValue() : get(*part);
-    };
-    key_.set = [make = place_.make, set = std::move(set)](Case& c, const KeyValue& value) {
-      set(make(c), value);
-    };
-  }
-
- private:
-  template <class Find, class Choice>
-  void into_chosen(Find find, const Choices<Choice>& choices) {
-    for (const auto& [word, value] : choices) key_.words.emplace_back(word);
-    by(
-        [find, choices](const Part& part) -> KeyValue {
-          for (const auto& [word, value] : choices)
-            if (find(part) == value) return std::string(word);
-          return {};
-        },
-        [find, choices](Part& part, const KeyValue& given) {
-          for (const auto& [word, value] : choices)
-            if (std::get<std::string>(given) == word) find(part) = value;
-        });
-  }
-
-  template <class Member, class Value = Member>
-  KeyBuilder& put(Member& member, Value value) {
-    member = std::move(value);
-    return *this;
-  }
-
-  Key& key_;
-  Place<Part> place_;
+template <class Value>
+struct Trait {
+  Value Key::*member;
+  Value value;
 };
+
+/// Makes traits of one kind: symbol("F_z").
+template <class Value>
+struct TraitOf {
+  Value Key::*member;
+  Trait<Value> operator()(Value value) const { return {member, std::move(value)}; }
+};
+
+inline constexpr TraitOf<std::string> symbol{&Key::symbol};
+inline constexpr TraitOf<std::string> unit{&Key::unit};
+inline constexpr TraitOf<std::string> example{&Key::example};
+/// Behaviour without the key, if there is no default value.
+inline constexpr TraitOf<std::string> otherwise{&Key::when_absent};
+inline constexpr TraitOf<Words> among{&Key::words};
+/// Lists with the same `per` have equal length; a single number applies to all entries.
+inline constexpr TraitOf<std::string> per{&Key::per};
+inline constexpr Trait<bool> or_empty{&Key::empty, true};
+/// `check` says nothing of the key where its member is as without it.
+struct Silent {};
+inline constexpr Silent silent_default;
+
+/// The key must be given; `new-case` writes the example.
+struct Required {
+  const char* example;
+};
+
+inline Bounds between(double lower, double upper) {
+  return {lower, upper};
+}
+inline Bounds positive() {
+  return between(smallest, largest);
+}
+/// Lengths, velocities and densities that may vanish, but not almost: work grows as their inverse.
+inline Bounds zero_or(double lower, double upper) {
+  return {lower, upper, false, false, false, true};
+}
+/// Bounds of the absolute value.
+inline Bounds sized(double lower, double upper) {
+  return {lower, upper, false, true};
+}
+inline Bounds within(double limit) {
+  return sized(0.0, limit);
+}
+/// The upper bound itself is outside.
+inline Bounds upper_open(Bounds bounds) {
+  bounds.upper_open = true;
+  return bounds;
+}
+inline Bounds or_inf(Bounds bounds) {
+  bounds.infinite = true;
+  return bounds;
+}
+inline Bounds or_nan(Bounds bounds) {
+  bounds.none = true;
+  return bounds;
+}
+
+template <class Value>
+void add_to(Key& key, const Trait<Value>& trait) {
+  key.*trait.member = trait.value;
+}
+inline void add_to(Key& key, const Bounds& bounds) {
+  key.bounds = bounds;
+}
+inline void add_to(Key& key, const Required& required) {
+  key.required = true;
+  key.example = required.example;
+}
+inline void add_to(Key& key, const std::string& sentence) {
+  key.sentence = sentence;
+}
+
+inline void add_to(Key&, const Silent&) {}
+
+// How a key reads and sets its member.
+
+template <class Part>
+struct Access {
+  std::function<KeyValue(const Part&)> get;
+  std::function<void(Part&, const KeyValue&)> set;
+};
+
+/// `path`: pointer to a member, or a function of the part.
+template <class Part, class Path>
+Access<Part> access_to(Path path) {
+  return {[path](const Part& part) { return value_of(std::invoke(path, part)); },
+          [path](Part& part, const KeyValue& value) { assign(std::invoke(path, part), value); }};
+}
+
+template <class Part, class Path>
+using MemberOf = std::decay_t<std::invoke_result_t<Path, Part&>>;
+
+/// A member of a member.
+template <class Part, class Whole, class Member>
+auto inside(Whole Part::*whole, Member Whole::*member) {
+  return [whole, member](auto& part) -> decltype(auto) { return (part.*whole.*member); };
+}
+
+/// One number for each load point, in the entries of a list, which are created if missing.
+template <class Part, class Entry>
+struct Each {
+  std::vector<Entry> Part::*list;
+  Access<Entry> entry;
+};
+template <class Part, class Entry, class Path>
+Each<Part, Entry> of_each(std::vector<Entry> Part::*list, Path path) {
+  return {list, access_to<Entry>(path)};
+}
+template <class Part>
+Each<Part, double> of_each(std::vector<double> Part::*list) {
+  return {list, access_to<double>([](auto& entry) -> decltype(auto) { return (entry); })};
+}
 
 struct SectionWithKeys {
   Section section;
   std::vector<Key> keys;
 };
+using Sections = std::vector<SectionWithKeys>;
 
-/// A section being declared.
+/// A section being declared: one call for each of its keys.
 template <class Part>
 class Keys {
  public:
@@ -295,61 +273,102 @@ class Keys {
     declared_.section.sentence = sentence;
   }
 
-  KeyBuilder<Part> text(const std::string& name) { return key(name, KeyKind::text); }
-  KeyBuilder<Part> choice(const std::string& name) { return key(name, KeyKind::word); }
-  KeyBuilder<Part> choices(const std::string& name) { return key(name, KeyKind::words); }
-  KeyBuilder<Part> lean(const std::string& name) { return key(name, KeyKind::lean); }
-  KeyBuilder<Part> real(const std::string& name) { return key(name, KeyKind::number); }
-  KeyBuilder<Part> integer(const std::string& name) { return key(name, KeyKind::integer); }
-  KeyBuilder<Part> toggle(const std::string& name) { return key(name, KeyKind::boolean); }
-  KeyBuilder<Part> pair(const std::string& name) { return key(name, KeyKind::pair); }
-  KeyBuilder<Part> triple(const std::string& name) { return key(name, KeyKind::triple); }
-  KeyBuilder<Part> reals(const std::string& name) { return key(name, KeyKind::numbers); }
+  /// The kind of the key is that of the member.
+  template <class Path, class... Traits>
+  void add(const std::string& name, const Path& path, const Traits&... traits) {
+    add(kind_of<MemberOf<Part, Path>>(), name, access_to<Part>(path), traits...);
+  }
+  template <class Entry, class... Traits>
+  void add(const std::string& name, const Each<Part, Entry>& each, const Traits&... traits) {
+    bind(declare(KeyKind::numbers, name, per("load points"), traits...), each);
+  }
+  /// Words that stand for values of the member.
+  template <class Path, class... Traits>
+  void add(const std::string& name, const Path& path,
+           const Choices<typename Held<MemberOf<Part, Path>>::Value>& choices,
+           const Traits&... traits) {
+    Words words;
+    for (const auto& [word, value] : choices) words.emplace_back(word);
+    const auto word_of_member = [path, choices](const Part& part) -> KeyValue {
+      for (const auto& [word, value] : choices)
+        if (std::invoke(path, part) == value) return std::string(word);
+      return {};
+    };
+    const auto set_member = [path, choices](Part& part, const KeyValue& given) {
+      for (const auto& [word, value] : choices)
+        if (std::get<std::string>(given) == word) std::invoke(path, part) = value;
+    };
+    add(KeyKind::word, name, Access<Part>{word_of_member, set_member}, among(words), traits...);
+  }
+  /// For anything other than a member.
+  template <class... Traits>
+  void add(KeyKind kind, const std::string& name, Access<Part> access, const Traits&... traits) {
+    if constexpr ((std::is_same_v<Traits, Silent> || ...))
+      access.get = [get = access.get](const Part& part) {
+        const KeyValue value = get(part);
+        return value == get(Part()) ? KeyValue() : value;
+      };
+    bind(declare(kind, name, traits...), access);
+  }
 
   Section& section() { return declared_.section; }
   operator SectionWithKeys() { return std::move(declared_); }
 
  private:
-  KeyBuilder<Part> key(const std::string& name, KeyKind kind) {
-    Key& added = declared_.keys.emplace_back();
-    added.section = declared_.section.name;
-    added.name = name;
-    added.kind = kind;
-    return {added, place_};
+  template <class... Traits>
+  Key& declare(KeyKind kind, const std::string& name, const Traits&... traits) {
+    Key& key = declared_.keys.emplace_back();
+    key.section = declared_.section.name;
+    key.name = name;
+    key.kind = kind;
+    (add_to(key, traits), ...);
+    return key;
+  }
+  void bind(Key& key, const Access<Part>& access) {
+    const bool listed = !key.per.empty();
+    key.get = [find = place_.find, get = access.get, listed](const Case& c) {
+      const Part* part = find(c);
+      const KeyValue value = part == nullptr ? KeyValue() : get(*part);
+      const auto* numbers = std::get_if<Numbers>(&value);
+      return listed && numbers != nullptr ? shortened(*numbers) : value;
+    };
+    key.set = [make = place_.make, set = access.set](Case& c, const KeyValue& value) {
+      set(make(c), value);
+    };
+  }
+  template <class Entry>
+  void bind(Key& key, const Each<Part, Entry>& each) {
+    key.get = [find = place_.find, each](const Case& c) {
+      Numbers numbers;
+      for (const Entry& entry : find(c)->*each.list) {
+        const KeyValue value = each.entry.get(entry);
+        const auto* number = std::get_if<double>(&value);
+        numbers.push_back(number != nullptr ? *number : std::nan(""));
+      }
+      return shortened(numbers);
+    };
+    key.set = [make = place_.make, each](Case& c, const KeyValue& value) {
+      const auto& numbers = std::get<Numbers>(value);
+      auto& entries = make(c).*each.list;
+      entries.resize(c.rolling.creepages.size());
+      grow_load_points(c, numbers.size());
+      for (std::size_t k = 0; k < entries.size(); ++k)
+        each.entry.set(entries[k], numbers.size() == 1 ? numbers.front() : numbers.at(k));
+    };
   }
 
   SectionWithKeys declared_;
   Place<Part> place_;
 };
 
-// The sections, in the order of the reference page.
-SectionWithKeys general_section();
-SectionWithKeys load_section();
-SectionWithKeys friction_section();
-SectionWithKeys layer_section();
-SectionWithKeys wheel_section();
-SectionWithKeys rail_section();
-SectionWithKeys geometry_section();
-SectionWithKeys wheel_profile_section();
-SectionWithKeys rail_profile_section();
-SectionWithKeys track_section();
-SectionWithKeys wheelset_section();
-SectionWithKeys rolling_section();
-SectionWithKeys history_section();
-SectionWithKeys undeformed_distance_section();
-SectionWithKeys given_pressure_section();
-SectionWithKeys contact_grid_section();
-SectionWithKeys halfspace_section();
-SectionWithKeys fastsim_section();
-SectionWithKeys strip_section();
-SectionWithKeys carter_section();
-SectionWithKeys polach_section();
-SectionWithKeys fem_section();
-SectionWithKeys output_section();
-SectionWithKeys table_section();
-SectionWithKeys subsurface_point_section();
-SectionWithKeys subsurface_line_section();
-SectionWithKeys subsurface_plane_section();
-SectionWithKeys subsurface_surface_section();
+// The sections, one function a file, in the order of the reference page.
+Sections load_sections();
+Sections friction_sections();
+Sections body_sections();
+Sections track_sections();
+Sections rolling_sections();
+Sections contact_sections();
+Sections model_sections();
+Sections output_sections();
 
 }  // namespace rollfem::contact

@@ -18,194 +18,134 @@ std::vector<Point>& points_of(Case& c, std::size_t count) {
   return points;
 }
 
-/// One number for the whole rail, or one per point; `member` finds it in a point.
-template <class Member>
-void into_points(KeyBuilder<Case> key, Member member) {
-  key.per("friction points")
-      .by(
-          [member](const Case& c) -> KeyValue {
-            std::vector<Point> points = c.friction_variation.points;
-            if (points.empty()) points.push_back({c.friction_coefficient, c.friction_fall});
-            Point without;
-            without.coefficient = -1.0;  // `check` always shows the coefficient
-            Numbers numbers;
-            bool given = false;
-            for (Point& point : points) {
-              const KeyValue one = value_of(member(point));
-              given = given || one != value_of(member(without));
-              if (const auto* number = std::get_if<double>(&one)) numbers.push_back(*number);
-            }
-            if (!given) return {};
-            const KeyValue list = shortened(numbers);
-            return std::get<Numbers>(list).size() == 1 ? KeyValue(numbers.front()) : list;
-          },
-          [member](Case& c, const KeyValue& value) {
-            const auto& numbers = std::get<Numbers>(value);
-            if (numbers.size() > 1) points_of(c, numbers.size());
-            Point whole{c.friction_coefficient, c.friction_fall};
-            assign(member(whole), numbers.front());
-            c.friction_coefficient = whole.coefficient;
-            c.friction_fall = whole.fall;
-            std::vector<Point>& points = c.friction_variation.points;
-            for (std::size_t k = 0; k < points.size(); ++k) {
-              assign(member(points[k]), numbers.at(numbers.size() == 1 ? 0 : k));
-              c.friction_coefficient = std::max(c.friction_coefficient, points[k].coefficient);
-            }
-          });
+/// One number for the whole rail, or one per point; `path` leads to it in a point.
+template <class Path>
+Access<Case> of_points(Path path) {
+  const Access<Point> number = access_to<Point>(path);
+  const auto get = [number](const Case& c) -> KeyValue {
+    std::vector<Point> points = c.friction_variation.points;
+    if (points.empty()) points.push_back({c.friction_coefficient, c.friction_fall});
+    Point without;
+    without.coefficient = -1.0;  // `check` always shows the coefficient
+    Numbers numbers;
+    bool given = false;
+    for (const Point& point : points) {
+      const KeyValue one = number.get(point);
+      given = given || one != number.get(without);
+      if (const auto* value = std::get_if<double>(&one)) numbers.push_back(*value);
+    }
+    if (!given) return {};
+    const KeyValue list = shortened(numbers);
+    return std::get<Numbers>(list).size() == 1 ? KeyValue(numbers.front()) : list;
+  };
+  const auto set = [number](Case& c, const KeyValue& value) {
+    const auto& numbers = std::get<Numbers>(value);
+    if (numbers.size() > 1) points_of(c, numbers.size());
+    Point whole{c.friction_coefficient, c.friction_fall};
+    number.set(whole, numbers.front());
+    c.friction_coefficient = whole.coefficient;
+    c.friction_fall = whole.fall;
+    std::vector<Point>& points = c.friction_variation.points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      number.set(points[k], numbers.at(numbers.size() == 1 ? 0 : k));
+      c.friction_coefficient = std::max(c.friction_coefficient, points[k].coefficient);
+    }
+  };
+  return {get, set};
 }
 
-/// A number of all points, of which `check` says nothing where it is as without the key.
-void into_fall(KeyBuilder<Case>& key, double FrictionFall::*member) {
-  key.by(
-      [member](const Case& c) -> KeyValue {
-        const double value = c.friction_fall.*member;
-        return value == FrictionFall().*member ? KeyValue() : KeyValue(value);
-      },
-      [member](Case& c, const KeyValue& value) {
-        c.friction_fall.*member = std::get<double>(value);
-      });
+template <class Member>
+Access<Case> of_falls(Member FrictionFall::*member) {
+  return of_points(inside(&Point::fall, member));
+}
+
+Choices<FallShape> laws() {
+  Choices<FallShape> choices;
+  for (const FallShape& shape : fall_shapes()) choices.emplace_back(shape.word, shape);
+  return choices;
 }
 
 void add_fall(Keys<Case>& keys) {
-  keys.choice("law")
-      .says(
-          "How friction falls with the slip velocity (formulas in docs/friction.md); all but "
-          "`constant` need rolling.speed, except in a shift.")
-      .into(&Case::friction_fall, &FrictionFall::shape,
-            words_of(
-                {FallShape::none, FallShape::linear, FallShape::rational, FallShape::exponential}));
-  into_points(
-      keys.reals("kinetic_coefficient")
-          .symbol("mu_kin")
-          .between(1e-14, 1000.0)
-          .otherwise("required unless the law is `constant`")
-          .says("Coefficient to which friction falls, 0.01 to 1 times "
-                "friction.coefficient; mu_1 is the rest."),
-      [](Point & at) -> auto& { return at.fall.kinetic_coefficient; });
-  into_points(
-      keys.reals("half_velocity")
-          .symbol("s_h1")
-          .unit("mm/s")
-          .between(smallest, 1e12)
-          .otherwise("required unless the law is `constant`")
-          .says("Slip velocity at which mu_1 is halved; in a shift, slip in mm over one "
-                "second."),
-      [](Point & at) -> auto& { return at.fall.half_velocity; });
+  const auto kind = KeyKind::numbers;
+  const auto each = per("friction points");
+  keys.add("law", inside(&Case::friction_fall, &FrictionFall::shape), laws(),
+           "How friction falls with the slip velocity (formulas in docs/friction.md); all but "
+           "`constant` need rolling.speed, except in a shift.");
+  keys.add(kind, "kinetic_coefficient", of_falls(&FrictionFall::kinetic_coefficient), each,
+           symbol("mu_kin"), between(1e-14, 1000.0),
+           otherwise("required unless the law is `constant`"),
+           "Coefficient to which friction falls, 0.01 to 1 times friction.coefficient; mu_1 is the "
+           "rest.");
+  keys.add(kind, "half_velocity", of_falls(&FrictionFall::half_velocity), each, symbol("s_h1"),
+           unit("mm/s"), between(smallest, 1e12),
+           otherwise("required unless the law is `constant`"),
+           "Slip velocity at which mu_1 is halved; in a shift, slip in mm over one second.");
+  keys.add(kind, "second_part", of_falls(&FrictionFall::second_part), each, symbol("mu_2"),
+           zero_or(1e-14, 1000.0), otherwise("0"),
+           "Part of the fall that has its own second_half_velocity.");
+  keys.add(kind, "second_half_velocity", of_falls(&FrictionFall::second_half_velocity), each,
+           symbol("s_h2"), unit("mm/s"), between(smallest, 1e12),
+           otherwise("required with second_part"), "Slip velocity at which mu_2 is halved.");
+  keys.add(kind, "polach_a", of_falls(&FrictionFall::polach_a), each, symbol("A"),
+           between(0.01, 1.0), otherwise("kinetic_coefficient is given"),
+           "Polach's A, mu_kin over mu, for `exponential` instead of kinetic_coefficient.");
+  keys.add(kind, "polach_b", of_falls(&FrictionFall::polach_b), each, symbol("B"), unit("s/m"),
+           between(1e-9, 1e9), otherwise("half_velocity is given"),
+           "Polach's B in 2^-r = exp(-B s), instead of half_velocity.");
 }
 
-void add_parts(Keys<Case>& keys) {
-  into_points(
-      keys.reals("second_part")
-          .symbol("mu_2")
-          .zero_or(1e-14, 1000.0)
-          .otherwise("0")
-          .says("Part of the fall that has its own second_half_velocity."),
-      [](Point & at) -> auto& { return at.fall.second_part; });
-  into_points(
-      keys.reals("second_half_velocity")
-          .symbol("s_h2")
-          .unit("mm/s")
-          .between(smallest, 1e12)
-          .otherwise("required with second_part")
-          .says("Slip velocity at which mu_2 is halved."),
-      [](Point & at) -> auto& { return at.fall.second_half_velocity; });
-  into_points(
-      keys.reals("polach_a")
-          .symbol("A")
-          .between(0.01, 1.0)
-          .otherwise("kinetic_coefficient is given")
-          .says("Polach's A, mu_kin over mu, for `exponential` instead of kinetic_coefficient."),
-      [](Point & at) -> auto& { return at.fall.polach_a; });
-  into_points(
-      keys.reals("polach_b")
-          .symbol("B")
-          .unit("s/m")
-          .between(1e-9, 1e9)
-          .otherwise("half_velocity is given")
-          .says("Polach's B in 2^-r = exp(-B s), instead of half_velocity."),
-      [](Point & at) -> auto& { return at.fall.polach_b; });
-  keys.choice("branch")
-      .otherwise("sticking")
-      .says(
-          "State where a steep law without memory has several: `sticking`, the one with the most "
-          "friction, or `sliding`, the least, to which fast sliding slows down.")
-      .among({"sticking", "sliding"})
-      .by(
-          [](const Case& c) {
-            const bool sliding = c.friction_fall.branch == FrictionBranch::sliding;
-            return sliding ? KeyValue(std::string("sliding")) : KeyValue();
-          },
-          [](Case& c, const KeyValue& value) {
-            const bool sliding = std::get<std::string>(value) == "sliding";
-            c.friction_fall.branch = sliding ? FrictionBranch::sliding : FrictionBranch::sticking;
-          });
-  into_fall(keys.real("memory_distance")
-                .symbol("d_c")
-                .unit("mm")
-                .zero_or(smallest, largest)
-                .otherwise("0")
-                .says("Sliding distance over which friction follows the slip velocity, some "
-                      "micrometres; 0: at once."),
-            &FrictionFall::memory_distance);
-  into_fall(keys.real("memory_velocity")
-                .symbol("s_0")
-                .unit("mm/s")
-                .between(smallest, 1e12)
-                .otherwise("1.0")
-                .says("Slip velocity below which friction follows as if it slid at this one."),
-            &FrictionFall::memory_velocity);
+void add_memory(Keys<Case>& keys) {
+  keys.add("branch", inside(&Case::friction_fall, &FrictionFall::branch),
+           {{"sticking", FrictionBranch::sticking}, {"sliding", FrictionBranch::sliding}},
+           silent_default, otherwise("sticking"),
+           "State where a steep law without memory has several: `sticking`, the one with the most "
+           "friction, or `sliding`, the least, to which fast sliding slows down.");
+  keys.add("memory_distance", inside(&Case::friction_fall, &FrictionFall::memory_distance),
+           silent_default, symbol("d_c"), unit("mm"), zero_or(smallest, largest), otherwise("0"),
+           "Sliding distance over which friction follows the slip velocity, some micrometres; 0: "
+           "at once.");
+  keys.add("memory_velocity", inside(&Case::friction_fall, &FrictionFall::memory_velocity),
+           silent_default, symbol("s_0"), unit("mm/s"), between(smallest, 1e12), otherwise("1.0"),
+           "Slip velocity below which friction follows as if it slid at this one.");
 }
 
 /// The places of the points, of which there is one per place.
-void into_places(KeyBuilder<Case> key, std::vector<double> FrictionVariation::*member) {
-  key.per("friction points")
-      .otherwise("friction is the same everywhere")
-      .by([member](const Case& c) { return value_of(c.friction_variation.*member); },
+Access<Case> of_places(std::vector<double> FrictionVariation::*member) {
+  return {[member](const Case& c) { return value_of(c.friction_variation.*member); },
           [member](Case& c, const KeyValue& value) {
             assign(c.friction_variation.*member, value);
             points_of(c, (c.friction_variation.*member).size());
-          });
+          }};
 }
 
 void add_places(Keys<Case>& keys) {
-  into_places(keys.reals("inclination")
-                  .unit("rad")
-                  .within(1.6)
-                  .says("Inclinations of the rail's surface against the track plane, ascending, "
-                        "negative on the gauge face (minus the contact angle), for lists of the "
-                        "law's numbers: linear between, constant outside. Needs profiles."),
-              &FrictionVariation::inclination);
-  into_places(
-      keys.reals("track_position")
-          .unit("mm")
-          .within(largest)
-          .says("The same over the position along the track, wheelset.track_position, instead of "
-                "inclination."),
-      &FrictionVariation::track_position);
-  into_places(keys.reals("lateral_position")
-                  .unit("mm")
-                  .within(largest)
-                  .says("The same over y, for contacts without profiles."),
-              &FrictionVariation::lateral_position);
+  const auto kind = KeyKind::numbers;
+  const auto each = per("friction points");
+  const auto same = otherwise("friction is the same everywhere");
+  keys.add(kind, "inclination", of_places(&FrictionVariation::inclination), each, same, unit("rad"),
+           within(1.6),
+           "Inclinations of the rail's surface against the track plane, ascending, negative on the "
+           "gauge face (minus the contact angle), for lists of the law's numbers: linear between, "
+           "constant outside. Needs profiles.");
+  keys.add(kind, "track_position", of_places(&FrictionVariation::track_position), each, same,
+           unit("mm"), within(largest),
+           "The same over the position along the track, wheelset.track_position, instead of "
+           "inclination.");
+  keys.add(kind, "lateral_position", of_places(&FrictionVariation::lateral_position), each, same,
+           unit("mm"), within(largest), "The same over y, for contacts without profiles.");
 }
-
-}  // namespace
 
 SectionWithKeys friction_section() {
   Keys<Case> keys("friction", "Friction between wheel and rail", whole_case());
   keys.section().alternatives = true;
-  into_points(
-      keys.reals("coefficient")
-          .symbol("mu")
-          // Below this value squares of tractions underflow.
-          .zero_or(1e-12, 1000.0)
-          .required("0.55")
-          .says("Coefficient of friction, of a falling law at rest; 0 is frictionless. Lists, here "
-                "and below, belong to inclination, track_position or "
-                "lateral_position."),
-      [](Point & at) -> auto& { return at.coefficient; });
+  // Below this value squares of tractions underflow.
+  const auto no_underflow = zero_or(1e-12, 1000.0);
+  keys.add(KeyKind::numbers, "coefficient", of_points(&Point::coefficient), per("friction points"),
+           symbol("mu"), no_underflow, Required{"0.55"},
+           "Coefficient of friction, of a falling law at rest; 0 is frictionless. Lists, here and "
+           "below, belong to inclination, track_position or lateral_position.");
   add_fall(keys);
-  add_parts(keys);
+  add_memory(keys);
   add_places(keys);
   return keys;
 }
@@ -214,39 +154,27 @@ SectionWithKeys layer_section() {
   Keys<Layer> keys("layer", "A layer between wheel and rail that gives way to shear alone",
                    &Case::layer);
   keys.section().alternatives = true;
-  keys.real("thickness")
-      .symbol("h_3")
-      .unit("mm")
-      .positive()
-      .otherwise("no elastic layer")
-      .says("Thickness of the layer of dirt, sand or wear particles, or of the roughness.")
-      .into(&Layer::thickness);
-  keys.real("shear_modulus")
-      .symbol("G_3")
-      .unit("MPa")
-      .positive()
-      .otherwise("no elastic layer")
-      .says("Its shear modulus; tractions p_t move the surfaces by p_t h_3/G_3 against each other.")
-      .into(&Layer::shear_modulus);
-  keys.real("yield_stress")
-      .symbol("tau_c0")
-      .unit("MPa")
-      .positive()
-      .otherwise("it does not yield")
-      .says(
-          "Shear stress at which the layer yields; tractions are at most the smaller of it and "
-          "mu p_n.")
-      .into(&Layer::yield_stress);
-  keys.real("hardening")
-      .symbol("k_tau")
-      .unit("MPa/mm")
-      .within(largest)
-      .otherwise("0, perfectly plastic")
-      .says(
-          "Rise of the yield stress per mm by which a particle has yielded since it entered the "
-          "patch; below 0 the layer softens.")
-      .into(&Layer::hardening);
+  keys.add("thickness", &Layer::thickness, symbol("h_3"), unit("mm"), positive(),
+           otherwise("no elastic layer"),
+           "Thickness of the layer of dirt, sand or wear particles, or of the roughness.");
+  keys.add("shear_modulus", &Layer::shear_modulus, symbol("G_3"), unit("MPa"), positive(),
+           otherwise("no elastic layer"),
+           "Its shear modulus; tractions p_t move the surfaces by p_t h_3/G_3 against each other.");
+  keys.add("yield_stress", &Layer::yield_stress, symbol("tau_c0"), unit("MPa"), positive(),
+           otherwise("it does not yield"),
+           "Shear stress at which the layer yields; tractions are at most the smaller of it and mu "
+           "p_n.");
+  keys.add("hardening", &Layer::hardening, symbol("k_tau"), unit("MPa/mm"), within(largest),
+           otherwise("0, perfectly plastic"),
+           "Rise of the yield stress per mm by which a particle has yielded since it entered the "
+           "patch; below 0 the layer softens.");
   return keys;
+}
+
+}  // namespace
+
+Sections friction_sections() {
+  return {friction_section(), layer_section()};
 }
 
 }  // namespace rollfem::contact

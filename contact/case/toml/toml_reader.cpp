@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/case/toml/toml_reader.hpp"
 
-#include "contact/base/file_error.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_text.hpp"
-#include "contact/case/toml/toml_faults.hpp"
 #include "contact/case/toml/toml_values.hpp"
 
 #include <fmt/format.h>
@@ -17,10 +16,11 @@ namespace {
 
 constexpr std::size_t longest_line = 10000;
 
-CaseProblem at(const toml::source_region& source) {
+CaseProblem at(const toml::source_region& source, const std::string& key) {
   CaseProblem problem;
   problem.line = source.begin.line;
   problem.column = source.begin.column;
+  problem.key = printable(key, longest_name);
   return problem;
 }
 
@@ -114,15 +114,14 @@ class Reader {
   }
 
   [[noreturn]] void fail_invalid(unsigned line, unsigned column, const std::string& wrong) const {
-    CaseProblem problem;
-    problem.line = line;
-    problem.column = column;
     const bool option = is_option(given_.file);
-    problem.wrong = option ? "not a value in TOML: " + wrong
-                           : fmt::format("not valid TOML in `{}`: {}", source_.line(line), wrong);
-    problem.action = option ? "write the value as in a case file"
-                            : "correct this line; `rollfem new-case` prints a valid case file";
-    fail(given_.file, problem);
+    fail(given_.file,
+         {line, column, "", "",
+          option ? "not a value in TOML: " + wrong
+                 : fmt::format("not valid TOML in `{}`: {}", source_.line(line), wrong),
+          "",
+          option ? "write the value as in a case file"
+                 : "correct this line; `rollfem new-case` prints a valid case file"});
   }
 
   /// `parent` holds lists of sections, written [[parent.child]].
@@ -162,8 +161,7 @@ class Reader {
 
   [[noreturn]] void fail_unrepeated(const std::string& section, const toml::source_region& source,
                                     const std::vector<std::string>& names) const {
-    CaseProblem problem = at(source);
-    problem.key = shown(section);
+    CaseProblem problem = at(source, section);
     problem.wrong = "is not a known list of sections";
     problem.allowed = "[[subsurface.NAME]] with NAME one of " + joined(names);
     problem.action =
@@ -175,8 +173,7 @@ class Reader {
     const toml::source_region& source = node.source();
     const toml::table* table = node.as_table();
     if (table == nullptr) {
-      CaseProblem problem = at(source);
-      problem.key = section;
+      CaseProblem problem = at(source, section);
       problem.value = source_.value(source);
       problem.wrong = "is a section, not a key with a value";
       problem.allowed =
@@ -198,8 +195,7 @@ class Reader {
 
   [[noreturn]] void fail_unknown(const std::string& section, const std::string& name,
                                  const toml::source_region& source) const {
-    CaseProblem problem = at(source);
-    problem.key = shown(section.empty() ? name : section + "." + name);
+    CaseProblem problem = at(source, section.empty() ? name : section + "." + name);
     problem.wrong = "is not a key of a case file";
     std::vector<std::string> here = keys_of(section);
     if (section.empty())
@@ -227,14 +223,7 @@ class Reader {
 }  // namespace
 
 void fail_file(const std::string& file, const std::string& wrong, const std::string& action) {
-  CaseProblem problem;
-  problem.wrong = wrong;
-  problem.action = action;
-  try {
-    fail(file, problem);
-  } catch (const InputError& error) {
-    throw FileError(error.what());
-  }
+  throw FileError(file + ": " + wrong + "; do: " + action);
 }
 
 GivenCase read_toml(const std::string& text, const std::string& file,

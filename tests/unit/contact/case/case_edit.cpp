@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Keys of a case file changed in its text: the edited text reads as requested.
-#include "contact/case/case_edit.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"

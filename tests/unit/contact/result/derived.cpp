@@ -16,7 +16,15 @@ using contact::ContactGrid;
 using contact::SurfaceField;
 using rollfem::contact::pi;
 
-namespace {}  // namespace
+namespace {
+
+contact::PowerBalance balance_of(const ContactGrid& grid, const contact::PointResult& point,
+                                 double speed, const contact::TangentialField& extra = {}) {
+  return contact::power_balance(grid, point.fields.traction, point.fields.slip, point.creepage,
+                                speed, extra);
+}
+
+}  // namespace
 
 TEST(Derived, ElasticEnergyOfHertzianPressure) {
   // Like bodies, sphere: work of the load P over the approach, delta ~ P^(2/3), is 2/5 P delta.
@@ -69,7 +77,7 @@ TEST(Derived, FrictionAndCreepagePowerAgreeInCarterRolling) {
   EXPECT_NEAR(point.fields.slip.x[n - 10], 0.0, 1e-15);
   EXPECT_GT(point.fields.slip.x[n / 20], 0.0);
   const double force = -(1.0 - stick * stick) * pi / 2.0 * mu_p0 * a * 3.0;
-  const auto balance = contact::power_balance(grid, point, speed);
+  const auto balance = balance_of(grid, point, speed);
   EXPECT_NEAR(balance.creepage, -speed * xi * force, 1e-5 * balance.creepage);
   EXPECT_NEAR(balance.friction, -speed * xi * force, 1e-4 * balance.friction);
   EXPECT_LT(balance.difference, 1e-4);
@@ -90,17 +98,17 @@ TEST(Derived, FullSlipDissipatesForceTimesCreepage) {
   }) + extra.x;
   point.fields.slip.y =
       grid.sample([&](double x, double) { return creepage.lateral + creepage.spin * x; });
-  const auto balance = contact::power_balance(grid, point, 1000.0, extra);
+  const auto balance = balance_of(grid, point, 1000.0, extra);
   EXPECT_GT(balance.friction, 0.0);
   EXPECT_LT(balance.difference, 1e-13);
   // Without the extra slip the two must not agree.
-  EXPECT_GT(contact::power_balance(grid, point, 1000.0).difference, 1e-3);
+  EXPECT_GT(balance_of(grid, point, 1000.0).difference, 1e-3);
 }
 
 TEST(Derived, FieldsMustFitTheGrid) {
   const ContactGrid grid = ContactGrid::centred(3, 3, 1.0, 1.0);
   const contact::Field good = contact::Field::Zero(9);
   EXPECT_THROW(contact::elastic_energy(grid, {good, good, good}, {}), contact::InputError);
-  EXPECT_THROW(contact::frictional_power(grid, {good, good, good}, {good, {}}, 1.0),
+  EXPECT_THROW(contact::power_balance(grid, {good, good, good}, {good, {}}, {}, 1.0),
                contact::InputError);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Errors of a result relative to the scale of each quantity.
-#include "contact/result/reached.hpp"
+#include "contact/result/refinement.hpp"
 
 #include <gtest/gtest.h>
 
