@@ -75,6 +75,15 @@ void link(hid_t parent, const std::string& path, hid_t group, const std::string&
 void describe(hid_t object, const std::string& unit, const std::string& description,
               const std::string& sign);
 
+/// Writes numbers with their description, by default as a list.
+template <class Number>
+void write_values(hid_t group, const char* name, const std::vector<Number>& values,
+                  const std::string& unit, const std::string& description,
+                  const std::string& sign = "", std::vector<hsize_t> shape = {}) {
+  if (shape.empty()) shape = {values.size()};
+  describe(write_dataset(group, name, shape, values.data()), unit, description, sign);
+}
+
 /// Writes N numbers of every point as a dataset [points, N].
 template <std::size_t N, class Number>
 void write_rows(hid_t group, const char* name, const std::vector<std::array<Number, N>>& rows,
@@ -82,7 +91,7 @@ void write_rows(hid_t group, const char* name, const std::vector<std::array<Numb
   std::vector<Number> flat;
   flat.reserve(N * rows.size());
   for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
-  describe(write_dataset(group, name, {rows.size(), N}, flat.data()), unit, description, "");
+  write_values(group, name, flat, unit, description, "", {rows.size(), N});
 }
 
 /// Opens a file for reading; std::runtime_error if it is not an HDF5 file or damaged. HDF5 prints

@@ -36,42 +36,82 @@ const char* const shift_conventions =
     "shear_modulus, a and b "
     "are wheel/semi_axis_x and wheel/semi_axis_y. The table holds for the load of the case.";
 
-/// One value of every entry of a list.
-template <class List, class Get>
-std::vector<double> column(const List& list, const Get& get) {
-  std::vector<double> found;
-  found.reserve(list.size());
-  for (const auto& entry : list) found.push_back(get(entry));
-  return found;
-}
+constexpr std::pair<const char*, std::string CreepTable::*> table_texts[] = {
+    {"title", &CreepTable::title},
+    {"program", &CreepTable::program},
+    {"command", &CreepTable::command},
+    {"started", &CreepTable::started},
+    {"case_file", &CreepTable::case_file}};
 
-void write_column(hid_t group, const char* name, const std::vector<hsize_t>& shape,
-                  const std::vector<double>& values, const char* unit, const char* says) {
-  describe(write_dataset(group, name, shape, values.data()), unit, says, "on the wheel");
+/// An axis in the group axes; not there without values.
+struct Axis {
+  const char *name, *unit, *says;
+  std::vector<double>& (*of)(CreepTable&);
+  const char* sign = "";
+};
+constexpr Axis table_axes[] = {{"axis_ratio", "1", "a/b of the ellipse, a along rolling",
+                                [](CreepTable& t) -> auto& {return t.axis_ratio;
+}  // namespace
+}  // namespace rollfem::tables
+, {"lateral_shift", "mm", "lateral shift of the wheelset, positive to the right",
+   [](CreepTable& t) -> auto& {return t.lateral_shift;
 }
+}
+, {"load", "N", "force under [load] that the forces are computed for",
+   [](CreepTable& t) -> auto& {return t.load;
+}
+}
+, {"speed", "mm/s", "rolling speed that the forces are computed for",
+   [](CreepTable& t) -> auto& {return t.speed;
+}
+}
+, {"mean_axis", "mm", "sqrt(a b) of every ratio at the first load",
+   [](CreepTable& t) -> auto& {return t.mean_axis;
+}
+}
+, {"longitudinal", "1", "xi', scaled longitudinal creepage",
+   [](CreepTable& t) -> auto& {return t.creepage[0];
+}
+}
+, {"lateral", "1", "eta', scaled lateral creepage",
+   [](CreepTable& t) -> auto& {return t.creepage[1];
+}
+}
+, {
+  "spin", "1", "phi', scaled spin", [](CreepTable & t) -> auto& {
+    return t.creepage[2];
+  }
+}
+}
+;
 
-void write_axes(hid_t file, const CreepTable& table) {
+/// A number of every point.
+struct PointColumn {
+  const char *name, *unit, *says;
+  double& (*of)(CreepTable&, std::size_t point);
+};
+constexpr PointColumn point_columns[] = {
+    {"longitudinal_force", "mu F_n", "F_x",
+     [](CreepTable& t, std::size_t k) -> double& { return t.forces[k][0]; }},
+    {"lateral_force", "mu F_n", "F_y",
+     [](CreepTable& t, std::size_t k) -> double& { return t.forces[k][1]; }},
+    {"spin_moment", "mu F_n c", "M_z, c = sqrt(a b)",
+     [](CreepTable& t, std::size_t k) -> double& { return t.forces[k][2]; }},
+    {"force_bar", "mu F_n", "error bar of the force vector",
+     [](CreepTable& t, std::size_t k) -> double& { return t.bars[k][0]; }},
+    {"moment_bar", "mu F_n c", "error bar of M_z",
+     [](CreepTable& t, std::size_t k) -> double& { return t.bars[k][1]; }}};
+constexpr PointColumn of_shifts{
+    "force_along_normal", "mu F_n",
+    "force of friction along the normal of the main contact: nonzero on a curved surface and with "
+    "contacts in other planes",
+    [](CreepTable& t, std::size_t k) -> double& { return t.along_normal[k]; }};
+
+void write_axes(hid_t file, CreepTable& table) {
   const Handle group = create_group(file, "axes", "The axes of the arrays");
-  const auto write = [&](const char* name, const std::vector<double>& values, const char* says) {
-    describe(write_dataset(group, name, {values.size()}, values.data()), "1", says, "");
-  };
-  if (table.over_shifts())
-    describe(write_dataset(group, "lateral_shift", {table.lateral_shift.size()},
-                           table.lateral_shift.data()),
-             "mm", "lateral shift of the wheelset", "positive to the right");
-  else
-    write("axis_ratio", table.axis_ratio, "a/b of the ellipse, a along rolling");
-  const auto condition = [&](const char* name, const std::vector<double>& values, const char* unit,
-                             const char* says) {
-    if (values.empty()) return;
-    describe(write_dataset(group, name, {values.size()}, values.data()), unit, says, "");
-  };
-  condition("load", table.load, "N", "force under [load] that the forces are computed for");
-  condition("speed", table.speed, "mm/s", "rolling speed that the forces are computed for");
-  condition("mean_axis", table.mean_axis, "mm", "sqrt(a b) of every ratio at the first load");
-  write("longitudinal", table.creepage[0], "xi', scaled longitudinal creepage");
-  write("lateral", table.creepage[1], "eta', scaled lateral creepage");
-  write("spin", table.creepage[2], "phi', scaled spin");
+  for (const Axis& axis : table_axes)
+    if (!axis.of(table).empty())
+      write_values(group, axis.name, axis.of(table), axis.unit, axis.says, axis.sign);
   write_rows(group, "scale", table.scale, "1",
              "For every ratio, or load and shift (fastest): C11/3, C22/3 and sqrt(C23^2 + C33^2), "
              "the factors of xi G a b/(mu "
@@ -93,9 +133,9 @@ void write_wheels(hid_t file, const CreepTable& table) {
   std::vector<hsize_t> shape{table.lateral_shift.size()};
   if (table.load.size() > 1) shape.insert(shape.begin(), table.load.size());
   for (const WheelColumn& entry : wheel_columns()) {
-    const auto values =
-        column(table.wheels, [&](const TableWheel& wheel) { return wheel.*entry.member; });
-    describe(write_dataset(group, entry.name, shape, values.data()), entry.unit, entry.says, "");
+    std::vector<double> values;
+    for (const TableWheel& wheel : table.wheels) values.push_back(wheel.*entry.member);
+    write_values(group, entry.name, values, entry.unit, entry.says, "", shape);
   }
 }
 
@@ -119,26 +159,18 @@ void write_interpolation(hid_t file, const CreepTable& table) {
              "solved for, then load and speed, 0 where the table has none");
 }
 
-void write_values(hid_t file, const CreepTable& table) {
+void write_points(hid_t file, CreepTable& table) {
   const std::vector<std::size_t> lengths = table.shape();
   const std::vector<hsize_t> shape(lengths.begin(), lengths.end());
-  const auto force = [&](std::size_t q) {
-    return column(table.forces, [q](const Scaled& f) { return f[q]; });
+  const auto write = [&](const PointColumn& column) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < table.forces.size(); ++k) values.push_back(column.of(table, k));
+    write_values(file, column.name, values, column.unit, column.says, "on the wheel", shape);
   };
-  const auto bar = [&](std::size_t q) {
-    return column(table.bars, [q](const std::array<double, 2>& b) { return b[q]; });
-  };
-  write_column(file, "longitudinal_force", shape, force(0), "mu F_n", "F_x");
-  write_column(file, "lateral_force", shape, force(1), "mu F_n", "F_y");
-  write_column(file, "spin_moment", shape, force(2), "mu F_n c", "M_z, c = sqrt(a b)");
-  write_column(file, "force_bar", shape, bar(0), "mu F_n", "error bar of the force vector");
-  write_column(file, "moment_bar", shape, bar(1), "mu F_n c", "error bar of M_z");
-  describe(write_dataset(file, "elements_across", shape, table.elements_across.data()), "1",
-           "contact elements across the patch on the finest grid", "");
-  if (table.over_shifts())
-    write_column(file, "force_along_normal", shape, table.along_normal, "mu F_n",
-                 "force of friction along the normal of the main contact: nonzero on a curved "
-                 "surface and with contacts in other planes");
+  for (const PointColumn& column : point_columns) write(column);
+  if (table.over_shifts()) write(of_shifts);
+  write_values(file, "elements_across", table.elements_across, "1",
+               "contact elements across the patch on the finest grid", "", shape);
 }
 
 [[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
@@ -161,9 +193,7 @@ void read_friction(hid_t group, CreepTable& table) {
   table.load_sets = static_cast<LoadSets>(sets);
 }
 
-void read_wheels(hid_t file, hid_t axes, CreepTable& table) {
-  table.lateral_shift = numbers_of(axes, "lateral_shift");
-  table.along_normal = numbers_of(file, "force_along_normal");
+void read_wheels(hid_t file, CreepTable& table) {
   const Handle group = open_group(file, "wheel");
   read_friction(group, table);
   table.wheels.resize(table.loads() * table.lateral_shift.size());
@@ -175,37 +205,37 @@ void read_wheels(hid_t file, hid_t axes, CreepTable& table) {
   }
 }
 
+void read_points(hid_t file, CreepTable& table) {
+  for (const double across : numbers_of(file, "elements_across"))
+    table.elements_across.push_back(static_cast<int>(across));
+  const std::size_t count = table.elements_across.size();
+  table.forces.resize(count);
+  table.bars.resize(count);
+  if (table.over_shifts()) table.along_normal.resize(count);
+  const auto read = [&](const PointColumn& column) {
+    const std::vector<double> values = numbers_of(file, column.name);
+    if (values.size() != count) throw std::runtime_error("its arrays have different sizes");
+    for (std::size_t k = 0; k < count; ++k) column.of(table, k) = values[k];
+  };
+  for (const PointColumn& column : point_columns) read(column);
+  if (table.over_shifts()) read(of_shifts);
+}
+
 CreepTable table_of(hid_t file) {
   CreepTable table;
-  table.title = read_text(file, "title");
-  table.program = read_text(file, "program");
-  table.command = read_text(file, "command");
-  table.started = read_text(file, "started");
-  table.case_file = read_text(file, "case_file");
+  for (const auto& [name, member] : table_texts) table.*member = read_text(file, name);
   table.poisson_ratio = read_number(file, "poisson_ratio");
   for (const std::string& line : read_lines(file, "case_text")) table.case_text += line;
   const Handle axes = open_group(file, "axes");
-  for (const auto& [name, values] :
-       {std::pair{"load", &table.load}, {"speed", &table.speed}, {"mean_axis", &table.mean_axis}})
-    if (has_member(axes, name)) *values = numbers_of(axes, name);
-  if (has_member(axes, "lateral_shift"))
-    read_wheels(file, axes, table);
-  else
-    table.axis_ratio = numbers_of(axes, "axis_ratio");
+  for (const Axis& axis : table_axes)
+    if (has_member(axes, axis.name)) axis.of(table) = numbers_of(axes, axis.name);
+  if (table.first_axis().empty() || table.creepage[0].empty() || table.creepage[1].empty() ||
+      table.creepage[2].empty())
+    throw std::runtime_error("an axis is missing");
+  if (table.over_shifts()) read_wheels(file, table);
   if (has_member(file, "friction")) read_friction(open_group(file, "friction"), table);
-  table.creepage = {numbers_of(axes, "longitudinal"), numbers_of(axes, "lateral"),
-                    numbers_of(axes, "spin")};
   table.scale = read_rows<3>(axes, "scale");
-  const auto x = numbers_of(file, "longitudinal_force"), y = numbers_of(file, "lateral_force"),
-             m = numbers_of(file, "spin_moment"), force = numbers_of(file, "force_bar"),
-             moment = numbers_of(file, "moment_bar"), across = numbers_of(file, "elements_across");
-  for (const auto* values : {&y, &m, &force, &moment, &across})
-    if (values->size() != x.size()) throw std::runtime_error("its arrays have different sizes");
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    table.forces.push_back({x[k], y[k], m[k]});
-    table.bars.push_back({force[k], moment[k]});
-    table.elements_across.push_back(static_cast<int>(across[k]));
-  }
+  read_points(file, table);
   return table;
 }
 
@@ -239,15 +269,13 @@ std::string table_hdf5(const CreepTable& table) {
                                      : "creep force law of Hertzian contacts"));
   write_attribute(file, "conventions",
                   table_conventions + std::string(shifts ? shift_conventions : ratio_conventions));
-  write_attribute(file, "title", table.title);
-  write_attribute(file, "program", table.program);
-  write_attribute(file, "command", table.command);
-  write_attribute(file, "started", table.started);
-  write_attribute(file, "case_file", table.case_file);
+  for (const auto& [name, member] : table_texts) write_attribute(file, name, table.*member);
   write_attribute(file, "poisson_ratio", table.poisson_ratio);
   write_dataset(file, "case_text", table.case_text);
-  write_axes(file, table);
-  write_values(file, table);
+  // The rows serve both directions; writing changes nothing.
+  CreepTable& all = const_cast<CreepTable&>(table);
+  write_axes(file, all);
+  write_points(file, all);
   if (shifts) write_wheels(file, table);
   if (!shifts && !table.only_for.empty())
     write_friction(create_group(file, "friction", "What the forces depend on beside mu F_n"),
