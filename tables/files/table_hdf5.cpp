@@ -43,47 +43,30 @@ constexpr std::pair<const char*, std::string CreepTable::*> table_texts[] = {
     {"started", &CreepTable::started},
     {"case_file", &CreepTable::case_file}};
 
+using Values = std::vector<double>;
+
 /// An axis in the group axes; not there without values.
 struct Axis {
   const char *name, *unit, *says;
-  std::vector<double>& (*of)(CreepTable&);
+  Values& (*of)(CreepTable&);
   const char* sign = "";
 };
-constexpr Axis table_axes[] = {{"axis_ratio", "1", "a/b of the ellipse, a along rolling",
-                                [](CreepTable& t) -> auto& {return t.axis_ratio;
-}  // namespace
-}  // namespace rollfem::tables
-, {"lateral_shift", "mm", "lateral shift of the wheelset, positive to the right",
-   [](CreepTable& t) -> auto& {return t.lateral_shift;
-}
-}
-, {"load", "N", "force under [load] that the forces are computed for",
-   [](CreepTable& t) -> auto& {return t.load;
-}
-}
-, {"speed", "mm/s", "rolling speed that the forces are computed for",
-   [](CreepTable& t) -> auto& {return t.speed;
-}
-}
-, {"mean_axis", "mm", "sqrt(a b) of every ratio at the first load",
-   [](CreepTable& t) -> auto& {return t.mean_axis;
-}
-}
-, {"longitudinal", "1", "xi', scaled longitudinal creepage",
-   [](CreepTable& t) -> auto& {return t.creepage[0];
-}
-}
-, {"lateral", "1", "eta', scaled lateral creepage",
-   [](CreepTable& t) -> auto& {return t.creepage[1];
-}
-}
-, {
-  "spin", "1", "phi', scaled spin", [](CreepTable & t) -> auto& {
-    return t.creepage[2];
-  }
-}
-}
-;
+constexpr Axis table_axes[] = {
+    {"axis_ratio", "1", "a/b of the ellipse, a along rolling",
+     [](CreepTable& t) -> Values& { return t.axis_ratio; }},
+    {"lateral_shift", "mm", "lateral shift of the wheelset",
+     [](CreepTable& t) -> Values& { return t.lateral_shift; }, "positive to the right"},
+    {"load", "N", "force under [load] that the forces are computed for",
+     [](CreepTable& t) -> Values& { return t.load; }},
+    {"speed", "mm/s", "rolling speed that the forces are computed for",
+     [](CreepTable& t) -> Values& { return t.speed; }},
+    {"mean_axis", "mm", "sqrt(a b) of every ratio at the first load",
+     [](CreepTable& t) -> Values& { return t.mean_axis; }},
+    {"longitudinal", "1", "xi', scaled longitudinal creepage",
+     [](CreepTable& t) -> Values& { return t.creepage[0]; }},
+    {"lateral", "1", "eta', scaled lateral creepage",
+     [](CreepTable& t) -> Values& { return t.creepage[1]; }},
+    {"spin", "1", "phi', scaled spin", [](CreepTable& t) -> Values& { return t.creepage[2]; }}};
 
 /// A number of every point.
 struct PointColumn {
