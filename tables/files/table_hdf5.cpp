@@ -43,58 +43,51 @@ constexpr std::pair<const char*, std::string CreepTable::*> table_texts[] = {
     {"started", &CreepTable::started},
     {"case_file", &CreepTable::case_file}};
 
-using Values = std::vector<double>;
-
 /// An axis in the group axes; not there without values.
 struct Axis {
   const char *name, *unit, *says;
-  Values& (*of)(CreepTable&);
-  const char* sign = "";
+  std::vector<double> CreepTable::*values;
 };
 constexpr Axis table_axes[] = {
-    {"axis_ratio", "1", "a/b of the ellipse, a along rolling",
-     [](CreepTable& t) -> Values& { return t.axis_ratio; }},
-    {"lateral_shift", "mm", "lateral shift of the wheelset",
-     [](CreepTable& t) -> Values& { return t.lateral_shift; }, "positive to the right"},
-    {"load", "N", "force under [load] that the forces are computed for",
-     [](CreepTable& t) -> Values& { return t.load; }},
-    {"speed", "mm/s", "rolling speed that the forces are computed for",
-     [](CreepTable& t) -> Values& { return t.speed; }},
-    {"mean_axis", "mm", "sqrt(a b) of every ratio at the first load",
-     [](CreepTable& t) -> Values& { return t.mean_axis; }},
-    {"longitudinal", "1", "xi', scaled longitudinal creepage",
-     [](CreepTable& t) -> Values& { return t.creepage[0]; }},
-    {"lateral", "1", "eta', scaled lateral creepage",
-     [](CreepTable& t) -> Values& { return t.creepage[1]; }},
-    {"spin", "1", "phi', scaled spin", [](CreepTable& t) -> Values& { return t.creepage[2]; }}};
+    {"axis_ratio", "1", "a/b of the ellipse, a along rolling", &CreepTable::axis_ratio},
+    {"lateral_shift", "mm", "lateral shift of the wheelset", &CreepTable::lateral_shift},
+    {"load", "N", "force under [load] that the forces are computed for", &CreepTable::load},
+    {"speed", "mm/s", "rolling speed that the forces are computed for", &CreepTable::speed},
+    {"mean_axis", "mm", "sqrt(a b) of every ratio at the first load", &CreepTable::mean_axis}};
+constexpr std::array<const char*, 2> creepage_axes[] = {
+    {"longitudinal", "xi', scaled longitudinal creepage"},
+    {"lateral", "eta', scaled lateral creepage"},
+    {"spin", "phi', scaled spin"}};
 
-/// A number of every point.
-struct PointColumn {
-  const char *name, *unit, *says;
-  double& (*of)(CreepTable&, std::size_t point);
-};
-constexpr PointColumn point_columns[] = {
-    {"longitudinal_force", "mu F_n", "F_x",
-     [](CreepTable& t, std::size_t k) -> double& { return t.forces[k][0]; }},
-    {"lateral_force", "mu F_n", "F_y",
-     [](CreepTable& t, std::size_t k) -> double& { return t.forces[k][1]; }},
-    {"spin_moment", "mu F_n c", "M_z, c = sqrt(a b)",
-     [](CreepTable& t, std::size_t k) -> double& { return t.forces[k][2]; }},
-    {"force_bar", "mu F_n", "error bar of the force vector",
-     [](CreepTable& t, std::size_t k) -> double& { return t.bars[k][0]; }},
-    {"moment_bar", "mu F_n c", "error bar of M_z",
-     [](CreepTable& t, std::size_t k) -> double& { return t.bars[k][1]; }}};
-constexpr PointColumn of_shifts{
-    "force_along_normal", "mu F_n",
-    "force of friction along the normal of the main contact: nonzero on a curved surface and with "
-    "contacts in other planes",
-    [](CreepTable& t, std::size_t k) -> double& { return t.along_normal[k]; }};
+/// The numbers of every point, with unit and meaning; the last one over lateral shifts only.
+constexpr std::array<const char*, 3> point_columns[] = {
+    {"longitudinal_force", "mu F_n", "F_x"},
+    {"lateral_force", "mu F_n", "F_y"},
+    {"spin_moment", "mu F_n c", "M_z, c = sqrt(a b)"},
+    {"force_bar", "mu F_n", "error bar of the force vector"},
+    {"moment_bar", "mu F_n c", "error bar of M_z"},
+    {"force_along_normal", "mu F_n",
+     "force of friction along the normal of the main contact: nonzero on a curved surface and with "
+     "contacts in other planes"}};
 
-void write_axes(hid_t file, CreepTable& table) {
+std::size_t columns_of(const CreepTable& table) {
+  return table.over_shifts() ? 6 : 5;
+}
+
+template <class Table>
+auto& number_of(Table& table, std::size_t point, std::size_t column) {
+  if (column < 3) return table.forces[point][column];
+  return column < 5 ? table.bars[point][column - 3] : table.along_normal[point];
+}
+
+void write_axes(hid_t file, const CreepTable& table) {
   const Handle group = create_group(file, "axes", "The axes of the arrays");
-  for (const Axis& axis : table_axes)
-    if (!axis.of(table).empty())
-      write_values(group, axis.name, axis.of(table), axis.unit, axis.says, axis.sign);
+  for (const auto& [name, unit, says, values] : table_axes)
+    if (!(table.*values).empty())
+      write_values(group, name, table.*values, unit, says,
+                   values == &CreepTable::lateral_shift ? "positive to the right" : "");
+  for (std::size_t q = 0; q < 3; ++q)
+    write_values(group, creepage_axes[q][0], table.creepage[q], "1", creepage_axes[q][1]);
   write_rows(group, "scale", table.scale, "1",
              "For every ratio, or load and shift (fastest): C11/3, C22/3 and sqrt(C23^2 + C33^2), "
              "the factors of xi G a b/(mu "
@@ -142,16 +135,15 @@ void write_interpolation(hid_t file, const CreepTable& table) {
              "solved for, then load and speed, 0 where the table has none");
 }
 
-void write_points(hid_t file, CreepTable& table) {
+void write_points(hid_t file, const CreepTable& table) {
   const std::vector<std::size_t> lengths = table.shape();
   const std::vector<hsize_t> shape(lengths.begin(), lengths.end());
-  const auto write = [&](const PointColumn& column) {
-    std::vector<double> values;
-    for (std::size_t k = 0; k < table.forces.size(); ++k) values.push_back(column.of(table, k));
-    write_values(file, column.name, values, column.unit, column.says, "on the wheel", shape);
-  };
-  for (const PointColumn& column : point_columns) write(column);
-  if (table.over_shifts()) write(of_shifts);
+  for (std::size_t c = 0; c < columns_of(table); ++c) {
+    std::vector<double> values(table.size());
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = number_of(table, k, c);
+    const auto& [name, unit, says] = point_columns[c];
+    write_values(file, name, values, unit, says, "on the wheel", shape);
+  }
   write_values(file, "elements_across", table.elements_across, "1",
                "contact elements across the patch on the finest grid", "", shape);
 }
@@ -195,13 +187,11 @@ void read_points(hid_t file, CreepTable& table) {
   table.forces.resize(count);
   table.bars.resize(count);
   if (table.over_shifts()) table.along_normal.resize(count);
-  const auto read = [&](const PointColumn& column) {
-    const std::vector<double> values = numbers_of(file, column.name);
+  for (std::size_t c = 0; c < columns_of(table); ++c) {
+    const std::vector<double> values = numbers_of(file, point_columns[c][0]);
     if (values.size() != count) throw std::runtime_error("its arrays have different sizes");
-    for (std::size_t k = 0; k < count; ++k) column.of(table, k) = values[k];
-  };
-  for (const PointColumn& column : point_columns) read(column);
-  if (table.over_shifts()) read(of_shifts);
+    for (std::size_t k = 0; k < count; ++k) number_of(table, k, c) = values[k];
+  }
 }
 
 CreepTable table_of(hid_t file) {
@@ -211,10 +201,9 @@ CreepTable table_of(hid_t file) {
   for (const std::string& line : read_lines(file, "case_text")) table.case_text += line;
   const Handle axes = open_group(file, "axes");
   for (const Axis& axis : table_axes)
-    if (has_member(axes, axis.name)) axis.of(table) = numbers_of(axes, axis.name);
-  if (table.first_axis().empty() || table.creepage[0].empty() || table.creepage[1].empty() ||
-      table.creepage[2].empty())
-    throw std::runtime_error("an axis is missing");
+    if (has_member(axes, axis.name)) table.*axis.values = numbers_of(axes, axis.name);
+  if (table.first_axis().empty()) throw std::runtime_error("there is no dataset axis_ratio");
+  for (std::size_t q = 0; q < 3; ++q) table.creepage[q] = numbers_of(axes, creepage_axes[q][0]);
   if (table.over_shifts()) read_wheels(file, table);
   if (has_member(file, "friction")) read_friction(open_group(file, "friction"), table);
   table.scale = read_rows<3>(axes, "scale");
@@ -255,10 +244,8 @@ std::string table_hdf5(const CreepTable& table) {
   for (const auto& [name, member] : table_texts) write_attribute(file, name, table.*member);
   write_attribute(file, "poisson_ratio", table.poisson_ratio);
   write_dataset(file, "case_text", table.case_text);
-  // The rows serve both directions; writing changes nothing.
-  CreepTable& all = const_cast<CreepTable&>(table);
-  write_axes(file, all);
-  write_points(file, all);
+  write_axes(file, table);
+  write_points(file, table);
   if (shifts) write_wheels(file, table);
   if (!shifts && !table.only_for.empty())
     write_friction(create_group(file, "friction", "What the forces depend on beside mu F_n"),
