@@ -30,14 +30,28 @@ class Handle {
   hid_t id_;
 };
 
-/// An open file. Debian's HDF5 is not thread-safe, and the files in memory share a name: the thread
-/// that has a file open keeps all others waiting until it is closed. Other objects belong to a
-/// file, so they need no lock of their own.
+/// The type of texts: UTF-8 strings of variable length, which h5py and MATLAB read directly.
+Handle text_type();
+
+/// While one exists, its thread alone uses HDF5, which prints nothing on failures: they become
+/// exceptions. Debian's HDF5 is not thread-safe, and the files in memory share a name.
+class Alone {
+ public:
+  Alone();
+  Alone(Alone&&) = default;
+  ~Alone();
+
+ private:
+  std::unique_lock<std::recursive_mutex> lock_;
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// An open file; the thread that has it open keeps all others waiting until it is closed. Other
+/// objects belong to a file, so they need no lock of their own.
 class File {
  public:
-  using Alone = std::unique_lock<std::recursive_mutex>;
   /// `alone`: taken before any call of HDF5.
-  static Alone alone();
   File(Alone alone, hid_t id, const char* call) : alone_(std::move(alone)), file_(id, call) {}
   operator hid_t() const { return file_; }  // NOLINT: as Handle
 
@@ -94,8 +108,7 @@ void write_rows(hid_t group, const char* name, const std::vector<std::array<Numb
   write_values(group, name, flat, unit, description, "", {rows.size(), N});
 }
 
-/// Opens a file for reading; std::runtime_error if it is not an HDF5 file or damaged. HDF5 prints
-/// nothing.
+/// Opens a file for reading; std::runtime_error if it is not an HDF5 file or damaged.
 File open_file(const std::string& path);
 
 /// Whether an object has a member (a group, a dataset), or an attribute, of that name.
