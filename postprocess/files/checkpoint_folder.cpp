@@ -5,6 +5,7 @@
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "postprocess/files/files_together.hpp"
+#include "postprocess/files/result_folder.hpp"
 #include "postprocess/files/seal.hpp"
 
 #include <fmt/core.h>
@@ -72,9 +73,7 @@ std::string line_of(const std::string& text, const std::string& name) {
 }
 
 fs::path folder_of_records(const std::string& result_directory) {
-  fs::path results = fs::absolute(result_directory).lexically_normal();
-  if (!results.has_filename()) results = results.parent_path();
-  return results.string() + ".unfinished";
+  return resolved_folder(result_directory).string() + ".unfinished";
 }
 
 /// Removes our files. The file that identifies the records goes last, so that the rest remains
