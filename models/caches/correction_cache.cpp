@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
 #include "halfspace/patch/correction_scene.hpp"
-#include "models/caches/correction_file.hpp"
 #include "models/program/version.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/files/seal.hpp"
@@ -22,6 +21,10 @@
 namespace fs = std::filesystem;
 
 namespace rollfem::modelling {
+
+using halfspace::SmoothBox;
+using halfspace::SmoothDepthMap;
+using halfspace::SmoothParts;
 
 namespace {
 
@@ -61,6 +64,38 @@ fs::path file_of(const fs::path& folder, const std::string& key) {
   return folder / fmt::format("{:016x}{}", contact::checksum(key), suffix);
 }
 
+void exchange(contact::Record& record, SmoothBox& box) {
+  record.values(box.half_length, box.half_width, box.middle);
+}
+
+/// Common part of the maps on and below the surface.
+template <class Map>
+void exchange(contact::Record& record, Map& map) {
+  exchange(record, map.loads);
+  exchange(record, map.fields);
+  Eigen::Index rows = map.coefficients.rows(), columns = map.coefficients.cols();
+  contact::Field entries = map.coefficients.reshaped();
+  record.values(map.load_degree, map.field_degree, rows, columns, entries);
+  if (entries.size() != rows * columns) throw std::runtime_error("a map of another shape");
+  map.coefficients = entries.reshaped(rows, columns);
+}
+
+void exchange(contact::Record& record, SmoothParts& parts) {
+  exchange(record, parts.wheel);
+  exchange(record, parts.rail);
+  for (SmoothDepthMap* below : {&parts.wheel_below, &parts.rail_below}) {
+    exchange(record, *below);
+    record.value(below->depth);
+  }
+  std::size_t notes = parts.notes.size();
+  record.values(parts.stresses, parts.unknowns, notes);
+  if (record.reading()) parts.notes.clear();
+  for (std::size_t k = 0; k < notes; ++k) {
+    if (record.reading()) parts.notes.emplace_back();
+    record.value(parts.notes[k]);
+  }
+}
+
 /// What a file holds.
 struct Stored {
   std::string key, words, made;
@@ -86,6 +121,20 @@ Stored read(const fs::path& file) {
 
 }  // namespace
 
+std::string packed(SmoothParts parts) {
+  contact::Record record;
+  exchange(record, parts);
+  return record.bytes();
+}
+
+SmoothParts unpacked(const std::string& bytes) {
+  contact::Record record(bytes);
+  SmoothParts parts;
+  exchange(record, parts);
+  if (!record.exhausted()) throw std::runtime_error("a correction of another program");
+  return parts;
+}
+
 CorrectionCache::CorrectionCache() : folder_(folder_from_environment()) {}
 
 CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
@@ -101,7 +150,7 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
     try {
       const Stored stored = read(file);
       if (stored.key == key) {
-        halfspace::SmoothParts parts = unpacked(stored.parts);
+        SmoothParts parts = unpacked(stored.parts);
         if (with_stresses && !parts.stresses) continue;
         found.parts = std::move(parts);
         found.parts->notes.push_back(
@@ -117,8 +166,8 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
   return found;
 }
 
-std::string CorrectionCache::keep(const contact::Scene& correction,
-                                  const halfspace::SmoothParts& parts, double seconds) const {
+std::string CorrectionCache::keep(const contact::Scene& correction, const SmoothParts& parts,
+                                  double seconds) const {
   if (off()) return {};
   const std::string key = key_of(correction, correction.is_symmetric());
   Stored stored{key,

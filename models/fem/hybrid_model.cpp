@@ -5,7 +5,6 @@
 #include "halfspace/model/refinements.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "models/caches/correction_cache.hpp"
-#include "models/caches/correction_file.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/program/provenance.hpp"
 

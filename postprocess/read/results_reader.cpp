@@ -5,8 +5,8 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
+#include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 
 #include <fmt/format.h>

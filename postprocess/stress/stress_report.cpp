@@ -3,7 +3,6 @@
 
 #include "contact/result/bars.hpp"
 #include "contact/result/stress_extremes.hpp"
-#include "postprocess/stress/ellipse_shear.hpp"
 #include "postprocess/stress/shakedown.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/json_head.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "postprocess/write/results_hdf5.hpp"
 
 #include "contact/case/slip_speed.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "contact/scene/friction_law.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
+#include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 #include "postprocess/write/wheelset_rows.hpp"

@@ -6,8 +6,8 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
+#include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/results_hdf5.hpp"
 
 #include <gtest/gtest.h>
 

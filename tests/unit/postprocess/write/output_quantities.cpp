@@ -5,8 +5,7 @@
 #include "contact/result/record.hpp"
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/csv.hpp"
-#include "postprocess/write/results_hdf5.hpp"
-#include "postprocess/write/summary_json.hpp"
+#include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
