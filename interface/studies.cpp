@@ -8,7 +8,6 @@
 #include "postprocess/compare/comparison.hpp"
 #include "postprocess/study/study.hpp"
 #include "postprocess/write/record_check.hpp"
-#include "postprocess/write/summary_json.hpp"
 
 #include "rollfem/rollfem.hpp"
 
@@ -62,7 +61,7 @@ Files compare(const std::vector<Compared>& cases, const std::string& reference) 
     compared.missing = one.missing;
     if (!one.result.models.empty()) {
       postprocess::check_record(one.result);
-      compared.summary = postprocess::summary_json(one.result);
+      compared.models = postprocess::scalars_of(one.result.models);
     }
     standings.push_back(postprocess::case_standings(compared, record.references));
     found.text += compared.name + ": " + compared.title + '\n' +

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/frame/interruption.hpp"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <deque>
 #include <unistd.h>
 
 namespace rollfem::app {
 
 namespace {
 
-// A handler may only write prepared text: of these two, one is current.
-std::array<std::array<char, 4096>, 2> farewells{};
+// A handler may only write prepared text: the last one. It may still be reading the one before.
+std::deque<std::string> farewells;
 std::atomic<const char*> farewell{nullptr};
 
 std::array<char*, 256> removed{};  // never freed: a handler may be reading it
@@ -61,15 +61,11 @@ void say_when_interrupted(const std::string& what) {
     farewell.store(nullptr);
     return;
   }
-  std::array<char, 4096>& next = farewells[farewell.load() == farewells.front().data() ? 1 : 0];
   // On a terminal a progress line may be unfinished.
-  std::string text = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
-  text += "rollfem: interrupted: " + what;
-  text.resize(std::min(text.size(), next.size() - 2));
-  text += '\n';
-  std::copy(text.begin(), text.end(), next.begin());
-  next[text.size()] = '\0';
-  farewell.store(next.data());
+  const std::string begin = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
+  farewells.push_back(begin + "rollfem: interrupted: " + what + '\n');
+  farewell.store(farewells.back().c_str());
+  if (farewells.size() > 2) farewells.pop_front();
 }
 
 }  // namespace rollfem::app

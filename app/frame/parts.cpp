@@ -6,6 +6,7 @@
 #include "contact/base/text_fields.hpp"
 #include "models/program/provenance.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"
+#include "postprocess/files/result_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -19,9 +20,8 @@ namespace fs = std::filesystem;
 
 std::string part_directory(const fs::path& directory, contact::Share share) {
   if (share.whole()) return directory.string();
-  fs::path whole = fs::absolute(directory).lexically_normal();
-  if (!whole.has_filename()) whole = whole.parent_path();
-  return fmt::format("{}.part-{}-of-{}", whole.string(), share.part + 1, share.of);
+  return fmt::format("{}.part-{}-of-{}", postprocess::resolved_folder(directory).string(),
+                     share.part + 1, share.of);
 }
 
 contact::Share parse_part(const std::string& text) {

@@ -148,7 +148,10 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
   compared.friction = task.input.friction_coefficient;
   if (task.done) {
     if (how.first) postprocess::remove_records(task.folder.string());
-    compared.summary = contents_of(task.folder / "summary.json");
+    const postprocess::ResultsFile stored(task.folder.string());
+    for (const postprocess::StoredModel& model : stored.models())
+      compared.models.push_back(stored.read(model));
+    compared.models = postprocess::scalars_of(std::move(compared.models));
     compared.missing = task.missing;
     return compared;
   }
@@ -173,7 +176,7 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
     record.verdict = std::move(solved.verdict);
     store_results(task.folder.string(), record);
     if (!failed) frame.forget_kept();
-    compared.summary = contents_of(task.folder / "summary.json");
+    compared.models = postprocess::scalars_of(std::move(record.models));
   } catch (const contact::SolveError& error) {
     if (!how.together && how.session != nullptr) throw;
     compared.missing.push_back({"every model", error.what(), true});
@@ -214,7 +217,7 @@ void report_and_tell(const CompareRequest& request, const postprocess::Compariso
 /// empty.
 std::string refusal_of(const ComparedCase& compared) {
   const auto failed = [](const postprocess::MissingModel& missing) { return missing.failed; };
-  if (!compared.summary.empty() ||
+  if (!compared.models.empty() ||
       std::any_of(compared.missing.begin(), compared.missing.end(), failed))
     return {};
   std::string text = compared.name;
@@ -297,9 +300,9 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
       if (!how.first) continue;
       write_data(request, record);
       frame.say(fmt::format("compare: {} {}", task.name,
-                            task.done                             ? "was already done"
-                            : record.cases.back().summary.empty() ? "has no result"
-                                                                  : "done"));
+                            task.done                            ? "was already done"
+                            : record.cases.back().models.empty() ? "has no result"
+                                                                 : "done"));
     }
     if (!how.first) return;
     report_and_tell(request, record);

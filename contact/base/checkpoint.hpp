@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -16,6 +17,25 @@ class Checkpoint {
   virtual std::optional<std::string> find(const std::string& name) = 0;
   /// Never throws: a run must not fail because its checkpoint cannot be written.
   virtual void keep(const std::string& name, const std::string& record) = 0;
+};
+
+/// The records of a checkpoint whose names begin with `prefix`: those of one patch, or of one level
+/// of a study.
+class CheckpointPart : public Checkpoint {
+ public:
+  /// `whole` may be null: nothing is stored or found.
+  CheckpointPart(Checkpoint* whole, std::string prefix)
+      : whole_(whole), prefix_(std::move(prefix)) {}
+  std::optional<std::string> find(const std::string& name) override {
+    return whole_ == nullptr ? std::nullopt : whole_->find(prefix_ + name);
+  }
+  void keep(const std::string& name, const std::string& record) override {
+    if (whole_ != nullptr) whole_->keep(prefix_ + name, record);
+  }
+
+ private:
+  Checkpoint* whole_;
+  std::string prefix_;
 };
 
 }  // namespace rollfem::contact

@@ -7,6 +7,7 @@
 #include "contact/iteration/interpolation.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/validity.hpp"
+#include "contact/solve/state_record.hpp"
 
 #include <fmt/format.h>
 

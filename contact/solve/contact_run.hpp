@@ -45,14 +45,6 @@ class Elasticity {
   virtual void complete(std::size_t, PointResult&) {}
 };
 
-/// Storage of solved load points beyond the run; `state` is the start of the next one.
-class PointStore {
- public:
-  virtual ~PointStore() = default;
-  virtual bool find(std::size_t k, PointResult& point, ContactState& state) = 0;
-  virtual void keep(std::size_t k, const PointResult& point, const ContactState& state) = 0;
-};
-
 /// State that a finer level takes over from a coarser one besides its results: p_t over g at rest,
 /// between -1 and 1.
 struct LevelResult {
@@ -85,6 +77,8 @@ struct RunOptions {
 };
 
 using MakeElasticity = std::function<std::unique_ptr<Elasticity>()>;
+
+class PointStore;  // contact/solve/state_record.hpp
 
 class ContactRun {
  public:

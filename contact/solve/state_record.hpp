@@ -2,11 +2,15 @@
 // A solved load point with the state from which the next one starts, for checkpoints.
 #pragma once
 
+#include "contact/base/checkpoint.hpp"
 #include "contact/result/record.hpp"
 #include "contact/result/result.hpp"
 #include "contact/solve/contact_problem.hpp"
 
+#include <fmt/format.h>
+
 #include <string>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -32,5 +36,30 @@ inline void read_point(const std::string& bytes, PointResult& point, ContactStat
   record.value(point);
   exchange(record, state);
 }
+
+/// The load points of one grid in a checkpoint, each with the state from which the next one starts.
+class PointStore {
+ public:
+  /// `prefix`: of the names of its records. Not `usable`: earlier ones are not found.
+  PointStore(Checkpoint& checkpoint, std::string prefix, bool usable = true)
+      : checkpoint_(checkpoint), prefix_(std::move(prefix)), usable_(usable) {}
+  /// Load point k, counted from 0.
+  bool find(std::size_t k, PointResult& point, ContactState& state) {
+    if (!usable_) return false;
+    const std::optional<std::string> bytes = checkpoint_.find(name(k));
+    if (bytes) read_point(*bytes, point, state);
+    return bytes.has_value();
+  }
+  void keep(std::size_t k, const PointResult& point, const ContactState& state) {
+    checkpoint_.keep(name(k), point_record(point, state));
+  }
+
+ private:
+  std::string name(std::size_t k) const { return fmt::format("{}-{:04}", prefix_, k + 1); }
+
+  Checkpoint& checkpoint_;
+  std::string prefix_;
+  bool usable_;
+};
 
 }  // namespace rollfem::contact

@@ -5,13 +5,27 @@
 
 #include "contact/base/progress.hpp"
 #include "contact/solve/contact_run.hpp"
-#include "fem/elasticity/level_checkpoint.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/mesh/run_layout.hpp"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace rollfem::fem {
+
+/// The frictionless solution and the result's data of the level as a whole, stored for a later run.
+struct LevelStart {
+  contact::Response defect;
+  int contact_elements = 0;
+  long unknowns = 0;
+  std::string solver;  ///< LinearSolver::description
+  double reach = 0.0;  ///< mm, from the patch to the nearer clamped boundary
+  bool half = false;   ///< half of each body is modelled
+  std::string notes;   ///< on the meshes
+  /// For ModelResult::bodies.
+  std::vector<contact::BodyField> bodies;
+};
 
 /// Meshes and factorises; fills `start` except the frictionless solution, and the seconds and notes
 /// of `result`. All arguments must outlive the returned object. Collective. Throws

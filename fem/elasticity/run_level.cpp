@@ -5,8 +5,8 @@
 #include "contact/base/progress.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_run.hpp"
+#include "contact/solve/state_record.hpp"
 #include "fem/elasticity/fem_elasticity.hpp"
-#include "fem/elasticity/level_checkpoint.hpp"
 #include "fem/elasticity/shared_elasticity.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/trace/far_error.hpp"
@@ -17,13 +17,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace rollfem::fem {
 
 namespace {
 
-using contact::ContactState;
 using contact::PointResult;
 using contact::Scene;
 
@@ -32,22 +32,19 @@ constexpr contact::ContactAccuracy fem_accuracy{1e-6, {1e-4, 40, 3}};
 /// Tolerance of a prescribed force, relative to mu F_z.
 constexpr double force_tolerance = 1e-5;
 
-class PointsInCheckpoint : public contact::PointStore {
- public:
-  /// Stored points are usable only with the start of their level, `start_known`.
-  PointsInCheckpoint(const LevelCheckpoint& checkpoint, bool start_known)
-      : checkpoint_(checkpoint), start_known_(start_known) {}
-  bool find(std::size_t k, PointResult& point, ContactState& state) override {
-    return start_known_ && checkpoint_.find(k, point, state);
-  }
-  void keep(std::size_t k, const PointResult& point, const ContactState& state) override {
-    checkpoint_.keep(k, point, state);
-  }
+void exchange(contact::Record& record, LevelStart& start) {
+  record.values(start.defect, start.contact_elements, start.unknowns, start.solver);
+  record.values(start.reach, start.half, start.notes, start.bodies);
+}
 
- private:
-  const LevelCheckpoint& checkpoint_;
-  bool start_known_;
-};
+/// False when nothing is stored; the start is then unchanged.
+bool find_start(contact::Checkpoint* checkpoint, const std::string& name, LevelStart& start) {
+  const auto bytes = checkpoint == nullptr ? std::nullopt : checkpoint->find(name);
+  if (!bytes) return false;
+  contact::Record record(*bytes);
+  exchange(record, start);
+  return true;
+}
 
 void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
                const RunLayout& layout, const LevelStart& start, contact::ModelResult& result) {
@@ -112,8 +109,10 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
                    const RunLayout& layout, const LevelOptions& options,
                    const contact::Progress& progress, const contact::MakeElasticity& make,
                    LevelStart& start, contact::ModelResult& result) {
-  const LevelCheckpoint checkpoint(options.checkpoint, options.cell_size);
-  const bool start_known = checkpoint.find(start);
+  // Load points with the states from which the next ones start, so that numbers of a resumed run
+  // are the same to the last bit.
+  const std::string name = fmt::format("fem-{:.9g}mm", options.cell_size);
+  const bool start_known = find_start(options.checkpoint, name + "-normal", start);
   contact::RunOptions run_options;
   run_options.model = "fem";
   run_options.stage_prefix = options.stage_prefix;
@@ -121,12 +120,16 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   run_options.force_tolerance = force_tolerance;
   if (start_known) run_options.first_defect = start.defect;
 
-  PointsInCheckpoint store(checkpoint, start_known);
-  contact::ContactRun run(scene, geometry, run_options, progress, &store);
+  std::optional<contact::PointStore> store;
+  if (options.checkpoint != nullptr) store.emplace(*options.checkpoint, name, start_known);
+  contact::ContactRun run(scene, geometry, run_options, progress, store ? &*store : nullptr);
   run.on_first_defect = [&](const contact::Response& defect, int contact_elements) {
     start.defect = defect;
     start.contact_elements = contact_elements;
-    checkpoint.keep(start);
+    if (options.checkpoint == nullptr) return;
+    contact::Record record;
+    exchange(record, start);
+    options.checkpoint->keep(name + "-normal", record.bytes());
   };
   if (!run.solve(layout.grid, make)) refuse_border(scene, geometry, layout.grid);
   contact::LevelResult level = run.take_result();

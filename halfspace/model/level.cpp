@@ -23,9 +23,7 @@
 namespace rollfem::halfspace {
 
 using contact::ContactGrid;
-using contact::ContactState;
 using contact::PatchSize;
-using contact::PointResult;
 using contact::Scene;
 
 namespace {
@@ -87,32 +85,6 @@ class HalfspaceElasticity : public contact::Elasticity {
   std::unique_ptr<HalfspaceCompliance> uncoupled_;  ///< null for like materials
 };
 
-/// Load points of one grid in a checkpoint.
-class GridStore : public contact::PointStore {
- public:
-  GridStore(contact::Checkpoint& checkpoint, std::string model, const ContactGrid& grid)
-      : checkpoint_(checkpoint), model_(std::move(model)), grid_(grid) {}
-
-  bool find(std::size_t k, PointResult& point, ContactState& state) override {
-    const std::optional<std::string> bytes = checkpoint_.find(name(k));
-    if (bytes) contact::read_point(*bytes, point, state);
-    return bytes.has_value();
-  }
-
-  void keep(std::size_t k, const PointResult& point, const ContactState& state) override {
-    checkpoint_.keep(name(k), contact::point_record(point, state));
-  }
-
- private:
-  std::string name(std::size_t k) const {
-    return fmt::format("{}-{}x{}-{:04}", model_, grid_.nx, grid_.ny, k + 1);
-  }
-
-  contact::Checkpoint& checkpoint_;
-  std::string model_;
-  ContactGrid grid_;
-};
-
 std::string why_no_grid_holds(const Scene& scene, const contact::ChartedGeometry& geometry,
                               const ContactGrid& grid) {
   const double border = geometry.lateral_place(grid.y(grid.ny - 1));
@@ -155,8 +127,9 @@ contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, do
       area.grid(dx, dy, free_elements).widened(columns_for_steps(scene, area, dx), 0);
   constexpr int most_enlargements = 4;
   for (int attempt = 0;; ++attempt) {
-    std::optional<GridStore> store;
-    if (checkpoint) store.emplace(*checkpoint, elasticity.model, grid);
+    std::optional<contact::PointStore> store;
+    if (checkpoint)
+      store.emplace(*checkpoint, fmt::format("{}-{}x{}", elasticity.model, grid.nx, grid.ny));
     contact::ContactRun run(scene, geometry, options, progress, store ? &*store : nullptr);
     const bool inside = run.solve(grid, [&] { return elasticity.make(scene, geometry, grid); });
     if (inside) {

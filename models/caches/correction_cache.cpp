@@ -4,16 +4,17 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
 #include "halfspace/patch/correction_scene.hpp"
-#include "models/caches/correction_file.hpp"
 #include "models/program/version.hpp"
+#include "postprocess/files/files_together.hpp"
+#include "postprocess/files/seal.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -21,26 +22,25 @@ namespace fs = std::filesystem;
 
 namespace rollfem::modelling {
 
+using halfspace::SmoothBox;
+using halfspace::SmoothDepthMap;
+using halfspace::SmoothParts;
+
 namespace {
 
 /// Version of the files and of the way corrections are computed: raise it when the same scene gets
 /// another correction.
-constexpr int format = 3;
+constexpr int format = 4;
 
-constexpr const char* suffix = ".correction.h5";
+constexpr const char* suffix = ".correction";
 constexpr const char* part_suffix = ".part";
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.npos, end) == 0;
+bool is_ours(const fs::path& file) {
+  return file.filename().string().find(suffix) != std::string::npos;
 }
 
 bool is_entry(const fs::path& file) {
-  return ends_with(file.filename().string(), suffix);
-}
-
-bool is_ours(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return is_entry(file) || (ends_with(name, part_suffix) && name.find(suffix) != std::string::npos);
+  return is_ours(file) && file.extension() != part_suffix;
 }
 
 fs::path folder_from_environment() {
@@ -64,15 +64,76 @@ fs::path file_of(const fs::path& folder, const std::string& key) {
   return folder / fmt::format("{:016x}{}", contact::checksum(key), suffix);
 }
 
-template <class Visit>
-void each_file(const fs::path& folder, const Visit& visit) {
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    visit(entry->path());
+void exchange(contact::Record& record, SmoothBox& box) {
+  record.values(box.half_length, box.half_width, box.middle);
+}
+
+/// Common part of the maps on and below the surface.
+template <class Map>
+void exchange(contact::Record& record, Map& map) {
+  exchange(record, map.loads);
+  exchange(record, map.fields);
+  Eigen::Index rows = map.coefficients.rows(), columns = map.coefficients.cols();
+  contact::Field entries = map.coefficients.reshaped();
+  record.values(map.load_degree, map.field_degree, rows, columns, entries);
+  if (entries.size() != rows * columns) throw std::runtime_error("a map of another shape");
+  map.coefficients = entries.reshaped(rows, columns);
+}
+
+void exchange(contact::Record& record, SmoothParts& parts) {
+  exchange(record, parts.wheel);
+  exchange(record, parts.rail);
+  for (SmoothDepthMap* below : {&parts.wheel_below, &parts.rail_below}) {
+    exchange(record, *below);
+    record.value(below->depth);
+  }
+  std::size_t notes = parts.notes.size();
+  record.values(parts.stresses, parts.unknowns, notes);
+  if (record.reading()) parts.notes.clear();
+  for (std::size_t k = 0; k < notes; ++k) {
+    if (record.reading()) parts.notes.emplace_back();
+    record.value(parts.notes[k]);
+  }
+}
+
+/// What a file holds.
+struct Stored {
+  std::string key, words, made;
+  long unknowns = 0;
+  double seconds = 0.0;
+  std::string parts;
+};
+
+void exchange(contact::Record& record, Stored& stored) {
+  record.values(stored.key, stored.words, stored.made, stored.unknowns, stored.seconds,
+                stored.parts);
+}
+
+/// Throws std::runtime_error if the file is damaged or of another format.
+Stored read(const fs::path& file) {
+  const auto bytes = postprocess::opened_record(suffix, postprocess::contents_of(file));
+  if (!bytes) throw std::runtime_error("damaged");
+  contact::Record record(*bytes);
+  Stored stored;
+  exchange(record, stored);
+  return stored;
 }
 
 }  // namespace
+
+std::string packed(SmoothParts parts) {
+  contact::Record record;
+  exchange(record, parts);
+  return record.bytes();
+}
+
+SmoothParts unpacked(const std::string& bytes) {
+  contact::Record record(bytes);
+  SmoothParts parts;
+  exchange(record, parts);
+  if (!record.exhausted()) throw std::runtime_error("a correction of another program");
+  return parts;
+}
 
 CorrectionCache::CorrectionCache() : folder_(folder_from_environment()) {}
 
@@ -87,14 +148,14 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
     std::error_code error;
     if (!fs::exists(file, error)) continue;
     try {
-      const auto values = postprocess::read_named_values(file);
-      if (values && values->texts.at("key") == key) {
-        halfspace::SmoothParts parts = parts_of(*values);
+      const Stored stored = read(file);
+      if (stored.key == key) {
+        SmoothParts parts = unpacked(stored.parts);
         if (with_stresses && !parts.stresses) continue;
         found.parts = std::move(parts);
         found.parts->notes.push_back(
             fmt::format("the correction comes from the cache ({}); computing it took {:.1f} s",
-                        folder_.string(), values->numbers.at("seconds")));
+                        folder_.string(), stored.seconds));
         return found;
       }
     } catch (const std::exception&) {
@@ -105,17 +166,21 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
   return found;
 }
 
-std::string CorrectionCache::keep(const contact::Scene& correction,
-                                  const halfspace::SmoothParts& parts, double seconds) const {
+std::string CorrectionCache::keep(const contact::Scene& correction, const SmoothParts& parts,
+                                  double seconds) const {
   if (off()) return {};
   const std::string key = key_of(correction, correction.is_symmetric());
-  postprocess::NamedValues values = values_of(parts);
-  values.numbers["seconds"] = seconds;
-  values.texts["key"] = key;
-  values.texts["words"] = halfspace::correction_words(correction);
-  values.texts["made"] = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
+  Stored stored{key,
+                halfspace::correction_words(correction),
+                fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
+                parts.unknowns,
+                seconds,
+                packed(parts)};
+  contact::Record record;
+  exchange(record, stored);
   try {
-    postprocess::write_named_values(file_of(folder_, key), values);
+    postprocess::replace_file(file_of(folder_, key),
+                              postprocess::sealed_record(suffix, record.bytes()));
   } catch (const std::exception& error) {
     return fmt::format("the correction could not be stored for other runs: {}", error.what());
   }
@@ -124,28 +189,22 @@ std::string CorrectionCache::keep(const contact::Scene& correction,
 
 std::vector<CorrectionCache::Entry> CorrectionCache::entries() const {
   std::vector<Entry> entries;
-  each_file(folder_, [&](const fs::path& file) {
-    if (!is_entry(file)) return;
-    Entry entry;
+  for (const fs::path& file : postprocess::files_in(folder_)) {
+    if (!is_entry(file)) continue;
+    Entry& entry = entries.emplace_back();
     entry.file = file;
     std::error_code error;
     entry.bytes = fs::file_size(file, error);
-    if (const auto values = postprocess::read_named_values(file)) {
-      const auto text = [&](const char* name) {
-        const auto found = values->texts.find(name);
-        return found == values->texts.end() ? std::string() : found->second;
-      };
-      const auto number = [&](const char* name) {
-        const auto found = values->numbers.find(name);
-        return found == values->numbers.end() ? 0.0 : found->second;
-      };
-      entry.words = text("words");
-      entry.made = text("made");
-      entry.unknowns = std::lround(number("unknowns"));
-      entry.seconds = number("seconds");
+    try {
+      const Stored stored = read(file);
+      entry.words = stored.words;
+      entry.made = stored.made;
+      entry.unknowns = stored.unknowns;
+      entry.seconds = stored.seconds;
+    } catch (const std::runtime_error&) {
+      // Listed as damaged.
     }
-    entries.push_back(std::move(entry));
-  });
+  }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.made, a.file) < std::tie(b.made, b.file);
   });
@@ -153,12 +212,9 @@ std::vector<CorrectionCache::Entry> CorrectionCache::entries() const {
 }
 
 std::vector<std::string> CorrectionCache::clear() const {
-  std::vector<fs::path> files;
-  each_file(folder_, [&](const fs::path& file) {
-    if (is_ours(file)) files.push_back(file);
-  });
   std::vector<std::string> left;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : postprocess::files_in(folder_)) {
+    if (!is_ours(file)) continue;
     std::error_code error;
     fs::remove(file, error);
     if (error) left.push_back(fmt::format("{}: {}", file.string(), error.message()));

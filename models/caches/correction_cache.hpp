@@ -14,6 +14,11 @@
 
 namespace rollfem::modelling {
 
+/// The smooth parts as bytes in this machine's byte order, for files and other processes.
+std::string packed(halfspace::SmoothParts parts);
+/// Throws std::runtime_error when the bytes are those of something else.
+halfspace::SmoothParts unpacked(const std::string& bytes);
+
 class CorrectionCache {
  public:
   /// Uses $ROLLFEM_CACHE, else $XDG_CACHE_HOME/rollfem, else ~/.cache/rollfem. The cache is off if

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/caches/machine_speed.hpp"
 
+#include "contact/result/record.hpp"
 #include "models/caches/correction_cache.hpp"
 #include "models/program/version.hpp"
-#include "postprocess/hdf5/named_values.hpp"
+#include "postprocess/files/files_together.hpp"
+#include "postprocess/files/seal.hpp"
 
 #include <filesystem>
 #include <unistd.h>
@@ -23,30 +25,26 @@ std::string host() {
 
 fs::path machine_speed_file() {
   const CorrectionCache cache;
-  return cache.off() ? fs::path() : cache.folder() / ("bench_" + host() + ".h5");
+  return cache.off() ? fs::path() : cache.folder() / ("bench_" + host());
 }
 
 std::optional<MachineSpeed> machine_speed() {
   const fs::path path = machine_speed_file();
   std::error_code error;
   if (path.empty() || !fs::exists(path, error)) return {};
-  const auto values = postprocess::read_named_values(path);
-  if (!values) return {};
-  const auto times = values->numbers.find("times");
-  const auto made = values->texts.find("made");
-  const auto program = values->texts.find("version");
-  if (times == values->numbers.end() || made == values->texts.end() ||
-      program == values->texts.end() || program->second != version() || !(times->second > 0.0))
-    return {};
-  return MachineSpeed{times->second, made->second};
+  const auto bytes = postprocess::opened_record(version(), postprocess::contents_of(path));
+  if (!bytes) return {};
+  contact::Record record(*bytes);
+  MachineSpeed speed;
+  record.values(speed.times, speed.made);
+  if (!(speed.times > 0.0)) return {};
+  return speed;
 }
 
-void keep_machine_speed(const fs::path& file, const MachineSpeed& speed) {
-  postprocess::NamedValues values;
-  values.numbers["times"] = speed.times;
-  values.texts["made"] = speed.made;
-  values.texts["version"] = version();
-  postprocess::write_named_values(file, values);
+void keep_machine_speed(const fs::path& file, MachineSpeed speed) {
+  contact::Record record;
+  record.values(speed.times, speed.made);
+  postprocess::replace_file(file, postprocess::sealed_record(version(), record.bytes()));
 }
 
 }  // namespace rollfem::modelling

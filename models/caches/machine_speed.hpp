@@ -21,6 +21,6 @@ std::filesystem::path machine_speed_file();
 std::optional<MachineSpeed> machine_speed();
 
 /// Throws contact::InputError when it cannot be written.
-void keep_machine_speed(const std::filesystem::path& file, const MachineSpeed& speed);
+void keep_machine_speed(const std::filesystem::path& file, MachineSpeed speed);
 
 }  // namespace rollfem::modelling

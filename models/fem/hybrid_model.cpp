@@ -5,7 +5,6 @@
 #include "halfspace/model/refinements.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "models/caches/correction_cache.hpp"
-#include "models/caches/correction_file.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/program/provenance.hpp"
 
@@ -42,8 +41,8 @@ SmoothParts found_here(const contact::Scene& scene, const contact::Progress& pro
 SmoothParts find_smooth_parts(const contact::Scene& scene, const contact::Progress& progress) {
   const Processes here = processes();
   if (here.count == 1) return found_here(scene, progress);
-  const std::string bytes = here.first() ? packed(values_of(found_here(scene, progress))) : "";
-  return parts_of(unpacked(open_fem_library("model hybrid").from_first(bytes)));
+  const std::string bytes = here.first() ? packed(found_here(scene, progress)) : "";
+  return unpacked(open_fem_library("model hybrid").from_first(bytes));
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "contact/result/refinement.hpp"
 #include "contact/result/unsolved.hpp"
 #include "models/solving/auto_model.hpp"
-#include "models/solving/scene_checkpoint.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
 
@@ -187,7 +186,11 @@ std::string solve_chosen(const std::string& name, const Scenes& scenes, const So
 
 contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
                                const Solving& how) {
-  SceneCheckpoint kept(how.checkpoint, scene.place);
+  // Patches do not resume from each other's load points.
+  contact::CheckpointPart kept(
+      how.checkpoint, scene.place ? fmt::format("{}-{}-{}-", scene.place->left ? "left" : "right",
+                                                scene.place->position, scene.place->patch)
+                                  : std::string());
   return how.models->run(name, scene, told(how.models->at(name), scene, how.progress),
                          how.checkpoint != nullptr ? &kept : nullptr);
 }

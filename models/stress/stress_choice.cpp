@@ -18,7 +18,8 @@ using postprocess::ResultsFile;
 using postprocess::StoredModel;
 
 std::string patch_name(const StoredModel& model) {
-  return fmt::format("{},{},{}", model.left ? "left" : "right", model.position, model.patch);
+  return fmt::format("{},{},{}", model.place->left ? "left" : "right", model.place->position,
+                     model.place->patch);
 }
 
 template <class Range, class Name>
@@ -38,7 +39,7 @@ std::string listed(const Range& range, const Name& name) {
 std::vector<StoredModel> models_of_patch(const ResultsFile& file, const std::string& patch) {
   if (file.models().empty())
     throw InputError(fmt::format("{} holds no models; do: run a case", file.path()));
-  const bool placed = file.models().front().placed;
+  const bool placed = file.models().front().place.has_value();
   if (!patch.empty() && !placed)
     throw InputError(
         fmt::format("--patch {}: {} comes from a case without profiles and has one patch; do: "

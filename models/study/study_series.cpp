@@ -4,8 +4,8 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
+#include "contact/result/record.hpp"
 #include "models/solving/expected_choice.hpp"
-#include "models/study/study_checkpoint.hpp"
 #include "models/study/study_checks.hpp"
 #include "models/study/study_levels.hpp"
 #include "theories/registry.hpp"
@@ -13,6 +13,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <optional>
 #include <tuple>
 
 namespace rollfem::modelling {
@@ -83,19 +86,75 @@ bool parallel(const LevelPlan& plan, const StudyRun& work) {
   return work.how.models->at(plan.model).parallel;
 }
 
+/// The load points of one level. Their records carry the seconds spent on the level so far, so that
+/// the cost of a resumed level covers all calls.
+class LevelPoints : public contact::CheckpointPart {
+ public:
+  using CheckpointPart::CheckpointPart;
+  std::optional<std::string> find(const std::string& name) override {
+    const std::optional<std::string> bytes = CheckpointPart::find(name);
+    if (!bytes) return {};
+    contact::Record record(*bytes);
+    double seconds = 0.0;
+    std::string content;
+    record.values(seconds, content);
+    before_ = std::max(before_, seconds);
+    return content;
+  }
+  void keep(const std::string& name, const std::string& content) override {
+    contact::Record record;
+    double seconds = before_ + std::chrono::duration<double>(Clock::now() - begin_).count();
+    std::string copy = content;
+    record.values(seconds, copy);
+    CheckpointPart::keep(name, record.bytes());
+  }
+  /// Seconds of earlier calls; known after the level is solved.
+  double seconds_before() const { return before_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double before_ = 0.0;
+  Clock::time_point begin_ = Clock::now();
+};
+
+void exchange(contact::Record& record, StudyLevel& level) {
+  record.values(level.label, level.parameter, level.unknowns, level.contact_elements);
+  record.values(level.seconds, level.values, level.bars, level.noise);
+}
+
+/// Name of a stored level, from place, model and level as the study shows them.
+std::string record_name(const std::string& place, const StudySeries& series,
+                        const StudyLevel& level) {
+  // The exact parameter is part of the name, because labels are rounded; it belongs to the last
+  // refined quantity.
+  std::string name = fmt::format("level-{}-{}-{}-{}-{:.12g}", place, series.model, series.vary,
+                                 level.label, level.parameter);
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-'; }, '-');
+  return name;
+}
+
 /// The level as stored by an earlier call, otherwise solved. Collective for a parallel model.
 StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
                     const StudySeries& series, const std::string& place, const StudyRun& work) {
   StudyLevel level;
   level.label = wanted.label;
   level.parameter = wanted.parameter;
-  const std::string name = level_record_name(place, series, level);
-  const bool several = parallel(plan, work) && !work.how.together;
-  if (const auto kept = find_level(work.kept, name, several ? work.how.session : nullptr)) {
+  const std::string name = record_name(place, series, level);
+  std::string kept;
+  if (work.kept != nullptr) kept = work.kept->find(name).value_or("");
+  // Several processes agree on what the first one has stored.
+  if (parallel(plan, work) && !work.how.together && work.how.session != nullptr)
+    kept = work.how.session->from_first(kept);
+  if (!kept.empty()) {
+    contact::Record record(kept);
+    exchange(record, level);
     work.say(fmt::format("{} {}: resumed", plan.model, level.label));
-    return *kept;
+    return level;
   }
-  LevelPoints points(work.kept, name);
+  const std::string prefix = name + "-of-";
+  LevelPoints points(work.kept, prefix);
   Solving how = work.how;
   how.checkpoint = &points;
   how.progress = [&](contact::ProgressEvent event) {
@@ -111,8 +170,12 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
   level.bars = bars_of(result, wanted.input.has_profiles());
   for (const contact::PointResult& point : result.points)
     level.noise = std::max(level.noise, point.residual);
-  keep_level(work.kept, name, level);
-  points.drop();
+  if (work.kept != nullptr) {
+    contact::Record record;
+    exchange(record, level);
+    work.kept->keep(name, record.bytes());
+    work.kept->drop(prefix);
+  }
   work.say(fmt::format("{} {}: {:.2g} s", plan.model, level.label, level.seconds));
   return level;
 }

@@ -4,7 +4,6 @@
 #include "contact/result/bars.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
-#include "postprocess/read/summary_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -221,6 +220,18 @@ void gather(std::vector<Standing>& all, const Standing& more) {
 
 }  // namespace
 
+std::vector<ModelResult> scalars_of(std::vector<ModelResult> models) {
+  for (ModelResult& model : models) {
+    model.bodies = {};
+    for (PointResult& point : model.points) {
+      point.fields = {};
+      point.subsurface = {};
+      point.bodies = {};
+    }
+  }
+  return models;
+}
+
 std::vector<contact::Quantity> compared_quantities() {
   std::vector<Quantity> list;
   for (const bool of_friction : {false, true})
@@ -247,11 +258,9 @@ std::string reference_of(const std::vector<std::string>& models,
 std::vector<ComparedNumber> compared_numbers(const ComparedCase& compared,
                                              const std::vector<std::string>& references) {
   std::vector<ComparedNumber> numbers;
-  if (compared.summary.empty()) return numbers;
-  const std::vector<ModelResult> models = models_of_summary(compared.summary);
   std::vector<std::string> order;
   std::map<std::string, std::vector<const ModelResult*>> patches;
-  for (const ModelResult& model : models) {
+  for (const ModelResult& model : compared.models) {
     const std::string label = patch_label(model);
     if (patches.count(label) == 0) order.push_back(label);
     patches[label].push_back(&model);
@@ -282,8 +291,7 @@ std::vector<Standing> over_places(const std::vector<Standing>& standings) {
 CaseStandings case_standings(const ComparedCase& compared,
                              const std::vector<std::string>& references) {
   CaseStandings all{compared.name, standings(compared_numbers(compared, references)), {}};
-  if (compared.summary.empty()) return all;
-  for (const ModelResult& model : models_of_summary(compared.summary)) {
+  for (const ModelResult& model : compared.models) {
     const auto total = model.seconds.find("total");
     const double seconds = total == model.seconds.end() ? 0.0 : total->second;
     const auto found = std::find_if(all.seconds.begin(), all.seconds.end(),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Results of several models side by side: every number with its error bar and its difference from a
-// reference model, for one or several cases. Built from the summaries of result folders, so that
-// stored results are treated like new ones.
+// reference model, for one or several cases.
 #pragma once
 
 #include "contact/result/quantities.hpp"
@@ -17,10 +16,13 @@ struct ComparedCase {
   std::string name;       ///< of its result folder beside the comparison
   std::string case_file;  ///< as given by the user
   std::string title;
-  double friction = 0.0;  ///< coefficient
-  std::string summary;    ///< text of its summary.json; empty if no model gave a result
+  double friction = 0.0;                     ///< coefficient
+  std::vector<contact::ModelResult> models;  ///< scalars_of the results
   std::vector<MissingModel> missing;
 };
+
+/// Results without the values of elements and nodes, which no comparison needs.
+std::vector<contact::ModelResult> scalars_of(std::vector<contact::ModelResult> models);
 
 struct ComparisonRecord {
   Provenance provenance;

@@ -27,13 +27,12 @@ ordered_json standing_json(const Standing& standing) {
   return json;
 }
 
-ordered_json case_json(const ComparedCase& compared, const std::vector<std::string>& references) {
-  const CaseStandings stand = case_standings(compared, references);
+ordered_json case_json(const ComparedCase& compared, const CaseStandings& stand) {
   ordered_json json;
   json["name"] = compared.name;
   json["title"] = compared.title;
   json["case_file"] = compared.case_file;
-  json["complete"] = !compared.summary.empty();
+  json["complete"] = !compared.models.empty();
   json["missing"] = ordered_json::array();
   for (const MissingModel& model : compared.missing)
     json["missing"].push_back(
@@ -72,8 +71,8 @@ std::string comparison_json(const ComparisonRecord& record) {
     all.push_back(case_standings(compared, record.references));
   json["verdict"] = comparison_verdict(all);
   json["cases"] = ordered_json::array();
-  for (const ComparedCase& compared : record.cases)
-    json["cases"].push_back(case_json(compared, record.references));
+  for (std::size_t k = 0; k < all.size(); ++k)
+    json["cases"].push_back(case_json(record.cases[k], all[k]));
   return json_text(json);
 }
 

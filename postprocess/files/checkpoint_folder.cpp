@@ -5,6 +5,8 @@
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "postprocess/files/files_together.hpp"
+#include "postprocess/files/result_folder.hpp"
+#include "postprocess/files/seal.hpp"
 
 #include <fmt/core.h>
 
@@ -62,21 +64,6 @@ unsigned long long checksum_of_quantities() {
   return hash;
 }
 
-/// Seal of a record. It binds the record to its folder (`about`: program and case) and name (scene,
-/// model, level, load point); anywhere else it counts as damaged.
-std::string seal_of(const std::string& about, const std::string& name, const std::string& record) {
-  const auto bound = contact::checksum(name + '\n', contact::checksum(about));
-  return fmt::format("{:016x}", contact::checksum(record, bound));
-}
-
-std::optional<std::string> opened(const std::string& about, const std::string& name,
-                                  const std::string& bytes) {
-  if (bytes.size() < 16) return {};
-  std::string record = bytes.substr(16);
-  if (bytes.compare(0, 16, seal_of(about, name, record)) != 0) return {};
-  return record;
-}
-
 /// Value of the line "name: value".
 std::string line_of(const std::string& text, const std::string& name) {
   const std::size_t begin = text.find(name + ": ");
@@ -86,22 +73,16 @@ std::string line_of(const std::string& text, const std::string& name) {
 }
 
 fs::path folder_of_records(const std::string& result_directory) {
-  fs::path results = fs::absolute(result_directory).lexically_normal();
-  if (!results.has_filename()) results = results.parent_path();
-  return results.string() + ".unfinished";
+  return resolved_folder(result_directory).string() + ".unfinished";
 }
 
 /// Removes our files. The file that identifies the records goes last, so that the rest remains
 /// identifiable if the process is killed in between.
 void empty(const fs::path& folder, std::error_code& error) {
-  std::vector<fs::path> records;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const fs::path name = entry->path().filename();
-    if (is_of_checkpoint(name) && name != about_name) records.push_back(entry->path());
-  }
-  for (const fs::path& record : records)
-    if (!error) fs::remove(record, error);
+  for (const fs::path& file : files_in(folder, error))
+    if (const fs::path name = file.filename();
+        !error && is_of_checkpoint(name) && name != about_name)
+      fs::remove(file, error);
   if (!error) fs::remove(folder / about_name, error);
 }
 
@@ -130,9 +111,8 @@ CheckpointFolder::CheckpointFolder(const std::string& result_directory, const co
 void CheckpointFolder::look_at(const contact::Case& input) {
   std::error_code error;
   if (!fs::exists(folder_, error)) return;
-  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const fs::path name = entry->path().filename();
+  for (const fs::path& file : files_in(folder_, error)) {
+    const fs::path name = file.filename();
     if (!is_of_checkpoint(name))
       throw InputError(
           fmt::format("{} is the folder for unfinished runs, but holds {}, which rollfem did not "
@@ -166,13 +146,14 @@ void CheckpointFolder::look_at(const contact::Case& input) {
   begun_ = true;
 }
 
+/// Where a record belongs: program and case, and its own name (scene, model, level, load point).
+std::string CheckpointFolder::place_of(const std::string& name) const {
+  return about_ + name + '\n';
+}
+
 bool CheckpointFolder::holds_records() const {
-  if (!begun_) return false;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
-       entry.increment(error))
-    if (is_record(entry->path().filename())) return true;
-  return false;
+  const auto files = files_in(folder_);
+  return begun_ && std::any_of(files.begin(), files.end(), is_record);
 }
 
 std::optional<std::string> CheckpointFolder::find(const std::string& name) {
@@ -183,7 +164,7 @@ std::optional<std::string> CheckpointFolder::find(const std::string& name) {
       if (std::optional<std::string> record = other->find(name)) return record;
     return {};
   }
-  std::optional<std::string> record = opened(about_, name, contents_of(file));
+  std::optional<std::string> record = opened_record(place_of(name), contents_of(file));
   if (!record)
     warn_(
         fmt::format("warning: {} is damaged, or belongs to another load point or case; its load "
@@ -214,7 +195,7 @@ void CheckpointFolder::begin() {
 
 void CheckpointFolder::write(const std::string& name, const std::string& record) {
   if (!begun_) begin();
-  replace_file(folder_ / (name + record_suffix), seal_of(about_, name, record) + record);
+  replace_file(folder_ / (name + record_suffix), sealed_record(place_of(name), record));
   ++written_;
   if (told_) told_();
 }
@@ -241,13 +222,9 @@ void CheckpointFolder::drop(const std::string& begin) {
                                   [&](const auto& held) { return fits(held.first); }),
                    held_back_.end());
   if (!begun_) return;
-  std::error_code error;
-  std::vector<fs::path> gone;
-  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
-       entry.increment(error))
-    if (is_record(entry->path().filename()) && fits(entry->path().filename().string()))
-      gone.push_back(entry->path());
-  for (const fs::path& file : gone) fs::remove(file, error);
+  std::error_code ignored;
+  for (const fs::path& file : files_in(folder_))
+    if (is_record(file) && fits(file.filename().string())) fs::remove(file, ignored);
 }
 
 void CheckpointFolder::take_up_also(std::unique_ptr<CheckpointFolder> other) {

@@ -60,6 +60,7 @@ class CheckpointFolder : public contact::Checkpoint {
 
  private:
   void look_at(const contact::Case& input);
+  std::string place_of(const std::string& name) const;
   void begin();
   void write(const std::string& name, const std::string& record);
 

@@ -139,4 +139,17 @@ std::string contents_of(const fs::path& file) {
   return text.str();
 }
 
+std::vector<fs::path> files_in(const fs::path& folder, std::error_code& error) {
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    files.push_back(entry->path());
+  return files;
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::error_code ignored;
+  return files_in(folder, ignored);
+}
+
 }  // namespace rollfem::postprocess

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace rollfem::postprocess {
@@ -64,5 +65,10 @@ void flush_folder(const std::filesystem::path& folder);
 
 /// Content of a file; empty if it cannot be read.
 std::string contents_of(const std::filesystem::path& file);
+
+/// The entries of a folder as they are now; none, and the error, if it cannot be read.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
+                                            std::error_code& error);
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
 
 }  // namespace rollfem::postprocess

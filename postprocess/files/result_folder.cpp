@@ -90,19 +90,19 @@ bool is_of_result(const fs::path& name) {
 void carry_over(const fs::path& old_folder, const fs::path& new_folder, const fs::path& below,
                 bool& all_saved) {
   std::error_code error;
-  for (fs::directory_iterator entry(old_folder / below, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const fs::path name = below / entry->path().filename();
-    const bool folder = entry->is_directory(error) && !entry->is_symlink(error);
+  const std::vector<fs::path> files = files_in(old_folder / below, error);
+  if (error) all_saved = false;
+  for (const fs::path& old : files) {
+    const fs::path name = below / old.filename();
+    const bool folder = fs::is_directory(fs::symlink_status(old, error));
     if (folder && (name == "fields" || name == "figures")) {
       carry_over(old_folder, new_folder, name, all_saved);
     } else if (!is_of_result(name)) {
       fs::create_directories((new_folder / name).parent_path(), error);
-      fs::rename(old_folder / name, new_folder / name, error);
+      fs::rename(old, new_folder / name, error);
       if (error) all_saved = false;
     }
   }
-  if (error) all_saved = false;
 }
 
 /// Removes the remains of runs killed while writing this result: DIR.partial-PID of dead processes.
@@ -111,21 +111,18 @@ void carry_over(const fs::path& old_folder, const fs::path& new_folder, const fs
 void remove_stale_partials(const fs::path& target) {
   const std::string prefix = target.filename().string() + ".partial-";
   std::error_code error;
-  std::vector<fs::path> stale;
-  for (fs::directory_iterator entry(target.parent_path(), error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (name.compare(0, prefix.size(), prefix) != 0 || !entry->is_directory(error)) continue;
+  for (const fs::path& folder : files_in(target.parent_path())) {
+    const std::string name = folder.filename().string();
+    if (name.compare(0, prefix.size(), prefix) != 0 || !fs::is_directory(folder, error)) continue;
     char* rest = nullptr;
     const long process = std::strtol(name.c_str() + prefix.size(), &rest, 10);
     if (process <= 0 || (*rest != '\0' && *rest != '-')) continue;
     if (::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH) continue;
-    const int file = ::open(entry->path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (file < 0) continue;
-    if (::flock(file, LOCK_EX | LOCK_NB) == 0) stale.push_back(entry->path());
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) fs::remove_all(folder, error);
     ::close(file);
   }
-  for (const fs::path& folder : stale) fs::remove_all(folder, error);
 }
 
 }  // namespace
@@ -164,8 +161,8 @@ void ResultFolder::write(const std::string& name, std::string_view content) {
 void ResultFolder::commit() {
   check_target(target_);  // files may have appeared there while the models ran
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(partial_, error))
-    if (entry.is_directory()) flush_folder(entry.path());
+  for (const fs::path& entry : files_in(partial_))
+    if (fs::is_directory(entry)) flush_folder(entry);
   flush_folder(partial_);
 
   // The rename replaces an empty folder only; another thread may have filled it by now.

@@ -2,6 +2,7 @@
 #include "postprocess/files/seal.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/record.hpp"
 
 #include <fmt/format.h>
 
@@ -76,6 +77,18 @@ bool json_seal_is_intact(std::string_view text) {
   if (at == text.npos) return false;
   const std::string wanted = fmt::format("{:08x}\"\n}}\n", crc_of(text.substr(0, at)));
   return text.substr(at + json_member.size()) == wanted;
+}
+
+std::string sealed_record(std::string_view place, std::string_view record) {
+  const auto seal = contact::checksum(record, contact::checksum(place));
+  return fmt::format("{:016x}{}", seal, record);
+}
+
+std::optional<std::string> opened_record(std::string_view place, const std::string& bytes) {
+  if (bytes.size() < 16) return {};
+  std::string record = bytes.substr(16);
+  if (bytes != sealed_record(place, record)) return {};
+  return record;
 }
 
 }  // namespace rollfem::postprocess

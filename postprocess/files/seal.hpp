@@ -5,9 +5,11 @@
 // results.h5 begins with an HDF5 user block, which HDF5 libraries skip: 512 bytes of text with size
 // and CRC-32 of the data that follow. JSON files end with a member `checksum`: the CRC-32 of all
 // the text before it. A file without a checksum counts as damaged: its head may be cut off.
+// Records, which only the program itself reads, begin with 16 hexadecimal digits.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,5 +29,11 @@ bool hdf5_seal_is_intact(const std::string& path);
 /// The text of a JSON object with its checksum as the last member.
 std::string sealed_json(std::string text);
 bool json_seal_is_intact(std::string_view text);
+
+/// A record behind a checksum that binds it to where it belongs, such as a program, a case and a
+/// name; anywhere else it counts as damaged.
+std::string sealed_record(std::string_view place, std::string_view record);
+/// Empty if the record is damaged or belongs elsewhere.
+std::optional<std::string> opened_record(std::string_view place, const std::string& bytes);
 
 }  // namespace rollfem::postprocess

@@ -6,20 +6,17 @@
 #include <fmt/core.h>
 
 #include <stdexcept>
+#include <type_traits>
 
 namespace rollfem::postprocess::hdf5 {
 namespace {
 
-void check(herr_t status, const char* call) {
-  if (status < 0) throw std::runtime_error(std::string("HDF5: ") + call + " failed");
+[[noreturn]] void fail(const char* call) {
+  throw std::runtime_error(std::string("HDF5: ") + call + " failed");
 }
 
-/// UTF-8 strings of variable length, which h5py and MATLAB read directly.
-Handle string_type() {
-  Handle type(H5Tcopy(H5T_C_S1), "H5Tcopy");
-  check(H5Tset_size(type, H5T_VARIABLE), "H5Tset_size");
-  check(H5Tset_cset(type, H5T_CSET_UTF8), "H5Tset_cset");
-  return type;
+void check(herr_t status, const char* call) {
+  if (status < 0) fail(call);
 }
 
 void write_scalar_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
@@ -37,18 +34,14 @@ Handle transfer_of_text() {
   return transfer;
 }
 
-/// Datasets without time stamps, so that equal results give equal bytes.
-Handle dataset_options() {
-  Handle options(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate");
-  check(H5Pset_obj_track_times(options, false), "H5Pset_obj_track_times");
-  return options;
-}
-
-Handle write_numbers(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     hid_t type, const void* values, hid_t transfer = H5P_DEFAULT) {
+/// Without extents: a single value.
+Handle write_any(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
+                 hid_t type, const void* values, hid_t transfer = H5P_DEFAULT) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      "H5Screate_simple");
-  const Handle options = dataset_options();
+  const Handle options(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate");
+  // Without time stamps, so that equal results give equal bytes.
+  check(H5Pset_obj_track_times(options, false), "H5Pset_obj_track_times");
   hsize_t count = 1;
   for (const hsize_t extent : shape) count *= extent;
   if (count >= 512) {
@@ -62,38 +55,44 @@ Handle write_numbers(hid_t parent, const std::string& name, const std::vector<hs
   return dataset;
 }
 
-using Shape = std::vector<hsize_t>;
-
-hid_t type_of(const double* /*values*/) {
-  return H5T_NATIVE_DOUBLE;
-}
-hid_t type_of(const float* /*values*/) {
-  return H5T_NATIVE_FLOAT;
-}
-hid_t type_of(const unsigned char* /*values*/) {
+template <class Number>
+hid_t type_of() {
+  if constexpr (std::is_same_v<Number, double>) return H5T_NATIVE_DOUBLE;
+  if constexpr (std::is_same_v<Number, float>) return H5T_NATIVE_FLOAT;
+  if constexpr (std::is_same_v<Number, int>) return H5T_NATIVE_INT;
   return H5T_NATIVE_UCHAR;
-}
-hid_t type_of(const int* /*values*/) {
-  return H5T_NATIVE_INT;
 }
 
 }  // namespace
 
 Handle::Handle(hid_t id, const char* call) : id_(id) {
-  if (id < 0) throw std::runtime_error(std::string("HDF5: ") + call + " failed");
+  if (id < 0) fail(call);
 }
 
 Handle::~Handle() {
   if (id_ >= 0) H5Idec_ref(id_);
 }
 
-File::Alone File::alone() {
+Handle text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), "H5Tcopy");
+  check(H5Tset_size(type, H5T_VARIABLE), "H5Tset_size");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "H5Tset_cset");
+  return type;
+}
+
+Alone::Alone() {
   static std::recursive_mutex one_at_a_time;
-  return Alone(one_at_a_time);
+  lock_ = std::unique_lock(one_at_a_time);
+  H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+Alone::~Alone() {
+  if (lock_.owns_lock()) H5Eset_auto2(H5E_DEFAULT, function_, data_);
 }
 
 File create_file_in_memory() {
-  File::Alone alone = File::alone();
+  Alone alone;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
   check(H5Pset_fapl_core(access, 1U << 20U, false), "H5Pset_fapl_core");
   // The name is never used on disk, but must not name an existing file.
@@ -108,10 +107,9 @@ File create_file_in_memory() {
 std::string sealed_image(hid_t file) {
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), "H5Fflush");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-  if (size <= 0) throw std::runtime_error("HDF5: H5Fget_file_image failed");
+  if (size <= 0) fail("H5Fget_file_image");
   std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(file, bytes.data(), bytes.size()) != size)
-    throw std::runtime_error("HDF5: H5Fget_file_image failed");
+  if (H5Fget_file_image(file, bytes.data(), bytes.size()) != size) fail("H5Fget_file_image");
   // The image contains the data without the user block.
   return hdf5_seal(bytes) + bytes;
 }
@@ -133,15 +131,16 @@ void write_attribute(hid_t object, const std::string& name, long value) {
 
 void write_attribute(hid_t object, const std::string& name, const std::string& value) {
   const char* const text = value.c_str();
-  write_scalar_attribute(object, name, string_type(), &text);
+  write_scalar_attribute(object, name, text_type(), &text);
 }
 
 template <class Number>
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
                      const Number* values) {
-  return write_numbers(parent, name, shape, type_of(values), values);
+  return write_any(parent, name, shape, type_of<Number>(), values);
 }
 
+using Shape = std::vector<hsize_t>;
 template Handle write_dataset(hid_t, const std::string&, const Shape&, const double*);
 template Handle write_dataset(hid_t, const std::string&, const Shape&, const float*);
 template Handle write_dataset(hid_t, const std::string&, const Shape&, const unsigned char*);
@@ -151,19 +150,12 @@ Handle write_dataset(hid_t parent, const std::string& name, const std::vector<st
   std::vector<const char*> texts;
   texts.reserve(lines.size());
   for (const std::string& line : lines) texts.push_back(line.c_str());
-  const Handle type = string_type();
-  return write_numbers(parent, name, {texts.size()}, type, texts.data(), transfer_of_text());
+  return write_any(parent, name, {texts.size()}, text_type(), texts.data(), transfer_of_text());
 }
 
 Handle write_dataset(hid_t parent, const std::string& name, const std::string& text) {
-  const Handle type = string_type();
-  const Handle space(H5Screate(H5S_SCALAR), "H5Screate");
-  const Handle options = dataset_options();
-  Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, options, H5P_DEFAULT),
-                 "H5Dcreate2");
   const char* const start = text.c_str();
-  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer_of_text(), &start), "H5Dwrite");
-  return dataset;
+  return write_any(parent, name, {}, text_type(), &start, transfer_of_text());
 }
 
 void write_comment(hid_t object, const std::string& comment) {

@@ -30,14 +30,28 @@ class Handle {
   hid_t id_;
 };
 
-/// An open file. Debian's HDF5 is not thread-safe, and the files in memory share a name: the thread
-/// that has a file open keeps all others waiting until it is closed. Other objects belong to a
-/// file, so they need no lock of their own.
+/// The type of texts: UTF-8 strings of variable length, which h5py and MATLAB read directly.
+Handle text_type();
+
+/// While one exists, its thread alone uses HDF5, which prints nothing on failures: they become
+/// exceptions. Debian's HDF5 is not thread-safe, and the files in memory share a name.
+class Alone {
+ public:
+  Alone();
+  Alone(Alone&&) = default;
+  ~Alone();
+
+ private:
+  std::unique_lock<std::recursive_mutex> lock_;
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// An open file; the thread that has it open keeps all others waiting until it is closed. Other
+/// objects belong to a file, so they need no lock of their own.
 class File {
  public:
-  using Alone = std::unique_lock<std::recursive_mutex>;
   /// `alone`: taken before any call of HDF5.
-  static Alone alone();
   File(Alone alone, hid_t id, const char* call) : alone_(std::move(alone)), file_(id, call) {}
   operator hid_t() const { return file_; }  // NOLINT: as Handle
 
@@ -75,6 +89,15 @@ void link(hid_t parent, const std::string& path, hid_t group, const std::string&
 void describe(hid_t object, const std::string& unit, const std::string& description,
               const std::string& sign);
 
+/// Writes numbers with their description, by default as a list.
+template <class Number>
+void write_values(hid_t group, const char* name, const std::vector<Number>& values,
+                  const std::string& unit, const std::string& description,
+                  const std::string& sign = "", std::vector<hsize_t> shape = {}) {
+  if (shape.empty()) shape = {values.size()};
+  describe(write_dataset(group, name, shape, values.data()), unit, description, sign);
+}
+
 /// Writes N numbers of every point as a dataset [points, N].
 template <std::size_t N, class Number>
 void write_rows(hid_t group, const char* name, const std::vector<std::array<Number, N>>& rows,
@@ -82,11 +105,10 @@ void write_rows(hid_t group, const char* name, const std::vector<std::array<Numb
   std::vector<Number> flat;
   flat.reserve(N * rows.size());
   for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
-  describe(write_dataset(group, name, {rows.size(), N}, flat.data()), unit, description, "");
+  write_values(group, name, flat, unit, description, "", {rows.size(), N});
 }
 
-/// Opens a file for reading; std::runtime_error if it is not an HDF5 file or damaged. HDF5 prints
-/// nothing.
+/// Opens a file for reading; std::runtime_error if it is not an HDF5 file or damaged.
 File open_file(const std::string& path);
 
 /// Whether an object has a member (a group, a dataset), or an attribute, of that name.

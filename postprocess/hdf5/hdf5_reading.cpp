@@ -9,22 +9,6 @@
 namespace rollfem::postprocess::hdf5 {
 namespace {
 
-/// Suppresses HDF5's own text on stderr; failures become exceptions.
-class Silence {
- public:
-  Silence() {
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
-};
-
 [[noreturn]] void fail(const std::string& what, const std::string& name) {
   throw std::runtime_error(fmt::format("{} {}", what, name));
 }
@@ -49,13 +33,6 @@ class Texts {
   std::vector<char*> data_;
 };
 
-Handle text_type() {
-  Handle type(H5Tcopy(H5T_C_S1), "H5Tcopy");
-  H5Tset_size(type, H5T_VARIABLE);
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  return type;
-}
-
 bool is_text(hid_t type) {
   return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0;
 }
@@ -65,73 +42,88 @@ bool is_number(hid_t type) {
   return kind == H5T_FLOAT || kind == H5T_INTEGER;
 }
 
-std::vector<hsize_t> shape_of(hid_t space) {
-  const int rank = H5Sget_simple_extent_ndims(space);
-  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(rank, 0)));
-  if (rank > 0) H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-  return shape;
-}
+/// An attribute or a dataset with its type and shape.
+struct Content {
+  Handle object, type, space;
 
-hsize_t count_of(const std::vector<hsize_t>& shape) {
-  hsize_t count = 1;
-  for (const hsize_t extent : shape) count *= extent;
-  return count;
-}
+  std::vector<hsize_t> shape() const {
+    const int rank = H5Sget_simple_extent_ndims(space);
+    std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(rank, 0)));
+    if (rank > 0) H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    return shape;
+  }
+  hsize_t count() const {
+    hsize_t count = 1;
+    for (const hsize_t extent : shape()) count *= extent;
+    return count;
+  }
+};
 
-Handle open_attribute(hid_t object, const std::string& name) {
+Content open_attribute(hid_t object, const std::string& name) {
   if (!has_attribute(object, name)) fail("there is no attribute", name);
-  return {H5Aopen(object, name.c_str(), H5P_DEFAULT), "H5Aopen"};
+  Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "H5Aopen");
+  Handle type(H5Aget_type(attribute), "H5Aget_type");
+  Handle space(H5Aget_space(attribute), "H5Aget_space");
+  return {std::move(attribute), std::move(type), std::move(space)};
 }
 
-Handle open_dataset(hid_t parent, const std::string& name) {
-  const Silence silence;
+Content open_dataset(hid_t parent, const std::string& name) {
   if (!has_member(parent, name)) fail("there is no dataset", name);
   const hid_t id = H5Dopen2(parent, name.c_str(), H5P_DEFAULT);
   if (id < 0) fail("there is no readable dataset", name);
-  return {id, "H5Dopen2"};
+  Handle dataset(id, "H5Dopen2");
+  Handle type(H5Dget_type(dataset), "H5Dget_type");
+  Handle space(H5Dget_space(dataset), "H5Dget_space");
+  return {std::move(dataset), std::move(type), std::move(space)};
 }
 
-herr_t keep_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/, void* names) {
+/// Keeps the name of a link or an attribute.
+template <class Info>
+herr_t keep_name(hid_t /*parent*/, const char* name, const Info* /*info*/, void* names) {
   static_cast<std::vector<std::string>*>(names)->emplace_back(name);
   return 0;
 }
 
-herr_t keep_attribute(hid_t /*object*/, const char* name, const H5A_info_t* /*info*/, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
+/// The attributes that are numbers, or all others, as `read` reads them.
+template <class Value>
+std::map<std::string, Value> read_attributes(hid_t object, bool numbers,
+                                             Value (*read)(hid_t, const std::string&)) {
+  std::vector<std::string> names;
+  hsize_t at = 0;
+  if (H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &at, keep_name<H5A_info_t>, &names) < 0)
+    fail("there is no readable", "list of attributes");
+  std::map<std::string, Value> found;
+  for (const std::string& name : names)
+    if (is_number(open_attribute(object, name).type) == numbers) found[name] = read(object, name);
+  return found;
 }
 
 }  // namespace
 
 File open_file(const std::string& path) {
-  File::Alone alone = File::alone();
-  const Silence silence;
+  Alone alone;
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) fail("HDF5 cannot open", path);
   return {std::move(alone), id, "H5Fopen"};
 }
 
 bool has_member(hid_t group, const std::string& name) {
-  const Silence silence;
   return H5Lexists(group, name.c_str(), H5P_DEFAULT) > 0;
 }
 
 bool has_attribute(hid_t object, const std::string& name) {
-  const Silence silence;
   return H5Aexists(object, name.c_str()) > 0;
 }
 
 std::vector<std::string> members(hid_t group) {
-  const Silence silence;
   std::vector<std::string> names;
   hsize_t at = 0;
-  if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &at, keep_name, &names) < 0)
+  if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &at, keep_name<H5L_info_t>, &names) < 0)
     fail("there is no readable", "list of members");
   return names;
 }
 
 Handle open_group(hid_t parent, const std::string& name) {
-  const Silence silence;
   if (!has_member(parent, name)) fail("there is no group", name);
   const hid_t id = H5Gopen2(parent, name.c_str(), H5P_DEFAULT);
   if (id < 0) fail("there is no readable group", name);
@@ -139,74 +131,37 @@ Handle open_group(hid_t parent, const std::string& name) {
 }
 
 double read_number(hid_t object, const std::string& name) {
-  const Silence silence;
-  const Handle attribute = open_attribute(object, name);
-  const Handle type(H5Aget_type(attribute), "H5Aget_type");
-  const Handle space(H5Aget_space(attribute), "H5Aget_space");
+  const Content attribute = open_attribute(object, name);
   double value = 0.0;
-  if (!is_number(type) || count_of(shape_of(space)) != 1 ||
-      H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
+  if (!is_number(attribute.type) || attribute.count() != 1 ||
+      H5Aread(attribute.object, H5T_NATIVE_DOUBLE, &value) < 0)
     fail("not one number: attribute", name);
   return value;
 }
 
 std::string read_text(hid_t object, const std::string& name) {
-  const Silence silence;
-  const Handle attribute = open_attribute(object, name);
-  const Handle type(H5Aget_type(attribute), "H5Aget_type");
-  const Handle space(H5Aget_space(attribute), "H5Aget_space");
-  if (!is_text(type) || count_of(shape_of(space)) != 1) fail("not a string: attribute", name);
+  const Content attribute = open_attribute(object, name);
+  if (!is_text(attribute.type) || attribute.count() != 1) fail("not a string: attribute", name);
   const Handle wanted = text_type();
-  Texts texts(wanted, space, 1);
-  if (H5Aread(attribute, wanted, texts.data()) < 0) fail("unreadable attribute", name);
+  Texts texts(wanted, attribute.space, 1);
+  if (H5Aread(attribute.object, wanted, texts.data()) < 0) fail("unreadable attribute", name);
   return texts.lines().front();
 }
 
-namespace {
-
-std::vector<std::string> attribute_names(hid_t object) {
-  std::vector<std::string> names;
-  hsize_t at = 0;
-  if (H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &at, keep_attribute, &names) < 0)
-    fail("there is no readable", "list of attributes");
-  return names;
-}
-
-}  // namespace
-
 std::map<std::string, std::string> read_texts(hid_t object) {
-  const Silence silence;
-  std::map<std::string, std::string> texts;
-  for (const std::string& name : attribute_names(object)) {
-    const Handle attribute = open_attribute(object, name);
-    const Handle type(H5Aget_type(attribute), "H5Aget_type");
-    if (!is_number(type)) texts[name] = read_text(object, name);
-  }
-  return texts;
+  return read_attributes(object, false, read_text);
 }
 
 std::map<std::string, double> read_numbers(hid_t object) {
-  const Silence silence;
-  std::map<std::string, double> numbers;
-  for (const std::string& name : attribute_names(object)) {
-    const Handle attribute = open_attribute(object, name);
-    const Handle type(H5Aget_type(attribute), "H5Aget_type");
-    if (is_number(type)) numbers[name] = read_number(object, name);
-  }
-  return numbers;
+  return read_attributes(object, true, read_number);
 }
 
 Numbers read_dataset(hid_t parent, const std::string& name) {
-  const Silence silence;
-  const Handle dataset = open_dataset(parent, name);
-  const Handle type(H5Dget_type(dataset), "H5Dget_type");
-  const Handle space(H5Dget_space(dataset), "H5Dget_space");
-  if (!is_number(type)) fail("no numbers in dataset", name);
-  Numbers numbers;
-  numbers.shape = shape_of(space);
-  numbers.values.resize(count_of(numbers.shape));
-  if (!numbers.values.empty() &&
-      H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.values.data()) < 0)
+  const Content dataset = open_dataset(parent, name);
+  if (!is_number(dataset.type)) fail("no numbers in dataset", name);
+  Numbers numbers{dataset.shape(), std::vector<double>(dataset.count())};
+  if (!numbers.values.empty() && H5Dread(dataset.object, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
+                                         H5P_DEFAULT, numbers.values.data()) < 0)
     fail("damaged or truncated: dataset", name);
   return numbers;
 }
@@ -228,16 +183,13 @@ template std::vector<std::array<float, 3>> read_rows(hid_t, const std::string&);
 template std::vector<std::array<float, 6>> read_rows(hid_t, const std::string&);
 
 std::vector<std::string> read_lines(hid_t parent, const std::string& name) {
-  const Silence silence;
-  const Handle dataset = open_dataset(parent, name);
-  const Handle type(H5Dget_type(dataset), "H5Dget_type");
-  const Handle space(H5Dget_space(dataset), "H5Dget_space");
-  if (!is_text(type)) fail("no text in dataset", name);
-  const hsize_t count = count_of(shape_of(space));
+  const Content dataset = open_dataset(parent, name);
+  if (!is_text(dataset.type)) fail("no text in dataset", name);
+  const hsize_t count = dataset.count();
   if (count == 0) return {};
   const Handle wanted = text_type();
-  Texts texts(wanted, space, count);
-  if (H5Dread(dataset, wanted, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()) < 0)
+  Texts texts(wanted, dataset.space, count);
+  if (H5Dread(dataset.object, wanted, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()) < 0)
     fail("damaged or truncated: dataset", name);
   return texts.lines();
 }

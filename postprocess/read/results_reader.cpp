@@ -5,8 +5,8 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
+#include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 
 #include <fmt/format.h>
@@ -123,6 +123,16 @@ contact::Case read_case(hid_t file) {
   return input;
 }
 
+std::optional<contact::ContactPlace> read_place(hid_t model) {
+  if (!has_member(model, "place")) return {};
+  const Handle group = open_group(model, "place");
+  contact::ContactPlace place;
+  place.left = read_text(group, "wheel") == "left";
+  for (const PlaceScalar& scalar : place_scalars())
+    if (has_attribute(group, scalar.name)) scalar.set(place, read_number(group, scalar.name));
+  return place;
+}
+
 std::vector<StoredModel> list_models(hid_t file) {
   const Handle all = open_group(file, "models");
   std::vector<std::pair<double, StoredModel>> found;
@@ -133,13 +143,7 @@ std::vector<StoredModel> list_models(hid_t file) {
     model.name = has_attribute(group, "model") ? read_text(group, "model") : key;
     model.points_with_bodies = points_with_bodies(group);
     model.points = static_cast<int>(members(open_group(group, "points")).size());
-    if (has_member(group, "place")) {
-      const Handle place = open_group(group, "place");
-      model.placed = true;
-      model.left = read_text(place, "wheel") == "left";
-      model.position = static_cast<int>(read_number(place, "position"));
-      model.patch = static_cast<int>(read_number(place, "patch"));
-    }
+    model.place = read_place(group);
     found.emplace_back(read_number(group, "order"), model);
   }
   std::sort(found.begin(), found.end(),
@@ -171,9 +175,9 @@ void read_quantities(hid_t group, PointResult& point) {
       throw std::runtime_error(fmt::format("there is no attribute {}", quantity.name));
 }
 
-std::map<std::string, double> read_by_quantity(hid_t point, const char* name) {
-  return has_member(point, name) ? read_numbers(open_group(point, name))
-                                 : std::map<std::string, double>{};
+std::map<std::string, double> read_by_name(hid_t parent, const char* name) {
+  return has_member(parent, name) ? read_numbers(open_group(parent, name))
+                                  : std::map<std::string, double>{};
 }
 
 void read_fields(hid_t point, const contact::ContactGrid& grid, contact::ContactFields& fields) {
@@ -215,9 +219,9 @@ std::vector<contact::StressMaximum> read_maxima(hid_t point) {
 PointResult read_point(hid_t group, const contact::ContactGrid& grid) {
   PointResult point;
   read_quantities(group, point);
-  point.error_estimate = read_by_quantity(group, "error_estimate");
-  point.model_error = read_by_quantity(group, "model_error");
-  point.richardson = read_by_quantity(group, "richardson");
+  point.error_estimate = read_by_name(group, "error_estimate");
+  point.model_error = read_by_name(group, "model_error");
+  point.richardson = read_by_name(group, "richardson");
   if (has_member(group, "no_bar")) point.no_bar = read_texts(open_group(group, "no_bar"));
   read_fields(group, grid, point.fields);
   point.stress_maxima = read_maxima(group);
@@ -252,12 +256,8 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
     result.unknowns = static_cast<long>(read_number(group, "unknowns"));
     result.contact_elements = static_cast<int>(read_number(group, "contact_elements"));
     result.notes = read_lines(group, "notes");
-    if (model.placed) {
-      result.place.emplace();
-      result.place->left = model.left;
-      result.place->position = model.position;
-      result.place->patch = model.patch;
-    }
+    result.place = model.place;
+    result.seconds = read_by_name(group, "seconds");
     result.grid = read_grid(group);
     const Handle points = open_group(group, "points");
     for (const std::string& number : members(points))

@@ -5,6 +5,7 @@
 
 #include "contact/result/result.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,9 @@ namespace rollfem::postprocess {
 
 /// A model of a stored result, without its fields.
 struct StoredModel {
-  std::string key;      ///< its group: "halfspace", with profiles "halfspace_left_3_1"
-  std::string name;     ///< "halfspace"
-  bool placed = false;  ///< with profiles, which set the members below
-  bool left = true;
-  int position = 1;
-  int patch = 1;
+  std::string key;   ///< its group: "halfspace", with profiles "halfspace_left_3_1"
+  std::string name;  ///< "halfspace"
+  std::optional<contact::ContactPlace> place;  ///< with profiles
   int points = 0;
   std::vector<std::size_t> points_with_bodies;  ///< load points, from 0, that store wheel and rail
 };
@@ -38,8 +36,7 @@ class ResultsFile {
   const std::vector<StoredModel>& models() const { return models_; }
 
   /// The record of a model: grid, load points with scalars, fields, error estimates and stress
-  /// maxima, nodes and cells of the bodies. Empty: values of the bodies, subsurface, seconds, and
-  /// all members of the place that StoredModel lacks.
+  /// maxima, nodes and cells of the bodies. Empty: values of the bodies, subsurface.
   contact::ModelResult read(const StoredModel& model) const;
   /// Adds displacement and stress of the bodies at one of `model.points_with_bodies`.
   void read_bodies(const StoredModel& model, std::size_t point, contact::ModelResult& result) const;

@@ -3,7 +3,6 @@
 
 #include "contact/result/bars.hpp"
 #include "contact/result/stress_extremes.hpp"
-#include "postprocess/stress/ellipse_shear.hpp"
 #include "postprocess/stress/shakedown.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/json_head.hpp"
@@ -104,16 +103,23 @@ double yield_ratio(const std::vector<StressMaximum>& maxima, double k) {
   return most / (std::sqrt(3.0) * k);
 }
 
+/// The computed stresses of a load point of the model; null if they were not requested.
+const StressOfModel* chosen_at(const StressReport& report, const StressOfModel& model,
+                               std::size_t number) {
+  for (const StressOfModel& other : report.models)
+    if (other.point == number && other.result.key() == model.result.key()) return &other;
+  return nullptr;
+}
+
 /// Yield ratio of a load point: from the computed stresses of chosen load points, from stored ones
 /// of the others; empty if nothing is stored.
 std::optional<double> yield_ratio_at(const StressReport& report, const StressOfModel& model,
                                      std::size_t number, double k) {
-  for (const StressOfModel& other : report.models)
-    if (other.point == number && other.result.key() == model.result.key())
-      return yield_ratio(other.maxima, k);
-  const auto& stored = model.result.points[number].stress_maxima;
-  if (stored.empty()) return std::nullopt;
-  return yield_ratio(stored, k);
+  const StressOfModel* chosen = chosen_at(report, model, number);
+  const auto& maxima =
+      chosen != nullptr ? chosen->maxima : model.result.points[number].stress_maxima;
+  if (chosen == nullptr && maxima.empty()) return std::nullopt;
+  return yield_ratio(maxima, k);
 }
 
 /// The ellipse that fits the patch of the load point.
@@ -210,13 +216,6 @@ std::string row(const std::string& what, const StressMaximum& maximum, const Poi
                      zero(p[2]));
 }
 
-/// Whether stresses at a load point were requested.
-bool is_chosen(const StressReport& report, const StressOfModel& model, std::size_t number) {
-  return std::any_of(report.models.begin(), report.models.end(), [&](const StressOfModel& other) {
-    return other.point == number && other.result.key() == model.result.key();
-  });
-}
-
 /// Shakedown table of all load points of a model.
 std::string shakedown_table(const StressReport& report, const StressOfModel& model, double k) {
   const EllipseShear ellipse = ellipse_of(model);
@@ -236,7 +235,7 @@ std::string shakedown_table(const StressReport& report, const StressOfModel& mod
                         surface_fatigue_index(traction, factor),
                         ratio ? fmt::format("{:.3f}", *ratio) : "-",
                         verdict(factor, traction, limit, ratio), margin(factor, limit),
-                        is_chosen(report, model, number) ? "  <" : "");
+                        chosen_at(report, model, number) ? "  <" : "");
   }
   return text +
          "  elastic: the largest von Mises stress is below sqrt(3) k (Y-ratio; if unknown, p0 "

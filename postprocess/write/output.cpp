@@ -5,8 +5,6 @@
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/record_check.hpp"
-#include "postprocess/write/results_hdf5.hpp"
-#include "postprocess/write/summary_json.hpp"
 #include "postprocess/write/vtu.hpp"
 
 #include <fmt/core.h>

@@ -66,6 +66,21 @@ struct RunRecord {
   std::vector<RigidWheelset> rigid_row = {};
 };
 
+/// Text of summary.json: scalars, error estimates and times. The record must pass check_record.
+std::string summary_json(const RunRecord& run);
+
+/// Incremented when names or meanings in results.h5 change; readers of an earlier version must
+/// refuse the file.
+inline constexpr int hdf5_format_version = 2;
+/// Incremented when something is added; readers of the version may ignore it.
+inline constexpr int hdf5_format_minor = 0;
+
+/// The bytes of results.h5: grid, fields per load point, scalars and provenance, self-describing
+/// (units, signs and descriptions are attributes and comments). The file is created in memory, so
+/// that HDF5 cannot fail half-way on a full disk and the bytes are written like those of other
+/// files. The record must have passed check_record.
+std::string results_hdf5(const RunRecord& run);
+
 /// Writes everything except figures and report. Files are written to a folder beside `directory`
 /// and moved in when all are complete; on failure (disk full, no permission) nothing is left behind
 /// and contact::InputError states the reason. An earlier result in `directory` is replaced; foreign

@@ -7,40 +7,31 @@ using contact::ContactFields;
 using contact::Field;
 
 const std::vector<PlaceScalar>& place_scalars() {
-  using P = const contact::ContactPlace&;
+  using P = contact::ContactPlace;
   static const std::vector<PlaceScalar> scalars{
-      {"position", "-", "number of the wheelset's position, from 1",
-       [](P p) { return static_cast<double>(p.position); }},
-      {"patch", "-", "number of the patch of this wheel at this position, from 1",
-       [](P p) { return static_cast<double>(p.patch); }},
-      {"patches", "-", "number of patches of this wheel at this position",
-       [](P p) { return static_cast<double>(p.patches); }},
-      {"lateral_shift", "mm", "of the wheelset, positive to the right",
-       [](P p) { return p.lateral_shift; }},
-      {"yaw", "rad", "of the wheelset, positive from x to y of the track (to the right)",
-       [](P p) { return p.yaw; }},
+      {"position", "-", "number of the wheelset's position, from 1", &P::position},
+      {"patch", "-", "number of the patch of this wheel at this position, from 1", &P::patch},
+      {"patches", "-", "number of patches of this wheel at this position", &P::patches},
+      {"lateral_shift", "mm", "of the wheelset, positive to the right", &P::lateral_shift},
+      {"yaw", "rad", "of the wheelset, positive from x to y of the track (to the right)", &P::yaw},
       {"roll", "rad", "of the wheelset, positive from y to z of the track (right wheel down)",
-       [](P p) { return p.roll; }},
+       &P::roll},
       {"height", "mm", "z of the middle of the axle (down) plus the nominal rolling radius",
-       [](P p) { return p.height; }},
+       &P::height},
       {"x_track", "mm", "contact point in the track frame, ahead of the middle of the axle",
-       [](P p) { return p.x_track; }},
-      {"y_track", "mm", "contact point in the track frame, y to the right",
-       [](P p) { return p.y_track; }},
+       &P::x_track},
+      {"y_track", "mm", "contact point in the track frame, y to the right", &P::y_track},
       {"z_track", "mm", "contact point in the track frame, z down from the top of the rails",
-       [](P p) { return p.z_track; }},
-      {"y_rail", "mm", "contact point in the rail's profile coordinates",
-       [](P p) { return p.y_rail; }},
-      {"y_wheel", "mm", "contact point in the wheel's profile coordinates",
-       [](P p) { return p.y_wheel; }},
+       &P::z_track},
+      {"y_rail", "mm", "contact point in the rail's profile coordinates", &P::y_rail},
+      {"y_wheel", "mm", "contact point in the wheel's profile coordinates", &P::y_wheel},
       {"contact_angle", "rad",
        "of the contact plane, positive where it falls towards the middle of the track, as at a "
        "flange",
-       [](P p) { return p.contact_angle; }},
-      {"rolling_radius", "mm", "distance of the contact point from the axle",
-       [](P p) { return p.rolling_radius; }},
+       &P::contact_angle},
+      {"rolling_radius", "mm", "distance of the contact point from the axle", &P::rolling_radius},
       {"separation", "mm", "distance along the normal at first contact of the wheel",
-       [](P p) { return p.separation; }},
+       &P::separation},
   };
   return scalars;
 }

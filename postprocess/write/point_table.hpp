@@ -5,6 +5,8 @@
 
 #include "contact/result/result.hpp"
 
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace rollfem::postprocess {
@@ -26,7 +28,14 @@ struct PlaceScalar {
   const char* name;
   const char* unit;
   const char* description;
-  double (*value)(const contact::ContactPlace&);
+  std::variant<int contact::ContactPlace::*, double contact::ContactPlace::*> member;
+  double value(const contact::ContactPlace& place) const {
+    return std::visit([&](auto of) { return static_cast<double>(place.*of); }, member);
+  }
+  void set(contact::ContactPlace& place, double value) const {
+    std::visit([&](auto of) { place.*of = static_cast<std::decay_t<decltype(place.*of)>>(value); },
+               member);
+  }
 };
 const std::vector<PlaceScalar>& place_scalars();
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "postprocess/write/results_hdf5.hpp"
 
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "contact/scene/friction_law.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
+#include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
 #include "postprocess/write/stored_bodies.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
@@ -70,14 +70,14 @@ void write_case(hid_t file, const contact::Case& input) {
                                     : "over the lateral position"));
   write_friction_law(group, input);
   const contact::Layer layer = input.layer.value_or(contact::Layer{});
-  if (layer.thickness) write_attribute(group, "layer_thickness", *layer.thickness);
-  if (layer.shear_modulus) write_attribute(group, "layer_shear_modulus", *layer.shear_modulus);
-  if (layer.yield_stress) write_attribute(group, "layer_yield_stress", *layer.yield_stress);
-  if (layer.hardening) write_attribute(group, "layer_hardening", *layer.hardening);
-  if (input.load.normal_force) write_attribute(group, "normal_force", *input.load.normal_force);
-  if (input.load.vertical_force)
-    write_attribute(group, "vertical_force", *input.load.vertical_force);
-  if (input.load.approach) write_attribute(group, "approach", *input.load.approach);
+  for (const auto& [name, value] : {std::pair{"layer_thickness", layer.thickness},
+                                    {"layer_shear_modulus", layer.shear_modulus},
+                                    {"layer_yield_stress", layer.yield_stress},
+                                    {"layer_hardening", layer.hardening},
+                                    {"normal_force", input.load.normal_force},
+                                    {"vertical_force", input.load.vertical_force},
+                                    {"approach", input.load.approach}})
+    if (value) write_attribute(group, name, *value);
   write_attribute(group, "problem", std::string(word_of(input.rolling.problem)));
   write_attribute(group, "prescribed_forces", prescribed_forces(input));
   if (input.given_pressure) {
@@ -160,16 +160,11 @@ void write_grid(hid_t model, const ContactGrid& grid) {
   write_attribute(group, "dx", grid.dx);
   write_attribute(group, "dy", grid.dy);
   write_attribute(group, "unit", std::string("mm"));
-  std::vector<double> x;
-  std::vector<double> y;
-  x.reserve(static_cast<std::size_t>(grid.nx));
-  y.reserve(static_cast<std::size_t>(grid.ny));
+  std::vector<double> x, y;
   for (int i = 0; i < grid.nx; ++i) x.push_back(grid.x(i));
   for (int j = 0; j < grid.ny; ++j) y.push_back(grid.y(j));
-  describe(write_dataset(group, "x", {x.size()}, x.data()), "mm", "element centres along rolling",
-           "material enters at large x");
-  describe(write_dataset(group, "y", {y.size()}, y.data()), "mm", "element centres across rolling",
-           "");
+  write_values(group, "x", x, "mm", "element centres along rolling", "material enters at large x");
+  write_values(group, "y", y, "mm", "element centres across rolling");
 }
 
 void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult& point) {
@@ -184,8 +179,8 @@ void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult&
   std::vector<unsigned char> state;
   for (const contact::ElementState s : point.fields.state)
     state.push_back(static_cast<unsigned char>(s));
-  describe(write_dataset(group, "state", shape, state.data()), "-",
-           "state of the element: 0 exterior, 1 adhesion, 2 slip, 3 plastic", "");
+  write_values(group, "state", state, "-",
+               "state of the element: 0 exterior, 1 adhesion, 2 slip, 3 plastic", "", shape);
 }
 
 void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {
@@ -207,8 +202,7 @@ void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& 
     std::vector<double> equivalent;
     for (const auto& stress : field.stress)
       equivalent.push_back(contact::von_mises(contact::Stress::from_array(stress)));
-    describe(write_dataset(group, "von_mises", {equivalent.size()}, equivalent.data()), "MPa",
-             "von Mises stress", "");
+    write_values(group, "von_mises", equivalent, "MPa", "von Mises stress");
   }
 }
 
@@ -216,8 +210,7 @@ void write_stress_maxima(hid_t point, const std::vector<contact::StressMaximum>&
   if (maxima.empty()) return;
   const Handle group =
       create_group(point, "stress_maxima", "Largest stresses of wheel and rail, with their places");
-  std::vector<std::string> body;
-  std::vector<std::string> measure;
+  std::vector<std::string> body, measure;
   std::vector<double> value;
   std::vector<std::array<double, 3>> place;
   for (const contact::StressMaximum& maximum : maxima) {
@@ -228,7 +221,7 @@ void write_stress_maxima(hid_t point, const std::vector<contact::StressMaximum>&
   }
   write_comment(write_dataset(group, "body", body), "wheel or rail");
   write_comment(write_dataset(group, "measure", measure), "stress measure");
-  describe(write_dataset(group, "value", {value.size()}, value.data()), "MPa", "largest value", "");
+  write_values(group, "value", value, "MPa", "largest value");
   write_rows(group, "place", place, "mm", "x, y, z in the global frame, z into the wheel");
 }
 

@@ -20,11 +20,7 @@ std::string group_of(std::size_t point) {
 void write_mesh(hid_t group, const BodyField& body) {
   write_rows(group, "points", body.points, "mm",
              "x, y, z of the undeformed nodes in the global frame, z into the wheel");
-  std::vector<int> corners;
-  corners.reserve(8 * body.cells.size());
-  for (const auto& cell : body.cells) corners.insert(corners.end(), cell.begin(), cell.end());
-  describe(write_dataset(group, "cells", {body.cells.size(), 8}, corners.data()), "-",
-           "nodes of every hexahedron, from 0, in VTK's order", "");
+  write_rows(group, "cells", body.cells, "-", "nodes of every hexahedron, from 0, in VTK's order");
 }
 
 BodyField read_mesh(hid_t bodies, const std::string& name) {

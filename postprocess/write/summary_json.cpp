@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "postprocess/write/summary_json.hpp"
 
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/json_head.hpp"
+#include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
 

@@ -36,42 +36,58 @@ const char* const shift_conventions =
     "shear_modulus, a and b "
     "are wheel/semi_axis_x and wheel/semi_axis_y. The table holds for the load of the case.";
 
-/// One value of every entry of a list.
-template <class List, class Get>
-std::vector<double> column(const List& list, const Get& get) {
-  std::vector<double> found;
-  found.reserve(list.size());
-  for (const auto& entry : list) found.push_back(get(entry));
-  return found;
+constexpr std::pair<const char*, std::string CreepTable::*> table_texts[] = {
+    {"title", &CreepTable::title},
+    {"program", &CreepTable::program},
+    {"command", &CreepTable::command},
+    {"started", &CreepTable::started},
+    {"case_file", &CreepTable::case_file}};
+
+/// An axis in the group axes; not there without values.
+struct Axis {
+  const char *name, *unit, *says;
+  std::vector<double> CreepTable::*values;
+};
+constexpr Axis table_axes[] = {
+    {"axis_ratio", "1", "a/b of the ellipse, a along rolling", &CreepTable::axis_ratio},
+    {"lateral_shift", "mm", "lateral shift of the wheelset", &CreepTable::lateral_shift},
+    {"load", "N", "force under [load] that the forces are computed for", &CreepTable::load},
+    {"speed", "mm/s", "rolling speed that the forces are computed for", &CreepTable::speed},
+    {"mean_axis", "mm", "sqrt(a b) of every ratio at the first load", &CreepTable::mean_axis}};
+constexpr std::array<const char*, 2> creepage_axes[] = {
+    {"longitudinal", "xi', scaled longitudinal creepage"},
+    {"lateral", "eta', scaled lateral creepage"},
+    {"spin", "phi', scaled spin"}};
+
+/// The numbers of every point, with unit and meaning; the last one over lateral shifts only.
+constexpr std::array<const char*, 3> point_columns[] = {
+    {"longitudinal_force", "mu F_n", "F_x"},
+    {"lateral_force", "mu F_n", "F_y"},
+    {"spin_moment", "mu F_n c", "M_z, c = sqrt(a b)"},
+    {"force_bar", "mu F_n", "error bar of the force vector"},
+    {"moment_bar", "mu F_n c", "error bar of M_z"},
+    {"force_along_normal", "mu F_n",
+     "force of friction along the normal of the main contact: nonzero on a curved surface and with "
+     "contacts in other planes"}};
+
+std::size_t columns_of(const CreepTable& table) {
+  return table.over_shifts() ? 6 : 5;
 }
 
-void write_column(hid_t group, const char* name, const std::vector<hsize_t>& shape,
-                  const std::vector<double>& values, const char* unit, const char* says) {
-  describe(write_dataset(group, name, shape, values.data()), unit, says, "on the wheel");
+template <class Table>
+auto& number_of(Table& table, std::size_t point, std::size_t column) {
+  if (column < 3) return table.forces[point][column];
+  return column < 5 ? table.bars[point][column - 3] : table.along_normal[point];
 }
 
 void write_axes(hid_t file, const CreepTable& table) {
   const Handle group = create_group(file, "axes", "The axes of the arrays");
-  const auto write = [&](const char* name, const std::vector<double>& values, const char* says) {
-    describe(write_dataset(group, name, {values.size()}, values.data()), "1", says, "");
-  };
-  if (table.over_shifts())
-    describe(write_dataset(group, "lateral_shift", {table.lateral_shift.size()},
-                           table.lateral_shift.data()),
-             "mm", "lateral shift of the wheelset", "positive to the right");
-  else
-    write("axis_ratio", table.axis_ratio, "a/b of the ellipse, a along rolling");
-  const auto condition = [&](const char* name, const std::vector<double>& values, const char* unit,
-                             const char* says) {
-    if (values.empty()) return;
-    describe(write_dataset(group, name, {values.size()}, values.data()), unit, says, "");
-  };
-  condition("load", table.load, "N", "force under [load] that the forces are computed for");
-  condition("speed", table.speed, "mm/s", "rolling speed that the forces are computed for");
-  condition("mean_axis", table.mean_axis, "mm", "sqrt(a b) of every ratio at the first load");
-  write("longitudinal", table.creepage[0], "xi', scaled longitudinal creepage");
-  write("lateral", table.creepage[1], "eta', scaled lateral creepage");
-  write("spin", table.creepage[2], "phi', scaled spin");
+  for (const auto& [name, unit, says, values] : table_axes)
+    if (!(table.*values).empty())
+      write_values(group, name, table.*values, unit, says,
+                   values == &CreepTable::lateral_shift ? "positive to the right" : "");
+  for (std::size_t q = 0; q < 3; ++q)
+    write_values(group, creepage_axes[q][0], table.creepage[q], "1", creepage_axes[q][1]);
   write_rows(group, "scale", table.scale, "1",
              "For every ratio, or load and shift (fastest): C11/3, C22/3 and sqrt(C23^2 + C33^2), "
              "the factors of xi G a b/(mu "
@@ -93,9 +109,9 @@ void write_wheels(hid_t file, const CreepTable& table) {
   std::vector<hsize_t> shape{table.lateral_shift.size()};
   if (table.load.size() > 1) shape.insert(shape.begin(), table.load.size());
   for (const WheelColumn& entry : wheel_columns()) {
-    const auto values =
-        column(table.wheels, [&](const TableWheel& wheel) { return wheel.*entry.member; });
-    describe(write_dataset(group, entry.name, shape, values.data()), entry.unit, entry.says, "");
+    std::vector<double> values;
+    for (const TableWheel& wheel : table.wheels) values.push_back(wheel.*entry.member);
+    write_values(group, entry.name, values, entry.unit, entry.says, "", shape);
   }
 }
 
@@ -119,26 +135,17 @@ void write_interpolation(hid_t file, const CreepTable& table) {
              "solved for, then load and speed, 0 where the table has none");
 }
 
-void write_values(hid_t file, const CreepTable& table) {
+void write_points(hid_t file, const CreepTable& table) {
   const std::vector<std::size_t> lengths = table.shape();
   const std::vector<hsize_t> shape(lengths.begin(), lengths.end());
-  const auto force = [&](std::size_t q) {
-    return column(table.forces, [q](const Scaled& f) { return f[q]; });
-  };
-  const auto bar = [&](std::size_t q) {
-    return column(table.bars, [q](const std::array<double, 2>& b) { return b[q]; });
-  };
-  write_column(file, "longitudinal_force", shape, force(0), "mu F_n", "F_x");
-  write_column(file, "lateral_force", shape, force(1), "mu F_n", "F_y");
-  write_column(file, "spin_moment", shape, force(2), "mu F_n c", "M_z, c = sqrt(a b)");
-  write_column(file, "force_bar", shape, bar(0), "mu F_n", "error bar of the force vector");
-  write_column(file, "moment_bar", shape, bar(1), "mu F_n c", "error bar of M_z");
-  describe(write_dataset(file, "elements_across", shape, table.elements_across.data()), "1",
-           "contact elements across the patch on the finest grid", "");
-  if (table.over_shifts())
-    write_column(file, "force_along_normal", shape, table.along_normal, "mu F_n",
-                 "force of friction along the normal of the main contact: nonzero on a curved "
-                 "surface and with contacts in other planes");
+  for (std::size_t c = 0; c < columns_of(table); ++c) {
+    std::vector<double> values(table.size());
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = number_of(table, k, c);
+    const auto& [name, unit, says] = point_columns[c];
+    write_values(file, name, values, unit, says, "on the wheel", shape);
+  }
+  write_values(file, "elements_across", table.elements_across, "1",
+               "contact elements across the patch on the finest grid", "", shape);
 }
 
 [[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
@@ -161,9 +168,7 @@ void read_friction(hid_t group, CreepTable& table) {
   table.load_sets = static_cast<LoadSets>(sets);
 }
 
-void read_wheels(hid_t file, hid_t axes, CreepTable& table) {
-  table.lateral_shift = numbers_of(axes, "lateral_shift");
-  table.along_normal = numbers_of(file, "force_along_normal");
+void read_wheels(hid_t file, CreepTable& table) {
   const Handle group = open_group(file, "wheel");
   read_friction(group, table);
   table.wheels.resize(table.loads() * table.lateral_shift.size());
@@ -175,37 +180,34 @@ void read_wheels(hid_t file, hid_t axes, CreepTable& table) {
   }
 }
 
+void read_points(hid_t file, CreepTable& table) {
+  for (const double across : numbers_of(file, "elements_across"))
+    table.elements_across.push_back(static_cast<int>(across));
+  const std::size_t count = table.elements_across.size();
+  table.forces.resize(count);
+  table.bars.resize(count);
+  if (table.over_shifts()) table.along_normal.resize(count);
+  for (std::size_t c = 0; c < columns_of(table); ++c) {
+    const std::vector<double> values = numbers_of(file, point_columns[c][0]);
+    if (values.size() != count) throw std::runtime_error("its arrays have different sizes");
+    for (std::size_t k = 0; k < count; ++k) number_of(table, k, c) = values[k];
+  }
+}
+
 CreepTable table_of(hid_t file) {
   CreepTable table;
-  table.title = read_text(file, "title");
-  table.program = read_text(file, "program");
-  table.command = read_text(file, "command");
-  table.started = read_text(file, "started");
-  table.case_file = read_text(file, "case_file");
+  for (const auto& [name, member] : table_texts) table.*member = read_text(file, name);
   table.poisson_ratio = read_number(file, "poisson_ratio");
   for (const std::string& line : read_lines(file, "case_text")) table.case_text += line;
   const Handle axes = open_group(file, "axes");
-  for (const auto& [name, values] :
-       {std::pair{"load", &table.load}, {"speed", &table.speed}, {"mean_axis", &table.mean_axis}})
-    if (has_member(axes, name)) *values = numbers_of(axes, name);
-  if (has_member(axes, "lateral_shift"))
-    read_wheels(file, axes, table);
-  else
-    table.axis_ratio = numbers_of(axes, "axis_ratio");
+  for (const Axis& axis : table_axes)
+    if (has_member(axes, axis.name)) table.*axis.values = numbers_of(axes, axis.name);
+  if (table.first_axis().empty()) throw std::runtime_error("there is no dataset axis_ratio");
+  for (std::size_t q = 0; q < 3; ++q) table.creepage[q] = numbers_of(axes, creepage_axes[q][0]);
+  if (table.over_shifts()) read_wheels(file, table);
   if (has_member(file, "friction")) read_friction(open_group(file, "friction"), table);
-  table.creepage = {numbers_of(axes, "longitudinal"), numbers_of(axes, "lateral"),
-                    numbers_of(axes, "spin")};
   table.scale = read_rows<3>(axes, "scale");
-  const auto x = numbers_of(file, "longitudinal_force"), y = numbers_of(file, "lateral_force"),
-             m = numbers_of(file, "spin_moment"), force = numbers_of(file, "force_bar"),
-             moment = numbers_of(file, "moment_bar"), across = numbers_of(file, "elements_across");
-  for (const auto* values : {&y, &m, &force, &moment, &across})
-    if (values->size() != x.size()) throw std::runtime_error("its arrays have different sizes");
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    table.forces.push_back({x[k], y[k], m[k]});
-    table.bars.push_back({force[k], moment[k]});
-    table.elements_across.push_back(static_cast<int>(across[k]));
-  }
+  read_points(file, table);
   return table;
 }
 
@@ -239,15 +241,11 @@ std::string table_hdf5(const CreepTable& table) {
                                      : "creep force law of Hertzian contacts"));
   write_attribute(file, "conventions",
                   table_conventions + std::string(shifts ? shift_conventions : ratio_conventions));
-  write_attribute(file, "title", table.title);
-  write_attribute(file, "program", table.program);
-  write_attribute(file, "command", table.command);
-  write_attribute(file, "started", table.started);
-  write_attribute(file, "case_file", table.case_file);
+  for (const auto& [name, member] : table_texts) write_attribute(file, name, table.*member);
   write_attribute(file, "poisson_ratio", table.poisson_ratio);
   write_dataset(file, "case_text", table.case_text);
   write_axes(file, table);
-  write_values(file, table);
+  write_points(file, table);
   if (shifts) write_wheels(file, table);
   if (!shifts && !table.only_for.empty())
     write_friction(create_group(file, "friction", "What the forces depend on beside mu F_n"),

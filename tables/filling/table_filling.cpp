@@ -48,7 +48,7 @@ void fill_grid(CreepTable& table, const TableSource& source, const contact::Prog
   table.bars.resize(table.size());
   table.elements_across.resize(table.size());
   if (table.over_shifts()) table.along_normal.resize(table.size());
-  TableParts parts{"table", "points", share, parts_of(table.size(), of_a_place), {}, {}};
+  TableParts parts{"table", "points", share, table.size(), of_a_place, {}, {}};
   parts.solve = [&](const TablePart& part) {
     std::vector<Scaled> creepages;
     for (std::size_t n = part.begin; n < part.end; ++n) {
@@ -114,38 +114,50 @@ TablePlace between(const CreepTableReader& reader, const TablePlace& from,
   return from;
 }
 
+/// A point at which interpolation is checked.
+struct Check {
+  /// The only axis between whose nodes the point is (InterpolationError::by_axis); 0: any.
+  std::size_t axis = 0;
+  std::size_t node = 0;  ///< of the axes other than the creepages; unused where `axis` is of them
+  CheckedPoint point;
+  bool of_creepage() const { return axis > 0 && axis < of_load; }
+};
+
 /// Random points, uniform over the coordinates of the axes, of both signs.
-std::vector<CheckedPoint> points_between(const CreepTableReader& reader, int count) {
+std::vector<Check> points_between(const CreepTableReader& reader, int count) {
   const CreepTable& table = reader.table();
   Draw draw(seed);
   std::vector<std::size_t> axes{0};
   for (const std::size_t axis : {of_load, of_speed})
     if (axis_of(table, axis).size() > 1) axes.push_back(axis);
-  std::vector<CheckedPoint> points(static_cast<std::size_t>(count));
+  std::vector<Check> checks(static_cast<std::size_t>(count));
   TablePlace place;
   const std::size_t of_each = points_of_each_place(table, count);
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < checks.size(); ++k) {
     if (k % of_each == 0)
       place = between(reader, table.node(k / of_each % table.nodes()), axes, draw);
-    points[k].place = place;
+    checks[k].point.place = place;
     for (std::size_t q = 0; q < 3; ++q) {
       const double end = table_coordinate(table.creepage[q].back());
-      points[k].creepage[q] = creepage_at(-end + 2.0 * end * draw.share());
+      checks[k].point.creepage[q] = creepage_at(-end + 2.0 * end * draw.share());
     }
   }
-  return points;
+  return checks;
 }
 
-InterpolationError error_of(const std::vector<CheckedPoint>& points) {
+/// Of the points of one axis.
+InterpolationError error_of(const std::vector<Check>& checks, std::size_t axis = 0) {
   InterpolationError error;
-  error.points = static_cast<int>(points.size());
   error.seed = seed;
-  if (points.empty()) return error;
   std::vector<double> force, moment;
-  for (const auto& [place, creepage, found, solved] : points) {
+  for (const Check& check : checks) {
+    if (check.axis != axis) continue;
+    const auto& [place, creepage, found, solved] = check.point;
     force.push_back(std::hypot(found[0] - solved[0], found[1] - solved[1]));
     moment.push_back(std::abs(found[2] - solved[2]));
   }
+  error.points = static_cast<int>(force.size());
+  if (force.empty()) return error;
   const auto judge = [](std::vector<double>& errors, double& rms, double& most, double& largest) {
     std::sort(errors.begin(), errors.end());
     double sum = 0.0;
@@ -160,25 +172,18 @@ InterpolationError error_of(const std::vector<CheckedPoint>& points) {
   return error;
 }
 
-/// A point whose place and creepages are nodes on all axes but one.
-struct AxisPoint {
-  std::size_t axis = 0;  ///< of InterpolationError::by_axis
-  std::size_t node = 0;  ///< of the axes other than the creepages; unused where `axis` is of them
-  CheckedPoint point;
-  bool of_creepage() const { return axis > 0 && axis < of_load; }
-};
-
-/// Random points between the nodes of one axis after another, in groups of points_of_a_place.
-std::vector<AxisPoint> points_along_axes(const CreepTableReader& reader, int count) {
+/// Random points between the nodes of one axis after another, in groups of points_of_a_place: place
+/// and creepages are nodes on all axes but one.
+std::vector<Check> points_along_axes(const CreepTableReader& reader, int count) {
   const CreepTable& table = reader.table();
   Draw draw(seed + 1);
-  std::vector<AxisPoint> points;
+  std::vector<Check> checks;
   for (std::size_t axis = 0; axis <= of_speed; ++axis) {
     if (axis_of(table, axis).size() < 2) continue;
     const std::size_t groups =
         std::max<std::size_t>(1, static_cast<std::size_t>(count) / (4 * points_of_a_place));
     for (std::size_t g = 0; g < groups; ++g) {
-      AxisPoint next{axis, draw.below(table.nodes()), {}};
+      Check next{axis, draw.below(table.nodes()), {}};
       next.point.place = table.node(next.node);
       if (!next.of_creepage()) next.point.place = between(reader, next.point.place, {axis}, draw);
       for (std::size_t n = 0; n < points_of_a_place; ++n) {
@@ -189,74 +194,57 @@ std::vector<AxisPoint> points_along_axes(const CreepTableReader& reader, int cou
           const double low = table_coordinate(nodes.front()), high = table_coordinate(nodes.back());
           next.point.creepage[q] = creepage_at(low + (high - low) * draw.share());
         }
-        points.push_back(next);
+        checks.push_back(next);
       }
     }
   }
-  return points;
+  return checks;
 }
 
-/// InterpolationError::by_axis.
-std::array<double, 6> axis_errors(const CreepTableReader& reader, const TableSource& source,
-                                  int count, const contact::Progress& progress,
-                                  contact::Checkpoint* checkpoint) {
-  std::vector<AxisPoint> points = points_along_axes(reader, count);
-  std::array<double, 6> errors{};
-  if (points.empty()) return errors;
-  TableParts parts{"axes", "points along axes", {}, parts_of(points.size(), points_of_a_place), {},
-                   {}};
+/// Solves the points and interpolates there; `of_each` consecutive ones are of one place.
+void solve_checks(const CreepTableReader& reader, const TableSource& source, const char* name,
+                  const char* stage, std::size_t of_each, std::vector<Check>& checks,
+                  const contact::Progress& progress, contact::Checkpoint* checkpoint) {
+  TableParts parts{name, stage, {}, checks.size(), of_each, {}, {}};
   parts.solve = [&](const TablePart& part) {
     std::vector<Scaled> creepages;
     for (std::size_t k = part.begin; k < part.end; ++k)
-      creepages.push_back(points[k].point.creepage);
-    const AxisPoint& one = points[part.begin];
+      creepages.push_back(checks[k].point.creepage);
+    const Check& one = checks[part.begin];
     return one.of_creepage() ? source.at_node(one.node, creepages)
                              : source.between(reader, one.point.place, creepages);
   };
   parts.done = [&](const TablePart& part, const std::vector<TablePoint>& solved) {
     for (std::size_t k = part.begin; k < part.end; ++k) {
-      CheckedPoint& point = points[k].point;
+      CheckedPoint& point = checks[k].point;
       point.solved = solved[k - part.begin].forces;
       point.interpolated = reader.at(point.place, point.creepage).forces;
     }
   };
   solve_parts(parts, progress, checkpoint);
-  for (std::size_t axis = 0; axis < errors.size(); ++axis) {
-    std::vector<CheckedPoint> of_axis;
-    for (const AxisPoint& point : points)
-      if (point.axis == axis) of_axis.push_back(point.point);
-    const InterpolationError error = error_of(of_axis);
-    errors[axis] = std::max(error.force_95, error.moment_95);
-  }
-  return errors;
 }
 
 void look_between(CreepTable& table, const TableSource& source, int count,
                   const contact::Progress& progress, contact::Checkpoint* checkpoint) {
-  std::array<double, 6> by_axis{};
   CreepTableReader reader(std::move(table));  // avoids a second copy of a large table
-  std::vector<CheckedPoint> points = points_between(reader, count);
-  if (!points.empty()) {
-    const std::size_t of_each = points_of_each_place(reader.table(), count);
-    TableParts parts{"check", "points between", {}, parts_of(points.size(), of_each), {}, {}};
-    parts.solve = [&](const TablePart& part) {
-      std::vector<Scaled> creepages;
-      for (std::size_t k = part.begin; k < part.end; ++k) creepages.push_back(points[k].creepage);
-      return source.between(reader, points[part.begin].place, creepages);
-    };
-    parts.done = [&](const TablePart& part, const std::vector<TablePoint>& solved) {
-      for (std::size_t k = part.begin; k < part.end; ++k) {
-        points[k].solved = solved[k - part.begin].forces;
-        points[k].interpolated = reader.at(points[k].place, points[k].creepage).forces;
-      }
-    };
-    solve_parts(parts, progress, checkpoint);
-    by_axis = axis_errors(reader, source, count, progress, checkpoint);
+  std::vector<Check> checks = points_between(reader, count);
+  std::array<double, 6> by_axis{};
+  if (!checks.empty()) {
+    solve_checks(reader, source, "check", "points between",
+                 points_of_each_place(reader.table(), count), checks, progress, checkpoint);
+    std::vector<Check> along = points_along_axes(reader, count);
+    if (!along.empty())
+      solve_checks(reader, source, "axes", "points along axes", points_of_a_place, along, progress,
+                   checkpoint);
+    for (std::size_t axis = 0; axis < by_axis.size(); ++axis) {
+      const InterpolationError error = error_of(along, axis);
+      by_axis[axis] = std::max(error.force_95, error.moment_95);
+    }
   }
   table = std::move(reader).release();
-  table.interpolation = error_of(points);
+  table.interpolation = error_of(checks);
   table.interpolation.by_axis = by_axis;
-  table.checked = std::move(points);
+  for (const Check& check : checks) table.checked.push_back(check.point);
 }
 
 std::string duration(double seconds) {

@@ -28,16 +28,15 @@ struct TablePart {
   std::size_t begin = 0, end = 0;
 };
 
-/// Cuts a list into parts of at most halfspace::longest_chain points. No part crosses the border
+/// A list of points, cut into parts of at most halfspace::longest_chain. No part crosses the border
 /// between consecutive groups of `of_a_group` points. The division does not depend on resumed
 /// parts, so that results are identical to the last bit.
-std::vector<TablePart> parts_of(std::size_t points, std::size_t of_a_group);
-
 struct TableParts {
-  std::string name;      ///< of the records
-  std::string stage;     ///< in progress events
-  contact::Share share;  ///< parts to solve; others are only read if stored
-  std::vector<TablePart> parts;
+  std::string name;        ///< of the records
+  std::string stage;       ///< in progress events
+  contact::Share share;    ///< parts to solve; others are only read if stored
+  std::size_t points = 0;  ///< in the list
+  std::size_t of_a_group = 1;
   /// Called by several threads at once.
   std::function<std::vector<TablePoint>(const TablePart&)> solve;
   /// Called for every solved or resumed part, by one thread at a time.

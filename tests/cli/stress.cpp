@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command stress on stored results: closed forms and CONTACT's values from the file of a run,
 // interpolation in stored bodies, patches, wrong calls.
-#include "postprocess/write/results_hdf5.hpp"
+
+#include "postprocess/write/output.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "postprocess/files/checkpoint_folder.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/read/results_reader.hpp"
-#include "postprocess/write/results_hdf5.hpp"
+#include "postprocess/write/output.hpp"
 #include "tables/files/table_files.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/stress/subsurface.hpp"
-#include "postprocess/stress/ellipse_shear.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "track/balance/balance.hpp"
 
 #include "contact/base/errors.hpp"
-#include "track/balance/balance_record.hpp"
+#include "contact/result/record.hpp"
 #include "track/balance/flange_bending.hpp"
 #include "track/balance/position.hpp"
 
@@ -13,6 +13,8 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -22,6 +24,7 @@ using contact::Case;
 using contact::FreeRolling;
 using contact::ModelResult;
 using contact::PointResult;
+using contact::Record;
 using contact::WheelSide;
 
 namespace {
@@ -62,20 +65,76 @@ std::vector<std::string> notes_of(const Case& input) {
   return notes;
 }
 
+void exchange(Record& record, contact::Creepage& creepage) {
+  record.values(creepage.longitudinal, creepage.lateral, creepage.spin);
+}
+
+void exchange(Record& record, contact::LoadPoint& point) {
+  record.values(point.load.force, point.load.approach, point.load.direction[0],
+                point.load.direction[1]);
+  exchange(record, point.creepage);
+  bool has_error = point.creepage_error.has_value();
+  record.value(has_error);
+  if (!has_error) return;
+  if (!point.creepage_error) point.creepage_error.emplace();
+  exchange(record, *point.creepage_error);
+}
+
+/// All values of a placed scene that the balance changes.
+void exchange(Record& record, contact::Scene& scene) {
+  record.values(scene.place->patch, scene.place->patches, scene.turns_freely);
+  std::size_t neighbours = scene.neighbour_loads.size();
+  record.value(neighbours);
+  if (record.reading()) scene.neighbour_loads.assign(neighbours, {});
+  for (contact::NeighbourLoad& load : scene.neighbour_loads)
+    record.values(load.x, load.y, load.longitudinal, load.lateral, load.normal, load.turn);
+  for (contact::LoadPoint& point : scene.points) exchange(record, point);
+}
+
+/// Index of the placed patch from which a scene was made: its position on the track stays the same.
+std::size_t source_of(const std::vector<PlacedScene>& placed, const contact::Scene& scene) {
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const contact::ContactPlace& place = *placed[i].scene.place;
+    if (place.left == scene.place->left && place.y_track == scene.place->y_track) return i;
+  }
+  throw std::runtime_error("a balanced patch was not placed");
+}
+
+/// The scenes of a balance, made of the patches `placed` of its position: their record, or the same
+/// scenes from it, bit for bit.
+void exchange(Record& record, const std::vector<PlacedScene>& placed,
+              std::vector<contact::Scene>& balanced) {
+  std::size_t count = balanced.size();
+  record.value(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    std::size_t source = record.reading() ? 0 : source_of(placed, balanced[k]);
+    record.value(source);
+    if (record.reading()) balanced.push_back(placed.at(source).scene);
+    exchange(record, balanced[k]);
+  }
+}
+
 /// The balance of one position, restored or computed; balances that are faster to recompute than to
 /// read are not stored.
 std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
                                              const std::vector<PlacedScene>& here,
                                              contact::Checkpoint* kept) {
   const std::string name = fmt::format("balance-{}", position);
-  if (kept != nullptr)
-    if (const auto record = kept->find(name)) return balance_of_record(here, *record);
+  std::vector<contact::Scene> scenes;
+  if (const auto bytes = kept == nullptr ? std::nullopt : kept->find(name)) {
+    Record record(*bytes);
+    exchange(record, here, scenes);
+    if (!record.exhausted()) throw std::runtime_error("a record of another balance");
+    return scenes;
+  }
   constexpr auto worth_keeping = std::chrono::milliseconds(50);
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<contact::Scene> scenes =
-      at_position(input, position, [&] { return balanced_position(input, here); });
-  if (kept != nullptr && std::chrono::steady_clock::now() - begin > worth_keeping)
-    kept->keep(name, record_of_balance(here, scenes));
+  scenes = at_position(input, position, [&] { return balanced_position(input, here); });
+  if (kept != nullptr && std::chrono::steady_clock::now() - begin > worth_keeping) {
+    Record record;
+    exchange(record, here, scenes);
+    kept->keep(name, record.bytes());
+  }
   return scenes;
 }
 

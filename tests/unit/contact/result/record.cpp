@@ -5,8 +5,7 @@
 
 #include "contact/result/quantities.hpp"
 #include "contact/result/unsolved.hpp"
-#include "postprocess/write/results_hdf5.hpp"
-#include "postprocess/write/summary_json.hpp"
+#include "postprocess/write/output.hpp"
 
 #include <gtest/gtest.h>
 

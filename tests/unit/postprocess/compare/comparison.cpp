@@ -6,48 +6,54 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace {
 
 using namespace rollfem::postprocess;
 using nlohmann::json;
 
-json point(double xi, double p0, double traction, double largest, const json& errors) {
-  return {{"longitudinal_creepage", xi},
-          {"lateral_creepage", 0.0},
-          {"spin", 0.0},
-          {"normal_force", 1000.0},
-          {"longitudinal_force", -1000.0 * traction},
-          {"lateral_force", 0.0},
-          {"traction_coefficient", traction},
-          {"max_pressure", p0},
-          {"max_traction", largest},
-          {"max_traction_x", largest},
-          {"approach", 0.0},
-          {"semi_axis_x", 2.0},
-          {"semi_axis_y", 3.0},
-          {"contact_area", 18.8},
-          {"error_estimate", errors}};
+using rollfem::contact::ModelResult;
+using rollfem::contact::PointResult;
+using Bars = std::map<std::string, double>;
+
+PointResult point(double xi, double p0, double traction, double largest, const Bars& errors) {
+  PointResult found;
+  found.creepage.longitudinal = xi;
+  found.normal_force = 1000.0;
+  found.longitudinal_force = -1000.0 * traction;
+  found.traction_coefficient = traction;
+  found.max_pressure = p0;
+  found.max_traction = found.max_traction_x = largest;
+  found.semi_axis_x = 2.0;
+  found.semi_axis_y = 3.0;
+  found.contact_area = 18.8;
+  found.error_estimate = errors;
+  return found;
 }
 
-json model(const char* name, const json& points) {
-  return {{"name", name}, {"seconds", {{"total", 0.5}}}, {"points", points}};
+ModelResult model(const char* name, const std::vector<PointResult>& points) {
+  ModelResult found;
+  found.name = name;
+  found.seconds = {{"total", 0.5}};
+  found.points = points;
+  return found;
 }
 
 /// Half-space with error bars, FASTSIM without, Hertz with one point.
 ComparedCase example() {
-  const json errors{{"max_pressure", 1.0}, {"traction_coefficient", 0.004}};
-  json models = json::array();
-  models.push_back(model("hertz", json::array({point(0.0, 101.0, 0.0, 0.0, json::object())})));
-  models.push_back(model("fastsim", {point(0.0, 100.0, 0.0, 0.0, json::object()),
-                                     point(0.001, 100.0, 0.19, 30.0, json::object())}));
-  models.push_back(model(
-      "halfspace", {point(0.0, 100.0, 0.0, 0.0, errors), point(0.001, 100.0, 0.20, 25.0, errors)}));
+  const Bars errors{{"max_pressure", 1.0}, {"traction_coefficient", 0.004}};
   ComparedCase compared;
   compared.name = "a";
   compared.friction = 0.5;
-  compared.summary = json{{"models", models}}.dump();
+  compared.models = {
+      model("hertz", {point(0.0, 101.0, 0.0, 0.0, {})}),
+      model("fastsim", {point(0.0, 100.0, 0.0, 0.0, {}), point(0.001, 100.0, 0.19, 30.0, {})}),
+      model("halfspace",
+            {point(0.0, 100.0, 0.0, 0.0, errors), point(0.001, 100.0, 0.20, 25.0, errors)})};
   return compared;
 }
 
@@ -95,11 +101,9 @@ TEST(Comparison, WhatAModelDoesNotGiveIsNotCompared) {
 
 TEST(Comparison, TheLateralCoefficientRisesAgainstTheForceOnTheWheel) {
   ComparedCase sideways = example();
-  json summary = json::parse(sideways.summary);
   // -F_y/F_z of 0.12 and 0.15, as positive lateral creepage makes.
-  summary["models"][1]["points"][1]["lateral_force"] = -120.0;
-  summary["models"][2]["points"][1]["lateral_force"] = -150.0;
-  sideways.summary = summary.dump();
+  sideways.models[1].points[1].lateral_force = -120.0;
+  sideways.models[2].points[1].lateral_force = -150.0;
   const auto force =
       number(compared_numbers(sideways, references), "fastsim", 2, "lateral_coefficient");
   EXPECT_NEAR(force.value, 0.12, 1e-12);
@@ -108,17 +112,15 @@ TEST(Comparison, TheLateralCoefficientRisesAgainstTheForceOnTheWheel) {
 
 TEST(Comparison, OfAPrescribedForceTheCreepageIsTheResult) {
   ComparedCase forced = example();
-  json summary = json::parse(forced.summary);
   const double found[] = {0.0, 1.0e-3, 1.25e-3};  // by fastsim and half-space
   for (const std::size_t k : {1U, 2U}) {
-    json& last = summary["models"][k]["points"][1];
-    last["traction_coefficient"] = 0.2;
-    last["longitudinal_creepage"] = found[k];
-    last["no_bar"] = {{"lateral_creepage", "given"}, {"spin", "given"}};
-    if (k == 1) last["no_bar"]["longitudinal_creepage"] = "theory";
-    if (k == 2) last["error_estimate"]["longitudinal_creepage"] = 1e-4;
+    PointResult& last = forced.models[k].points[1];
+    last.traction_coefficient = 0.2;
+    last.creepage.longitudinal = found[k];
+    last.no_bar = {{"lateral_creepage", "given"}, {"spin", "given"}};
+    if (k == 1) last.no_bar["longitudinal_creepage"] = "theory";
+    if (k == 2) last.error_estimate["longitudinal_creepage"] = 1e-4;
   }
-  forced.summary = summary.dump();
   const auto all = compared_numbers(forced, references);
   const auto creepage = number(all, "fastsim", 2, "longitudinal_creepage");
   EXPECT_NEAR(creepage.difference(), -0.2, 1e-12);
@@ -145,12 +147,10 @@ TEST(Comparison, TheWishedReferenceIsTakenWhereItHasTheNumber) {
 
 TEST(Comparison, AnExactValueIsTheReferenceUnlessTheOtherOneResolvesItsModelError) {
   ComparedCase exact = example();
-  json summary = json::parse(exact.summary);
-  json& hertz = summary["models"][0]["points"][0];
-  hertz["no_bar"] = {{"max_pressure", "exact"}};
+  PointResult& hertz = exact.models[0].points[0];
+  hertz.no_bar = {{"max_pressure", "exact"}};
   const auto pressure = [&](double model_error, const char* model, const std::string& wished) {
-    hertz["model_error"] = {{"max_pressure", model_error}};
-    exact.summary = summary.dump();
+    hertz.model_error = {{"max_pressure", model_error}};
     return number(compared_numbers(exact, {wished, "halfspace"}), model, 1, "max_pressure");
   };
   // The half-space's bar is 1 MPa.
@@ -202,19 +202,17 @@ TEST(Comparison, TheVerdictNamesTheLargestDifferenceBeyondTheErrorBarsOfAllCases
 
 /// Of the worn wheel: the first patch agrees, the second does not.
 ComparedCase two_places() {
-  json models = json::array();
-  const json errors{{"max_pressure", 1.0}};
-  for (const int patch : {1, 2})
-    for (const char* name : {"halfspace", "fem"}) {
-      const double p0 = std::string(name) == "fem" && patch == 2 ? 110.0 : 100.0;
-      models.push_back(model(name, json::array({point(0.0, p0, 0.0, 0.0, errors)})));
-      models.back()["place"] = {
-          {"wheel", "left"}, {"position", 1.0}, {"patch", patch}, {"patches", 2.0}};
-    }
   ComparedCase compared;
   compared.name = "worn";
   compared.friction = 0.5;
-  compared.summary = json{{"models", models}}.dump();
+  for (const int patch : {1, 2})
+    for (const char* name : {"halfspace", "fem"}) {
+      const double p0 = std::string(name) == "fem" && patch == 2 ? 110.0 : 100.0;
+      compared.models.push_back(model(name, {point(0.0, p0, 0.0, 0.0, {{"max_pressure", 1.0}})}));
+      rollfem::contact::ContactPlace& place = compared.models.back().place.emplace();
+      place.patch = patch;
+      place.patches = 2;
+    }
   return compared;
 }
 

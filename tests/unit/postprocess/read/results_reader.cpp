@@ -6,8 +6,8 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
+#include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/results_hdf5.hpp"
 
 #include <gtest/gtest.h>
 
@@ -73,6 +73,7 @@ void expect_same(const contact::ModelResult& found, const contact::ModelResult& 
   EXPECT_EQ(found.label, written.label);
   EXPECT_EQ(found.key(), written.key());
   EXPECT_EQ(found.unknowns, written.unknowns);
+  EXPECT_EQ(found.seconds, written.seconds);
   EXPECT_EQ(found.notes, written.notes);
   EXPECT_EQ(found.model_error_source, written.model_error_source);
   EXPECT_EQ(found.grid.nx, written.grid.nx);
@@ -147,10 +148,10 @@ TEST_F(ResultsReaderTest, TellsPatchesApart) {
   const StoredModel& second = read.models()[1];
   EXPECT_EQ(second.key, "halfspace_right_7_3");
   EXPECT_EQ(second.name, "halfspace");
-  EXPECT_TRUE(second.placed);
-  EXPECT_FALSE(second.left);
-  EXPECT_EQ(second.position, 7);
-  EXPECT_EQ(second.patch, 3);
+  ASSERT_TRUE(second.place);
+  EXPECT_FALSE(second.place->left);
+  EXPECT_EQ(second.place->position, 7);
+  EXPECT_EQ(second.place->patch, 3);
   EXPECT_EQ(read.read(second).key(), second.key);
 }
 

@@ -31,7 +31,7 @@ class PagesTest : public testing::DrawnPages {
     compared.title = run.input.title;
     compared.case_file = name + ".toml";
     compared.friction = run.input.friction_coefficient;
-    compared.summary = contents(base_ / name / "summary.json");
+    compared.models = scalars_of(run.models);
     return compared;
   }
 };

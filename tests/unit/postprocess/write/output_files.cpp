@@ -3,7 +3,6 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
-#include "postprocess/write/summary_json.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,6 @@
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/output.hpp"
-#include "postprocess/write/results_hdf5.hpp"
 
 #include <gtest/gtest.h>
 

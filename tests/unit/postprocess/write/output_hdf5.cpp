@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // results.h5 read back with h5py, as users do: fields bit by bit, scalars, units, completeness.
-#include "postprocess/write/results_hdf5.hpp"
+
+#include "postprocess/write/output.hpp"
 
 #include <gtest/gtest.h>
 
