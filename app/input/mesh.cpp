@@ -5,7 +5,7 @@
 #include "contact/base/errors.hpp"
 #include "fem/elasticity/mesh_report.hpp"
 #include "models/fem/fem_library.hpp"
-#include "models/fem/fem_model.hpp"
+#include "models/fem/fem_models.hpp"
 #include "models/program/provenance.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "postprocess/files/files_together.hpp"

@@ -6,7 +6,6 @@
 #include "contact/base/errors.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
-#include "models/study/study_levels.hpp"
 #include "models/study/study_series.hpp"
 #include "postprocess/files/files_together.hpp"
 

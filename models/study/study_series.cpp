@@ -6,8 +6,6 @@
 #include "contact/result/quantities.hpp"
 #include "models/solving/expected_choice.hpp"
 #include "models/study/study_checkpoint.hpp"
-#include "models/study/study_checks.hpp"
-#include "models/study/study_levels.hpp"
 #include "theories/registry.hpp"
 
 #include <fmt/format.h>
