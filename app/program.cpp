@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/program.hpp"
 
-#include "app/commands.hpp"
+#include "app/frame/commands.hpp"
 #include "app/frame/interruption.hpp"
-#include "app/version_text.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "models/program/provenance.hpp"
@@ -139,23 +138,15 @@ std::vector<std::string> arguments(int argc, char** argv) {
 }
 
 int execute(int argc, char** argv, const contact::ModelRegistry& models) {
-  Call call{models};
-  for (ComputingRequest* request : std::initializer_list<ComputingRequest*>{
-           &call.run, &call.compare, &call.study, &call.table, &call.bench}) {
-    request->command = joined(argc, argv);
-    request->argc = argc;
-    request->argv = argv;
-    request->undrawn = &call.undrawn;
-  }
-  call.mesh.argc = argc;
-  call.mesh.argv = argv;
+  Call call{models, joined(argc, argv), argc, argv};
   CLI::App program("rollfem: rolling contact of wheel and rail by half-spaces and finite elements",
                    "rollfem");
   program.set_version_flag("--version", version_text, "version, features and libraries");
   program.require_subcommand(1);
-  add_computing_commands(program, call);
-  add_stress_command(program, call);
-  add_input_commands(program, call);
+  for (const auto add :
+       {add_run, add_compare, add_study, add_bench, add_table, add_stress, add_mesh, add_profile,
+        add_wheelset, add_check, add_new_case, add_convert, add_report, add_cache, add_docs})
+    add(program, call);
   add_quiet_flags(program);
   std::vector<std::string> words = arguments(argc, argv);
   check_command(program, words);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/version_text.hpp"
-
+#include "app/frame/commands.hpp"
 #include "contact/base/errors.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/program/version.hpp"

@@ -2,12 +2,12 @@
 #include "convert/conversion.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/keys/case_keys.hpp"
 
 #include <fmt/format.h>
 
 #include "convert/equivalent.hpp"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -148,25 +148,6 @@ std::string values_text(const std::string& key, const std::vector<double>& value
   return text + "]";
 }
 
-/// Sections in the order in which a case is read.
-constexpr std::array<const char*, 17> sections{"load",
-                                               "friction",
-                                               "layer",
-                                               "wheel",
-                                               "rail",
-                                               "geometry",
-                                               "wheel_profile",
-                                               "rail_profile",
-                                               "track",
-                                               "wheelset",
-                                               "rolling",
-                                               "history",
-                                               "undeformed_distance",
-                                               "given_pressure",
-                                               "contact_grid",
-                                               "halfspace",
-                                               "fastsim"};
-
 /// Whether there are several load points and no value tells how many.
 bool are_alike(const std::vector<Point>& points) {
   return points.size() > 1 && std::all_of(points.begin(), points.end(), [&](const Point& point) {
@@ -209,7 +190,8 @@ std::string case_text(const Group& group, const std::string& name, const std::st
   text += "# Units: mm, N, MPa, rad. Keys: docs/case-file.md\n";
   for (const std::string& note : group.notes) text += "# note: " + note + "\n";
   text += fmt::format("\ntitle = {}\nmodels = [\"{}\"]\n", quoted(which), group.first.model);
-  for (const char* section : sections) text += section_text(group, section, name);
+  for (const contact::Section& section : contact::case_sections())
+    text += section_text(group, section.name, name);
   return text + group.first.stresses;
 }
 

@@ -2,8 +2,7 @@
 #include "models/registry.hpp"
 
 #include "contact/base/errors.hpp"
-#include "models/fem/fem_model.hpp"
-#include "models/fem/hybrid_model.hpp"
+#include "models/fem/fem_models.hpp"
 #include "models/solving/auto_model.hpp"
 #include "theories/registry.hpp"
 

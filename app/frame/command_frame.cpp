@@ -54,13 +54,46 @@ void warn(const std::string& warning) {
 
 }  // namespace
 
-CommandFrame::CommandFrame(const ComputingRequest& request, const contact::ModelRegistry& known,
-                           std::vector<std::string> models)
+void add_report_flags(CLI::App& command, ComputingRequest& request) {
+  add_set_option(command, request.changes);
+  command.add_flag("-q,--quiet", request.quiet, "print errors and warnings only");
+  command.add_flag_callback(
+      "--no-report", [&request] { request.report = false; },
+      "write results only, no figures and no report");
+}
+
+void add_division(CLI::App& command, ComputingRequest& request, const std::string& items) {
+  command.add_option_function<std::string>(
+      "--part", [&request](const std::string& text) { request.share = parse_part(text); },
+      "K/N: compute part K of N of the " + items +
+          " and store it beside FOLDER; calls for other parts may run at the same time, on any "
+          "machine that shares the folder");
+  command
+      .add_option("--merge", request.merge,
+                  "N: write the result of the N parts computed with --part, or list the missing "
+                  "ones; identical to the result of a single call")
+      ->check(CLI::Range(2, 1000000));
+}
+
+void settle_case_file(ComputingRequest& request, const std::string& command,
+                      const std::vector<std::vector<std::string>*>& lists,
+                      const std::function<bool(const std::string&)>& is_case_file) {
+  for (std::vector<std::string>* list : lists)
+    if (request.case_file.empty() && !list->empty() && is_case_file(list->back())) {
+      request.case_file = list->back();
+      list->pop_back();
+    }
+  if (request.case_file.empty())
+    throw contact::InputError(
+        fmt::format("{0}: no case file is named; do: rollfem {0} CASE.toml", command));
+}
+
+CommandFrame::CommandFrame(const ComputingRequest& request, std::vector<std::string> models)
     : request_(request),
-      known_(known),
+      known_(request.call.models),
       models_(std::move(models)),
       first_(!request.share.whole() || modelling::processes().first()),
-      parallel_(request.share.whole() && modelling::any_parallel(known, models_)),
+      parallel_(request.share.whole() && modelling::any_parallel(known_, models_)),
       processes_(request.share.whole() ? modelling::processes().count : 1),
       display_(request.quiet || !first_ ? ProgressDisplay::Mode::silent
                                         : ProgressDisplay::mode_of_stderr()),
@@ -81,7 +114,7 @@ void CommandFrame::say(const std::string& line) {
 }
 
 postprocess::Provenance CommandFrame::provenance() const {
-  postprocess::Provenance made = modelling::provenance_of(known_, request_.command);
+  postprocess::Provenance made = modelling::provenance_of(known_, request_.call.command);
   made.processes = parallel_ ? processes_ : 1;
   return made;
 }
@@ -89,7 +122,7 @@ postprocess::Provenance CommandFrame::provenance() const {
 void CommandFrame::own(const fs::path& directory) {
   if (!first_) return;
   owned_.push_back(std::make_unique<postprocess::FolderOwner>(
-      part_directory(directory, request_.share), request_.command));
+      part_directory(directory, request_.share), request_.call.command));
   for (const fs::path& made : owned_.back()->made()) remove_when_interrupted(made.string());
 }
 
@@ -182,8 +215,8 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
   prepare_farewell();
   const auto start = [&] {
     if (!session_)
-      session_ =
-          std::make_unique<modelling::ParallelSession>(asked_by, request_.argc, request_.argv);
+      session_ = std::make_unique<modelling::ParallelSession>(asked_by, request_.call.argc,
+                                                              request_.call.argv);
   };
   // A choice may end without finite elements, whose library takes longer to load than half-spaces
   // take to solve. With several processes the library is needed for their agreement.
@@ -228,15 +261,14 @@ void warn_of_doubts(const contact::Case& input) {
     std::cerr << "warning: " << doubt << '\n';
 }
 
-bool report_drawn(const ComputingRequest& request, const std::string& directory) {
-  if (!request.report) return false;
-  const std::string problem =
-      postprocess::make_report(directory, modelling::script_directory().string());
-  if (problem.empty()) return true;
-  std::cerr << "warning: the results were written, but the report was not drawn: " << problem
-            << '\n';
-  if (request.undrawn != nullptr) *request.undrawn = true;
-  return false;
+bool report_drawn(const ComputingRequest& request, const fs::path& directory) {
+  return request.report &&
+         draw(request.call, directory, "the results were written, but the report was not drawn");
+}
+
+void tell_where(const fs::path& directory, const char* page, bool drawn) {
+  std::cout << "\nresults: " << directory.string() << '\n';
+  if (drawn) std::cout << "report:  " << (directory / page).string() << '\n';
 }
 
 }  // namespace rollfem::app

@@ -3,9 +3,9 @@
 // quiet, work stored for --resume, and the handling of failures.
 #pragma once
 
+#include "app/frame/commands.hpp"
 #include "app/frame/progress_display.hpp"
 #include "contact/base/share.hpp"
-#include "contact/solve/model.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/solving/solving.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"
@@ -20,27 +20,33 @@
 
 namespace rollfem::app {
 
-/// Common part of the requests of run, compare and study.
-struct ComputingRequest {
-  std::vector<std::string> models;   ///< from the command line; empty: the command's default
-  std::vector<std::string> changes;  ///< of keys, from --set
-  std::string directory;             ///< empty: a folder of results/
+/// Common part of the requests of run, compare, study, table and bench.
+struct ComputingRequest : CaseRequest {
+  using CaseRequest::CaseRequest;
   bool quiet = false;
-  bool resume = false;      ///< continue an interrupted run
-  contact::Share share;     ///< --part: part of the work to do and store, without a result
-  int merge = 0;            ///< --merge: number of parts to put together
-  bool report = true;       ///< draw figures and page, which takes some seconds
-  bool* undrawn = nullptr;  ///< set if that fails
-  std::string command;      ///< the whole call, for provenance
-  int argc = 0;             ///< of main, for MPI
-  char** argv = nullptr;
+  bool resume = false;   ///< continue an interrupted run
+  contact::Share share;  ///< --part: part of the work to do and store, without a result
+  int merge = 0;         ///< --merge: number of parts to put together
+  bool report = true;    ///< draw figures and page, which takes some seconds
 };
+
+/// Adds the options that ComputingRequest holds, except those that divide the work.
+void add_report_flags(CLI::App& command, ComputingRequest& request);
+
+/// Adds the options that divide long work among calls (array jobs, machines).
+void add_division(CLI::App& command, ComputingRequest& request, const std::string& items);
+
+/// In `run --model hertz CASE` the list option swallows the case file; this moves it back, unless a
+/// case file is there, from the list that ends with one. Throws contact::InputError if there is
+/// none.
+void settle_case_file(ComputingRequest& request, const std::string& command,
+                      const std::vector<std::vector<std::string>*>& lists,
+                      const std::function<bool(const std::string&)>& is_case_file);
 
 class CommandFrame {
  public:
   /// `models`: the models that will run.
-  CommandFrame(const ComputingRequest& request, const contact::ModelRegistry& known,
-               std::vector<std::string> models);
+  CommandFrame(const ComputingRequest& request, std::vector<std::string> models);
   CommandFrame(const CommandFrame&) = delete;
   CommandFrame& operator=(const CommandFrame&) = delete;
   ~CommandFrame();
@@ -105,6 +111,9 @@ void refuse_other_result(const std::filesystem::path& directory, const std::stri
 void warn_of_doubts(const contact::Case& input);
 
 /// Draws figures and report of a written folder if they are wanted. Warns if that fails.
-bool report_drawn(const ComputingRequest& request, const std::string& directory);
+bool report_drawn(const ComputingRequest& request, const std::filesystem::path& directory);
+
+/// Prints where the results are and, if it was drawn, the report.
+void tell_where(const std::filesystem::path& directory, const char* page, bool drawn);
 
 }  // namespace rollfem::app

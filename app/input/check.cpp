@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/input/check.hpp"
-
+// The commands `check`, how a case is read, which models take it, and what they are expected to
+// cost, and `new-case`.
+#include "app/frame/commands.hpp"
 #include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
@@ -10,6 +11,7 @@
 #include "models/registry.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/expected_choice.hpp"
+#include "postprocess/files/files_together.hpp"
 #include "profiles/profiles.hpp"
 #include "theories/registry.hpp"
 
@@ -17,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <type_traits>
 #include <variant>
@@ -152,12 +155,17 @@ Json case_json(const contact::Case& input, const std::vector<std::string>& warni
   return json;
 }
 
-}  // namespace
+struct CheckRequest : CaseRequest {
+  using CaseRequest::CaseRequest;
+  bool json = false;
+};
 
-void check_case(const CheckRequest& request, const contact::ModelRegistry& models) {
-  const contact::ModelWords words = modelling::model_words(models);
-  const contact::Case input = contact::read_case(request.case_file, words, request.changes);
-  std::cout << contact::describe(input, words) << contact::derived_values(input);
+/// Prints the case and warns of doubtful values; solves nothing.
+void check_case(const CheckRequest& request) {
+  const contact::ModelRegistry& models = request.call.models;
+  const contact::Case input = request.read();
+  std::cout << contact::describe(input, modelling::model_words(models))
+            << contact::derived_values(input);
   const std::vector<std::string> warnings = warnings_of(input);
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
   if (request.json) {
@@ -169,6 +177,38 @@ void check_case(const CheckRequest& request, const contact::ModelRegistry& model
     std::cout << "\nwhere wheel and rail touch\n"
               << modelling::contacts_text(input, track::search_scene_of(input));
   std::cout << modelling::expected_choice_text(input, models);
+}
+
+void new_case(const std::string& file, const contact::ModelRegistry& models) {
+  if (file.empty()) {
+    std::cout << contact::case_template(modelling::model_words(models));
+    return;
+  }
+  if (std::filesystem::exists(file))
+    throw contact::InputError(
+        fmt::format("new-case: {} already exists; do: name another file", file));
+  postprocess::write_file(file, contact::case_template(modelling::model_words(models)));
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<CheckRequest>(call);
+  CLI::App* check =
+      program.add_subcommand("check", "check a case file and print how rollfem interprets it");
+  check->add_option("case", request->case_file, "case file (.toml)")->required();
+  add_json_flag(*check, request->json);
+  add_set_option(*check, request->changes);
+  check->footer("example: rollfem check cases/s1002_uic60_left.toml");
+  check->callback([request] { check_case(*request); });
+}
+
+void add_new_case(CLI::App& program, Call& call) {
+  const auto file = std::make_shared<std::string>();
+  CLI::App* fresh = program.add_subcommand("new-case", "print a commented case file");
+  fresh->add_option("-o,--output", *file, "write it to this new file instead");
+  fresh->footer("example: rollfem new-case -o my_case.toml");
+  fresh->callback([file, &call] { new_case(*file, call.models); });
 }
 
 }  // namespace rollfem::app

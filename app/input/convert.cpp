@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/input/convert.hpp"
-
+// The command `convert`: case files from a CONTACT input file.
+#include "app/frame/commands.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
@@ -26,6 +26,13 @@ namespace rollfem::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct ConvertRequest {
+  std::string file;
+  std::string directory;  ///< empty: <name of the file>_cases
+  std::string cases;      ///< "1-5,8"; empty: all
+  bool partial = false;   ///< accept that cases without an equivalent are left out
+};
 
 constexpr std::size_t largest_input = 200u << 20;  // bytes
 
@@ -222,8 +229,8 @@ void tell(const std::vector<convert::CaseFile>& files, const fs::path& directory
   }
 }
 
-}  // namespace
-
+/// Cases with too few elements across the patch are left out; if `partial` is false, throws
+/// contact::SolveError once the others are written.
 void convert(const ConvertRequest& request, const contact::ModelRegistry& models) {
   const fs::path file(request.file);
   const std::string text = contact::text_of_file(request.file, request.file, largest_input);
@@ -256,6 +263,25 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
         fmt::format("convert: {}: the others were written without {}; do: give the grid of CONTACT "
                     "smaller elements, or accept this with --partial or --cases",
                     request.file, case_words(left_out)));
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<ConvertRequest>();
+  CLI::App* convert = program.add_subcommand(
+      "convert", "convert a CONTACT input file (modules 1 and 3) to case files");
+  convert->add_option("file", request->file, "input file (.inp)")->required();
+  convert->add_option("-o,--output", request->directory,
+                      "folder for the case files (default: <name of the file>_cases)");
+  convert->add_option("--cases", request->cases,
+                      "convert only these cases: numbers and ranges, e.g. 1-5,8 (default: all)");
+  convert->add_flag("--partial", request->partial,
+                    "skip cases whose physics has no equivalent (default: an error)");
+  convert->footer(
+      "example: rollfem convert cattaneo.inp\nHow every digit and sign is converted: "
+      "docs/coming_from_contact.md");
+  convert->callback([request, &call] { app::convert(*request, call.models); });
 }
 
 }  // namespace rollfem::app

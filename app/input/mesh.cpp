@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/input/mesh.hpp"
-
+// The command `mesh`: the meshes of wheel and rail as files and a table of their quality; nothing
+// is solved.
+#include "app/frame/commands.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
 #include "fem/elasticity/mesh_report.hpp"
 #include "models/fem/fem_library.hpp"
-#include "models/fem/fem_model.hpp"
+#include "models/fem/fem_models.hpp"
 #include "models/program/provenance.hpp"
-#include "models/registry.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/vtu.hpp"
@@ -75,24 +74,17 @@ std::string table(const std::vector<MeshedBody>& bodies) {
   return text + "\n";
 }
 
-}  // namespace
-
-void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
-  const contact::Case input =
-      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+void mesh(const CaseRequest& request) {
+  const contact::Case input = request.read();
   const std::vector<contact::Scene> scenes =
       modelling::scenes_of(input, modelling::placed_wheels(input)).list;
-  for (const contact::Scene& scene : scenes) models.check(scene, modelling::fem_model().name);
-  const fs::path folder =
-      !request.directory.empty()
-          ? fs::path(request.directory)
-          : fs::path("results") / (fs::path(request.case_file).stem().string() + "_mesh");
+  for (const contact::Scene& scene : scenes)
+    request.call.models.check(scene, modelling::fem_model().name);
+  const fs::path folder = request.folder("_mesh");
   spare_input(input, folder);
 
   const fem::Entry& entry = modelling::open_fem_library("mesh");
-  int argc = request.argc;
-  char** argv = request.argv;
-  entry.start(argc, argv);
+  entry.start(request.call.argc, request.call.argv);
   std::vector<MeshedBody> bodies;
   for (const contact::Scene& scene : scenes)
     for (MeshedBody& body : entry.mesh(scene)) {
@@ -111,6 +103,22 @@ void mesh(const MeshRequest& request, const contact::ModelRegistry& models) {
               << " (.msh: coarse, as accepted by [wheel] mesh and [rail] mesh; .vtu: refined)\n";
   }
   entry.stop();
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<CaseRequest>(call);
+  CLI::App* mesh = program.add_subcommand(
+      "mesh", "write the finite-element meshes of a case and print their quality");
+  mesh->add_option("case", request->case_file, "case file (.toml)")->required();
+  mesh->add_option(
+      "-o,--output", request->directory,
+      "folder for wheel.msh, rail.msh, wheel.vtu, rail.vtu, with profiles left_1_1_wheel.msh and "
+      "so on for each patch (default: results/<name of the case file>_mesh)");
+  add_set_option(*mesh, request->changes);
+  mesh->footer("example: rollfem mesh cases/thesis_a.toml");
+  mesh->callback([request] { app::mesh(*request); });
 }
 
 }  // namespace rollfem::app

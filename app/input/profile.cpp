@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/input/profile.hpp"
-
+// The command `profile`: a wheel or rail profile as a table on the screen and in a file and as a
+// figure, with its curvature as the contact sees it.
+#include "app/frame/commands.hpp"
 #include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
-#include "models/program/provenance.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "postprocess/files/result_folder.hpp"
-#include "postprocess/write/output.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_rows.hpp"
@@ -31,6 +30,14 @@ namespace {
 
 using profiles::ProfileCurve;
 using profiles::ProfilePoint;
+
+struct ProfileRequest {
+  std::string name;       ///< a built-in profile, a profile file, or a case file (.toml)
+  bool wheel = false;     ///< the file is the profile of a wheel
+  bool rail = false;      ///< the file is the profile of a rail
+  std::string directory;  ///< empty: results/<name without extension>_profile
+  bool json = false;      ///< print JSON; files are then written only into `directory`
+};
 
 struct NamedProfile {
   std::string file;   ///< of the table and the figure, without extension
@@ -186,10 +193,6 @@ fs::path folder_for(const ProfileRequest& request) {
   return fs::path("results") / (fs::path(request.name).stem().string() + "_profile");
 }
 
-}  // namespace
-
-namespace {
-
 nlohmann::ordered_json json_of(const NamedProfile& profile) {
   const profiles::ProfileFeatures features =
       profiles::profile_features(profile.curve, profile.wheel);
@@ -220,31 +223,19 @@ void print(const std::vector<NamedProfile>& profiles) {
   print_result(json.dump(1));
 }
 
-void draw_and_tell(const fs::path& file, bool& undrawn) {
-  const std::string problem =
-      postprocess::make_report(file.string(), modelling::script_directory().string());
-  if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
-  undrawn = undrawn || !problem.empty();
-  std::cout << "table:  " << file.string() << '\n';
-  if (problem.empty())
-    std::cout << "figure: " << fs::path(file).replace_extension(".svg").string() << '\n';
-}
-
 /// For a case with both profiles: draws wheel on rail and prints their contacts.
-void tell_pair(const contact::Case& input, const fs::path& folder, bool& undrawn) {
+void tell_pair(const contact::Case& input, const fs::path& folder, Call& call) {
   if (!input.has_profiles()) return;
   const track::SearchScene search = track::search_scene_of(input);
   std::cout << "where wheel and rail touch\n" << modelling::contacts_text(input, search);
   for (const auto& [name, table] : modelling::pair_tables(input, search)) {
     const fs::path file = folder / (name + ".csv");
     postprocess::replace_file(file, table);
-    draw_and_tell(file, undrawn);
+    draw_and_tell(call, file);
   }
 }
 
-}  // namespace
-
-void profile(const ProfileRequest& request, bool& undrawn) {
+void profile(const ProfileRequest& request, Call& call) {
   const std::vector<NamedProfile> profiles = asked_for(request);
   if (request.json) print(profiles);
   if (request.json && request.directory.empty()) return;
@@ -258,10 +249,30 @@ void profile(const ProfileRequest& request, bool& undrawn) {
           file.string()));
     postprocess::replace_file(file, table(profile));
     std::cout << described(profile) << list(profile.curve);
-    draw_and_tell(file, undrawn);
+    draw_and_tell(call, file);
   }
   if (fs::path(request.name).extension() == ".toml" && request.wheel == request.rail)
-    tell_pair(contact::read_case(request.name), folder, undrawn);
+    tell_pair(contact::read_case(request.name), folder, call);
+}
+
+}  // namespace
+
+void add_profile(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<ProfileRequest>();
+  CLI::App* profile = program.add_subcommand(
+      "profile", "print, write and draw a profile of wheel or rail with its curvature");
+  profile
+      ->add_option("name", request->name,
+                   "a built-in profile, a profile file, or a case file (.toml) with profiles")
+      ->required();
+  profile->add_flag("--wheel", request->wheel, "the file is the profile of a wheel");
+  profile->add_flag("--rail", request->rail, "the file is the profile of a rail");
+  profile->add_option(
+      "-o,--output", request->directory,
+      "folder for the table (.csv) and the figure (.svg) (default: results/<name>_profile)");
+  add_json_flag(*profile, request->json);
+  profile->footer("example: rollfem profile S1002 -o /tmp/profile");
+  profile->callback([request, &call] { app::profile(*request, call); });
 }
 
 }  // namespace rollfem::app

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// The command `wheelset`: rolling radii, contact angles and equivalent conicity of the rigid
+// wheelset of a case over its lateral shift; no contact problem is solved.
 #include "app/input/wheelset.hpp"
 
 #include "app/frame/command_frame.hpp"
 #include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
-#include "models/program/provenance.hpp"
-#include "models/registry.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
@@ -29,6 +28,12 @@ namespace fs = std::filesystem;
 using track::WheelsetRow;
 
 namespace {
+
+struct WheelsetRequest : CaseRequest {
+  using CaseRequest::CaseRequest;
+  bool json = false;    ///< print JSON; files are then written only into `directory`
+  double reach = 10.0;  ///< largest shift, mm, to the right; the other side is the mirror image
+};
 
 constexpr double shift_step = 0.1;  // mm; EN 15302 requires at most 0.2
 constexpr int rows_per_millimetre = 10;
@@ -74,17 +79,6 @@ std::vector<postprocess::RigidWheelset> rigid_row(const std::vector<WheelsetRow>
   return rigid;
 }
 
-void check(const WheelsetRequest& request, const contact::Case& input) {
-  if (!input.has_profiles())
-    throw contact::InputError(fmt::format(
-        "{}: wheel and rail are given by radii, without a track; allowed: a case with profiles; "
-        "do: give wheel.profile, rail.profile and [wheelset], as in cases/manchester_A22.toml",
-        input.file));
-  if (!(request.reach >= 2.0 * shift_step && request.reach <= 30.0))
-    throw contact::InputError(fmt::format(
-        "--reach {:g}: allowed: 0.2 to 30 mm; do: give a shift in this range", request.reach));
-}
-
 }  // namespace
 
 void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord& record) {
@@ -112,6 +106,17 @@ void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord
 
 namespace {
 
+void check(const WheelsetRequest& request, const contact::Case& input) {
+  if (!input.has_profiles())
+    throw contact::InputError(fmt::format(
+        "{}: wheel and rail are given by radii, without a track; allowed: a case with profiles; "
+        "do: give wheel.profile, rail.profile and [wheelset], as in cases/manchester_A22.toml",
+        input.file));
+  if (!(request.reach >= 2.0 * shift_step && request.reach <= 30.0))
+    throw contact::InputError(fmt::format(
+        "--reach {:g}: allowed: 0.2 to 30 mm; do: give a shift in this range", request.reach));
+}
+
 void print(const contact::Case& input, const std::vector<WheelsetRow>& rows) {
   nlohmann::ordered_json json = result_head("wheelset");
   json["case_file"] = input.file;
@@ -135,32 +140,39 @@ void tell(const WheelsetRequest& request, const contact::Case& input,
                              last);
 }
 
-}  // namespace
-
-void wheelset(const WheelsetRequest& request, const contact::ModelRegistry& models, bool& undrawn) {
-  const contact::Case input =
-      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
+void wheelset(const WheelsetRequest& request) {
+  const contact::Case input = request.read();
   warn_of_doubts(input);
   check(request, input);
   const std::vector<WheelsetRow> rows =
       track::wheelset_rows(input, track::search_scene_of(input), request.reach, shift_step);
   if (request.json) print(input, rows);
   if (request.json && request.directory.empty()) return;
-  const fs::path folder =
-      request.directory.empty()
-          ? fs::path("results") / (fs::path(request.case_file).stem().string() + "_wheelset")
-          : fs::path(request.directory);
+  const fs::path folder = request.folder("_wheelset");
   postprocess::FilesTogether files(folder);
   files.write("wheelset.csv", postprocess::rigid_wheelset_csv(rigid_row(rows)));
   files.commit();
   tell(request, input, rows);
-  const fs::path table = folder / "wheelset.csv";
-  const std::string problem =
-      postprocess::make_report(table.string(), modelling::script_directory().string());
-  if (!problem.empty()) std::cerr << "warning: the figure was not drawn: " << problem << '\n';
-  undrawn = !problem.empty();
-  std::cout << "\ntable:  " << table.string() << '\n';
-  if (problem.empty()) std::cout << "figure: " << (folder / "wheelset.svg").string() << '\n';
+  std::cout << '\n';
+  draw_and_tell(request.call, folder / "wheelset.csv");
+}
+
+}  // namespace
+
+void add_wheelset(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<WheelsetRequest>(call);
+  CLI::App* wheelset = program.add_subcommand(
+      "wheelset",
+      "rolling radii, contact angles and equivalent conicity of a wheelset over its lateral shift");
+  wheelset->add_option("case", request->case_file, "case file (.toml) with profiles")->required();
+  wheelset->add_option("--reach", request->reach, "largest shift in mm (default: 10)");
+  wheelset->add_option("-o,--output", request->directory,
+                       "folder for the table (.csv) and the figure (.svg) (default: results/<name "
+                       "of the case file>_wheelset)");
+  add_json_flag(*wheelset, request->json);
+  add_set_option(*wheelset, request->changes);
+  wheelset->footer("example: rollfem wheelset cases/manchester_A22.toml");
+  wheelset->callback([request] { app::wheelset(*request); });
 }
 
 }  // namespace rollfem::app

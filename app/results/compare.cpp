@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/results/compare.hpp"
-
+// The command `compare`: several models on one or several cases, side by side.
+#include "app/frame/command_frame.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "models/program/version.hpp"
 #include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
 #include "postprocess/compare/comparison.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"
@@ -29,6 +30,19 @@ namespace {
 using postprocess::ComparedCase;
 using postprocess::contents_of;
 
+struct CompareRequest : ComputingRequest {
+  using ComputingRequest::ComputingRequest;
+  std::vector<std::string> case_files;
+  std::vector<std::string> models;  ///< empty: the registry's default for `compare`
+  std::string reference;            ///< model; empty: the first that solves the elastic problem
+
+  fs::path folder() const {
+    if (!directory.empty()) return directory;
+    if (case_files.size() > 1) return fs::path("results") / "compare";
+    return fs::path("results") / ("compare_" + fs::path(case_files.front()).stem().string());
+  }
+};
+
 /// A case with its result folder and earlier results.
 struct Task {
   contact::Case input;
@@ -38,12 +52,6 @@ struct Task {
   /// Models that cannot take the case, according to an earlier call.
   std::vector<postprocess::MissingModel> missing;
 };
-
-fs::path directory_of(const CompareRequest& request) {
-  if (!request.directory.empty()) return request.directory;
-  if (request.case_files.size() > 1) return fs::path("results") / "compare";
-  return fs::path("results") / ("compare_" + fs::path(request.case_files.front()).stem().string());
-}
 
 /// Whether results.h5 is complete and belongs to this case with these models. If not, a warning
 /// says why.
@@ -108,20 +116,19 @@ std::vector<postprocess::MissingModel> left_out_before(const nlohmann::json& bef
   return all;
 }
 
-std::vector<Task> tasks_of(const CompareRequest& request, const contact::ModelRegistry& known,
-                           const std::vector<std::string>& models) {
+std::vector<Task> tasks_of(const CompareRequest& request, const std::vector<std::string>& models) {
   std::vector<Task> tasks;
   std::map<std::string, std::string> names;
-  std::string text = contents_of(directory_of(request) / "compare.json");
+  std::string text = contents_of(request.folder() / "compare.json");
   // A file with a wrong checksum is ignored, and the models are tried again.
   if (!postprocess::json_seal_is_intact(text)) text.clear();
   const auto before = nlohmann::json::parse(text, nullptr, false);
   for (const std::string& file : request.case_files) {
     Task task;
-    task.input = contact::read_case(file, modelling::model_words(known), request.changes);
+    task.input = request.read(file);
     task.input.models = models;
     task.name = fs::path(file).stem().string();
-    task.folder = directory_of(request) / task.name;
+    task.folder = request.folder() / task.name;
     const auto [found, fresh] = names.emplace(task.name, file);
     if (!fresh)
       throw contact::InputError(fmt::format(
@@ -186,15 +193,15 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
 
 /// Writes the data atomically.
 void write_data(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
-  postprocess::FilesTogether files(directory_of(request));
+  postprocess::FilesTogether files(request.folder());
   files.write("compare.json", postprocess::comparison_json(record));
   files.write("compare.csv", postprocess::comparison_csv(record));
   files.commit();
 }
 
 void report_and_tell(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
-  const fs::path directory = directory_of(request);
-  const bool drawn = report_drawn(request, directory.string());
+  const fs::path directory = request.folder();
+  const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
   std::vector<postprocess::CaseStandings> all;
   for (const ComparedCase& compared : record.cases) {
@@ -209,8 +216,7 @@ void report_and_tell(const CompareRequest& request, const postprocess::Compariso
   if (const std::string verdict = postprocess::comparison_verdict(all); !verdict.empty())
     std::cout << "largest difference at any load point; *: some are beyond the error bars\n"
               << verdict << '\n';
-  std::cout << "\nresults: " << directory.string() << '\n';
-  if (drawn) std::cout << "report:  " << (directory / "compare.html").string() << '\n';
+  tell_where(directory, "compare.html", drawn);
 }
 
 /// Why a case has no result although nothing failed: "a: hertz: ...; fastsim: ..."; otherwise
@@ -254,8 +260,8 @@ void refuse_failures(const postprocess::ComparisonRecord& record) {
 
 /// The models of the call, otherwise the registry's default for `compare` in this build. The case's
 /// own list applies only to `run`.
-std::vector<std::string> models_of(const CompareRequest& request,
-                                   const contact::ModelRegistry& known) {
+std::vector<std::string> models_of(const CompareRequest& request) {
+  const contact::ModelRegistry& known = request.call.models;
   const std::vector<std::string> models =
       request.models.empty()
           ? modelling::built_of(known, known.names(&contact::ModelInfo::in_compare))
@@ -269,23 +275,41 @@ std::vector<std::string> models_of(const CompareRequest& request,
   return models;
 }
 
-}  // namespace
+/// In `compare --model hertz CASE CASE` the list option swallows the case files; this moves them
+/// back.
+void settle(CompareRequest& request) {
+  const contact::ModelRegistry& known = request.call.models;
+  const auto is_file = [&](const std::string& name) {
+    return known.find(name) == nullptr && fs::path(name).extension() == ".toml";
+  };
+  const auto first = std::find_if(request.models.begin(), request.models.end(), is_file);
+  request.case_files.insert(request.case_files.end(), first, request.models.end());
+  request.models.erase(first, request.models.end());
+  if (request.case_files.empty())
+    throw contact::InputError(
+        "compare: no case file is named; do: rollfem compare CASE.toml [CASE.toml ...]");
+  request.models = modelling::checked_names(known, request.models, "--model");
+  modelling::refuse_choice(known, request.models, "compare");
+  if (!request.reference.empty()) static_cast<void>(known.at(request.reference, "--reference"));
+}
 
-void compare(const CompareRequest& request, const contact::ModelRegistry& known) {
-  const std::vector<std::string> models = models_of(request, known);
-  const std::vector<Task> tasks = tasks_of(request, known, models);
+void compare(CompareRequest& request) {
+  settle(request);
+  const contact::ModelRegistry& known = request.call.models;
+  const std::vector<std::string> models = models_of(request);
+  const std::vector<Task> tasks = tasks_of(request, models);
   const bool anything =
       std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return !t.done; });
-  CommandFrame frame(request, known, anything ? models : std::vector<std::string>());
+  CommandFrame frame(request, anything ? models : std::vector<std::string>());
   if (frame.idle()) return;
   if (frame.first())
     for (const Task& task : tasks) warn_of_doubts(task.input);
   // Checks of problems that would otherwise appear only after the computation.
   if (frame.first()) {
-    refuse_other_result(directory_of(request), "compare.json");
+    refuse_other_result(request.folder(), "compare.json");
     for (const Task& task : tasks) postprocess::check_directory(task.folder.string());
   }
-  frame.own(directory_of(request));
+  frame.own(request.folder());
   for (const Task& task : tasks) frame.own(task.folder);
   postprocess::ComparisonRecord record;
   record.provenance = frame.provenance();
@@ -309,6 +333,31 @@ void compare(const CompareRequest& request, const contact::ModelRegistry& known)
     refuse_failures(record);
     refuse_untaken(record);
   });
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<CompareRequest>(call);
+  CLI::App* compare =
+      program.add_subcommand("compare", "solve cases with several models and compare the results");
+  compare->add_option("case", request->case_files, "case files (.toml), one or more");
+  add_model_option(*compare, "-m,--model", request->models, call,
+                   "; give several in a row or repeat the option; default: " +
+                       contact::listed(call.models.names(&contact::ModelInfo::in_compare)) +
+                       ", regardless of the models in the case files");
+  compare->add_option(
+      "--reference", request->reference,
+      "reference model of the comparison; default: " + call.models.reference().name);
+  compare->add_option("-o,--output", request->directory,
+                      "folder for the comparison (default: results/compare_<name of the case "
+                      "file>, results/compare for several)");
+  compare->add_flag("--resume", request->resume,
+                    "keep the cases that an earlier call finished and solve the others");
+  add_report_flags(*compare, *request);
+  compare->footer(
+      footer_with_models("rollfem compare cases/thesis_*.toml --reference halfspace", call.models));
+  compare->callback([request] { app::compare(*request); });
 }
 
 }  // namespace rollfem::app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/results/table.hpp"
-
+// The command `table`: the creep force law of a case's contact over scaled creepages and axis
+// ratios, or over lateral shifts of its wheelset, with error bars and interpolation errors.
+#include "app/frame/command_frame.hpp"
 #include "app/frame/parts.hpp"
-#include "contact/case/case_reader.hpp"
-#include "models/registry.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
@@ -22,11 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using tables::CreepTable;
-
-fs::path table_directory(const TableRequest& request) {
-  if (!request.directory.empty()) return request.directory;
-  return fs::path("results") / (fs::path(request.case_file).stem().string() + "_table");
-}
 
 std::string range_of(const char* name, const std::vector<double>& axis) {
   return axis.size() == 1 ? fmt::format("{} = {:.4g}", name, axis.front())
@@ -115,24 +109,27 @@ std::string summary_of(const CreepTable& table, double seconds) {
   return text + advice_of(table, std::max(force, moment), seconds);
 }
 
-void write_and_tell(const TableRequest& request, const CreepTable& table, double seconds) {
-  const fs::path directory = table_directory(request);
+fs::path directory_of(const ComputingRequest& request) {
+  return request.folder("_table");
+}
+
+void write_and_tell(const ComputingRequest& request, const CreepTable& table, double seconds) {
+  const fs::path directory = directory_of(request);
   postprocess::FilesTogether files(directory);
   files.write("table.h5", tables::table_hdf5(table));
   files.write("table.csv", tables::table_csv(table));
   files.write("interpolation.csv", tables::interpolation_csv(table));
   if (table.over_shifts()) files.write("shifts.csv", tables::shifts_csv(table));
   files.commit();
-  const bool drawn = report_drawn(request, directory.string());
+  const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
-  std::cout << summary_of(table, seconds) << "\nresults: " << directory.string() << '\n';
-  if (drawn) std::cout << "report:  " << (directory / "table.html").string() << '\n';
+  std::cout << summary_of(table, seconds);
+  tell_where(directory, "table.html", drawn);
 }
 
-void table_at_once(const TableRequest& request, const contact::ModelRegistry& models) {
-  const contact::Case input =
-      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
-  CommandFrame frame(request, models, {});
+void table_at_once(const ComputingRequest& request) {
+  const contact::Case input = request.read();
+  CommandFrame frame(request, {});
   if (frame.idle()) return;
   warn_of_doubts(input);
   if (const std::string ignored = tables::ignored_keys(input); !ignored.empty())
@@ -142,11 +139,11 @@ void table_at_once(const TableRequest& request, const contact::ModelRegistry& mo
   made.program = fmt::format("rollfem {} ({})", provenance.version, provenance.commit);
   made.command = provenance.command;
   made.started = provenance.started;
-  postprocess::check_directory(table_directory(request).string());
-  frame.own(table_directory(request));
+  postprocess::check_directory(directory_of(request).string());
+  frame.own(directory_of(request));
   const auto begin = std::chrono::steady_clock::now();
   frame.compute("table", "points", [&](const modelling::Solving& how) {
-    tables::fill_table(made, input, how.progress, frame.keep_in(table_directory(request), input),
+    tables::fill_table(made, input, how.progress, frame.keep_in(directory_of(request), input),
                        request.share);
     frame.clear_line();
     if (frame.ends_part()) return;
@@ -156,11 +153,35 @@ void table_at_once(const TableRequest& request, const contact::ModelRegistry& mo
   });
 }
 
+void table(ComputingRequest& request) {
+  check_division(request, 2, "");  // a table has many points
+  in_parts(request, true, directory_of(request), [&] { table_at_once(request); });
+}
+
 }  // namespace
 
-void table(TableRequest request, const contact::ModelRegistry& models) {
-  check_division(request, 2, "");  // a table has many points
-  in_parts(request, true, table_directory(request), [&] { table_at_once(request, models); });
+void add_table(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<ComputingRequest>(call);
+  CLI::App* table =
+      program.add_subcommand("table",
+                             "compute a table of creep forces over creepages, spin and "
+                             "the ratio of the ellipse's axes or the "
+                             "lateral shift of a wheelset");
+  table
+      ->add_option("case", request->case_file,
+                   "case file (.toml); its section [table] defines the grid")
+      ->required();
+  table->add_option("-o,--output", request->directory,
+                    "folder for the table (default: results/<name of the case file>_table)");
+  table->add_flag("--resume", request->resume,
+                  "resume an interrupted table from the points kept in FOLDER.unfinished");
+  add_division(*table, *request, "points");
+  add_report_flags(*table, *request);
+  table->footer(
+      "examples: rollfem table cases/thesis_a.toml --set table.points=[10,10,11]\n"
+      "          rollfem table cases/s1002_uic60_left.toml --set table.lateral_shift=[-2,0,2]\n"
+      "Contents of a table, and how Python and C read it: docs/tables.md");
+  table->callback([request] { app::table(*request); });
 }
 
 }  // namespace rollfem::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/run/bench.hpp"
-
+// The command `rollfem bench`: error and run time of each model on this machine in cases with known
+// solutions, and the speed of the machine relative to the one that predictions are based on.
+#include "app/frame/command_frame.hpp"
 #include "app/frame/screen.hpp"
 #include "app/run/bench_cases.hpp"
 #include "contact/base/errors.hpp"
@@ -33,6 +34,13 @@ namespace {
 
 using contact::ModelResult;
 using Json = nlohmann::ordered_json;
+
+struct BenchRequest : ComputingRequest {
+  using ComputingRequest::ComputingRequest;
+  double seconds = 30.0;  ///< time limit; runs expected to exceed it are skipped
+  bool json = false;      ///< print JSON, and progress of the models on stderr
+  bool quick = false;     ///< one case on coarse grids, nothing stored
+};
 
 /// Elements across of the half-space; the last grid measures the speed of the machine.
 const std::vector<int> grids{24, 40, 80}, quick_grids{24, 40};
@@ -76,10 +84,10 @@ std::string percent_of(const std::optional<double>& part) {
 
 class Bench {
  public:
-  Bench(const BenchRequest& request, const contact::ModelRegistry& models,
-        const modelling::Solving& how, std::filesystem::path keep_in, std::string made)
+  Bench(const BenchRequest& request, const modelling::Solving& how, std::filesystem::path keep_in,
+        std::string made)
       : request_(request),
-        models_(models),
+        models_(request.call.models),
         how_(how),
         keep_in_(std::move(keep_in)),
         made_(std::move(made)) {
@@ -247,19 +255,17 @@ class Bench {
   std::string made_;
 };
 
-}  // namespace
-
-void bench(const BenchRequest& request, const contact::ModelRegistry& models) {
+void bench(const BenchRequest& request) {
   if (!(request.seconds > 0.0))
     throw contact::InputError(fmt::format(
         "--seconds {:g}: allowed: above 0; do: give the time limit in seconds", request.seconds));
   std::vector<std::string> names;
-  for (const contact::ModelInfo& model : models.all())
+  for (const contact::ModelInfo& model : request.call.models.all())
     if (!model.chooses && model.built && !(request.quick && model.parallel))
       names.push_back(model.name);
   ComputingRequest silent = request;
   silent.quiet = request.quiet || !request.json;
-  CommandFrame frame(silent, models, names);
+  CommandFrame frame(silent, names);
   if (frame.idle()) return;
   if (frame.first())
     std::cout << fmt::format(
@@ -268,8 +274,32 @@ void bench(const BenchRequest& request, const contact::ModelRegistry& models) {
   const std::filesystem::path keep_in = modelling::machine_speed_file();
   setenv("ROLLFEM_CACHE", "", 1);  // cached corrections would take no time
   frame.compute("rollfem bench", "cases", [&](const modelling::Solving& how) {
-    Bench(request, models, how, keep_in, frame.provenance().started).run();
+    Bench(request, how, keep_in, frame.provenance().started).run();
   });
+}
+
+}  // namespace
+
+void add_bench(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<BenchRequest>(call);
+  CLI::App* bench = program.add_subcommand(
+      "bench",
+      "measure error and run time of each model on this machine, in cases with known solutions");
+  bench->add_option("--seconds", request->seconds,
+                    "time limit; runs expected to exceed it are skipped (default: 30)");
+  bench->add_flag(
+      "--quick", request->quick,
+      "one case on coarse grids, about a second; does not store the speed of the machine");
+  add_json_flag(*bench, request->json);
+  bench->add_flag_callback(
+      "-q,--quiet",
+      [request] {
+        request->quiet = true;
+        silence();
+      },
+      "print errors and warnings only");
+  bench->footer("example: rollfem bench");
+  bench->callback([request] { app::bench(*request); });
 }
 
 }  // namespace rollfem::app

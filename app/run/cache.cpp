@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/run/cache.hpp"
-
+// The command `rollfem cache`: the stored corrections of the model hybrid.
+#include "app/frame/commands.hpp"
 #include "contact/base/errors.hpp"
 #include "models/caches/correction_cache.hpp"
 
@@ -33,8 +33,7 @@ void list(const std::vector<modelling::CorrectionCache::Entry>& entries) {
             : entry.words);
 }
 
-}  // namespace
-
+/// Lists the stored corrections, or removes them (`action` "clear") and prints the freed space.
 void cache(const std::string& action) {
   const modelling::CorrectionCache corrections;
   if (corrections.off()) {
@@ -52,6 +51,20 @@ void cache(const std::string& action) {
   }
   list(entries);
   std::cout << fmt::format("{}: {}\n", corrections.folder().string(), total_of(entries));
+}
+
+}  // namespace
+
+void add_cache(CLI::App& program, Call& /*call*/) {
+  const auto action = std::make_shared<std::string>("list");
+  CLI::App* stored =
+      program.add_subcommand("cache",
+                             "list or clear the corrections that the model hybrid stores for later "
+                             "runs on the same bodies, in $ROLLFEM_CACHE or ~/.cache/rollfem");
+  stored->add_option("action", *action, "list (default) or clear")
+      ->check(CLI::IsMember({"list", "clear"}));
+  stored->footer("example: rollfem cache clear\nAn empty ROLLFEM_CACHE switches the cache off.");
+  stored->callback([action] { cache(*action); });
 }
 
 }  // namespace rollfem::app

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/run/run.hpp"
-
+// The command `run`: the models of a case one after the other, then results and report.
+#include "app/frame/command_frame.hpp"
 #include "app/frame/parts.hpp"
 #include "app/input/wheelset.hpp"
 #include "app/run/run_table.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
@@ -26,18 +25,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path output_directory(const RunRequest& request) {
-  if (!request.directory.empty()) return request.directory;
-  return fs::path("results") / fs::path(request.case_file).stem();
-}
+struct RunRequest : ComputingRequest {
+  using ComputingRequest::ComputingRequest;
+  std::vector<std::string> models;  ///< empty: those of the case file
+
+  fs::path folder() const { return CaseRequest::folder(""); }
+  contact::Case read() const {
+    contact::Case input = CaseRequest::read();
+    if (!models.empty()) input.models = models;
+    return input;
+  }
+};
 
 /// Checks for problems that would otherwise appear only after hours of computing: a folder that
 /// cannot be created, a model that cannot take the case.
 void check_before(const RunRequest& request, const contact::Case& input,
-                  const modelling::Placed& placed, const contact::ModelRegistry& models) {
-  postprocess::check_directory(output_directory(request).string());
+                  const modelling::Placed& placed) {
+  postprocess::check_directory(request.folder().string());
   for (const contact::Scene& scene : modelling::unbalanced_scenes(input, placed))
-    for (const std::string& name : input.models) models.check(scene, name);
+    for (const std::string& name : input.models) request.call.models.check(scene, name);
 }
 
 /// The model shown for each position: the one with most patches, because not every theory can take
@@ -68,18 +74,17 @@ void tell_what_is_not_stored(const postprocess::RunRecord& record,
       found->label);
 }
 
-void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record,
-                    const contact::ModelRegistry& models) {
-  const fs::path directory = output_directory(request);
+void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record) {
+  const contact::ModelRegistry& models = request.call.models;
+  const fs::path directory = request.folder();
   store_results(directory.string(), record);
-  const bool drawn = report_drawn(request, directory.string());
+  const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n"
             << run_table(record.models)
             << postprocess::wheelset_table(record, model_to_tell(record, models));
   std::cout << '\n' << notes_text(record.models, false);
-  std::cout << "\nresults: " << directory.string() << '\n';
-  if (drawn) std::cout << "report:  " << (directory / "report.html").string() << '\n';
+  tell_where(directory, "report.html", drawn);
   tell_what_is_not_stored(record, models);
   std::cout << notes_text(record.models, true);
   if (!record.verdict.empty()) std::cout << "warning: " << record.verdict << '\n';
@@ -98,28 +103,20 @@ void refuse_shortfall(const postprocess::RunRecord& record) {
                   first.shortfall));
 }
 
-/// Reads the case and sets the models to run.
-contact::Case read(const RunRequest& request, const contact::ModelRegistry& models) {
-  contact::Case input =
-      contact::read_case(request.case_file, modelling::model_words(models), request.changes);
-  if (!request.models.empty()) input.models = request.models;
-  return input;
-}
-
-void run_at_once(const RunRequest& request, const contact::ModelRegistry& models) {
+void run_at_once(const RunRequest& request) {
   postprocess::RunRecord record;
-  record.input = read(request, models);
+  record.input = request.read();
   const std::string asked_by = request.models.empty() ? request.case_file + ": models" : "--model";
-  modelling::check_alone(models, record.input.models, asked_by);
-  CommandFrame frame(request, models, record.input.models);
+  modelling::check_alone(request.call.models, record.input.models, asked_by);
+  CommandFrame frame(request, record.input.models);
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(record.input);
   const modelling::Placed placed = modelling::placed_wheels(record.input);
-  if (frame.first()) check_before(request, record.input, placed, models);
-  frame.own(output_directory(request));
+  if (frame.first()) check_before(request, record.input, placed);
+  frame.own(request.folder());
   record.provenance = frame.provenance();
   frame.compute(asked_by, "load points", [&](modelling::Solving how) {
-    how.checkpoint = frame.keep_in(output_directory(request), record.input);
+    how.checkpoint = frame.keep_in(request.folder(), record.input);
     how.share = request.share;
     how.placed = placed;
     modelling::Solved solved = modelling::solve(record.input, how);
@@ -129,20 +126,42 @@ void run_at_once(const RunRequest& request, const contact::ModelRegistry& models
     record.verdict = std::move(solved.verdict);
     if (placed) add_rigid_wheelset(placed->search, record);
     frame.clear_line();
-    write_and_tell(request, record, models);
+    write_and_tell(request, record);
     frame.forget_kept();
     refuse_shortfall(record);
   });
 }
 
-}  // namespace
-
-void run(RunRequest request, const contact::ModelRegistry& models) {
-  const contact::Case input = read(request, models);
+void run(RunRequest& request) {
+  const contact::ModelRegistry& models = request.call.models;
+  settle_case_file(request, "run", {&request.models},
+                   [&](const std::string& name) { return models.find(name) == nullptr; });
+  request.models = modelling::checked_names(models, request.models, "--model");
+  const contact::Case input = request.read();
   const std::size_t positions = input.has_profiles() ? input.wheelset.positions() : 1;
   check_division(request, positions, "position of the wheelset");
   const bool divisible = positions > 1 && !modelling::any_parallel(models, input.models);
-  in_parts(request, divisible, output_directory(request), [&] { run_at_once(request, models); });
+  in_parts(request, divisible, request.folder(), [&] { run_at_once(request); });
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<RunRequest>(call);
+  CLI::App* run = program.add_subcommand("run", "solve a case with one or more models");
+  run->add_option("case", request->case_file, "case file (.toml)");
+  add_model_option(*run, "-m,--model", request->models, call,
+                   "; give several in a row or repeat the option (default: the models of the case "
+                   "file, or auto)");
+  run->add_option("-o,--output", request->directory,
+                  "folder for the results (default: results/<name of the case file>)");
+  run->add_flag("--resume", request->resume,
+                "continue an interrupted run from the load points kept in FOLDER.unfinished");
+  add_division(*run, *request, "positions of a wheelset");
+  add_report_flags(*run, *request);
+  run->footer(footer_with_models("rollfem run cases/thesis_a.toml --model halfspace -o /tmp/case_a",
+                                 call.models));
+  run->callback([request] { app::run(*request); });
 }
 
 }  // namespace rollfem::app

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/study/study.hpp"
-
+// The command `study`: one case on successively finer grids, cells, degrees or domains; with
+// profiles every patch, at loads and creepages determined once and then fixed.
+#include "app/frame/command_frame.hpp"
 #include "app/frame/parts.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/case/case_reader.hpp"
 #include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
 #include "models/study/study_series.hpp"
 #include "postprocess/files/files_together.hpp"
+
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <iostream>
@@ -17,17 +20,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path directory_of(const StudyRequest& request) {
-  if (!request.directory.empty()) return request.directory;
-  return fs::path("results") / (fs::path(request.case_file).stem().string() + "_study");
-}
-
-modelling::StudyWishes wishes_of(const StudyRequest& request) {
-  return {request.models, request.vary, request.together, request.levels, request.references};
-}
+struct StudyRequest : ComputingRequest {
+  using ComputingRequest::ComputingRequest;
+  modelling::StudyWishes wishes;
+  fs::path folder() const { return CaseRequest::folder("_study"); }
+};
 
 void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord& record) {
-  const std::string directory = directory_of(request).string();
+  const fs::path directory = request.folder();
   postprocess::FilesTogether files(directory);
   files.write("study.json", postprocess::study_json(record));
   files.write("study.csv", postprocess::study_csv(record));
@@ -36,21 +36,20 @@ void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord&
   if (request.quiet) return;
   std::cout << record.title << "\n\n" << postprocess::study_table(record);
   for (const std::string& note : record.notes) std::cout << '\n' << note << '\n';
-  std::cout << "\nresults: " << directory << '\n';
-  if (drawn) std::cout << "report:  " << directory << "/study.html\n";
+  tell_where(directory, "study.html", drawn);
 }
 
-void study_at_once(const StudyRequest& request, const contact::ModelRegistry& known) {
-  const contact::Case input =
-      contact::read_case(request.case_file, modelling::model_words(known), request.changes);
-  const modelling::StudyWishes wishes = wishes_of(request);
-  CommandFrame frame(request, known, modelling::named_models(wishes, known));
+void study_at_once(const StudyRequest& request) {
+  const contact::ModelRegistry& known = request.call.models;
+  const contact::Case input = request.read();
+  const modelling::StudyWishes& wishes = request.wishes;
+  CommandFrame frame(request, modelling::named_models(wishes, known));
   if (frame.idle()) return;
   if (frame.first()) warn_of_doubts(input);
   modelling::check_wishes(wishes, input, known);
-  refuse_other_result(directory_of(request), "study.json");
-  static_cast<void>(postprocess::FilesTogether(directory_of(request)));
-  frame.own(directory_of(request));
+  refuse_other_result(request.folder(), "study.json");
+  static_cast<void>(postprocess::FilesTogether(request.folder()));
+  frame.own(request.folder());
   const modelling::Scenes scenes =
       modelling::scenes_of(input, modelling::placed_wheels(input), frame.progress());
   const std::vector<std::string> models = modelling::models_of(wishes, scenes, known);
@@ -62,7 +61,7 @@ void study_at_once(const StudyRequest& request, const contact::ModelRegistry& kn
     run.how.share = request.share;
     run.notes = scenes.notes;
     run.say = [&](const std::string& text) { frame.say("study: " + text); };
-    run.kept = frame.keep_in(directory_of(request), input);
+    run.kept = frame.keep_in(request.folder(), input);
     modelling::solve_levels(wishes, models, scenes, run, record);
     frame.clear_line();
     if (!how.first || frame.ends_part()) return;
@@ -75,13 +74,71 @@ void study_at_once(const StudyRequest& request, const contact::ModelRegistry& kn
   });
 }
 
+/// "all" must stand alone.
+void settle(StudyRequest& request) {
+  modelling::StudyWishes& wishes = request.wishes;
+  settle_case_file(request, "study", {&wishes.models, &wishes.vary, &wishes.references},
+                   [](const std::string& name) { return fs::path(name).extension() == ".toml"; });
+  if (wishes.models == std::vector<std::string>{"all"}) return;
+  const contact::ModelRegistry& known = request.call.models;
+  wishes.models = modelling::checked_names(known, wishes.models, "--model");
+  modelling::refuse_choice(known, wishes.models, "study");
+}
+
+void study(StudyRequest& request) {
+  settle(request);
+  check_division(request, 2, "");  // a study has several levels
+  const contact::ModelRegistry& known = request.call.models;
+  const bool divisible =
+      !modelling::any_parallel(known, modelling::named_models(request.wishes, known));
+  in_parts(request, divisible, request.folder(), [&] { study_at_once(request); });
+}
+
+/// "grid (of carter, fastsim), cell (of fem)"
+std::string refinement_help(const contact::ModelRegistry& models) {
+  std::vector<std::string> ways;
+  for (const std::string& word : modelling::varied_words(models))
+    ways.push_back(fmt::format("{} (of {})", word,
+                               contact::listed(modelling::models_that_vary(models, word))));
+  return contact::listed(ways);
+}
+
 }  // namespace
 
-void study(StudyRequest request, const contact::ModelRegistry& known) {
-  check_division(request, 2, "");  // a study has several levels
-  const bool divisible =
-      !modelling::any_parallel(known, modelling::named_models(wishes_of(request), known));
-  in_parts(request, divisible, directory_of(request), [&] { study_at_once(request, known); });
+void add_study(CLI::App& program, Call& call) {
+  const auto request = std::make_shared<StudyRequest>(call);
+  modelling::StudyWishes& wishes = request->wishes;
+  CLI::App* study = program.add_subcommand(
+      "study", "solve a case on ever finer grids: errors, observed orders, cost");
+  study->add_option("case", request->case_file, "case file (.toml)");
+  add_model_option(*study, "-m,--model,--models", wishes.models, call,
+                   ", or all; default: " + call.models.reference().name);
+  study
+      ->add_option("--vary", wishes.vary,
+                   "what to refine: " + refinement_help(call.models) +
+                       "; give several in a row (default: the first one of each model)")
+      ->delimiter(',');
+  study->add_flag("--together", wishes.together,
+                  "refine everything in --vary together (default: one at a time)");
+  study->add_option("--levels", wishes.levels,
+                    "number of levels, 2 to 8 (default: 5 grids, from a quarter of the case's "
+                    "elements to four times as many; 3 cell sizes, from four times the case's to "
+                    "the case's; 3 domains, from half to twice the case's)");
+  study
+      ->add_option("--reference", wishes.references,
+                   "reference of the errors: exact (Hertz), finest, extrapolated, or numbers such "
+                   "as max_pressure=578.967 traction_coefficient:4=0.3722 (with several patches "
+                   "left_1_2.max_pressure=1010); default: exact where an exact "
+                   "value exists, otherwise extrapolated")
+      ->delimiter(',');
+  study->add_option("-o,--output", request->directory,
+                    "folder for the study (default: results/<name of the case file>_study)");
+  study->add_flag("--resume", request->resume,
+                  "continue an interrupted study from the levels kept in FOLDER.unfinished");
+  add_division(*study, *request, "levels");
+  add_report_flags(*study, *request);
+  study->footer(footer_with_models("rollfem study cases/thesis_a.toml --models all", call.models));
+  study->callback([request] { app::study(*request); });
 }
 
 }  // namespace rollfem::app

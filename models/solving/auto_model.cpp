@@ -8,7 +8,7 @@
 #include "halfspace/patch/true_sections.hpp"
 #include "models/caches/machine_speed.hpp"
 #include "models/choice/laws.hpp"
-#include "models/fem/hybrid_model.hpp"
+#include "models/fem/fem_models.hpp"
 #include "models/program/provenance.hpp"
 
 #include <fmt/format.h>

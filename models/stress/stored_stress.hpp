@@ -5,13 +5,27 @@
 #pragma once
 
 #include "contact/solve/model.hpp"
-#include "models/stress/stress_request.hpp"
 #include "postprocess/stress/stress_report.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace rollfem::modelling {
+
+/// The request of a `rollfem stress` call.
+struct StressRequest {
+  std::string result;               ///< results.h5, or the folder that holds it
+  std::vector<std::string> models;  ///< empty: those with stress
+  std::string patch;                ///< with profiles: SIDE,POSITION,PATCH; empty: the first
+  std::vector<int> points;          ///< load points, from 1; the last if `creepages` is empty too
+  std::vector<double> creepages;    ///< load points with these longitudinal creepages
+  std::string places;               ///< file with [[subsurface.*]]; may be empty
+  bool depth_profile = false;       ///< also the default if no places are requested
+  std::optional<double> depth;      ///< mm, of the depth profile
+  std::optional<double> yield_shear_stress;  ///< k, MPa
+  std::optional<double> yield_strength;      ///< Y, MPa
+};
 
 /// `warnings` receives notes for the user, and what was left out and why. Throws
 /// contact::InputError if nothing is left.

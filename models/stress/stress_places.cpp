@@ -5,7 +5,7 @@
 #include "contact/case/case_reader.hpp"
 #include "halfspace/stress/subsurface.hpp"
 #include "hybrid/stresses.hpp"
-#include "models/fem/hybrid_model.hpp"
+#include "models/fem/fem_models.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "postprocess/read/body_sampler.hpp"
 
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace rollfem::modelling {
@@ -146,7 +147,29 @@ contact::Scene scene_of(const contact::Case& input, const ModelResult& model) {
       input.file, model.place->label()));
 }
 
+/// Whether a line and both sides of a plane have a length; otherwise they cannot be drawn.
+bool has_length(const contact::SubsurfaceRequest& places) {
+  using Kind = contact::SubsurfaceRequest::Kind;
+  if (places.kind == Kind::point) return true;
+  return places.to != places.from && (places.kind != Kind::plane || places.across != places.from);
+}
+
 }  // namespace
+
+std::vector<NamedRequest> named_requests(const StressRequest& request) {
+  std::vector<NamedRequest> all;
+  if (request.places.empty()) return all;
+  std::map<std::string, int> counts;
+  for (const contact::SubsurfaceRequest& places : contact::read_places(request.places)) {
+    const std::string kind = word_of(places.kind);
+    const std::string name = fmt::format("{}_{}", kind, ++counts[kind]);
+    if (!has_length(places))
+      throw InputError(fmt::format("{}: {}: two of its points coincide; do: move one of them",
+                                   request.places, name));
+    all.push_back({name, fmt::format("{}: {}", request.places, name), places});
+  }
+  return all;
+}
 
 std::vector<NamedRequest> depth_profiles(const ModelResult& model, std::size_t number,
                                          const StressRequest& request) {

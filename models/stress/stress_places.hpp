@@ -3,13 +3,24 @@
 // from the tractions, in finite elements from the bodies.
 #pragma once
 
-#include "models/stress/stress_request.hpp"
-#include "postprocess/stress/stress_report.hpp"
+#include "models/stress/stored_stress.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace rollfem::modelling {
+
+/// A request with its name in all files: point_1, line_1, plane_1, ...
+struct NamedRequest {
+  std::string name;
+  std::string call;  ///< for messages
+  contact::SubsurfaceRequest request;
+  bool depth_profile = false;  ///< depth is relative to the surface at the first place
+};
+
+/// The requests of the file with [[subsurface.*]], as in a case, in its order. Throws
+/// contact::InputError for invalid content.
+std::vector<NamedRequest> named_requests(const StressRequest& request);
 
 /// Lines from the surface down below the centre of the patch, and below the most loaded element
 /// unless it contains the centre. Throws contact::InputError for an invalid depth.

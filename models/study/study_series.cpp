@@ -6,8 +6,12 @@
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "models/solving/expected_choice.hpp"
+<<<<<<< HEAD
 #include "models/study/study_checks.hpp"
 #include "models/study/study_levels.hpp"
+=======
+#include "models/study/study_checkpoint.hpp"
+>>>>>>> 2affadc5d36effa12ae50adb88d41a0dd41393ba
 #include "theories/registry.hpp"
 
 #include <fmt/format.h>

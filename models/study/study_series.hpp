@@ -5,7 +5,7 @@
 #include "contact/case/case.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/solving.hpp"
-#include "models/study/study_checks.hpp"
+#include "models/study/study_wishes.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"
 #include "postprocess/study/study.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Registration of the model "hybrid", whose finite-element library is opened when it runs.
+// Registration of the models "fem" and "hybrid", whose finite-element library is opened when they
+// run.
 #pragma once
 
 #include "contact/solve/model.hpp"
@@ -16,5 +17,6 @@ hybrid::FindParts smooth_parts_finder();
 bool correction_is_kept(const contact::Scene& scene);
 
 contact::ModelInfo hybrid_model();
+contact::ModelInfo fem_model();
 
 }  // namespace rollfem::modelling

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "app/frame/shell_words.hpp"
+// The command `docs`: pages, shell completion and the manual page, generated from the declarations
+// of keys, models, quantities and options.
+#include "app/frame/commands.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/result/quantities.hpp"
+#include "models/program/version.hpp"
+#include "models/registry.hpp"
+#include "postprocess/write/case_schema.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <iostream>
 
 namespace rollfem::app {
 
@@ -64,8 +71,7 @@ std::string roff_options(const CLI::App& command) {
   return text;
 }
 
-}  // namespace
-
+/// Script for `source` that completes commands, options, models and case files.
 std::string bash_completion(const CLI::App& program, const contact::ModelRegistry& models) {
   std::vector<std::string> names;
   std::string cases;
@@ -99,6 +105,7 @@ complete -o filenames -F _rollfem rollfem ./rollfem
                      joined(names), cases, joined(models.names()));
 }
 
+/// The same for zsh: the file _rollfem in a folder of $fpath.
 std::string zsh_completion(const CLI::App& program, const contact::ModelRegistry& models) {
   std::string named;
   std::string cases;
@@ -130,6 +137,7 @@ _rollfem "$@"
                      named, joined(models.names()), cases);
 }
 
+/// The manual page rollfem(1) in troff.
 std::string manual_page(const CLI::App& program, const std::string& version) {
   std::string text = fmt::format(
       ".TH ROLLFEM 1 \"\" \"rollfem {}\"\n.SH NAME\nrollfem \\- rolling contact of wheel and "
@@ -153,6 +161,32 @@ std::string manual_page(const CLI::App& program, const std::string& version) {
          "store nothing.\n.SH FILES\n.TP\nCASE.toml\nA case file: \\fBrollfem new\\-case\\fR "
          "prints one, \\fBrollfem docs case\\-file\\fR every "
          "key.\n.TP\nresults/CASE/\nreport.html, summary.json, results.h5, tables and figures.\n";
+}
+
+std::string page_text(const std::string& page, const CLI::App& program,
+                      const contact::ModelRegistry& models) {
+  if (page == "bash") return bash_completion(program, models);
+  if (page == "zsh") return zsh_completion(program, models);
+  if (page == "man") return manual_page(program, modelling::version());
+  if (page == "schema") return postprocess::case_schema(modelling::model_words(models));
+  if (page == "models") return modelling::models_markdown(models);
+  if (page == "quantities") return contact::quantities_markdown();
+  return contact::case_reference_markdown(modelling::model_words(models));
+}
+
+}  // namespace
+
+void add_docs(CLI::App& program, Call& call) {
+  const auto page = std::make_shared<std::string>();
+  CLI::App* docs = program.add_subcommand("docs", "print a generated page of the documentation");
+  docs->add_option("page", *page,
+                   "case-file, models; quantities: the table in docs/results.md; schema: JSON "
+                   "schema of case files, for completion and checks in editors; bash, zsh: shell "
+                   "completion; man: the manual page")
+      ->required()
+      ->check(CLI::IsMember({"case-file", "models", "quantities", "schema", "bash", "zsh", "man"}));
+  docs->footer("example: rollfem docs case-file > docs/case-file.md");
+  docs->callback([page, &call, &program] { std::cout << page_text(*page, program, call.models); });
 }
 
 }  // namespace rollfem::app

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "app/frame/commands.hpp"
+
+#include "app/frame/screen.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
+#include "models/program/provenance.hpp"
+#include "models/registry.hpp"
+#include "postprocess/write/output.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace rollfem::app {
+
+namespace fs = std::filesystem;
+
+contact::Case CaseRequest::read(const std::string& file) const {
+  return contact::read_case(file, modelling::model_words(call.models), changes);
+}
+
+fs::path CaseRequest::folder(const std::string& ending) const {
+  if (!directory.empty()) return directory;
+  return fs::path("results") / (fs::path(case_file).stem().string() + ending);
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
+  command
+      .add_option("--set", changes,
+                  "change a key of the case file, e.g. friction.coefficient=0.3; repeat the option "
+                  "for more keys")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
+void add_json_flag(CLI::App& command, bool& json) {
+  const bool has_folder = command.get_option_no_throw("--output") != nullptr;
+  const std::string files = has_folder ? "; files are written only if -o names a folder" : "";
+  command.add_flag_callback(
+      "--json",
+      [&json] {
+        json = true;
+        silence();
+      },
+      "print one JSON object and nothing else" + files);
+}
+
+void add_model_option(CLI::App& command, const std::string& names, std::vector<std::string>& models,
+                      const Call& call, const std::string& rest) {
+  command.add_option(names, models, contact::listed(call.models.names()) + rest)->delimiter(',');
+}
+
+void add_quiet_flags(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    const std::string& name = command->get_name();
+    if (command->get_option_no_throw("--quiet") == nullptr && name != "docs" && name != "new-case")
+      command->add_flag_callback("-q,--quiet", silence, "print errors and warnings only");
+  }
+}
+
+std::string footer_with_models(const std::string& example, const contact::ModelRegistry& models) {
+  std::string text = "example: " + example + "\n\nmodels:\n";
+  for (const contact::ModelInfo& model : models.all())
+    text += fmt::format("  {:<20}{}{}\n", model.name, model.sentence,
+                        model.built ? "" : " (not in this build)");
+  return text;
+}
+
+bool draw(Call& call, const fs::path& written, const std::string& failure) {
+  const std::string problem =
+      postprocess::make_report(written.string(), modelling::script_directory().string());
+  if (problem.empty()) return true;
+  std::cerr << "warning: " << failure << ": " << problem << '\n';
+  call.undrawn = true;
+  return false;
+}
+
+void draw_and_tell(Call& call, const fs::path& table) {
+  const bool drawn = draw(call, table, "the figure was not drawn");
+  std::cout << "table:  " << table.string() << '\n';
+  if (drawn) std::cout << "figure: " << fs::path(table).replace_extension(".svg").string() << '\n';
+}
+
+}  // namespace rollfem::app
