@@ -77,9 +77,4 @@ void CoarseSolver::solve(VectorType& x, const VectorType& b) const {
                  MPI_FLOAT, 0, communicator_);
 }
 
-double CoarseSolver::memory_bytes() const {
-  return (factor_ ? factor_->memory_bytes() : 0.0) +
-         static_cast<double>(right_.size() * sizeof(double) + gathered_.size() * sizeof(float));
-}
-
 }  // namespace rollfem::fem

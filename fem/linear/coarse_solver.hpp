@@ -23,7 +23,6 @@ class CoarseSolver {
   using VectorType = dealii::LinearAlgebra::distributed::Vector<float>;
   /// x = K^-1 b in owned entries, collective.
   void solve(VectorType& x, const VectorType& b) const;
-  double memory_bytes() const;
 
  private:
   MPI_Comm communicator_;

@@ -84,11 +84,6 @@ struct Level {
   Smoother smoother;
   std::unique_ptr<LevelTransfer> to_coarser;
   mutable FloatVector solution, right, residual;
-
-  double memory_bytes() const {
-    return matrix.stiffness.memory_bytes() +
-           7.0 * static_cast<double>(solution.memory_consumption()) + to_coarser->memory_bytes();
-  }
 };
 
 /// From coarse to fine, the body's mesh last. Coarsened meshes keep the memory of the original
@@ -142,7 +137,6 @@ class Multigrid : public LinearSolver {
 
   void solve(Vector& u, const Vector& b) const override;
   int last_iterations() const override { return iterations_; }
-  double memory_bytes() const override;
   std::string description() const override;
   /// MPI allows one thread only; a single process does not call it.
   bool runs_beside_others() const override {
@@ -277,13 +271,6 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
   stiffness_->distribute(x);
   std::copy(x.begin(), x.end(), u.begin());
   u.update_ghost_values();
-}
-
-double Multigrid::memory_bytes() const {
-  double bytes = stiffness_->memory_bytes() + coarse_->memory_bytes();
-  for (const auto& level : levels_) bytes += level->memory_bytes();
-  // Working vectors of a solve.
-  return bytes + 7.0 * static_cast<double>(stiffness_->make_vector().memory_consumption());
 }
 
 std::string Multigrid::description() const {
