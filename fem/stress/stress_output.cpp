@@ -7,7 +7,6 @@
 #include "contact/result/stress_measures.hpp"
 #include "fem/discretisation/body_points.hpp"
 #include "fem/stress/body_nodes.hpp"
-#include "fem/stress/energy_error.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/stress/surface_stress.hpp"
 #include "halfspace/stress/subsurface.hpp"
