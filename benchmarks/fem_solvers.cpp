@@ -165,7 +165,7 @@ void measure(const std::string& solver_name, double cell) {
   const auto solver = make_solver(solver_name, body);
   const double setup = setup_watch.seconds();
   const double setup_cpu = dealii::Utilities::MPI::max(cpu_seconds() - setup_begin, world);
-  const fem::SurfaceCoupling coupling(body, grid);
+  const fem::SurfaceCoupling coupling(body, grid, {contact::infinity, -2000.0, 2000.0});
   auto load = fem::make_vector(body.dofs());
   auto u = fem::make_vector(body.dofs());
   coupling.load(hertz_pressure(grid), load);

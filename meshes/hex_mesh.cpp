@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace rollfem::meshes {
 
@@ -64,11 +65,12 @@ double check_cells(const HexMesh& mesh, const std::string& name) {
   return shortest;
 }
 
-/// Number of occurrences of a face, one of its cells, and the excess of one orientation over the
-/// other.
+/// Number of occurrences of a face, the last cell with it and the one before, and the excess of one
+/// orientation over the other.
 struct FaceUse {
   int count = 0;
   int cell = 0;
+  int other = 0;
   int turns = 0;
 };
 
@@ -87,7 +89,7 @@ std::map<Face, FaceUse> faces_of(const HexMesh& mesh) {
       FaceUse& use = faces[sorted(face)];
       ++use.count;
       use.turns += turn_of(face);
-      use.cell = static_cast<int>(c);
+      use.other = std::exchange(use.cell, static_cast<int>(c));
     }
   return faces;
 }
@@ -97,17 +99,13 @@ int root(std::vector<int>& parent, int k) {
   return k;
 }
 
-void check_connected(const HexMesh& mesh, const std::string& name) {
+/// No face belongs to more than two cells.
+void check_connected(const HexMesh& mesh, const std::map<Face, FaceUse>& faces,
+                     const std::string& name) {
   std::vector<int> parent(mesh.cells.size());
   std::iota(parent.begin(), parent.end(), 0);
-  std::map<Face, int> first;
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for (const auto& corners : hex_faces) {
-      Face face{};
-      for (int k = 0; k < 4; ++k) face[k] = mesh.cells[c][corners[k]];
-      const auto [it, is_new] = first.try_emplace(sorted(face), static_cast<int>(c));
-      if (!is_new) parent[root(parent, it->second)] = root(parent, static_cast<int>(c));
-    }
+  for (const auto& [face, use] : faces)
+    if (use.count > 1) parent[root(parent, use.other)] = root(parent, use.cell);
   std::map<int, int> sizes;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) ++sizes[root(parent, static_cast<int>(c))];
   if (sizes.size() == 1) return;
@@ -224,7 +222,7 @@ void check_mesh(const HexMesh& mesh, const std::string& name) {
   const double shortest = check_cells(mesh, name);
   const auto faces = faces_of(mesh);
   check_conforming(mesh, faces, shortest, name);
-  check_connected(mesh, name);
+  check_connected(mesh, faces, name);
   check_sides(mesh, faces, name);
 }
 

@@ -22,6 +22,13 @@ struct HexMesh {
   std::vector<std::array<double, 3>> points;  ///< mm
   std::vector<std::array<int, 8>> cells;      ///< gmsh's (VTK's) order: 4 below, 4 above, both ccw
   std::vector<SideQuad> sides;
+
+  /// Whether half of the body is meshed.
+  bool half() const {
+    for (const SideQuad& quad : sides)
+      if (quad.side == Side::symmetry) return true;
+    return false;
+  }
 };
 
 /// The six faces of a cell as corner numbers, outward.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Sweeping a cross-section along the track or about the axle.
 #include "meshes/segment_mesh.hpp"
 
 #include "meshes/cell_quality.hpp"
 
-#include <cmath>
 #include <utility>
 
 namespace rollfem::meshes {
@@ -43,21 +41,6 @@ HexMesh sweep(const Section& section, std::size_t steps,
         {{last + quad[0], last + quad[1], last + quad[2], last + quad[3]}, Side::fixed});
   }
   return mesh;
-}
-
-HexMesh extrude(const Section& section, const std::vector<double>& along) {
-  return sweep(section, along.size(), [&](const std::array<double, 2>& p, std::size_t k) {
-    return std::array<double, 3>{along[k], p[0], -p[1]};
-  });
-}
-
-HexMesh revolve(const Section& section, double axle, const std::vector<double>& angles) {
-  return sweep(section, angles.size(), [&](const std::array<double, 2>& p, std::size_t k) {
-    // 1 - cos = 2 sin^2(angle/2) keeps all digits near the contact point.
-    const double half_sine = std::sin(0.5 * angles[k]);
-    return std::array<double, 3>{(axle - p[1]) * std::sin(angles[k]), p[0],
-                                 2.0 * axle * half_sine * half_sine + p[1] * std::cos(angles[k])};
-  });
 }
 
 }  // namespace rollfem::meshes

@@ -45,11 +45,4 @@ HexMesh sweep(const Section& section, std::size_t steps,
               const std::function<std::array<double, 3>(const std::array<double, 2>& point,
                                                         std::size_t step)>& place);
 
-/// The section along the track: at every x of `along` (rising), v downwards (z = -v). The end faces
-/// are `fixed`.
-HexMesh extrude(const Section& section, const std::vector<double>& along);
-
-/// The section about the axle at z = `axle`: at every angle (rad, rising), v towards the axle.
-HexMesh revolve(const Section& section, double axle, const std::vector<double>& angles);
-
 }  // namespace rollfem::meshes

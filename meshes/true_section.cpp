@@ -17,20 +17,6 @@ namespace {
 /// Spacing of the points of a dense profile, mm.
 constexpr double profile_step = 0.1;
 
-/// The axle in the plane x = 0 (the trace of a yawed axle): direction, and position above y = 0.
-struct Trace {
-  double cosine, sine;  ///< direction
-  double height;        ///< z at y = 0
-  double axial;         ///< axial coordinate there
-};
-
-Trace axle_trace(const contact::Axle& axle) {
-  const double across = std::hypot(axle.direction[1], axle.direction[2]);
-  const double way = -axle.point[1] / axle.direction[1];
-  return {axle.direction[1] / across, axle.direction[2] / across,
-          axle.point[2] + way * axle.direction[2], way};
-}
-
 /// Right half of a rail 60E1 below the side of its head: p from the middle of the web, q below the
 /// top. Each fillet consists of two lines; slopes of the underside 1:2.75, of the foot 1:2.75 and
 /// 1:14.
@@ -79,8 +65,15 @@ std::vector<SectionPoint> side_below(const SectionPoint& end, double middle, dou
 
 }  // namespace
 
+AxleTrace axle_trace(const contact::Axle& axle) {
+  const double across = std::hypot(axle.direction[1], axle.direction[2]);
+  const double way = -axle.point[1] / axle.direction[1];
+  return {axle.direction[1] / across, axle.direction[2] / across,
+          axle.point[2] + way * axle.direction[2], way};
+}
+
 TrueSection rail_section(const contact::PatchGeometry& geometry, const RailStand& stand) {
-  const Trace axle = axle_trace(geometry.axle());
+  const AxleTrace axle = axle_trace(geometry.axle());
   const double lean = std::atan(stand.inclination) * (stand.field_at_left ? -1.0 : 1.0);
   // The normal of the axle, leaned so that the foot moves to the field side.
   const SectionPoint down{std::cos(lean) * axle.sine + std::sin(lean) * axle.cosine,
@@ -134,7 +127,7 @@ TrueSection rail_section(const contact::PatchGeometry& geometry, const RailStand
 }
 
 TrueSection wheel_section(const contact::PatchGeometry& geometry, double rim_thickness) {
-  const Trace axle = axle_trace(geometry.axle());
+  const AxleTrace axle = axle_trace(geometry.axle());
   const auto place = [&](double axial, double radius) -> SectionPoint {
     const double along = axial - axle.axial;
     return {along * axle.cosine + radius * axle.sine,

@@ -17,6 +17,14 @@ namespace rollfem::meshes {
 /// y and z of the patch frame, mm.
 using SectionPoint = std::array<double, 2>;
 
+/// An axle in the plane x = 0 (the trace of a yawed axle): direction, and position above y = 0.
+struct AxleTrace {
+  double cosine, sine;  ///< direction
+  double height;        ///< z at y = 0, mm
+  double axial;         ///< axial coordinate there
+};
+AxleTrace axle_trace(const contact::Axle& axle);
+
 struct TrueSection {
   std::vector<SectionPoint> profile;  ///< dense, y and z from the left end to the right one
   /// Outline from the right end of the profile around to the left end: straight lines, both ends

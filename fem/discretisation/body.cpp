@@ -15,20 +15,8 @@ namespace rollfem::fem {
 
 namespace {
 
-BoundaryConditions boundary_conditions(const BodyOptions& options) {
-  BoundaryConditions conditions;
-  conditions.clamped = {far_boundary};
-  if (options.half) conditions.vanishing_component = {{symmetry_plane, 1}};
-  return conditions;
-}
-
-BoundaryConditions boundary_conditions(const meshes::HexMesh& mesh) {
-  BoundaryConditions conditions;
-  conditions.clamped = {far_boundary};
-  for (const auto& quad : mesh.sides)
-    if (quad.side == meshes::Side::symmetry) conditions.vanishing_component = {{symmetry_plane, 1}};
-  return conditions;
-}
+/// On bodies without a symmetry plane its condition concerns no face.
+const BoundaryConditions conditions{{far_boundary}, {{symmetry_plane, 1}}};
 
 }  // namespace
 
@@ -37,7 +25,6 @@ Body::Body(const SurfaceShape& shape, const contact::Material& material, const B
     : shape_(shape),
       material_(material),
       options_(options),
-      boundary_(boundary_conditions(options)),
       triangulation_(communicator),
       mapping_(std::max(2, options.degree)),
       dofs_(triangulation_) {
@@ -46,15 +33,10 @@ Body::Body(const SurfaceShape& shape, const contact::Material& material, const B
 }
 
 Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
-           const meshes::HexMesh& coarse, MPI_Comm communicator)
-    : Body(shape, material, options, CoarseBody{coarse, {}}, communicator) {}
-
-Body::Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
            const CoarseBody& coarse, MPI_Comm communicator)
     : shape_(shape),
       material_(material),
       options_(options),
-      boundary_(boundary_conditions(coarse.mesh)),
       triangulation_(communicator),
       mapping_(std::max(2, options.degree)),
       dofs_(triangulation_) {
@@ -64,7 +46,7 @@ Body::Body(const SurfaceShape& shape, const contact::Material& material, const B
 
 void Body::distribute() {
   dofs_.distribute_dofs(dealii::FESystem<3>(dealii::FE_Q<3>(options_.degree), 3));
-  constraints_ = make_constraints(dofs_, mapping_, boundary_);
+  constraints_ = make_constraints(dofs_, mapping_, conditions);
 }
 
 meshes::HexMesh Body::coarse_mesh() const {
@@ -72,8 +54,8 @@ meshes::HexMesh Body::coarse_mesh() const {
 }
 
 ElasticProblem Body::problem() const {
-  return {dofs_,     mapping_,  constraints_,
-          boundary_, material_, material_motion(shape_, options_.speed)};
+  return {dofs_,      mapping_,  constraints_,
+          conditions, material_, material_motion(shape_, options_.speed)};
 }
 
 }  // namespace rollfem::fem

@@ -29,9 +29,6 @@ class Body {
   /// lateral displacement vanishes, others are free. Extents in the options are ignored. Throws
   /// contact::InputError when cells become inverted or more than 7 octree levels would be needed.
   Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
-       const meshes::HexMesh& coarse, MPI_Comm communicator);
-  /// The same for a mesh that follows the surface only in part: a true section of wheel or rail.
-  Body(const SurfaceShape& shape, const contact::Material& material, const BodyOptions& options,
        const CoarseBody& coarse, MPI_Comm communicator);
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
@@ -54,7 +51,6 @@ class Body {
   SurfaceShape shape_;
   contact::Material material_;
   BodyOptions options_;
-  BoundaryConditions boundary_;
   dealii::parallel::distributed::Triangulation<3> triangulation_;
   dealii::MappingQ<3> mapping_;
   dealii::DoFHandler<3> dofs_;

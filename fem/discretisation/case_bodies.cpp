@@ -35,17 +35,17 @@ std::unique_ptr<Body> imported_body(const contact::Scene& scene, const std::stri
   const auto path = std::filesystem::path(scene.file).parent_path() / file;
   const std::string name = fmt::format("{}: {}.mesh = \"{}\"", scene.file, key, file);
   const bool case_is_symmetric = options.half;
-  const auto mesh = user_mesh(path.string(), name, shape, options, communicator);
-  options.half = std::any_of(mesh.sides.begin(), mesh.sides.end(),
-                             [](const auto& quad) { return quad.side == meshes::Side::symmetry; });
+  const CoarseBody coarse = on_all_processes(
+      communicator, [&] { return user_mesh(path.string(), name, shape, options); });
+  options.half = coarse.mesh.half();
   if (options.half && !case_is_symmetric)
     throw contact::InputError(
         fmt::format("{}: half a body (it has a group `symmetry`) allows neither lateral creepage "
                     "nor spin; do: mesh the whole body, or set both to 0",
                     name));
-  options.extent = distance_to_fixed(mesh);
+  options.extent = distance_to_fixed(coarse.mesh);
   try {
-    return std::make_unique<Body>(shape, material, options, mesh, communicator);
+    return std::make_unique<Body>(shape, material, options, coarse, communicator);
   } catch (const contact::InputError& error) {
     throw contact::InputError(fmt::format("{}: {}", name, error.what()));
   }
@@ -70,8 +70,9 @@ std::unique_ptr<Body> section_body(const contact::Scene& scene, const SurfaceSha
                                    MPI_Comm communicator) {
   options.depth.reset();
   try {
+    const meshes::TrueSection section = section_of(scene, shape.is_wheel);
     const CoarseBody coarse =
-        true_section_mesh(section_of(scene, shape.is_wheel), shape, options, communicator);
+        on_all_processes(communicator, [&] { return true_section_mesh(section, shape, options); });
     options.extent = distance_to_fixed(coarse.mesh);
     return std::make_unique<Body>(shape, material, options, coarse, communicator);
   } catch (const contact::InputError& error) {

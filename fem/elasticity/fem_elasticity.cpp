@@ -2,6 +2,7 @@
 #include "fem/elasticity/fem_elasticity.hpp"
 
 #include "contact/base/progress.hpp"
+#include "contact/result/record.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/memory.hpp"
@@ -17,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <utility>
 
 namespace rollfem::fem {
 
@@ -27,36 +29,47 @@ using contact::PointResult;
 using contact::Scene;
 using contact::Stopwatch;
 
-/// Finite elements and the layer between them.
-class LayeredCompliance : public contact::Compliance {
- public:
-  LayeredCompliance(const FemCompliance& bodies, double layer) : bodies_(bodies), layer_(layer) {}
-  const contact::ContactGrid& grid() const override { return bodies_.grid(); }
-  contact::SurfaceField apply(const contact::SurfaceField& traction) const override {
-    return respond(traction).displacement;
-  }
-  contact::Response respond(const contact::SurfaceField& traction) const override {
-    contact::Response response = bodies_.respond(traction);
-    contact::SurfaceField& u = response.displacement;
-    if (layer_ == 0.0 || u.x.size() != traction.x.size()) return response;  // another process
-    u.x += layer_ * traction.x;
-    u.y += layer_ * traction.y;
-    return response;
-  }
+/// Collective work, ordered by the first process, with its data.
+enum class Action { prepare, respond, complete };
+struct Task {
+  Action action = Action::prepare;
+  contact::SurfaceField traction;
+  // Data for completing a load point.
+  long number = 0;
+  double normal_force = 0.0;
 
- private:
-  const FemCompliance& bodies_;
-  double layer_;
+  void exchange(contact::Record& record) {
+    int code = static_cast<int>(action);
+    record.values(code, traction, number, normal_force);
+    action = static_cast<Action>(code);
+  }
+  FirstProcess::Order order() {
+    contact::Record record;
+    exchange(record);
+    return record.bytes();
+  }
 };
 
-class FemElasticity : public contact::Elasticity {
+class LevelElasticity : public FemElasticity {
  public:
-  FemElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
-                const RunLayout& layout, const LevelOptions& options,
-                const contact::Progress& progress, LevelStart& start, contact::ModelResult& result);
+  LevelElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
+                  const RunLayout& layout, const LevelOptions& options,
+                  const contact::Progress& progress, FirstProcess& first, LevelStart& start,
+                  contact::ModelResult& result)
+      : scene_(scene),
+        geometry_(geometry),
+        layout_(layout),
+        options_(options),
+        progress_(progress),
+        first_(first),
+        start_(start),
+        result_(result) {}
 
-  void prepare() override;
-  const contact::Compliance& compliance() const override { return *layered_; }
+  void obey(const FirstProcess::Order& order) override;
+  void prepare() override {
+    first_.call(Task{}.order(), [&] { make_bodies_and_solvers(); });
+  }
+  const contact::Compliance& compliance() const override { return together_; }
   const contact::SolvableCompliance& standin() const override { return *half_; }
   const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
   contact::Field extra_distance() const override {
@@ -71,19 +84,46 @@ class FemElasticity : public contact::Elasticity {
   Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
     return halfspace::shift_stiffness(patch, scene_.material);
   }
-  void complete(std::size_t k, PointResult& point) override;
+  void complete(std::size_t k, PointResult& point) override {
+    Task task{Action::complete, point.fields.traction, static_cast<long>(k), point.normal_force};
+    first_.call(task.order(), [&] { add_stresses(k, point); });
+  }
 
  private:
+  /// Finite elements of all processes, and the layer between the bodies.
+  class Together : public contact::Compliance {
+   public:
+    explicit Together(const LevelElasticity& level) : level_(level) {}
+    const contact::ContactGrid& grid() const override { return level_.layout_.grid; }
+    contact::SurfaceField apply(const contact::SurfaceField& traction) const override {
+      return respond(traction).displacement;
+    }
+    contact::Response respond(const contact::SurfaceField& traction) const override {
+      contact::Response response;
+      level_.first_.call(Task{Action::respond, traction}.order(),
+                         [&] { response = level_.compliance_->respond(traction); });
+      response.displacement.x += level_.scene_.material.layer * traction.x;
+      response.displacement.y += level_.scene_.material.layer * traction.y;
+      return response;
+    }
+
+   private:
+    const LevelElasticity& level_;
+  };
+
   void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
+  void make_bodies_and_solvers();
   void make_meshes();
   void make_compliance();
   void spin_wheel();
+  void add_stresses(std::size_t k, PointResult& point);
 
   const Scene& scene_;
   const contact::ChartedGeometry& geometry_;
   const RunLayout& layout_;
   const LevelOptions& options_;
   const contact::Progress& progress_;
+  FirstProcess& first_;
   LevelStart& start_;
   contact::ModelResult& result_;
   CaseBodies bodies_;
@@ -91,25 +131,26 @@ class FemElasticity : public contact::Elasticity {
   Solvers solvers_;
   std::unique_ptr<StressOutput> stresses_;
   std::unique_ptr<FemCompliance> compliance_;
-  std::optional<LayeredCompliance> layered_;
+  Together together_{*this};
   std::unique_ptr<halfspace::HalfspaceCompliance> half_;
   std::unique_ptr<halfspace::HalfspaceCompliance> coupled_half_;  ///< null: like materials
   std::optional<WheelExpansion> expansion_;                       ///< of a fast rotating wheel
 };
 
-FemElasticity::FemElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
-                             const RunLayout& layout, const LevelOptions& options,
-                             const contact::Progress& progress, LevelStart& start,
-                             contact::ModelResult& result)
-    : scene_(scene),
-      geometry_(geometry),
-      layout_(layout),
-      options_(options),
-      progress_(progress),
-      start_(start),
-      result_(result) {}
+void LevelElasticity::obey(const FirstProcess::Order& order) {
+  Task task;
+  contact::Record record(order);
+  task.exchange(record);
+  if (task.action == Action::prepare) make_bodies_and_solvers();
+  if (task.action == Action::respond) compliance_->respond(task.traction);
+  if (task.action != Action::complete) return;
+  PointResult point;
+  point.normal_force = task.normal_force;
+  point.fields.traction = std::move(task.traction);
+  add_stresses(static_cast<std::size_t>(task.number), point);
+}
 
-void FemElasticity::prepare() {
+void LevelElasticity::make_bodies_and_solvers() {
   const Stopwatch mesh_watch;
   make_meshes();
   result_.seconds["mesh"] = mesh_watch.seconds();
@@ -118,8 +159,8 @@ void FemElasticity::prepare() {
   result_.seconds["factorisation"] = solver_watch.seconds();
 }
 
-void FemElasticity::tell(contact::ProgressEvent event, const std::string& stage,
-                         bool finished) const {
+void LevelElasticity::tell(contact::ProgressEvent event, const std::string& stage,
+                           bool finished) const {
   event.model = "fem";
   event.stage = options_.stage_prefix + stage;
   event.points = static_cast<int>(scene_.points.size());
@@ -127,7 +168,7 @@ void FemElasticity::tell(contact::ProgressEvent event, const std::string& stage,
   contact::report(progress_, event);
 }
 
-void FemElasticity::make_meshes() {
+void LevelElasticity::make_meshes() {
   tell({}, "mesh");
   bodies_ = make_bodies(scene_, layout_.bodies, MPI_COMM_WORLD);
   start_.reach = bodies_.reach;
@@ -160,7 +201,7 @@ void FemElasticity::make_meshes() {
   refuse_beyond_memory(demand, layout_.bodies.cell_size, MPI_COMM_WORLD);
 }
 
-void FemElasticity::make_compliance() {
+void LevelElasticity::make_compliance() {
   tell({}, "linear solvers");
   solvers_ = make_solvers(scene_, bodies_.both(), factorisation_);
   stresses_ = std::make_unique<StressOutput>(scene_, bodies_.both(), layout_.grid,
@@ -170,7 +211,6 @@ void FemElasticity::make_compliance() {
       FemCompliance::Part{bodies_.wheel.get(), solvers_.wheel.get()},
       FemCompliance::Part{bodies_.rail.get(), solvers_.rail.get()}, scene_.geometry.surface,
       layout_.grid, far_boundary_of(scene_));
-  layered_.emplace(*compliance_, scene_.material.layer);
   start_.solver = (solvers_.wheel ? solvers_.wheel : solvers_.rail)->description();
   contact::ProgressEvent event;
   event.note = start_.solver;
@@ -185,7 +225,7 @@ void FemElasticity::make_compliance() {
     coupled_half_ = std::make_unique<halfspace::HalfspaceCompliance>(layout_.grid, scene_.material);
 }
 
-void FemElasticity::spin_wheel() {
+void LevelElasticity::spin_wheel() {
   expansion_ = wheel_expansion(*bodies_.wheel, *solvers_.wheel, geometry_.geometry().surface,
                                layout_.grid, scene_.upwind_order);
   result_.notes.push_back(
@@ -194,7 +234,7 @@ void FemElasticity::spin_wheel() {
                   scene_.speed, -expansion_->distance.mean()));
 }
 
-void FemElasticity::complete(std::size_t k, PointResult& point) {
+void LevelElasticity::add_stresses(std::size_t k, PointResult& point) {
   point.error_estimate["approach"] = approach_left_out(scene_, point.normal_force, start_.reach);
   if (!stresses_->wanted(k)) return;
   const Stopwatch watch;
@@ -207,11 +247,12 @@ void FemElasticity::complete(std::size_t k, PointResult& point) {
 
 }  // namespace
 
-std::unique_ptr<contact::Elasticity> make_fem_elasticity(
+std::unique_ptr<FemElasticity> make_fem_elasticity(
     const Scene& scene, const contact::ChartedGeometry& geometry, const RunLayout& layout,
-    const LevelOptions& options, const contact::Progress& progress, LevelStart& start,
-    contact::ModelResult& result) {
-  return std::make_unique<FemElasticity>(scene, geometry, layout, options, progress, start, result);
+    const LevelOptions& options, const contact::Progress& progress, FirstProcess& first,
+    LevelStart& start, contact::ModelResult& result) {
+  return std::make_unique<LevelElasticity>(scene, geometry, layout, options, progress, first, start,
+                                           result);
 }
 
 }  // namespace rollfem::fem

@@ -6,6 +6,7 @@
 #include "contact/base/progress.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "fem/elasticity/run_level.hpp"
+#include "fem/linear/first_process.hpp"
 #include "fem/mesh/run_layout.hpp"
 
 #include <memory>
@@ -27,12 +28,20 @@ struct LevelStart {
   std::vector<contact::BodyField> bodies;
 };
 
+/// Solved by the first process for the contact problem; all processes take part in prepare(),
+/// compliance() and complete().
+class FemElasticity : public contact::Elasticity {
+ public:
+  /// On other processes: executes an order of the first one (FirstProcess::run).
+  virtual void obey(const FirstProcess::Order& order) = 0;
+};
+
 /// Meshes and factorises; fills `start` except the frictionless solution, and the seconds and notes
-/// of `result`. All arguments must outlive the returned object. Collective. Throws
-/// contact::InputError, contact::SolveError.
-std::unique_ptr<contact::Elasticity> make_fem_elasticity(
+/// of `result`. All arguments must outlive the returned object. Throws contact::InputError,
+/// contact::SolveError.
+std::unique_ptr<FemElasticity> make_fem_elasticity(
     const contact::Scene& scene, const contact::ChartedGeometry& geometry, const RunLayout& layout,
-    const LevelOptions& options, const contact::Progress& progress, LevelStart& start,
-    contact::ModelResult& result);
+    const LevelOptions& options, const contact::Progress& progress, FirstProcess& first,
+    LevelStart& start, contact::ModelResult& result);
 
 }  // namespace rollfem::fem

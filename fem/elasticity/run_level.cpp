@@ -7,7 +7,6 @@
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/state_record.hpp"
 #include "fem/elasticity/fem_elasticity.hpp"
-#include "fem/elasticity/shared_elasticity.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/trace/far_error.hpp"
 #include "halfspace/patch/coverage.hpp"
@@ -104,7 +103,7 @@ void refuse_further_patches(const Scene& scene, const contact::ChartedGeometry& 
   }
 }
 
-/// The part of the first process: everything except the collective work of SharedElasticity.
+/// The part of the first process: everything except the collective work of FemElasticity.
 void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
                    const RunLayout& layout, const LevelOptions& options,
                    const contact::Progress& progress, const contact::MakeElasticity& make,
@@ -156,8 +155,8 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
   result.name = "fem";
   result.grid = layout.grid;
   FirstProcess first(MPI_COMM_WORLD);
-  auto elasticity = std::make_unique<SharedElasticity>(
-      make_fem_elasticity(scene, geometry, layout, options, progress, start, result), first);
+  auto elasticity =
+      make_fem_elasticity(scene, geometry, layout, options, progress, first, start, result);
   first.run(
       [&] {
         solve_contact(

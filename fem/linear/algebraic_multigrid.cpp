@@ -141,9 +141,6 @@ class AlgebraicMultigrid : public LinearSolver {
   }
 
   int last_iterations() const override { return iterations_; }
-  double memory_bytes() const override {
-    return static_cast<double>(matrix_.memory_consumption() + preconditioner_.memory_consumption());
-  }
   std::string description() const override {
     return "conjugate gradients, algebraic multigrid (Trilinos ML)";
   }

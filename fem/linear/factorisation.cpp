@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -112,17 +111,15 @@ class Factorisation : public LinearSolver {
   }
   int last_iterations() const override { return 0; }
   bool runs_beside_others() const override { return true; }
-  double memory_bytes() const override {
-    return std::accumulate(parts_.begin(), parts_.end(), 0.0,
-                           [](double sum, const Part& part) { return sum + part.memory_bytes(); });
-  }
   std::string description() const override {
-    const int unknowns =
-        std::accumulate(parts_.begin(), parts_.end(), 0,
-                        [](int sum, const Part& part) { return sum + part.unknowns(); });
+    int unknowns = 0;
+    double bytes = 0.0;
+    for (const Part& part : parts_) {
+      unknowns += part.unknowns();
+      bytes += part.memory_bytes();
+    }
     return fmt::format("CHOLMOD factorisation{}, {} free unknowns, {:.2f} GB",
-                       parts_.size() > 1 ? " of mirrored halves" : "", unknowns,
-                       1e-9 * memory_bytes());
+                       parts_.size() > 1 ? " of mirrored halves" : "", unknowns, 1e-9 * bytes);
   }
 
  private:

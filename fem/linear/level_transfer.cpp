@@ -90,12 +90,6 @@ class CellTransfer : public LevelTransfer {
   CellTransfer(const ElasticProblem& fine, const ElasticProblem& coarse);
   void prolongate_and_add(FloatVector& fine, const FloatVector& coarse) const override;
   void restrict_and_add(FloatVector& coarse, const FloatVector& fine) const override;
-  double memory_bytes() const override {
-    return static_cast<double>(sizeof(unsigned int) * (coarse_.size() + fine_.size()) +
-                               sizeof(Same) * same_.size() + sizeof(ConstrainedRow) * rows_.size() +
-                               sizeof(ConstraintTerm) * terms_.size() +
-                               whole_.memory_consumption());
-  }
 
  private:
   using Cell = dealii::DoFHandler<3>::cell_iterator;

@@ -18,7 +18,6 @@ class LevelTransfer {
   virtual void prolongate_and_add(VectorType& fine, const VectorType& coarse) const = 0;
   /// coarse += P^T fine. Collective.
   virtual void restrict_and_add(VectorType& coarse, const VectorType& fine) const = 0;
-  virtual double memory_bytes() const = 0;
 };
 
 /// The cells of `fine` are those of `coarse`, refined once or not at all, with any distribution

@@ -23,7 +23,6 @@ class LinearSolver {
     for (std::size_t k = 0; k < b.size(); ++k) solve(u[k], b[k]);
   }
   virtual int last_iterations() const = 0;  ///< 0 for a factorisation
-  virtual double memory_bytes() const = 0;  ///< on this process
   virtual std::string description() const = 0;
   /// Whether a solve may run in parallel with a solve of another solver.
   virtual bool runs_beside_others() const { return false; }

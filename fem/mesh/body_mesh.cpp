@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
-#include "fem/mesh/profile_shape.hpp"
 #include "meshes/grading.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -17,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace rollfem::fem {
@@ -74,9 +74,7 @@ int coarse_level(const BodyOptions& options) {
 }
 
 double sum(const std::vector<double>& steps) {
-  double total = 0.0;
-  for (const double step : steps) total += step;
-  return total;
+  return std::accumulate(steps.begin(), steps.end(), 0.0);
 }
 
 std::vector<double> reversed(std::vector<double> steps) {
@@ -258,7 +256,8 @@ void make_mesh(const SurfaceShape& shape, const BodyOptions& options, Triangulat
   check(shape, options);
   const int level = coarse_level(options);
   if (options.family == MeshFamily::gmsh) {
-    create_triangulation(gmsh_mesh(shape, options, level, mesh.get_communicator()), shape, mesh);
+    const auto make = [&] { return gmsh_mesh(shape, options, level); };
+    create_triangulation(on_all_processes(mesh.get_communicator(), make), shape, mesh);
     refine_given_mesh(shape, options, mesh);
   } else {
     make_structured_mesh(shape, options, mesh);
@@ -270,7 +269,7 @@ void refine_coarse_mesh(const SurfaceShape& shape, const BodyOptions& options,
                         const CoarseBody& coarse, const dealii::Mapping<3>& mapping,
                         Triangulation& mesh) {
   check_sizes(options);
-  create_triangulation(coarse.mesh, shape, mesh, coarse.follows_surface);
+  create_triangulation(coarse, shape, mesh);
   refine_given_mesh(shape, options, mesh);
   check_refined_cells(mapping, mesh);
 }

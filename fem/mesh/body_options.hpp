@@ -8,16 +8,17 @@
 #include <deal.II/base/types.h>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rollfem::fem {
 
 /// Boundary ids of every body.
 enum BoundaryId : dealii::types::boundary_id {
-  far_boundary = 0,
+  free_surface = 0,  ///< deal.II's default: sides of a given mesh outside its groups
   contact_surface = 1,
   symmetry_plane = 2,
-  free_surface = 3  ///< sides of a given mesh outside its groups
+  far_boundary = 3
 };
 
 using MeshFamily = contact::MeshFamily;
@@ -46,6 +47,10 @@ struct BodyOptions {
 /// For a given coarse mesh: cells that are bent to the surface. In the others new nodes lie on
 /// straight lines, in a wheel on circles about its axle.
 struct CoarseBody {
+  CoarseBody() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a mesh that follows the surface everywhere
+  CoarseBody(meshes::HexMesh given) : mesh(std::move(given)) {}
+
   meshes::HexMesh mesh;
   std::vector<bool> follows_surface;  ///< for each cell; empty: all of them
 };

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <memory>
-#include <utility>
 
 namespace rollfem::fem {
 
@@ -33,14 +32,14 @@ class SurfaceManifold : public dealii::ChartManifold<3, 3, 3> {
 /// outside the chart of its surface.
 class AxleManifold : public dealii::ChartManifold<3, 3, 3> {
  public:
-  explicit AxleManifold(std::shared_ptr<const ProfileShape> wheel) : wheel_(std::move(wheel)) {}
+  explicit AxleManifold(const SurfaceShape& wheel) : wheel_(wheel) {}
   std::unique_ptr<dealii::Manifold<3, 3>> clone() const override;
   /// Angle about the axle (rad), y and z of the point rotated back to x = 0 (mm).
   dealii::Point<3> pull_back(const dealii::Point<3>& place) const override;
   dealii::Point<3> push_forward(const dealii::Point<3>& chart) const override;
 
  private:
-  std::shared_ptr<const ProfileShape> wheel_;
+  SurfaceShape wheel_;
 };
 
 /// Extent of a cell in chart coordinates, lower and upper corner.

@@ -3,10 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "fem/mesh/chart.hpp"
-#include "fem/mesh/profile_shape.hpp"
-#include "meshes/grading.hpp"
 #include "meshes/msh_file.hpp"
-#include "meshes/segment_mesh.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
@@ -46,25 +43,13 @@ using meshes::Side;
 /// deal.II's corner k is gmsh's corner gmsh_corner[k], and the other way round.
 constexpr std::array<unsigned int, 8> gmsh_corner{0, 1, 3, 2, 4, 5, 7, 6};
 
+/// In the order of Side.
+constexpr std::array<dealii::types::boundary_id, 3> id_of_side{contact_surface, far_boundary,
+                                                               symmetry_plane};
+
 /// Allowed distance of contact faces from the surface, as a fraction of the finely meshed region's
 /// half size.
 constexpr double surface_tolerance = 0.01;
-
-/// Runs `make` on process 0 and returns its result, or throws its error, on every process.
-CoarseBody on_all_processes(MPI_Comm communicator, const std::function<CoarseBody()>& make) {
-  CoarseBody body;
-  std::string refusal;
-  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
-    try {
-      body = make();
-    } catch (const contact::InputError& error) {
-      refusal = error.what();
-    }
-  }
-  refusal = dealii::Utilities::MPI::broadcast(communicator, refusal, 0);
-  if (!refusal.empty()) throw contact::InputError(refusal);
-  return dealii::Utilities::MPI::broadcast(communicator, body, 0);
-}
 
 /// Nodes of contact faces, each once.
 std::vector<int> contact_nodes(const HexMesh& mesh) {
@@ -79,45 +64,6 @@ std::vector<int> contact_nodes(const HexMesh& mesh) {
 
 dealii::Point<3> as_point(const std::array<double, 3>& p) {
   return {p[0], p[1], p[2]};
-}
-
-HexMesh make_gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level) {
-  const auto drop = [&shape](double y) { return shape.drop_at(y).value; };
-  meshes::SectionOptions section;
-  section.drop = drop;
-  section.half_width = options.reach_t();
-  section.depth = options.reach_depth();
-  section.fine_half_width = options.fine_half_width;
-  section.fine_depth = options.fine_depth * options.cell_size;
-  section.half = options.half;
-  section.cell_size = options.cell_size * std::exp2(level);
-  // The block of equal cells must leave space for the others.
-  while (level > 0 && (2 * section.cell_size > 0.4 * section.depth ||
-                       section.fine_half_width + 2 * section.cell_size > 0.75 * section.half_width))
-    section.cell_size = options.cell_size * std::exp2(--level);
-  const auto quads = meshes::mesh_section(section);
-
-  const auto along =
-      meshes::outward_steps(section.cell_size, options.fine_half_length, options.reach_s());
-  auto places = meshes::points_both_ways(along);
-  if (!shape.is_wheel || !std::isfinite(shape.rolling_radius)) {
-    auto mesh = meshes::extrude(quads, places);
-    if (shape.is_wheel) {  // of infinite radius: the material is above
-      for (auto& p : mesh.points) p[2] = -p[2];
-      for (auto& cell : mesh.cells)
-        for (int k = 0; k < 4; ++k) std::swap(cell[k], cell[k + 4]);
-    }
-    return mesh;
-  }
-  // Faces stay below cell_size along s also at the largest radius of the patch, and where slices of
-  // equal angle are inclined to lines of equal arc length.
-  const double width = options.fine_half_width;
-  const double lean =
-      std::abs(shape.drop_at(width).slope) * options.fine_half_length / shape.rolling_radius;
-  const double radius =
-      std::max(shape.rolling_radius, shape.streamline_radius(width)) * (1.0 + lean);
-  for (double& place : places) place /= radius;
-  return meshes::revolve(quads, shape.rolling_radius, places);
 }
 
 [[noreturn]] void fail(const std::string& name, const std::string& wrong,
@@ -253,7 +199,7 @@ void set_manifolds(const SurfaceShape& shape, const std::vector<bool>& follows_s
   const bool everywhere = follows_surface.empty();
   if (!everywhere && shape.is_revolved() && shape.profile) {
     triangulation.set_all_manifold_ids(about_axle);
-    triangulation.set_manifold(about_axle, AxleManifold(shape.profile));
+    triangulation.set_manifold(about_axle, AxleManifold(shape));
   }
   triangulation.set_manifold(on_surface, SurfaceManifold(shape));
   for (const auto& cell : triangulation.cell_iterators_on_level(0))
@@ -264,80 +210,52 @@ void set_manifolds(const SurfaceShape& shape, const std::vector<bool>& follows_s
 
 }  // namespace
 
-HexMesh gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int level,
-                  MPI_Comm communicator) {
-  return on_all_processes(communicator,
-                          [&] {
-                            return CoarseBody{make_gmsh_mesh(shape, options, level), {}};
-                          })
-      .mesh;
-}
-
-CoarseBody true_section_mesh(const meshes::TrueSection& outline, const SurfaceShape& shape,
-                             const BodyOptions& options, MPI_Comm communicator) {
-  return on_all_processes(communicator,
-                          [&] { return make_true_section_mesh(outline, shape, options); });
-}
-
-HexMesh user_mesh(const std::string& path, const std::string& name, const SurfaceShape& shape,
-                  const BodyOptions& options, MPI_Comm communicator) {
-  const auto make = [&] {
-    HexMesh mesh = meshes::read_msh(path, name);
-    if (!mesh.points.empty()) check_size(mesh, name, shape, options);
-    meshes::check_mesh(mesh, name);
-    check_symmetry(mesh, name, options);
-    project(mesh, name, shape, options);
-    BodyOptions own = options;
-    own.half = std::any_of(mesh.sides.begin(), mesh.sides.end(),
-                           [](const auto& quad) { return quad.side == Side::symmetry; });
-    check_covers_patch(mesh, name, shape, own);
-    return CoarseBody{std::move(mesh), {}};
-  };
-  return on_all_processes(communicator, make).mesh;
-}
-
-void create_triangulation(const HexMesh& mesh, const SurfaceShape& shape,
-                          dealii::Triangulation<3>& triangulation,
-                          const std::vector<bool>& follows_surface) {
-  std::vector<dealii::Point<3>> points;
-  for (const auto& p : mesh.points) points.push_back(as_point(p));
-  std::vector<dealii::CellData<3>> cells;
-  std::map<std::array<unsigned int, 4>, int> outside;  // sorted corners -> times seen
-  const auto sorted = [](std::array<unsigned int, 4> corners) {
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  };
-  for (const auto& corners : mesh.cells) {
-    dealii::CellData<3> cell;
-    for (unsigned int k = 0; k < 8; ++k) cell.vertices[k] = corners[gmsh_corner[k]];
-    cells.push_back(cell);
-    for (const auto& face : meshes::hex_faces) {
-      std::array<unsigned int, 4> key{};
-      for (int k = 0; k < 4; ++k) key[k] = corners[face[k]];
-      ++outside[sorted(key)];
+CoarseBody on_all_processes(MPI_Comm communicator, const std::function<CoarseBody()>& make) {
+  CoarseBody body;
+  std::string refusal;
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
+    try {
+      body = make();
+    } catch (const contact::InputError& error) {
+      refusal = error.what();
     }
   }
-  std::map<std::array<unsigned int, 4>, dealii::types::boundary_id> id;
-  for (const auto& [face, count] : outside)
-    if (count == 1) id[face] = free_surface;
-  constexpr std::array<dealii::types::boundary_id, 3> id_of_side{contact_surface, far_boundary,
-                                                                 symmetry_plane};
-  for (const auto& quad : mesh.sides) {
-    std::array<unsigned int, 4> key{};
-    for (int k = 0; k < 4; ++k) key[k] = quad.corners[k];
-    id[sorted(key)] = id_of_side[static_cast<std::size_t>(quad.side)];
+  refusal = dealii::Utilities::MPI::broadcast(communicator, refusal, 0);
+  if (!refusal.empty()) throw contact::InputError(refusal);
+  return dealii::Utilities::MPI::broadcast(communicator, body, 0);
+}
+
+CoarseBody user_mesh(const std::string& path, const std::string& name, const SurfaceShape& shape,
+                     const BodyOptions& options) {
+  HexMesh mesh = meshes::read_msh(path, name);
+  if (!mesh.points.empty()) check_size(mesh, name, shape, options);
+  meshes::check_mesh(mesh, name);
+  check_symmetry(mesh, name, options);
+  project(mesh, name, shape, options);
+  BodyOptions own = options;
+  own.half = mesh.half();
+  check_covers_patch(mesh, name, shape, own);
+  return mesh;
+}
+
+void create_triangulation(const CoarseBody& coarse, const SurfaceShape& shape,
+                          dealii::Triangulation<3>& triangulation) {
+  std::vector<dealii::Point<3>> points;
+  for (const auto& p : coarse.mesh.points) points.push_back(as_point(p));
+  std::vector<dealii::CellData<3>> cells;
+  for (const auto& corners : coarse.mesh.cells) {
+    dealii::CellData<3>& cell = cells.emplace_back();
+    for (unsigned int k = 0; k < 8; ++k) cell.vertices[k] = corners[gmsh_corner[k]];
+  }
+  dealii::SubCellData sides;
+  for (const auto& quad : coarse.mesh.sides) {
+    dealii::CellData<2>& side = sides.boundary_quads.emplace_back();
+    std::copy(quad.corners.begin(), quad.corners.end(), side.vertices.begin());
+    side.boundary_id = id_of_side[static_cast<std::size_t>(quad.side)];
   }
   dealii::GridTools::consistently_order_cells(cells);
-  triangulation.create_triangulation(points, cells, dealii::SubCellData());
-  for (const auto& cell : triangulation.cell_iterators_on_level(0)) {
-    for (const auto& face : cell->face_iterators()) {
-      if (!face->at_boundary()) continue;
-      std::array<unsigned int, 4> key{};
-      for (unsigned int k = 0; k < 4; ++k) key[k] = face->vertex_index(k);
-      face->set_boundary_id(id.at(sorted(key)));
-    }
-  }
-  set_manifolds(shape, follows_surface, triangulation);
+  triangulation.create_triangulation(points, cells, sides);
+  set_manifolds(shape, coarse.follows_surface, triangulation);
 }
 
 HexMesh hex_mesh(const dealii::Triangulation<3>& triangulation) {
@@ -356,10 +274,9 @@ HexMesh hex_mesh(const dealii::Triangulation<3>& triangulation) {
     for (const auto& face : cell->face_iterators()) {
       if (!face->at_boundary() || face->boundary_id() == free_surface) continue;
       const auto at = [&](unsigned int k) { return node(face->vertex_index(k), face->vertex(k)); };
-      const Side side = face->boundary_id() == contact_surface  ? Side::contact
-                        : face->boundary_id() == symmetry_plane ? Side::symmetry
-                                                                : Side::fixed;
-      mesh.sides.push_back({{at(0), at(1), at(3), at(2)}, side});
+      const auto id = std::find(id_of_side.begin(), id_of_side.end(), face->boundary_id());
+      mesh.sides.push_back(
+          {{at(0), at(1), at(3), at(2)}, static_cast<Side>(id - id_of_side.begin())});
     }
   }
   return mesh;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Surfaces of wheel and rail: chart coordinates to points and back, local frames, the manifold.
 #include "fem/mesh/chart.hpp"
-#include "fem/mesh/profile_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,16 @@
 namespace rollfem::fem {
 
 namespace {
+
+/// Sign of z into the material.
+double inwards_of(const SurfaceShape& shape) {
+  return shape.is_wheel ? 1.0 : -1.0;
+}
+
+/// From the axle to (y, z) in the plane x = 0, towards the material's outside.
+double distance_from(const meshes::AxleTrace& axle, double y, double z) {
+  return y * axle.sine - (z - axle.height) * axle.cosine;
+}
 
 /// Central differences, accurate enough for tangents, the only use.
 dealii::DerivativeForm<1, 3, 3> difference_gradient(const ChartFunctions& functions,
@@ -28,12 +37,25 @@ dealii::DerivativeForm<1, 3, 3> difference_gradient(const ChartFunctions& functi
 
 }  // namespace
 
+ProfileShape::ProfileShape(std::shared_ptr<const contact::PatchGeometry> geometry, bool is_wheel)
+    : geometry_(std::move(geometry)), section_(is_wheel ? geometry_->wheel() : geometry_->rail()) {
+  const auto [lower, upper] = section_.gentle_part(steepest);
+  lower_ = lower;
+  upper_ = upper;
+}
+
+SurfaceHeight ProfileShape::height(double t) const {
+  const double inside = std::min(std::max(t, lower_), upper_);
+  const contact::CurveValue at = section_.at(inside);
+  return {at.value + at.slope * (t - inside), at.slope};
+}
+
 SurfaceShape profile_surface(std::shared_ptr<const contact::PatchGeometry> geometry,
                              bool is_wheel) {
   SurfaceShape shape;
   shape.is_wheel = is_wheel;
   shape.profile = std::make_shared<ProfileShape>(std::move(geometry), is_wheel);
-  shape.rolling_radius = shape.profile->radius(0.0);
+  if (is_wheel) shape.rolling_radius = distance_from(shape.axle(), 0.0, shape.height(0.0).value);
   return shape;
 }
 
@@ -53,52 +75,109 @@ contact::ProfileDrop SurfaceShape::drop_at(double t) const {
   return contact::profile_drop(transverse_radius, t, round_to);
 }
 
+SurfaceHeight SurfaceShape::height(double t) const {
+  if (profile) return profile->height(t);
+  const contact::ProfileDrop drop = drop_at(t);
+  const double inwards = inwards_of(*this);
+  return {inwards * drop.value, inwards * drop.slope};
+}
+
+meshes::AxleTrace SurfaceShape::axle() const {
+  if (is_wheel && profile) return meshes::axle_trace(profile->geometry().axle());
+  return {1.0, 0.0, rolling_radius, 0.0};
+}
+
 double SurfaceShape::streamline_radius(double t) const {
-  if (profile) return profile->radius(t);
-  return rolling_radius - drop_at(t).value;
+  return is_revolved() ? distance_from(axle(), t, height(t).value) : contact::infinity;
+}
+
+dealii::Point<3> SurfaceShape::turned_about_axle(double y, double z, double angle) const {
+  const meshes::AxleTrace about = axle();
+  const double radius = distance_from(about, y, z);
+  // 1 - cos = 2 sin^2(angle/2) keeps all digits near the contact point.
+  const double half_sine = std::sin(0.5 * angle);
+  const double inwards = 2.0 * radius * half_sine * half_sine;
+  return {radius * std::sin(angle), y - inwards * about.sine, z + inwards * about.cosine};
+}
+
+dealii::Point<3> SurfaceShape::turned_to_section(const dealii::Point<3>& place) const {
+  const meshes::AxleTrace about = axle();
+  const double below = distance_from(about, place[1], place[2]);
+  const double radius = std::hypot(place[0], below);
+  // From the difference of both distances, without cancellation.
+  const double outwards = place[0] * place[0] / (radius + below);
+  return {std::atan2(place[0], below), place[1] + outwards * about.sine,
+          place[2] - outwards * about.cosine};
 }
 
 dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
   if (functions) return functions->place({s, t, depth});
-  if (profile) return profile->place(s, t, depth);
-  const double drop = drop_at(t).value;
-  if (!is_revolved()) return {s, t, is_wheel ? drop + depth : -drop - depth};
-  const double angle = s / (rolling_radius - drop);
-  const double inwards = drop + depth;  // towards the axle at z = rolling_radius
-  const double half_sine = std::sin(0.5 * angle);
-  // 1 - cos = 2 sin^2(angle/2) keeps all digits near the contact point.
-  return {(rolling_radius - inwards) * std::sin(angle), t,
-          2.0 * rolling_radius * half_sine * half_sine + inwards * std::cos(angle)};
+  const double z = height(t).value;
+  if (!is_revolved()) return {s, t, z + inwards_of(*this) * depth};
+  return turned_about_axle(t, z + depth, s / distance_from(axle(), t, z));
 }
 
 dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const {
   if (functions) return functions->coordinates(place);
-  if (profile) return profile->coordinates(place);
-  const double t = place[1];
-  const double drop = drop_at(t).value;
-  if (!is_revolved()) return {place[0], t, (is_wheel ? place[2] : -place[2]) - drop};
-  const double below_axle = rolling_radius - place[2];
-  const double radius = std::hypot(place[0], below_axle);
-  const double angle = std::atan2(place[0], below_axle);
-  return {(rolling_radius - drop) * angle, t, rolling_radius - drop - radius};
+  if (!is_revolved())
+    return {place[0], place[1], inwards_of(*this) * (place[2] - height(place[1]).value)};
+  const dealii::Point<3> back = turned_to_section(place);
+  const double surface = height(back[1]).value;
+  return {distance_from(axle(), back[1], surface) * back[0], back[1], back[2] - surface};
+}
+
+dealii::DerivativeForm<1, 3, 3> SurfaceShape::gradient(const dealii::Point<3>& chart) const {
+  if (functions) return difference_gradient(*functions, chart);
+  const SurfaceHeight at = height(chart[1]);
+  dealii::DerivativeForm<1, 3, 3> gradient;
+  gradient[1][1] = 1.0;
+  gradient[2][1] = at.slope;
+  gradient[2][2] = inwards_of(*this);
+  if (!is_revolved()) {
+    gradient[0][0] = 1.0;
+    return gradient;
+  }
+  const meshes::AxleTrace about = axle();
+  const double on_surface = distance_from(about, chart[1], at.value);
+  const double radius = on_surface - chart[2] * about.cosine;
+  const double by_t = about.sine - at.slope * about.cosine;
+  const double angle = chart[0] / on_surface;
+  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const double half_sine = std::sin(0.5 * angle);
+  const double fall = 2.0 * half_sine * half_sine;
+  // The angle of a given arc length changes with the radius.
+  const double turn = -radius * angle / on_surface * by_t;
+  const double stretch = radius / on_surface;
+  // Along x, and towards the axle, that is along (0, -sin, cos) of the tilt.
+  const double along[3] = {stretch * cosine, by_t * sine + turn * cosine, -about.cosine * sine};
+  const double inwards[3] = {stretch * sine, by_t * fall + turn * sine, -about.cosine * fall};
+  for (unsigned int d = 0; d < 3; ++d) {
+    gradient[0][d] += along[d];
+    gradient[1][d] -= about.sine * inwards[d];
+    gradient[2][d] += about.cosine * inwards[d];
+  }
+  return gradient;
 }
 
 SurfaceFrame SurfaceShape::frame(double s, double t) const {
-  if (profile) return profile->frame(s, t, profile->height(t).slope);
-  // Slope of the surface along t, positive towards the wheel.
-  const double drop_slope = drop_at(t).slope;
-  return tilted_frame(s, t, is_wheel ? drop_slope : -drop_slope);
+  return tilted_frame(s, t, height(t).slope);
 }
 
 SurfaceFrame SurfaceShape::tilted_frame(double s, double t, double climb) const {
   if (functions) return functions->frame(s, t);
-  if (profile) return profile->frame(s, t, climb);
-  const double angle = is_revolved() ? s / streamline_radius(t) : 0.0;
+  const auto [cosine_of_tilt, sine_of_tilt, height, axial] = axle();
   const double length = std::sqrt(1.0 + climb * climb);
-  const dealii::Tensor<1, 3> rolling({std::cos(angle), 0.0, std::sin(angle)});
-  const dealii::Tensor<1, 3> up({-std::sin(angle), 0.0, std::cos(angle)});
-  const dealii::Tensor<1, 3> across({0.0, 1.0, 0.0});
-  return {rolling, (across + climb * up) / length, (up - climb * across) / length};
+  const double angle = is_revolved() ? s / streamline_radius(t) : 0.0;
+  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const dealii::Tensor<1, 3> rolling({cosine, -sine_of_tilt * sine, cosine_of_tilt * sine});
+  // Towards the axle after rotation.
+  const dealii::Tensor<1, 3> up({-sine, -sine_of_tilt * cosine, cosine_of_tilt * cosine});
+  const dealii::Tensor<1, 3> along({0.0, cosine_of_tilt, sine_of_tilt});
+  // (0, 1, climb) and (0, -climb, 1) along the axle and towards it.
+  const double tangent = cosine_of_tilt + climb * sine_of_tilt;
+  const double normal = climb * cosine_of_tilt - sine_of_tilt;
+  return {rolling, (tangent * along + normal * up) / length,
+          (tangent * up - normal * along) / length};
 }
 
 std::unique_ptr<dealii::Manifold<3, 3>> SurfaceManifold::clone() const {
@@ -115,33 +194,7 @@ dealii::Point<3> SurfaceManifold::push_forward(const dealii::Point<3>& chart) co
 
 dealii::DerivativeForm<1, 3, 3> SurfaceManifold::push_forward_gradient(
     const dealii::Point<3>& chart) const {
-  if (shape_.functions) return difference_gradient(*shape_.functions, chart);
-  if (shape_.profile) return shape_.profile->gradient(chart);
-  const auto drop = shape_.drop_at(chart[1]);
-  dealii::DerivativeForm<1, 3, 3> gradient;
-  if (!shape_.is_revolved()) {
-    const double sign = shape_.is_wheel ? 1.0 : -1.0;
-    gradient[0][0] = gradient[1][1] = 1.0;
-    gradient[2][1] = sign * drop.slope;
-    gradient[2][2] = sign;
-    return gradient;
-  }
-  const double on_surface = shape_.streamline_radius(chart[1]);
-  const double radius = on_surface - chart[2];
-  const double angle = chart[0] / on_surface;
-  const double sine = std::sin(angle);
-  const double cosine = std::cos(angle);
-  const double stretch = radius / on_surface;
-  // The angle of a given arc length grows where the radius decreases.
-  const double turn = radius * angle / on_surface * drop.slope;
-  gradient[0][0] = stretch * cosine;
-  gradient[0][1] = -drop.slope * sine + turn * cosine;
-  gradient[0][2] = -sine;
-  gradient[1][1] = 1.0;
-  gradient[2][0] = stretch * sine;
-  gradient[2][1] = drop.slope * cosine + turn * sine;
-  gradient[2][2] = cosine;
-  return gradient;
+  return shape_.gradient(chart);
 }
 
 std::unique_ptr<dealii::Manifold<3, 3>> AxleManifold::clone() const {
@@ -149,11 +202,11 @@ std::unique_ptr<dealii::Manifold<3, 3>> AxleManifold::clone() const {
 }
 
 dealii::Point<3> AxleManifold::pull_back(const dealii::Point<3>& place) const {
-  return wheel_->turned_to_section(place);
+  return wheel_.turned_to_section(place);
 }
 
 dealii::Point<3> AxleManifold::push_forward(const dealii::Point<3>& chart) const {
-  return wheel_->turned_about_axle(chart[1], chart[2], chart[0]);
+  return wheel_.turned_about_axle(chart[1], chart[2], chart[0]);
 }
 
 }  // namespace rollfem::fem

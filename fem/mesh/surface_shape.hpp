@@ -4,7 +4,9 @@
 
 #include "contact/base/profile_drop.hpp"
 #include "contact/scene/contact_surface.hpp"
+#include "meshes/true_section.hpp"
 
+#include <deal.II/base/derivative_form.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -25,20 +27,45 @@ struct ChartFunctions {
   std::function<SurfaceFrame(double s, double t)> frame;
 };
 
-class ProfileShape;
+/// Height z of a surface at s = 0, mm, and its slope dz/dt.
+struct SurfaceHeight {
+  double value;
+  double slope;
+};
+
+/// A true profile: the section of wheel or rail of a PatchGeometry.
+class ProfileShape {
+ public:
+  ProfileShape(std::shared_ptr<const contact::PatchGeometry> geometry, bool is_wheel);
+
+  const contact::PatchGeometry& geometry() const { return *geometry_; }
+  /// Range in which the surface is a known height over t not steeper than `steepest` (dz/dy, 75
+  /// degrees: cells below it, whose sides are along z, have a scaled Jacobian of 0.26). Outside,
+  /// the chart continues along the tangent (one to one, but no longer the true surface).
+  double lower() const { return lower_; }
+  double upper() const { return upper_; }
+  static constexpr double steepest = 3.73;
+  SurfaceHeight height(double t) const;
+
+ private:
+  std::shared_ptr<const contact::PatchGeometry> geometry_;
+  const contact::HeightCurve& section_;
+  double lower_ = 0.0, upper_ = 0.0;
+};
 
 /// Surface coordinates (s, t) = (arc length on the surface along rolling, lateral coordinate y) and
 /// depth d below the surface (along z on the rail, towards the axle on the wheel) -> point in
 /// space. s points along +x, the contact reference point is (0, 0, 0). For the wheel the material
-/// is above (z > 0), for the rail below.
+/// is above (z > 0), for the rail below. A wheel's section is revolved about its axle, which a true
+/// profile may tilt in the plane x = 0; for a yawed axle its trace at the contact is used (the yaw
+/// itself, below 25 mrad, is in undeformed distance and slip).
 struct SurfaceShape {
   bool is_wheel = false;
   double rolling_radius = contact::infinity;     ///< wheel only
   double transverse_radius = contact::infinity;  ///< > 0 convex, < 0 concave
   /// If given, these define the chart; the radii are ignored.
   std::shared_ptr<const ChartFunctions> functions = nullptr;
-  /// If given, the chart of a true profile about an axle that may be tilted; the transverse radius
-  /// is ignored, the rolling radius applies to t = 0.
+  /// If given, the section in place of the transverse circle; the rolling radius applies to t = 0.
   std::shared_ptr<const ProfileShape> profile = nullptr;
   double round_to = contact::usual_round_to;  ///< fraction of the transverse radius
   /// Drop of the transverse circle at t.
@@ -46,18 +73,30 @@ struct SurfaceShape {
   dealii::Point<3> place(double s, double t, double depth) const;
   /// Inverse of place(): (s, t, depth).
   dealii::Point<3> coordinates(const dealii::Point<3>& place) const;
+  /// Derivative of place() by (s, t, depth).
+  dealii::DerivativeForm<1, 3, 3> gradient(const dealii::Point<3>& chart) const;
   /// On the surface at (s, t).
   SurfaceFrame frame(double s, double t) const;
   /// The same at a surface with lateral slope dz/dy = `climb` instead of the body's slope (chart
   /// functions keep their frame).
   SurfaceFrame tilted_frame(double s, double t, double climb) const;
-  /// Radius of the wheel's surface about the axle at lateral coordinate t, mm.
+  /// Radius of the wheel's surface about the axle at lateral coordinate t, mm; infinite unless
+  /// revolved.
   double streamline_radius(double t) const;
   /// Whether this is a wheel of finite radius, whose streamlines are circles.
   bool is_revolved() const;
   /// Range in which the surface can be meshed; infinite except for profiles.
   double lower_t() const;
   double upper_t() const;
+
+  // Without chart functions:
+  SurfaceHeight height(double t) const;
+  /// Axle of a revolved wheel; level for all others.
+  meshes::AxleTrace axle() const;
+  /// A point of the section (y, z at x = 0) after rotation by `angle` about the axle.
+  dealii::Point<3> turned_about_axle(double y, double z, double angle) const;
+  /// The inverse: angle, y, z.
+  dealii::Point<3> turned_to_section(const dealii::Point<3>& place) const;
 };
 
 /// Wheel or rail of a patch with true profiles.

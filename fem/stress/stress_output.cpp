@@ -6,9 +6,7 @@
 #include "contact/result/stress_extremes.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "fem/discretisation/body_points.hpp"
-#include "fem/mesh/profile_shape.hpp"
 #include "fem/stress/body_nodes.hpp"
-#include "fem/stress/energy_error.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/stress/surface_stress.hpp"
 #include "halfspace/stress/subsurface.hpp"
@@ -86,8 +84,7 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
 Place place_below(const SurfaceShape& shape, double x, double y, double depth) {
   const double on_surface = shape.streamline_radius(y);
   // Depth is along z, which is not perpendicular to a tilted axle.
-  const double radius =
-      on_surface - depth * (shape.profile ? shape.profile->axle_direction()[1] : 1.0);
+  const double radius = on_surface - depth * shape.axle().cosine;
   double arc = x;
   if (shape.is_wheel && std::isfinite(on_surface)) {
     if (!(std::abs(x) < radius))

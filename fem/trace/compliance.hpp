@@ -30,8 +30,6 @@ class SurfaceCoupling {
   /// body's surface or its elements are finer than the FE faces under them.
   SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,
                   const contact::ContactSurface& surface);
-  /// On the body's own surface.
-  SurfaceCoupling(const Body& body, const contact::ContactGrid& grid);
   ~SurfaceCoupling();
   /// b = B^T p.
   void load(const contact::SurfaceField& traction, Vector& b) const;

@@ -5,10 +5,10 @@
 #include "fem/trace/prescribed.hpp"
 #include "halfspace/closed_forms/point_loads.hpp"
 
-#include <deal.II/base/index_set.h>
-#include <deal.II/fe/fe.h>
+#include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <algorithm>
+#include <map>
 
 namespace rollfem::fem {
 
@@ -16,26 +16,15 @@ namespace {
 
 /// The point load's displacement at the nodes of the far boundary, zero elsewhere.
 Vector values_on_far_boundary(const Body& body, unsigned int axis) {
+  const VectorField displacement([&](const dealii::Point<3>& place) {
+    return point_load_displacement(body.shape(), body.material(), axis, place);
+  });
+  std::map<dealii::types::global_dof_index, double> values;
+  dealii::VectorTools::interpolate_boundary_values(body.mapping(), body.dofs(), far_boundary,
+                                                   displacement, values);
   Vector nodal = make_vector(body.dofs());
-  const auto& element = body.dofs().get_fe();
-  const auto& owned = body.dofs().locally_owned_dofs();
-  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-  for (const auto& cell : body.dofs().active_cell_iterators()) {
-    // Also ghost cells, because an owned node may lie on a face that only a neighbour's cell has.
-    if (cell->is_artificial() || !cell->at_boundary()) continue;
-    cell->get_dof_indices(indices);
-    for (const unsigned int face : cell->face_indices()) {
-      if (!cell->face(face)->at_boundary() || cell->face(face)->boundary_id() != far_boundary)
-        continue;
-      for (unsigned int i = 0; i < indices.size(); ++i) {
-        if (!element.has_support_on_face(i, face) || !owned.is_element(indices[i])) continue;
-        const auto place =
-            body.mapping().transform_unit_to_real_cell(cell, element.unit_support_point(i));
-        nodal(indices[i]) = point_load_displacement(
-            body.shape(), body.material(), axis, place)[element.system_to_component_index(i).first];
-      }
-    }
-  }
+  for (const auto& [dof, value] : values)
+    if (nodal.in_local_range(dof)) nodal(dof) = value;
   return nodal;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "contact/base/material.hpp"
+#include "halfspace/elasticity/influence.hpp"
 
 #include <array>
 #include <vector>
@@ -22,12 +23,7 @@ struct Lattice {
 
 /// Displacements (mm) of one element under unit traction (MPa) on another; without the coupling of
 /// normal and tangential directions.
-struct ElementResponse {
-  double xx = 0.0;
-  double yy = 0.0;
-  double xy = 0.0;
-  double nn = 0.0;
-};
+using ElementResponse = halfspace::Influence;
 
 /// For elements (i, j) from the loaded one, 0 <= i, j <= lattice_reach, index j * (lattice_reach +
 /// 1) + i; xy is odd in i and in j, the others are even. Beyond the reach the value is below 1e-5

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/trace/middle_displacement.hpp"
 
-#include "halfspace/elasticity/influence.hpp"
-
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -16,15 +16,9 @@ namespace {
 using contact::CombinedMaterial;
 using contact::ContactGrid;
 using contact::Field;
+using halfspace::InfluenceQuadrant;
 using halfspace::PaddedFft;
-using halfspace::Symbol;
 using Spectrum = PaddedFft::Spectrum;
-
-ElementResponse at_point(double x, double y, const ContactGrid& grid,
-                         const CombinedMaterial& material) {
-  const halfspace::Influence a = halfspace::rectangle_influence(x, y, grid.dx, grid.dy, material);
-  return {a.xx, a.yy, a.xy, a.nn};
-}
 
 void add(double factor, const ElementResponse& what, ElementResponse& sum) {
   sum.xx += factor * what.xx;
@@ -40,52 +34,35 @@ ElementResponse middle_less_mean(int i, int j, const ContactGrid& grid,
   const int distance = std::max(std::abs(i), std::abs(j));
   const dealii::QGauss<1> rule(distance < 2 ? 16 : distance < lattice_reach ? 4 : 2);
   ElementResponse result;
-  add(1.0, at_point(i * grid.dx, j * grid.dy, grid, material), result);
+  const auto at = [&](double x, double y) {
+    return halfspace::rectangle_influence(x, y, grid.dx, grid.dy, material);
+  };
+  add(1.0, at(i * grid.dx, j * grid.dy), result);
   for (unsigned int b = 0; b < rule.size(); ++b)
     for (unsigned int a = 0; a < rule.size(); ++a)
       add(-rule.weight(a) * rule.weight(b),
-          at_point((i - 0.5 + rule.point(a)[0]) * grid.dx, (j - 0.5 + rule.point(b)[0]) * grid.dy,
-                   grid, material),
+          at((i - 0.5 + rule.point(a)[0]) * grid.dx, (j - 0.5 + rule.point(b)[0]) * grid.dy),
           result);
   return result;
 }
 
-/// For offsets from 0 on, index j * nx + i.
-std::vector<ElementResponse> quadrant(const ContactGrid& grid, const contact::Material& material,
-                                      const std::optional<Lattice>& lattice) {
-  constexpr contact::Material rigid{contact::infinity};
-  const CombinedMaterial alone = contact::combine(material, rigid);
-  std::vector<ElementResponse> kernel;
+/// For offsets of up to half a period; zero beyond the grid.
+InfluenceQuadrant quadrant(const ContactGrid& grid, const PaddedFft& plane,
+                           const contact::Material& material,
+                           const std::optional<Lattice>& lattice) {
+  const int nx = plane.px() / 2, ny = plane.py() / 2;
+  const CombinedMaterial alone = contact::combine(material, contact::rigid_material());
+  std::vector<ElementResponse> deficit;
+  if (lattice) deficit = lattice_deficit(*lattice);
+  std::vector<ElementResponse> kernel(static_cast<std::size_t>(nx + 1) * (ny + 1));
   for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) kernel.push_back(middle_less_mean(i, j, grid, alone));
-  if (!lattice) return kernel;
-  const std::vector<ElementResponse> deficit = lattice_deficit(*lattice);
-  for (int j = 0; j < std::min(grid.ny, lattice_reach + 1); ++j)
-    for (int i = 0; i < std::min(grid.nx, lattice_reach + 1); ++i)
-      add(1.0, deficit[static_cast<std::size_t>(j * (lattice_reach + 1) + i)],
-          kernel[static_cast<std::size_t>(grid.index(i, j))]);
-  return kernel;
-}
-
-/// Transform of the periodic kernel, which is even under (x, y) -> (-x, -y); `odd`: odd in x and in
-/// y.
-Symbol symbol_of(const PaddedFft& plane, const ContactGrid& grid,
-                 const std::vector<ElementResponse>& quadrant, double ElementResponse::*component,
-                 bool odd = false) {
-  const int px = plane.px();
-  const int py = plane.py();
-  Field kernel = Field::Zero(static_cast<Eigen::Index>(px) * py);
-  for (int j = 1 - grid.ny; j < grid.ny; ++j)
-    for (int i = 1 - grid.nx; i < grid.nx; ++i) {
-      const double sign = odd && (i < 0) != (j < 0) ? -1.0 : 1.0;
-      const auto at = static_cast<std::size_t>(grid.index(std::abs(i), std::abs(j)));
-      kernel[((j + py) % py) * px + (i + px) % px] = sign * quadrant[at].*component;
+    for (int i = 0; i < grid.nx; ++i) {
+      ElementResponse& at = kernel[static_cast<std::size_t>(j * (nx + 1) + i)];
+      at = middle_less_mean(i, j, grid, alone);
+      if (lattice && std::max(i, j) <= lattice_reach)
+        add(1.0, deficit[static_cast<std::size_t>(j * (lattice_reach + 1) + i)], at);
     }
-  Spectrum spectrum;
-  PaddedFft(px, py, px, py).forward(kernel, spectrum);
-  Symbol symbol;
-  for (const auto& value : spectrum) symbol.push_back(value.real());
-  return symbol;
+  return {nx, std::move(kernel)};
 }
 
 }  // namespace
@@ -95,11 +72,9 @@ MiddleDisplacement::MiddleDisplacement(const ContactGrid& grid, const contact::M
     : fft_(grid.nx, grid.ny, 2 * grid.nx, 2 * grid.ny),
       root_stretch_(stretch.size() == 0 ? Field(Field::Ones(grid.size()))
                                         : Field(stretch.cwiseSqrt())) {
-  const std::vector<ElementResponse> kernel = quadrant(grid, material, lattice);
-  symbols_.xx = symbol_of(fft_, grid, kernel, &ElementResponse::xx);
-  symbols_.yy = symbol_of(fft_, grid, kernel, &ElementResponse::yy);
-  symbols_.xy = symbol_of(fft_, grid, kernel, &ElementResponse::xy, true);
-  symbols_.nn = symbol_of(fft_, grid, kernel, &ElementResponse::nn);
+  const InfluenceQuadrant kernel = quadrant(grid, fft_, material, lattice);
+  halfspace::set_tangential_symbols(kernel, fft_.px(), fft_.py(), symbols_);
+  symbols_.nn = halfspace::normal_symbol(kernel, fft_.px(), fft_.py());
 }
 
 void MiddleDisplacement::add(const contact::SurfaceField& traction,

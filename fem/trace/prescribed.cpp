@@ -3,28 +3,15 @@
 
 #include "fem/discretisation/elasticity_assembly.hpp"
 
-#include <algorithm>
-#include <vector>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
 
 namespace rollfem::fem {
 
-Vector nodal_values(
-    const ElasticProblem& problem,
-    const std::function<dealii::Tensor<1, 3>(const dealii::Point<3>&)>& displacement) {
+Vector nodal_values(const ElasticProblem& problem, const VectorField::Values& displacement) {
   Vector nodal = make_vector(problem.dofs);
-  const auto& element = problem.dofs.get_fe();
-  const auto& owned = problem.dofs.locally_owned_dofs();
-  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-  for (const auto& cell : problem.dofs.active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    cell->get_dof_indices(indices);
-    for (unsigned int i = 0; i < indices.size(); ++i) {
-      if (!owned.is_element(indices[i])) continue;
-      const auto place =
-          problem.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i));
-      nodal(indices[i]) = displacement(place)[element.system_to_component_index(i).first];
-    }
-  }
+  dealii::VectorTools::interpolate(problem.mapping, problem.dofs, VectorField(displacement), nodal);
   nodal.update_ghost_values();
   return nodal;
 }
@@ -32,21 +19,16 @@ Vector nodal_values(
 Vector internal_forces(const ElasticProblem& problem, const Vector& u) {
   Vector forces = make_vector(problem.dofs);
   CellStiffness stiffness(problem);
-  std::vector<dealii::types::global_dof_index> indices(problem.dofs.get_fe().dofs_per_cell);
-  std::vector<double> values(indices.size());
+  const unsigned int n = problem.dofs.get_fe().dofs_per_cell;
+  dealii::FullMatrix<double> matrix(n, n);
+  dealii::Vector<double> values(n), product(n);
   for (const auto& cell : problem.dofs.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    cell->get_dof_indices(indices);
-    for (std::size_t i = 0; i < indices.size(); ++i) values[i] = u(indices[i]);
-    if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; }))
-      continue;
-    const auto& matrix = stiffness.compute(cell);
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      double sum = 0.0;
-      for (std::size_t j = 0; j < indices.size(); ++j)
-        sum += matrix[i * indices.size() + j] * values[j];
-      forces(indices[i]) += sum;
-    }
+    cell->get_dof_values(u, values);
+    if (values.all_zero()) continue;
+    matrix.fill(stiffness.compute(cell).data());
+    matrix.vmult(product, values);
+    cell->distribute_local_to_global(product, forces);
   }
   forces.compress(dealii::VectorOperation::add);
   return forces;

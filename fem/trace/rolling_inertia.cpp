@@ -6,49 +6,23 @@
 #include "fem/trace/prescribed.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/numerics/vector_tools_rhs.h>
 
 #include <cmath>
 #include <utility>
 
 namespace rollfem::fem {
 
-namespace {
-
-/// Calls f(unknowns, values at the quadrature points) for every cell of this process.
-template <class F>
-void for_each_cell(const ElasticProblem& problem, const F& f) {
-  const auto& element = problem.dofs.get_fe();
-  dealii::FEValues<3> values(
-      problem.mapping, element, dealii::QGauss<3>(element.degree + 1),
-      dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
-  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-  for (const auto& cell : problem.dofs.active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    values.reinit(cell);
-    cell->get_dof_indices(indices);
-    f(indices, values);
-  }
-}
-
-}  // namespace
-
 Vector centrifugal_load(const ElasticProblem& problem) {
-  Vector load = make_vector(problem.dofs);
-  const auto& motion = problem.motion;
-  const auto& element = problem.dofs.get_fe();
-  for_each_cell(problem, [&](const auto& indices, const auto& values) {
-    for (const auto q : values.quadrature_point_indices()) {
-      // (v.grad)v = rotation x v, which does not include translation along the axle.
-      const auto force =
-          -problem.material.density * values.JxW(q) *
-          dealii::cross_product_3d(motion.rotation, motion.at(values.quadrature_point(q)));
-      for (unsigned int i = 0; i < indices.size(); ++i)
-        load(indices[i]) +=
-            force[element.system_to_component_index(i).first] * values.shape_value(i, q);
-    }
+  const VectorField force([&](const dealii::Point<3>& place) {
+    // (v.grad)v = rotation x v, which does not include translation along the axle.
+    return -problem.material.density *
+           dealii::cross_product_3d(problem.motion.rotation, problem.motion.at(place));
   });
-  load.compress(dealii::VectorOperation::add);
+  Vector load = make_vector(problem.dofs);
+  dealii::VectorTools::create_right_hand_side(problem.mapping, problem.dofs,
+                                              dealii::QGauss<3>(problem.dofs.get_fe().degree + 1),
+                                              force, load);
   return load;
 }
 

@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/chart_face.hpp"
-#include "fem/mesh/profile_shape.hpp"
 #include "fem/trace/compliance.hpp"
 
 #include <deal.II/base/geometry_info.h>
@@ -39,17 +38,6 @@ struct Entry {
 int mirrored(const contact::ContactGrid& grid, int element) {
   const int j = element / grid.nx;
   return grid.index(element % grid.nx, grid.ny - 1 - j);
-}
-
-/// The common surface of a body and another one of the same shape; for a profile, with the other
-/// body of its patch.
-contact::ContactSurface own_surface(const SurfaceShape& shape) {
-  if (shape.profile) return profile_contact(*shape.profile);
-  const double radius = shape.transverse_radius;
-  auto surface = shape.is_wheel ? contact::ContactSurface{shape.rolling_radius, radius, -radius}
-                                : contact::ContactSurface{contact::infinity, -radius, radius};
-  surface.wheel_round_to = surface.rail_round_to = shape.round_to;
-  return surface;
 }
 
 }  // namespace
@@ -224,9 +212,6 @@ struct SurfaceCoupling::Implementation {
 SurfaceCoupling::SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,
                                  const contact::ContactSurface& surface)
     : implementation_(std::make_unique<Implementation>(body, grid, surface)) {}
-
-SurfaceCoupling::SurfaceCoupling(const Body& body, const contact::ContactGrid& grid)
-    : SurfaceCoupling(body, grid, own_surface(body.shape())) {}
 
 SurfaceCoupling::~SurfaceCoupling() = default;
 

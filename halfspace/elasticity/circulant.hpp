@@ -10,6 +10,7 @@
 
 #include <array>
 #include <complex>
+#include <utility>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -35,6 +36,9 @@ class InfluenceQuadrant {
  public:
   InfluenceQuadrant(const contact::ContactGrid& grid, const contact::CombinedMaterial& material,
                     int nx, int ny);
+  /// Given row after row.
+  InfluenceQuadrant(int nx, std::vector<Influence> coefficients)
+      : columns_(static_cast<std::size_t>(nx) + 1), coefficients_(std::move(coefficients)) {}
   const Influence& at(int i, int j) const {
     return coefficients_[static_cast<std::size_t>(j) * columns_ + static_cast<std::size_t>(i)];
   }

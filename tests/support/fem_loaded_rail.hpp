@@ -55,7 +55,7 @@ struct LoadedRail {
                                        MPI_COMM_WORLD);
     displacement = fem::make_vector(body->dofs());
     auto load = fem::make_vector(body->dofs());
-    fem::SurfaceCoupling(*body, grid).load({-traction.x, -traction.y, -traction.n}, load);
+    own_coupling(*body, grid).load({-traction.x, -traction.y, -traction.n}, load);
     fem::MultigridOptions solver;
     solver.tolerance = 1e-9;
     fem::make_multigrid(body->problem(), solver)->solve(displacement, load);

@@ -5,6 +5,7 @@
 #include "contact/base/grid.hpp"
 #include "contact/scene/contact_surface.hpp"
 #include "fem/discretisation/body.hpp"
+#include "fem/trace/compliance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +26,15 @@ inline fem::SurfaceShape rail_shape(double transverse_radius) {
 inline contact::ContactSurface common_surface(const fem::SurfaceShape& wheel,
                                               const fem::SurfaceShape& rail) {
   return {wheel.rolling_radius, wheel.transverse_radius, rail.transverse_radius};
+}
+
+/// The coupling of a body on its own surface: it touches another one of the same shape.
+inline fem::SurfaceCoupling own_coupling(const fem::Body& body, const contact::ContactGrid& grid) {
+  const double radius = body.shape().transverse_radius;
+  return {body, grid,
+          body.shape().is_wheel
+              ? common_surface(body.shape(), rail_shape(-radius))
+              : common_surface(wheel_shape(contact::infinity, -radius), body.shape())};
 }
 
 /// A body of a few thousand unknowns: fine region of 4 x 4 mm, cells of 1 mm.

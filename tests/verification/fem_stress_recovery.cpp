@@ -3,7 +3,6 @@
 // the same numbers on any number of processes.
 #include "fem/discretisation/body_points.hpp"
 #include "fem/linear/multigrid.hpp"
-#include "fem/stress/energy_error.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/trace/compliance.hpp"
 

@@ -55,6 +55,15 @@ double area(const meshes::Section& section) {
   return sum;
 }
 
+/// The section along x (v downwards), or about an axle at z = 405 by angles.
+HexMesh swept(const meshes::Section& section, bool wheel, const std::vector<double>& steps) {
+  return meshes::sweep(section, steps.size(), [&](const auto& p, std::size_t k) {
+    const double radius = 405.0 - p[1];
+    return wheel ? Point{radius * std::sin(steps[k]), p[0], 405.0 - radius * std::cos(steps[k])}
+                 : Point{steps[k], p[0], -p[1]};
+  });
+}
+
 HexMesh small_block() {
   return block({-1, 0, 1}, {-1, 0, 1}, {-2, -1, 0}, true);
 }
@@ -99,7 +108,7 @@ TEST(MeshSection, ProfileNodesLieOnTheProfileAndCellsAreSound) {
       EXPECT_GE(contact, half ? 8 : 16);
       EXPECT_NEAR(reach, 87.0, 1e-9);
       EXPECT_GT(finest, 0.9 * options.cell_size);
-      EXPECT_GT(smallest_scaled_jacobian(meshes::extrude(section, {0.0, 4.0})), 0.25) << R;
+      EXPECT_GT(smallest_scaled_jacobian(swept(section, false, {0.0, 4.0})), 0.25) << R;
     }
 }
 
@@ -126,8 +135,7 @@ TEST(MeshSweep, VolumesOfBlockAndSectorAreRight) {
     std::vector<double> steps{-0.02, 0.0, 0.015, 0.02};
     if (!wheel)
       for (double& s : steps) s *= 1000.0;
-    const auto mesh =
-        wheel ? meshes::revolve(section, 405.0, steps) : meshes::extrude(section, steps);
+    const auto mesh = swept(section, wheel, steps);
     EXPECT_GT(smallest_scaled_jacobian(mesh), 0.25);
     EXPECT_EQ(check(mesh), "");
     double volume = 0.0;  // divergence theorem over the outside faces

@@ -5,7 +5,6 @@
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/multigrid.hpp"
 #include "fem/mesh/chart.hpp"
-#include "fem/mesh/profile_shape.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "meshes/cell_quality.hpp"
 #include "meshes/true_section.hpp"

@@ -110,7 +110,7 @@ TEST(GivenMesh, CouplingIsExactOnTurnedFaces) {
   // On every number of processes: each integrates its own faces.
   const auto body = turned_body(rail_shape(contact::infinity), MPI_COMM_WORLD);
   const auto grid = odd_grid();
-  const fem::SurfaceCoupling coupling(*body, grid);
+  const fem::SurfaceCoupling coupling = own_coupling(*body, grid);
   // A displacement that is linear in the place is in the space; its mean is the value in the
   // middle.
   const auto sampled =
@@ -163,10 +163,8 @@ TEST(GivenMesh, ComplianceIsSymmetricAndPositive) {
 TEST(GivenMesh, RefusesGridsThatAreTooFineOrReachTooFar) {
   const auto rail = turned_body(rail_shape(20));
   using contact::ContactGrid;
-  EXPECT_THROW(fem::SurfaceCoupling(*rail, ContactGrid::centred(4, 4, 0.4, 0.4)),
-               contact::InputError);
-  EXPECT_THROW(fem::SurfaceCoupling(*rail, ContactGrid::centred(4, 4, 10, 10)),
-               contact::InputError);
+  EXPECT_THROW(own_coupling(*rail, ContactGrid::centred(4, 4, 0.4, 0.4)), contact::InputError);
+  EXPECT_THROW(own_coupling(*rail, ContactGrid::centred(4, 4, 10, 10)), contact::InputError);
 }
 
 TEST(GivenMesh, OfAnyChartIsAccepted) {
@@ -192,7 +190,7 @@ TEST(GivenMesh, OfAnyChartIsAccepted) {
   });
   const fem::Body body(hole, user_steel, small_options(), mesh, MPI_COMM_SELF);
   const auto grid = contact::ContactGrid::centred(6, 4, 1.0, 1.0);
-  const fem::SurfaceCoupling coupling(body, grid);
+  const fem::SurfaceCoupling coupling = own_coupling(body, grid);
   // A displacement along the hole's own normal is sampled as such, to the curvature of a cell.
   const auto sampled =
       coupling.sample(fem::nodal_values(body.problem(), [](const dealii::Point<3>& p) {
@@ -224,7 +222,7 @@ std::string refused(const meshes::HexMesh& mesh) {
   const TemporaryFolder folder;
   const std::string path = folder.file("rail.msh", meshes::msh_text(mesh));
   return refusal<contact::InputError>(
-      [&] { fem::user_mesh(path, "rail.msh", rail_shape(20), small_options(), MPI_COMM_SELF); });
+      [&] { fem::user_mesh(path, "rail.msh", rail_shape(20), small_options()).mesh; });
 }
 
 meshes::HexMesh moved(double scale, const Point& shift) {
@@ -252,8 +250,7 @@ TEST(UserMesh, IsPutOnTheSurfaceOrRefused) {
   // Nodes with small errors are moved.
   const TemporaryFolder folder;
   const std::string path = folder.file("rail.msh", meshes::msh_text(moved(1.0, {0, 0, -0.01})));
-  const auto mesh =
-      fem::user_mesh(path, "rail.msh", rail_shape(20), small_options(), MPI_COMM_SELF);
+  const auto mesh = fem::user_mesh(path, "rail.msh", rail_shape(20), small_options()).mesh;
   for (const auto& quad : mesh.sides)
     if (quad.side == meshes::Side::contact)
       for (const int corner : quad.corners) {

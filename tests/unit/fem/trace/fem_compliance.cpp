@@ -65,7 +65,7 @@ TEST(SurfaceCoupling, ResultantIsTractionTimesArea) {
   const auto grid = odd_grid();
   const auto p = random_field(grid, 1);
   auto b = fem::make_vector(flat.dofs());
-  fem::SurfaceCoupling(flat, grid).load(p, b);
+  own_coupling(flat, grid).load(p, b);
   const auto sum = resultant(flat, b);
   EXPECT_NEAR(sum[0], p.x.sum() * grid.element_area(), 1e-12);
   EXPECT_NEAR(sum[1], p.y.sum() * grid.element_area(), 1e-12);
@@ -75,7 +75,7 @@ TEST(SurfaceCoupling, ResultantIsTractionTimesArea) {
   pressure.x.setZero();
   pressure.y.setZero();
   auto curved = fem::make_vector(full().rail.dofs());
-  fem::SurfaceCoupling(full().rail, grid).load(pressure, curved);
+  own_coupling(full().rail, grid).load(pressure, curved);
   EXPECT_NEAR(resultant(full().rail, curved)[2], pressure.n.sum() * grid.element_area(), 1e-8);
 }
 
@@ -109,7 +109,7 @@ TEST(SurfaceCoupling, LoadsOfWheelAndRailAreEqualAndOpposite) {
 TEST(SurfaceCoupling, SampleIsTheTransposeOfLoad) {
   for (const fem::Body* body : {&full().wheel, &full().rail}) {
     const auto grid = odd_grid();
-    const fem::SurfaceCoupling coupling(*body, grid);
+    const fem::SurfaceCoupling coupling = own_coupling(*body, grid);
     const auto p = random_field(grid, 2);
     auto u = fem::make_vector(body->dofs());
     auto b = fem::make_vector(body->dofs());
@@ -141,8 +141,7 @@ fem::Vector rigid_displacement(const fem::Body& body, const std::array<double, 3
 TEST(SurfaceCoupling, SamplesARigidDisplacementExactly) {
   const auto grid = odd_grid();
   const fem::Body flat(rail_shape(contact::infinity), steel, small_options(), MPI_COMM_SELF);
-  const auto sampled =
-      fem::SurfaceCoupling(flat, grid).sample(rigid_displacement(flat, {1.0, 2.0, 3.0}));
+  const auto sampled = own_coupling(flat, grid).sample(rigid_displacement(flat, {1.0, 2.0, 3.0}));
   for (int e = 0; e < grid.size(); ++e) {
     EXPECT_NEAR(sampled.x[e], 1.0, 1e-12);
     EXPECT_NEAR(sampled.y[e], 2.0, 1e-12);
@@ -174,11 +173,11 @@ TEST(CurvatureSlip, ARigidDisplacementOfTheWheelSlipsNowhere) {
 TEST(SurfaceCoupling, RefusesGridsThatDoNotFit) {
   using contact::ContactGrid;
   const auto& rail = full().rail;
-  EXPECT_THROW(fem::SurfaceCoupling(rail, ContactGrid::centred(4, 4, 10, 10)), contact::InputError);
-  EXPECT_THROW(fem::SurfaceCoupling(rail, ContactGrid::centred(4, 4, 0.5, 1)), contact::InputError);
-  EXPECT_THROW(fem::SurfaceCoupling(rail, ContactGrid::centred(4, 4, 1, 0.5)), contact::InputError);
-  EXPECT_NO_THROW(fem::SurfaceCoupling(rail, ContactGrid::centred(4, 4, 1, 1)));
-  EXPECT_THROW(fem::SurfaceCoupling(half().rail, ContactGrid::centred(4, 4, 1, 1, 0, 0.5)),
+  EXPECT_THROW(own_coupling(rail, ContactGrid::centred(4, 4, 10, 10)), contact::InputError);
+  EXPECT_THROW(own_coupling(rail, ContactGrid::centred(4, 4, 0.5, 1)), contact::InputError);
+  EXPECT_THROW(own_coupling(rail, ContactGrid::centred(4, 4, 1, 0.5)), contact::InputError);
+  EXPECT_NO_THROW(own_coupling(rail, ContactGrid::centred(4, 4, 1, 1)));
+  EXPECT_THROW(own_coupling(half().rail, ContactGrid::centred(4, 4, 1, 1, 0, 0.5)),
                contact::InputError);
 }
 
@@ -237,7 +236,7 @@ TEST(FemCompliance, PressureOpensTheGapAndTractionDragsTheWheelAlong) {
   EXPECT_GT(compliance.apply({zero, one, zero}).y.minCoeff(), 0.0);
   // The wheel moves up, the rail down.
   const auto u = full().compliance(grid).body_displacements({zero, zero, one});
-  fem::SurfaceCoupling wheel(full().wheel, grid), rail(full().rail, grid);
+  const auto wheel = own_coupling(full().wheel, grid), rail = own_coupling(full().rail, grid);
   EXPECT_GT(wheel.sample(u[0]).n.minCoeff(), 0.0);
   EXPECT_LT(rail.sample(u[1]).n.maxCoeff(), 0.0);
 }
