@@ -4,10 +4,10 @@
 // (y = -35) and 3.7e-5 mm (y = -26); all other ends agree within 6e-7 mm. A step would be a kink
 // for the contact, so a cubic is added to the formula of every zone to make value and slope
 // continuous at its ends; its curvature is negligible (5e-6 /mm in zone C).
-#include "profiles/wheel_s1002.hpp"
-
+#include "contact/scene/height_curve.hpp"
 #include "profiles/formula_profiles.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -63,28 +63,9 @@ Height formula(const Zone& zone, double y) {
     const double root = std::sqrt(std::max(0.0, zone.radius * zone.radius - d * d));
     return {zone.centre_z + zone.sign * root, -zone.sign * d / root};
   }
-  Height result;
-  for (std::size_t k = zone.coefficients.size(); k-- > 0;) {
-    result.slope = result.slope * y + result.z;
-    result.z = result.z * y + zone.coefficients[k];
-  }
-  return result;
+  const auto [z, slope] = polynomial(zone.coefficients.data(), zone.coefficients.size(), y);
+  return {z, slope};
 }
-
-/// A cubic on an interval by its values and slopes at the ends.
-struct Correction {
-  double from = 0.0, to = 1.0;
-  Height left, right;
-  Height at(double y) const {
-    const double h = to - from;
-    const double t = (y - from) / h;
-    const double chord = (right.z - left.z) / h;
-    const double a = left.slope - chord;
-    const double sum = a + right.slope - chord;
-    return {left.z + h * t * (chord + (1.0 - t) * (a - t * sum)),
-            chord + a * (1.0 - 2.0 * t) - sum * t * (2.0 - 3.0 * t)};
-  }
-};
 
 /// Mismatch of the zone at one of its ends. Only zone C is moved at its ends; other neighbours meet
 /// halfway.
@@ -99,13 +80,12 @@ Height to_neighbour(std::size_t zone, bool right, bool move_c) {
   return {share * (its.z - mine.z), share * (its.slope - mine.slope)};
 }
 
-Correction correction(std::size_t zone, bool move_c) {
-  Correction result;
-  result.from = zones[zone].from;
-  result.to = zones[zone].to;
-  if (zone > 0) result.left = to_neighbour(zone, false, move_c);
-  if (zone + 1 < zones.size()) result.right = to_neighbour(zone, true, move_c);
-  return result;
+/// The cubic that is added to the formula of a zone.
+contact::HeightCurve correction(std::size_t zone, bool move_c) {
+  Height left, right;
+  if (zone > 0) left = to_neighbour(zone, false, move_c);
+  if (zone + 1 < zones.size()) right = to_neighbour(zone, true, move_c);
+  return {{zones[zone].from, zones[zone].to}, {left.z, right.z}, {left.slope, right.slope}};
 }
 
 /// Between two points of the Manchester list, the step at an end of zone C is blended from the left
@@ -115,12 +95,6 @@ struct Blend {
   std::size_t left = 0;
 };
 constexpr std::array<Blend, 2> blends{{{-35.169, -34.944, zone_c - 1}, {-26.211, -25.897, zone_c}}};
-
-Height corrected(std::size_t zone, double y, bool move_c) {
-  const Height plain = formula(zones[zone], y);
-  const Height more = correction(zone, move_c).at(y);
-  return {plain.z + more.z, plain.slope + more.slope};
-}
 
 Height blended(const Blend& blend, double y) {
   const double h = blend.to - blend.from;
@@ -137,28 +111,29 @@ Height blended(const Blend& blend, double y) {
 /// end).
 void append_zone(ProfileKnots& knots, std::size_t index, double from, double to, bool move_c) {
   const Zone& zone = zones[index];
+  const contact::HeightCurve more = correction(index, move_c);
   if (zone.radius == 0.0) {
     append_piece(
         knots,
-        [=](double y) {
-          const Height height = corrected(index, y, move_c);
-          return PiecePoint{y, height.z, 1.0, height.slope};
+        [&](double y) {
+          const Height height = formula(zone, y);
+          const contact::CurveValue change = more.at(y);
+          return PiecePoint{y, height.z + change.value, 1.0, height.slope + change.slope};
         },
         from, to);
     return;
   }
-  const Correction more = correction(index, move_c);
   const auto angle = [&zone](double y) {
     return std::asin(std::clamp((y - zone.centre_y) / zone.radius, -1.0, 1.0));
   };
   append_piece(
       knots,
-      [=](double a) {
+      [&](double a) {
         const double y = zone.centre_y + zone.radius * std::sin(a);
-        const Height height = more.at(y);
+        const contact::CurveValue change = more.at(y);
         const double dy = zone.radius * std::cos(a);
-        return PiecePoint{y, zone.centre_z + zone.sign * zone.radius * std::cos(a) + height.z, dy,
-                          -zone.sign * zone.radius * std::sin(a) + height.slope * dy};
+        return PiecePoint{y, zone.centre_z + zone.sign * zone.radius * std::cos(a) + change.value,
+                          dy, -zone.sign * zone.radius * std::sin(a) + change.slope * dy};
       },
       angle(from), angle(to));
 }

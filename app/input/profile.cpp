@@ -11,7 +11,6 @@
 #include "postprocess/write/output.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
-#include "profiles/profile_rows.hpp"
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
