@@ -140,14 +140,9 @@ OutlinePoint Silhouette::at(double y) const {
   point.y = y;
   point.z = curve_.at(y).value;
   point.profile_y = value_over_y(curve_.knots(), profile_y_, y);
-  double square = 0.0, along = 0.0;
-  const Vector3 place{point.x, point.y, point.z};
-  for (int d = 0; d < 3; ++d) along += (place[d] - axle_.point[d]) * axle_.direction[d];
-  for (int d = 0; d < 3; ++d) {
-    const double across = place[d] - axle_.point[d] - along * axle_.direction[d];
-    square += across * across;
-  }
-  point.radius = std::sqrt(square);
+  const Vector3 arm{point.x - axle_.point[0], y - axle_.point[1], point.z - axle_.point[2]};
+  const Vector3 across = contact::cross(arm, axle_.direction);
+  point.radius = std::sqrt(contact::dot(across, across));
   return point;
 }
 

@@ -56,15 +56,6 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
                     where(input, position, left), first.profile_y));
 }
 
-WheelsetPose asked_pose(const Case& input, int position) {
-  const auto k = static_cast<std::size_t>(position - 1);
-  WheelsetPose pose;
-  pose.lateral_shift = input.wheelset.lateral_shift.at(k);
-  pose.yaw = input.wheelset.yaw.at(k);
-  if (!input.wheelset.roll.empty()) pose.roll = input.wheelset.roll.at(k);
-  return pose;
-}
-
 /// The gap under a wheel at a pose. Throws contact::SolveError when it is not above its rail.
 VerticalGap make_gap(const Case& input, const SearchScene& scene, const WheelsetPose& pose,
                      int position, bool left) {
@@ -142,8 +133,12 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
 }
 
 WheelsetPose find_pose(const Case& input, const SearchScene& scene, int position) {
-  WheelsetPose pose = asked_pose(input, position);
-  if (input.wheelset.roll.empty()) pose.roll = touching_roll(input, scene, pose, position);
+  const auto k = static_cast<std::size_t>(position - 1);
+  WheelsetPose pose;
+  pose.lateral_shift = input.wheelset.lateral_shift.at(k);
+  pose.yaw = input.wheelset.yaw.at(k);
+  pose.roll = input.wheelset.roll.empty() ? touching_roll(input, scene, pose, position)
+                                          : input.wheelset.roll.at(k);
   return pose;
 }
 
