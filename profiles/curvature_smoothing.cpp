@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/curvature_smoothing.hpp"
 
+#include "profiles/banded.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +17,7 @@ using Values = std::vector<double>;
 // The condition number grows with the sixth power of the number of points smoothed together: 1e18
 // with 1000.
 using Long = long double;
+using Row = Banded<Long, 4>::Row;
 
 /// A row of points as a polygon, with its curvature.
 struct Polygon {
@@ -50,9 +53,9 @@ Polygon polygon_of(const PointRow& row) {
 
 /// Linear change of (curvature at k + 2) - (curvature at k + 1) with the offsets of points k to k+3
 /// along their normals.
-std::vector<std::array<Long, 4>> change_rows(const Values& step) {
+std::vector<Row> change_rows(const Values& step) {
   const std::size_t n = step.size() + 1;
-  std::vector<std::array<Long, 4>> rows(n - 3);
+  std::vector<Row> rows(n - 3);
   for (std::size_t k = 0; k + 3 < n; ++k) {
     const Long a = step[k], b = step[k + 1], c = step[k + 2];
     const Long left = 0.5L * (a + b), right = 0.5L * (b + c);
@@ -88,21 +91,22 @@ class Offsets {
   /// changes of curvature with the variance softness * scatter^2 / weight: g + R d is the sum of
   /// both. Infinite when undetermined.
   double solve(const Values& weight, double softness, double scatter) {
-    factorise(weight, softness);
+    std::vector<Row> matrix = product_;
+    // Keeps the matrix from becoming numerically singular where points are dense.
+    constexpr Long least = 1e-16L;
     const std::size_t n = rows_.size();
-    std::vector<Long> u = right_;
     for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t j = 1; j < 4 && j <= k; ++j) u[k] -= factor_[k][j] * u[k - j];
-    for (std::size_t k = 0; k < n; ++k) u[k] /= factor_[k][0];
-    for (std::size_t k = n; k-- > 0;)
-      for (std::size_t j = 1; j < 4 && k + j < n; ++j) u[k] -= factor_[k + j][j] * u[k + j];
+      matrix[k][0] += std::max(static_cast<Long>(softness) / weight[k], least * product_[k][0]);
+    factor_ = Banded<Long, 4>(std::move(matrix));
+    std::vector<Long> u = right_;
+    factor_.solve(u);
     off_.assign(distance_.size(), 0.0L);
     Long squares = 0.0L, logarithms = 0.0L;
     for (std::size_t k = 0; k < n; ++k) {
       for (std::size_t i = 0; i < 4; ++i) off_[k + i] += rows_[k][i] * u[k];
       change_[k] = static_cast<double>(u[k] * static_cast<Long>(softness) / weight[k]);
       squares += right_[k] * u[k];
-      logarithms += std::log(factor_[k][0]);
+      logarithms += std::log(factor_.rows()[k][0]);
     }
     const auto sum = static_cast<double>(squares / scatter / scatter + logarithms);
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
@@ -115,8 +119,9 @@ class Offsets {
   /// Their posterior variances given the points, over scatter^2.
   Values variances(const Values& weight, double softness) const {
     const std::size_t n = rows_.size();
+    const std::vector<Row>& factor = factor_.rows();
     // Inverse near its diagonal (Takahashi): inverse[k][j] is at (k, k + j).
-    std::vector<std::array<Long, 4>> inverse(n + 4);
+    std::vector<Row> inverse(n + 4);
     Values result(n);
     for (std::size_t k = n; k-- > 0;) {
       for (std::size_t j = 3; j > 0; --j) {
@@ -124,12 +129,12 @@ class Offsets {
         if (k + j >= n) continue;
         for (std::size_t i = 1; i < 4 && k + i < n; ++i) {
           const std::size_t low = std::min(i, j), high = std::max(i, j);
-          inverse[k][j] -= factor_[k + i][i] * inverse[k + low][high - low];
+          inverse[k][j] -= factor[k + i][i] * inverse[k + low][high - low];
         }
       }
-      inverse[k][0] = 1.0L / factor_[k][0];
+      inverse[k][0] = 1.0L / factor[k][0];
       for (std::size_t i = 1; i < 4 && k + i < n; ++i)
-        inverse[k][0] -= factor_[k + i][i] * inverse[k][i];
+        inverse[k][0] -= factor[k + i][i] * inverse[k][i];
       const Long prior = static_cast<Long>(softness) / weight[k];
       result[k] = std::max(0.0, static_cast<double>(prior - prior * prior * inverse[k][0]));
     }
@@ -137,30 +142,10 @@ class Offsets {
   }
 
  private:
-  /// L D L^T; [0] holds the diagonal, [j] the band j columns to its left.
-  void factorise(const Values& weight, double softness) {
-    const std::size_t n = rows_.size();
-    factor_ = product_;
-    // Keeps the matrix from becoming numerically singular where points are dense.
-    constexpr Long least = 1e-16L;
-    for (std::size_t k = 0; k < n; ++k) {
-      factor_[k][0] += std::max(static_cast<Long>(softness) / weight[k], least * product_[k][0]);
-      std::array<Long, 4> scaled{};
-      for (std::size_t j = std::min<std::size_t>(3, k); j > 0; --j) {
-        scaled[j] = factor_[k][j];
-        for (std::size_t i = j + 1; i < 4 && i <= k; ++i)
-          scaled[j] -= scaled[i] * factor_[k - j][i - j];
-      }
-      for (std::size_t j = 1; j < 4 && j <= k; ++j) {
-        factor_[k][j] = scaled[j] / factor_[k - j][0];
-        factor_[k][0] -= scaled[j] * factor_[k][j];
-      }
-    }
-  }
-
-  std::vector<std::array<Long, 4>> rows_;
+  std::vector<Row> rows_;
   Values distance_;
-  std::vector<std::array<Long, 4>> product_, factor_;
+  std::vector<Row> product_;
+  Banded<Long, 4> factor_{{}};
   std::vector<Long> right_, off_;
   Values change_;
 };
@@ -187,26 +172,32 @@ void find_most_likely(Offsets& offsets, const Values& weight, double scatter, do
 Values sharpness(const Polygon& polygon) {
   constexpr double window = 2.0;   // mm to both sides
   constexpr double slight = 0.01;  // 1/mm
-  const std::size_t n = polygon.curvature.size();
-  Values place(n, 0.0), sum(n, 0.0);
-  for (std::size_t k = 1; k < n; ++k) {
-    const double step = polygon.step[k - 1];
-    place[k] = place[k - 1] + step;
-    sum[k] = sum[k - 1] +
-             0.5 * step * (std::abs(polygon.curvature[k]) + std::abs(polygon.curvature[k - 1]));
-  }
-  Values result(n);
-  std::size_t left = 0, right = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    while (left + 1 < n && place[left] < place[k] - window) ++left;
-    while (right + 1 < n && place[right] < place[k] + window) ++right;
-    const std::size_t from = std::min(left, right - 1);
-    result[k] = std::max((sum[right] - sum[from]) / (place[right] - place[from]) / slight, 1.0);
-  }
+  Values result = polygon.curvature;
+  for (double& curvature : result) curvature = std::abs(curvature);
+  const StretchMeans means(polygon.step, result);
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k] = std::max(means.about(means.place(k), window) / slight, 1.0);
   return result;
 }
 
 }  // namespace
+
+StretchMeans::StretchMeans(const Values& step, const Values& values)
+    : place_(values.size(), 0.0), integral_(values.size(), 0.0) {
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    place_[k] = place_[k - 1] + step[k - 1];
+    integral_[k] = integral_[k - 1] + 0.5 * step[k - 1] * (values[k] + values[k - 1]);
+  }
+}
+
+double StretchMeans::about(double place, double window) const {
+  const auto first_from = [&](double at) {
+    return std::lower_bound(place_.begin(), place_.end() - 1, at) - place_.begin();
+  };
+  const auto right = static_cast<std::size_t>(first_from(place + window));
+  const auto left = std::min(static_cast<std::size_t>(first_from(place - window)), right - 1);
+  return (integral_[right] - integral_[left]) / (place_[right] - place_[left]);
+}
 
 std::vector<double> distances_across(const PointRow& points, const PointRow& smooth) {
   const Polygon polygon = polygon_of(smooth);

@@ -3,13 +3,23 @@
 // and rail profiles consist of arcs and slow transitions between joints.
 #pragma once
 
+#include "profiles/profile_curve.hpp"
+
 #include <vector>
 
 namespace rollfem::profiles {
 
-/// Points along a profile, mm.
-struct PointRow {
-  std::vector<double> y, z;
+/// Means over stretches of a row of points of values that are linear between them.
+class StretchMeans {
+ public:
+  /// `step`: mm between the points.
+  StretchMeans(const std::vector<double>& step, const std::vector<double>& values);
+  /// Mean up to `window` (mm) to both sides of a place, widened to whole steps.
+  double about(double place, double window) const;
+  double place(std::size_t k) const { return place_[k]; }  ///< mm from the first point on
+
+ private:
+  std::vector<double> place_, integral_;
 };
 
 /// Points on the most likely curve when `points` are normally scattered across it with the standard

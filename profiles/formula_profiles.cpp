@@ -3,8 +3,8 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "profiles/wheel_s1002.hpp"
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,7 +86,13 @@ Station checked(const Station& station, double radius, const std::string& name) 
 
 void append(ProfileKnots& knots, const Station& from, const Station& to, double curvature) {
   if (curvature == 0.0) {
-    append_line(knots, from.y, from.z, to.y, to.z);
+    const double dy = to.y - from.y, dz = to.z - from.z;
+    append_piece(
+        knots,
+        [=](double t) {
+          return PiecePoint{from.y + t * dy, from.z + t * dz, dy, dz};
+        },
+        0.0, 1.0);
     return;
   }
   const auto angle = [](double sine) { return std::asin(std::clamp(sine, -1.0, 1.0)); };
@@ -101,23 +107,11 @@ void append(ProfileKnots& knots, const Station& from, const Station& to, double 
       angle(from.sine), angle(to.sine));
 }
 
-double horner(const double* coefficients, std::size_t count, double y, double& slope) {
-  double value = 0.0;
-  slope = 0.0;
-  for (std::size_t k = count; k-- > 0;) {
-    slope = slope * y + value;
-    value = value * y + coefficients[k];
-  }
-  return value;
-}
-
 void check_joint(const double* left, std::size_t count, double y, const std::string& name) {
   constexpr double largest_step = 1e-6;  // mm
   constexpr double largest_kink = 1e-5;  // of the slope
-  double slope_left = 0.0, slope_right = 0.0;
-  const double step =
-      horner(left + count, count, y, slope_right) - horner(left, count, y, slope_left);
-  const double kink = slope_right - slope_left;
+  const auto before = polynomial(left, count, y), after = polynomial(left + count, count, y);
+  const double step = after[0] - before[0], kink = after[1] - before[1];
   if (std::abs(step) <= largest_step && std::abs(kink) <= largest_kink) return;
   throw InputError(fmt::format(
       "{}: the polynomials do not meet at y = {}: step of {:.3g} mm, slopes differ by {:.3g}; "
@@ -172,9 +166,8 @@ ProfileCurve polynomial_profile_curve(const ProfileSource& source, const std::st
     append_piece(
         knots,
         [=](double y) {
-          PiecePoint point{y, 0.0, 1.0, 0.0};
-          point.z = horner(coefficients, count, y, point.dz);
-          return point;
+          const auto [z, slope] = polynomial(coefficients, count, y);
+          return PiecePoint{y, z, 1.0, slope};
         },
         source.limits[k], source.limits[k + 1]);
   }
@@ -183,45 +176,39 @@ ProfileCurve polynomial_profile_curve(const ProfileSource& source, const std::st
 
 namespace {
 
-/// Angle of the side of the rail head, 1:20 off the vertical.
-const double side_angle = std::atan(20.0);
+/// Radii of the rail head, and the sine of the angle of its side, 1:20 off the vertical.
 constexpr double top_radius = 300.0, middle_radius = 80.0, corner_radius = 13.0;  // mm
-constexpr double deepest = 37.5;  // mm below the crown, where the side ends
+const double side_sine = std::sin(std::atan(20.0));
 
-/// Head of tangent arcs 300, 80, 13 and the side 1:20, symmetric; angles of the two upper joints.
-ProfileCurve uic_head(double first, double second) {
-  const double y80 = (top_radius - middle_radius) * std::sin(first);
-  const double z80 = top_radius - (top_radius - middle_radius) * std::cos(first);
-  const double y13 = y80 + (middle_radius - corner_radius) * std::sin(second);
-  const double z13 = z80 - (middle_radius - corner_radius) * std::cos(second);
-  const double side_y = y13 + corner_radius * std::sin(side_angle);
-  const double side_z = z13 - corner_radius * std::cos(side_angle);
-  const double end_y = side_y + (deepest - side_z) / 20.0;
-  ProfileKnots knots;
-  append_line(knots, -end_y, deepest, -side_y, side_z);
-  append_arc(knots, -y13, z13, corner_radius, -side_angle, -second);
-  append_arc(knots, -y80, z80, middle_radius, -second, -first);
-  append_arc(knots, 0.0, top_radius, top_radius, -first, first);
-  append_arc(knots, y80, z80, middle_radius, first, second);
-  append_arc(knots, y13, z13, corner_radius, second, side_angle);
-  append_line(knots, side_y, side_z, end_y, deepest);
-  return ProfileCurve(std::move(knots));
+/// Symmetric head of tangent arcs and the side down to 37.5 mm below the crown; `ends`: y of the
+/// ends of the arcs.
+ProfileCurve uic_head(const std::array<double, 3>& ends) {
+  constexpr double deepest = 37.5;  // mm
+  ProfileSource head;
+  head.symmetric = true;
+  head.radii = {top_radius, middle_radius, corner_radius, HUGE_VAL};
+  head.ends.assign(ends.begin(), ends.end());
+  Station at;
+  for (std::size_t k = 0; k < ends.size(); ++k) at = along(at, 1.0 / head.radii[k], ends[k]);
+  head.ends.push_back(at.y + (deepest - at.z) / 20.0);
+  return arc_profile_curve(head, false, "rail");
 }
 
 /// Widths 20.456 and 52.053 of the bands of the radii 300 and 80 (Gensys, create_UIC60).
 ProfileCurve rail_60e1() {
-  const double first = std::asin(0.5 * 20.456 / top_radius);
-  const double y80 = (top_radius - middle_radius) * std::sin(first);
-  return uic_head(first, std::asin((0.5 * 52.053 - y80) / middle_radius));
+  const double top = 0.5 * 20.456, middle = 0.5 * 52.053;
+  const double sine = along(along({}, 1.0 / top_radius, top), 1.0 / middle_radius, middle).sine;
+  return uic_head({top, middle, middle + corner_radius * (side_sine - sine)});
 }
 
 /// A 21 mm band at the top and a head 72 mm wide where the side begins fit the benchmark's list of
 /// points within 4.4e-5 mm.
 ProfileCurve rail_uic60_manchester() {
-  const double first = std::asin(0.5 * 21.0 / top_radius);
-  const double y80 = (top_radius - middle_radius) * std::sin(first);
-  const double y13 = 0.5 * 72.0 - corner_radius * std::sin(side_angle);
-  return uic_head(first, std::asin((y13 - y80) / (middle_radius - corner_radius)));
+  const double top = 0.5 * 21.0, side = 0.5 * 72.0, sine = top / top_radius;
+  // Both joints at the sides of the middle arc are tangent.
+  const double joint = (side - top + middle_radius * sine - corner_radius * side_sine) /
+                       (middle_radius - corner_radius);
+  return uic_head({top, top + middle_radius * (joint - sine), side});
 }
 
 }  // namespace
@@ -245,23 +232,23 @@ const BuiltInProfile* find_built_in_profile(const std::string& name) {
   return nullptr;
 }
 
+std::array<double, 2> polynomial(const double* coefficients, std::size_t count, double y) {
+  double value = 0.0, slope = 0.0;
+  for (std::size_t k = count; k-- > 0;) {
+    slope = slope * y + value;
+    value = value * y + coefficients[k];
+  }
+  return {value, slope};
+}
+
 namespace {
 
-/// Length of the piece between two parameters by Gauss's rule of five points.
 double arc_length(const std::function<PiecePoint(double)>& piece, double from, double to) {
-  constexpr std::array<double, 3> place{0.0, 0.5384693101056831, 0.9061798459386640};
-  constexpr std::array<double, 3> weight{0.5688888888888889, 0.4786286704993665,
-                                         0.2369268850561891};
-  const double middle = 0.5 * (from + to);
-  const double half = 0.5 * (to - from);
   const auto speed = [&](double t) {
-    const PiecePoint point = piece(middle + half * t);
+    const PiecePoint point = piece(t);
     return std::hypot(point.dy, point.dz);
   };
-  double sum = weight[0] * speed(0.0);
-  for (std::size_t k = 1; k < place.size(); ++k)
-    sum += weight[k] * (speed(place[k]) + speed(-place[k]));
-  return std::abs(half) * sum;
+  return std::abs(boost::math::quadrature::gauss<double, 5>::integrate(speed, from, to));
 }
 
 void append(ProfileKnots& knots, double parameter, const PiecePoint& point, double direction) {
@@ -293,27 +280,6 @@ void append_piece(ProfileKnots& knots, const std::function<PiecePoint(double)>& 
     append(knots, knots.parameter.back() + arc_length(piece, before, here), piece(here), direction);
     before = here;
   }
-}
-
-void append_arc(ProfileKnots& knots, double y, double z, double radius, double from, double to,
-                bool hollow) {
-  const double up = hollow ? -1.0 : 1.0;
-  append_piece(
-      knots,
-      [=](double angle) {
-        return PiecePoint{y + radius * std::sin(angle), z - up * radius * std::cos(angle),
-                          radius * std::cos(angle), up * radius * std::sin(angle)};
-      },
-      from, to);
-}
-
-void append_line(ProfileKnots& knots, double y0, double z0, double y1, double z1) {
-  append_piece(
-      knots,
-      [=](double t) {
-        return PiecePoint{y0 + t * (y1 - y0), z0 + t * (z1 - z0), y1 - y0, z1 - z0};
-      },
-      0.0, 1.0);
 }
 
 }  // namespace rollfem::profiles

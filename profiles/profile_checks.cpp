@@ -2,7 +2,6 @@
 // Checks of the points of a profile, in the order in which a user can fix defects: size, side,
 // order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Repairs happen only on request.
 #include "contact/base/errors.hpp"
-#include "profiles/profile_curve.hpp"
 #include "profiles/profile_points.hpp"
 #include "profiles/smoothing_spline.hpp"
 
@@ -110,8 +109,8 @@ void check_upward(const ProfilePoints& points, const ProfileSource& source, bool
   const auto [least_y, largest_y] = range(points, &ListedPoint::y);
   const double widest_flange = 0.6 * (largest_y - least_y);
   const auto valley = [&](double sign) {
-    std::vector<double> heights;
-    for (const ListedPoint& point : points.list) heights.push_back(sign * point.z);
+    std::vector<double> heights = row_of(points).z;
+    for (double& z : heights) z *= sign;
     const Valley found = deepest_valley(heights);
     const double near = heights[found.bottom] - std::min(0.5 * found.depth, least_flange);
     std::size_t first = found.bottom, last = found.bottom;
@@ -140,8 +139,7 @@ void check_upward(const ProfilePoints& points, const ProfileSource& source, bool
 /// A rail's head falls on both sides; a flange is the only valley, beside a tread that stays up.
 void check_head(const ProfilePoints& points) {
   constexpr double least_fall = 2.0;  // mm
-  std::vector<double> heights;
-  for (const ListedPoint& point : points.list) heights.push_back(point.z);
+  std::vector<double> heights = row_of(points).z;
   Valley flange = deepest_valley(heights);
   if (flange.depth < least_flange) return;
   const double tip = points.list[flange.bottom].y;
@@ -278,12 +276,7 @@ void check_gaps(const ProfilePoints& points, double longest) {
 
 /// Points that would pass without smoothing, but scatter.
 void check_scatter(const ProfilePoints& points, const ProfileSource& source) {
-  std::vector<double> y, z;
-  for (const ListedPoint& point : points.list) {
-    y.push_back(point.y);
-    z.push_back(point.z);
-  }
-  const double scatter = std::max(scatter_of(y, z), least_smoothing(points, source));
+  const double scatter = std::max(scatter_of(row_of(points)), least_smoothing(points, source));
   if (scatter < least_scatter) return;
   check_smoothing(points, scatter);
   throw PointFault{0,
@@ -360,10 +353,13 @@ std::string message_of(const std::vector<PointFault>& faults, const std::string&
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+PointRow row_of(const ProfilePoints& points) {
+  PointRow row;
+  for (const ListedPoint& point : points.list) {
+    row.y.push_back(point.y);
+    row.z.push_back(point.z);
+  }
+  return row;
 }
 
 void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool wheel) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/profile_curve.hpp"
 
+#include "contact/base/count.hpp"
+#include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 
 #include <algorithm>
@@ -13,39 +15,21 @@ namespace rollfem::profiles {
 
 namespace {
 
-/// One coordinate on a cubic piece, with derivatives by the parameter.
-struct Cubic {
-  double value = 0.0;
-  double first = 0.0;
-  double second = 0.0;
-};
-
-Cubic hermite(double h, double t, double a, double b, double da, double db) {
-  // Newton's form: the chord, then corrections from the derivatives at both ends.
-  const double chord = (b - a) / h;
-  const double left = da - chord;
-  const double right = db - chord;
-  const double sum = left + right;
-  return {a + h * t * (chord + (1.0 - t) * (left - t * sum)),
-          chord + left * (1.0 - 2.0 * t) - sum * t * (2.0 - 3.0 * t),
-          (-2.0 * left - sum * (2.0 - 6.0 * t)) / h};
-}
-
 std::size_t piece_of(const std::vector<double>& parameter, double p) {
   const auto above = std::upper_bound(parameter.begin() + 1, parameter.end() - 1, p);
   return static_cast<std::size_t>(above - parameter.begin()) - 1;
 }
 
-bool usable(const ProfilePoint& point, double steepest) {
+bool usable(const ProfilePoint& point) {
   return point.tangent_y > 0.0 && std::abs(point.tangent_z) <= steepest * point.tangent_y;
 }
 
 /// Point between `good` (usable) and `bad` (not) at which the curve becomes too steep, on the
 /// usable side. By bisection, because a property changes there and no value vanishes.
-double steep_place(const ProfileCurve& curve, double good, double bad, double steepest) {
+double steep_place(const ProfileCurve& curve, double good, double bad) {
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (good + bad);
-    (usable(curve.at(middle), steepest) ? good : bad) = middle;
+    (usable(curve.at(middle)) ? good : bad) = middle;
   }
   return good;
 }
@@ -85,11 +69,14 @@ ProfilePoint ProfileCurve::at(double parameter) const {
   const std::size_t k = piece_of(knots_.parameter, parameter);
   const double h = knots_.parameter[k + 1] - knots_.parameter[k];
   const double t = (parameter - knots_.parameter[k]) / h;
-  const Cubic y = hermite(h, t, knots_.y[k], knots_.y[k + 1], knots_.dy[k], knots_.dy[k + 1]);
-  const Cubic z = hermite(h, t, knots_.z[k], knots_.z[k + 1], knots_.dz[k], knots_.dz[k + 1]);
-  const double speed = std::hypot(y.first, z.first);
-  return {y.value, z.value, y.first / speed, z.first / speed,
-          (y.first * z.second - z.first * y.second) / (speed * speed * speed)};
+  const auto coordinate = [&](const std::vector<double>& value, const std::vector<double>& slope) {
+    return contact::hermite(h, t, value[k], value[k + 1], slope[k], slope[k + 1]);
+  };
+  const contact::CurveValue y = coordinate(knots_.y, knots_.dy),
+                            z = coordinate(knots_.z, knots_.dz);
+  const double speed = std::hypot(y.slope, z.slope);
+  return {y.value, z.value, y.slope / speed, z.slope / speed,
+          (y.slope * z.second - z.slope * y.second) / (speed * speed * speed)};
 }
 
 double ProfileCurve::parameter_at(double y) const {
@@ -163,6 +150,12 @@ Valley deepest_valley(const std::vector<double>& z) {
   return deepest;
 }
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 double parameter_near(const ProfileCurve& curve, double y, double z) {
   const ProfileKnots& knots = curve.knots();
   std::size_t nearest = 0;
@@ -174,30 +167,39 @@ double parameter_near(const ProfileCurve& curve, double y, double z) {
   return knots.parameter[nearest];
 }
 
-contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter, double steepest) {
+std::vector<double> dense_parameters(const ProfileCurve& curve, double step, double least) {
+  std::vector<double> result;
+  const std::vector<double>& knots = curve.knots().parameter;
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    if (!result.empty() && knots[k] - result.back() < least) continue;
+    const double length = knots[k + 1] - knots[k];
+    const int parts =
+        std::max(1, contact::count_of(std::ceil(length / step), "points along a profile"));
+    for (int i = 0; i < parts; ++i) result.push_back(knots[k] + length * i / parts);
+  }
+  if (knots.back() - result.back() < least && result.size() > 1) result.pop_back();
+  result.push_back(knots.back());
+  return result;
+}
+
+contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter) {
   const double middle = std::clamp(parameter, curve.first(), curve.last());
-  if (!usable(curve.at(middle), steepest))
+  if (!usable(curve.at(middle)))
     throw std::invalid_argument("the profile is too steep here to be a height over y");
   const auto& knots = curve.knots().parameter;
   // Knots of the usable part, searched outwards from the requested parameter.
   std::vector<double> places{middle};
   places.reserve(knots.size() + 3);
-  for (auto k = std::upper_bound(knots.begin(), knots.end(), middle); k != knots.end(); ++k) {
-    if (!usable(curve.at(*k), steepest)) {
-      places.push_back(steep_place(curve, places.back(), *k, steepest));
-      break;
-    }
-    places.push_back(*k);
-  }
+  const auto add_place = [&](double next) {
+    const bool gentle = usable(curve.at(next));
+    places.push_back(gentle ? next : steep_place(curve, places.back(), next));
+    return gentle;
+  };
+  for (auto k = std::upper_bound(knots.begin(), knots.end(), middle); k != knots.end(); ++k)
+    if (!add_place(*k)) break;
   std::reverse(places.begin(), places.end());
-  for (auto k = std::lower_bound(knots.begin(), knots.end(), middle); k != knots.begin();) {
-    --k;
-    if (!usable(curve.at(*k), steepest)) {
-      places.push_back(steep_place(curve, places.back(), *k, steepest));
-      break;
-    }
-    places.push_back(*k);
-  }
+  for (auto k = std::lower_bound(knots.begin(), knots.end(), middle); k != knots.begin();)
+    if (!add_place(*--k)) break;
   std::reverse(places.begin(), places.end());
 
   std::vector<double> y, z, slope;
@@ -303,6 +305,32 @@ ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel) {
   result.bottom = extreme(curve, bottom);
   result.gauge_face = wheel ? face(curve, n - 1, 10.0) : face(curve, top, result.top.z + 14.0);
   return result;
+}
+
+double angle_of(const ProfilePoint& place) {
+  constexpr double degrees = 180.0 / contact::pi;
+  return std::atan2(place.tangent_z, place.tangent_y) * degrees;
+}
+
+std::vector<ProfileRow> profile_rows(const ProfileCurve& curve, bool wheel) {
+  std::vector<ProfileRow> rows;
+  const auto row = [&](double parameter, const ProfilePoint& place, double curvature) {
+    rows.push_back({parameter, place.y, place.z, angle_of(place), curvature});
+  };
+  const auto joints = profile_features(curve, wheel).joints;
+  const double length = curve.last() - curve.first();
+  const int steps = contact::count_of(std::ceil(length / 0.1), "points along a profile");
+  auto joint = joints.begin();
+  for (int k = 0; k <= steps; ++k) {
+    const double parameter = k == steps ? curve.last() : curve.first() + length * k / steps;
+    for (; joint != joints.end() && joint->parameter <= parameter; ++joint) {
+      row(joint->parameter, joint->place, joint->curvature_before);
+      row(joint->parameter, joint->place, joint->place.curvature);
+    }
+    const ProfilePoint place = curve.at(parameter);
+    row(parameter, place, place.curvature);
+  }
+  return rows;
 }
 
 }  // namespace rollfem::profiles

@@ -12,6 +12,11 @@
 
 namespace rollfem::profiles {
 
+/// Points along a profile, mm.
+struct PointRow {
+  std::vector<double> y, z;
+};
+
 /// A point on a profile.
 struct ProfilePoint {
   double y = 0.0;          ///< mm
@@ -64,13 +69,22 @@ struct Valley {
 };
 Valley deepest_valley(const std::vector<double>& z);
 
+/// The middle one by size, of an even number the upper one.
+double median(std::vector<double> values);
+
 /// Parameter of the knot nearest to a point.
 double parameter_near(const ProfileCurve& curve, double y, double z);
 
+/// Parameters of the knots and between them, at most `step` apart (mm); knots closer than `least`
+/// are skipped, as in a dense measured list.
+std::vector<double> dense_parameters(const ProfileCurve& curve, double step, double least = 0.0);
+
+/// Largest slope dz/dy at which a profile is treated as a height over y.
+inline constexpr double steepest = 12.0;
+
 /// Height z over y of the part of the curve about `parameter` that is single valued and not steeper
-/// than `steepest` (dz/dy). Throws std::invalid_argument when it is steeper at `parameter` itself.
-contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter,
-                                   double steepest = 12.0);
+/// than `steepest`. Throws std::invalid_argument when it is steeper at `parameter` itself.
+contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter);
 
 // Features of a profile: ends, length, extreme points, radii, joints of its curvature.
 
@@ -95,5 +109,20 @@ struct ProfileFeatures {
 };
 
 ProfileFeatures profile_features(const ProfileCurve& curve, bool wheel);
+
+/// A profile as rows for tables and figures.
+struct ProfileRow {
+  double s = 0.0;          ///< mm along the profile, from the gauge or flange side
+  double y = 0.0;          ///< mm
+  double z = 0.0;          ///< mm
+  double angle = 0.0;      ///< degrees, of the tangent from y to z
+  double curvature = 0.0;  ///< 1/mm, of ProfilePoint
+};
+
+/// Every tenth of a millimetre, and two rows at every joint, one for each side.
+std::vector<ProfileRow> profile_rows(const ProfileCurve& curve, bool wheel);
+
+/// degrees
+double angle_of(const ProfilePoint& place);
 
 }  // namespace rollfem::profiles

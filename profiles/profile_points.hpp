@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/case/track.hpp"
+#include "profiles/profile_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -25,6 +26,8 @@ struct ProfilePoints {
   bool any_direction = false;
   bool own_unit = false;  ///< the file states its unit (SIMPACK)
 };
+
+PointRow row_of(const ProfilePoints& points);
 
 /// Two columns (text, CSV), SIMPACK .prw and .prr, MiniProf .whl, .ban and .mpt, distinguished by
 /// the file extension. Lengths of SIMPACK files are converted to mm. `path`: location;
@@ -63,8 +66,6 @@ struct PointFault {
   std::string by_hand;                 ///< the remedy without a key, or empty
   std::vector<PointRepair> repairs{};  ///< keys that repair it, the best one first
 };
-
-double median(std::vector<double> values);
 
 /// Throws PointFault where the curve turns back.
 void check_order(const ProfilePoints& points, bool drop_zigzag);

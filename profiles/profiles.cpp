@@ -42,14 +42,9 @@ ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool whe
                      ProfileReport& report) {
   mend_and_check(points, source, wheel);
   report.points = points.list.size();
-  std::vector<double> y, z;
-  for (const ListedPoint& point : points.list) {
-    y.push_back(point.y);
-    z.push_back(point.z);
-  }
   report.smoothing.emplace();
   try {
-    return smoothing_spline(y, z, source.smoothing, &*report.smoothing);
+    return smoothing_spline(row_of(points), source.smoothing, &*report.smoothing);
   } catch (const std::invalid_argument&) {
     throw InputError(fmt::format(
         "{}: smoothing = {} mm exceeds the height of the whole profile; allowed: about the scatter "
@@ -131,10 +126,9 @@ std::optional<double> flange_tip(const ProfileCurve& curve) {
   const double step = (curve.last() - curve.first()) / (samples - 1);
   for (std::size_t k = 0; k < samples; ++k)
     heights.push_back(curve.at(curve.first() + static_cast<double>(k) * step).z);
-  std::nth_element(heights.begin(), heights.begin() + samples / 2, heights.end());
   // An end of the measured part on the rising flank is not a tip.
   const bool ends = std::abs(tip.y - curve.at(curve.first()).y) < 0.5;
-  if (ends || tip.z < heights[samples / 2] + lowest_flange) return {};
+  if (ends || tip.z < median(std::move(heights)) + lowest_flange) return {};
   return tip.y;
 }
 

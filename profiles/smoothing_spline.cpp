@@ -3,6 +3,7 @@
 
 #include "contact/base/root.hpp"
 #include "contact/base/text_fields.hpp"
+#include "profiles/banded.hpp"
 #include "profiles/curvature_smoothing.hpp"
 
 #include <fmt/format.h>
@@ -18,37 +19,7 @@ namespace rollfem::profiles {
 namespace {
 
 using Values = std::vector<double>;
-
-/// A symmetric positive definite matrix with two diagonals beside the main one, factorised as
-/// L D L^T in place.
-struct Pentadiagonal {
-  Values main, first, second;
-  explicit Pentadiagonal(std::size_t n) : main(n), first(n), second(n) {}
-
-  void factorise() {
-    const std::size_t n = main.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k >= 1) main[k] -= first[k - 1] * first[k - 1] * main[k - 1];
-      if (k >= 2) main[k] -= second[k - 2] * second[k - 2] * main[k - 2];
-      if (k >= 1) first[k] -= first[k - 1] * second[k - 1] * main[k - 1];
-      first[k] /= main[k];
-      second[k] /= main[k];
-    }
-  }
-
-  void solve(Values& b) const {
-    const std::size_t n = main.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k >= 1) b[k] -= first[k - 1] * b[k - 1];
-      if (k >= 2) b[k] -= second[k - 2] * b[k - 2];
-    }
-    for (std::size_t k = 0; k < n; ++k) b[k] /= main[k];
-    for (std::size_t k = n; k-- > 0;) {
-      if (k + 1 < n) b[k] -= first[k] * b[k + 1];
-      if (k + 2 < n) b[k] -= second[k] * b[k + 2];
-    }
-  }
-};
+using Matrix = Banded<double, 3>;
 
 /// One coordinate: values at the points and the moments m, with f'' = c m on every interval.
 struct Fit {
@@ -66,18 +37,17 @@ class Smoother {
   /// divided differences and R the Gram matrix of hat functions, divided by w^2.
   std::array<Fit, 2> fit(const Values& y, const Values& z, double lambda) const {
     const std::size_t n = y.size();
-    Pentadiagonal matrix(n - 2);
+    std::vector<Matrix::Row> rows(n - 2);
     for (std::size_t k = 0; k + 2 < n; ++k) {
       const double a = 1.0 / h_[k], b = 1.0 / h_[k + 1];
-      matrix.main[k] = (c_[k] * h_[k] + c_[k + 1] * h_[k + 1]) / 3.0 +
-                       lambda * (a * a + (a + b) * (a + b) + b * b);
-      if (k + 3 < n) {
-        const double d = 1.0 / h_[k + 2];
-        matrix.first[k] = c_[k + 1] * h_[k + 1] / 6.0 - lambda * b * (a + 2.0 * b + d);
-        if (k + 4 < n) matrix.second[k] = lambda * d * b;
-      }
+      rows[k][0] = (c_[k] * h_[k] + c_[k + 1] * h_[k + 1]) / 3.0 +
+                   lambda * (a * a + (a + b) * (a + b) + b * b);
+      if (k + 3 == n) continue;
+      const double d = 1.0 / h_[k + 2];
+      rows[k + 1][1] = c_[k + 1] * h_[k + 1] / 6.0 - lambda * b * (a + 2.0 * b + d);
+      if (k + 4 < n) rows[k + 2][2] = lambda * d * b;
     }
-    matrix.factorise();
+    const Matrix matrix(std::move(rows));
     return {one(matrix, y, lambda), one(matrix, z, lambda)};
   }
 
@@ -94,7 +64,7 @@ class Smoother {
   }
 
  private:
-  Fit one(const Pentadiagonal& matrix, const Values& x, double lambda) const {
+  Fit one(const Matrix& matrix, const Values& x, double lambda) const {
     const std::size_t n = x.size();
     Values m(n - 2);
     for (std::size_t k = 0; k + 2 < n; ++k)
@@ -144,21 +114,13 @@ Values local_radius(const std::array<Fit, 2>& fit, const Values& step) {
   constexpr double window = 4.0;     // mm to both sides
   constexpr double largest = 100.0;  // mm; curvature of larger radii is negligible
   const std::size_t n = fit[0].value.size();
-  Values place(n, 0.0), square(n, 0.0);
-  for (std::size_t k = 1; k < n; ++k) {
-    place[k] = place[k - 1] + step[k - 1];
-    const auto bend = [&](std::size_t i) {
-      return fit[0].moment[i] * fit[0].moment[i] + fit[1].moment[i] * fit[1].moment[i];
-    };
-    square[k] = square[k - 1] + 0.5 * step[k - 1] * (bend(k) + bend(k - 1));
-  }
+  Values squares(n);
+  for (std::size_t k = 0; k < n; ++k)
+    squares[k] = fit[0].moment[k] * fit[0].moment[k] + fit[1].moment[k] * fit[1].moment[k];
+  const StretchMeans means(step, squares);
   Values radius(n - 1);
-  std::size_t left = 0, right = 0;
   for (std::size_t k = 0; k + 1 < n; ++k) {
-    const double middle = 0.5 * (place[k] + place[k + 1]);
-    while (left + 1 < k + 1 && place[left] < middle - window) ++left;
-    while (right + 1 < n && (place[right] < middle + window || right < k + 1)) ++right;
-    const double mean = (square[right] - square[left]) / (place[right] - place[left]);
+    const double mean = means.about(0.5 * (means.place(k) + means.place(k + 1)), window);
     radius[k] = 1.0 / std::max(std::sqrt(std::max(mean, 0.0)), 1.0 / largest);
   }
   return radius;
@@ -170,7 +132,8 @@ double smoothing_for(double scatter) {
   return std::min(contact::number_of(fmt::format("{:.2g}", scatter)).value_or(scatter), 1.0);
 }
 
-double scatter_of(const std::vector<double>& y, const std::vector<double>& z) {
+double scatter_of(const PointRow& points) {
+  const auto& [y, z] = points;
   // Third differences along the normal are (1, -3, 3, -1) times independent errors, whose squares
   // sum to 20; the median is insensitive to corners.
   Values sizes;
@@ -182,19 +145,17 @@ double scatter_of(const std::vector<double>& y, const std::vector<double>& z) {
     sizes.push_back(std::abs(ty * dz - tz * dy) / length);
   }
   if (sizes.empty()) return 0.0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle / (0.6744897501960817 * std::sqrt(20.0));  // median of |normal| is 0.674 sigma
+  return median(std::move(sizes)) /
+         (0.6744897501960817 * std::sqrt(20.0));  // median of |normal| is 0.674 sigma
 }
 
-ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<double>& z,
-                              double scatter, SmoothingReport* report) {
+ProfileCurve smoothing_spline(const PointRow& points, double scatter, SmoothingReport* report) {
+  const auto& [y, z] = points;
   const std::size_t n = y.size();
   if (n < 4 || z.size() != n) throw std::invalid_argument("a spline needs at least four points");
   Values step(n - 1);
   for (std::size_t k = 0; k + 1 < n; ++k) step[k] = std::hypot(y[k + 1] - y[k], z[k + 1] - z[k]);
   const Smoother plain(step, Values(n - 1, 1.0));
-  const PointRow points{y, z};
   PointRow smooth = points;
   if (scatter > 0.0) {
     const Smoother weighted(step,
@@ -221,7 +182,7 @@ ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<do
       report->largest = std::max(report->largest, std::abs(distance));
     }
     report->rms = std::sqrt(sum / static_cast<double>(n));
-    report->scatter = scatter_of(y, z);
+    report->scatter = scatter_of(points);
   }
   return ProfileCurve(std::move(knots));
 }

@@ -27,7 +27,7 @@ inline constexpr double least_scatter = 0.001;
 double smoothing_for(double scatter);
 
 /// Standard deviation of points from a smooth curve, across it, mm.
-double scatter_of(const std::vector<double>& y, const std::vector<double>& z);
+double scatter_of(const PointRow& points);
 
 /// The first smoothing minimises the sum of squared distances + lambda * integral of (w |r''|)^2
 /// with lambda such that the rms distance is `scatter` (mm), the standard deviation of the points
@@ -35,7 +35,7 @@ double scatter_of(const std::vector<double>& y, const std::vector<double>& z);
 /// locates the profile; the returned curve passes through the points of smooth_curvature. scatter
 /// 0: natural cubic spline through all points. O(points). Throws std::invalid_argument when a
 /// straight line is closer to the points than `scatter`.
-ProfileCurve smoothing_spline(const std::vector<double>& y, const std::vector<double>& z,
-                              double scatter, SmoothingReport* report = nullptr);
+ProfileCurve smoothing_spline(const PointRow& points, double scatter,
+                              SmoothingReport* report = nullptr);
 
 }  // namespace rollfem::profiles

@@ -4,10 +4,10 @@
 // (y = -35) and 3.7e-5 mm (y = -26); all other ends agree within 6e-7 mm. A step would be a kink
 // for the contact, so a cubic is added to the formula of every zone to make value and slope
 // continuous at its ends; its curvature is negligible (5e-6 /mm in zone C).
-#include "profiles/wheel_s1002.hpp"
-
+#include "contact/scene/height_curve.hpp"
 #include "profiles/formula_profiles.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -15,12 +15,6 @@
 namespace rollfem::profiles {
 
 namespace {
-
-/// Height and slope of a formula.
-struct Height {
-  double z = 0.0;
-  double slope = 0.0;
-};
 
 struct Zone {
   double from = 0.0, to = 0.0;  ///< mm, of y
@@ -57,55 +51,46 @@ constexpr std::array<Zone, 8> zones{{
 }};
 constexpr std::size_t zone_c = 5;
 
-Height formula(const Zone& zone, double y) {
+/// A point on the formula of a zone. The parameter of a polynomial is y, that of a circle the
+/// angle: the back of the flange is vertical at its end.
+PiecePoint point_of(const Zone& zone, double parameter) {
   if (zone.radius > 0.0) {
-    const double d = y - zone.centre_y;
-    const double root = std::sqrt(std::max(0.0, zone.radius * zone.radius - d * d));
-    return {zone.centre_z + zone.sign * root, -zone.sign * d / root};
+    const double dy = zone.radius * std::cos(parameter), dz = zone.radius * std::sin(parameter);
+    return {zone.centre_y + dz, zone.centre_z + zone.sign * dy, dy, -zone.sign * dz};
   }
-  Height result;
-  for (std::size_t k = zone.coefficients.size(); k-- > 0;) {
-    result.slope = result.slope * y + result.z;
-    result.z = result.z * y + zone.coefficients[k];
-  }
-  return result;
+  const auto [z, slope] = polynomial(zone.coefficients.data(), zone.coefficients.size(), parameter);
+  return {parameter, z, 1.0, slope};
 }
 
-/// A cubic on an interval by its values and slopes at the ends.
-struct Correction {
-  double from = 0.0, to = 1.0;
-  Height left, right;
-  Height at(double y) const {
-    const double h = to - from;
-    const double t = (y - from) / h;
-    const double chord = (right.z - left.z) / h;
-    const double a = left.slope - chord;
-    const double sum = a + right.slope - chord;
-    return {left.z + h * t * (chord + (1.0 - t) * (a - t * sum)),
-            chord + a * (1.0 - 2.0 * t) - sum * t * (2.0 - 3.0 * t)};
-  }
-};
+double parameter_at(const Zone& zone, double y) {
+  if (zone.radius == 0.0) return y;
+  return std::asin(std::clamp((y - zone.centre_y) / zone.radius, -1.0, 1.0));
+}
+
+/// Height and slope by the formula of a zone.
+contact::CurveValue formula(const Zone& zone, double y) {
+  const PiecePoint point = point_of(zone, parameter_at(zone, y));
+  return {point.z, point.dz / point.dy, 0.0};
+}
 
 /// Mismatch of the zone at one of its ends. Only zone C is moved at its ends; other neighbours meet
 /// halfway.
-Height to_neighbour(std::size_t zone, bool right, bool move_c) {
+contact::CurveValue to_neighbour(std::size_t zone, bool right, bool move_c) {
   const std::size_t other = right ? zone + 1 : zone - 1;
   const double y = right ? zones[zone].to : zones[zone].from;
   double share = 0.5;
   if (zone == zone_c) share = move_c ? 1.0 : 0.0;
   if (other == zone_c) share = 0.0;
-  const Height mine = formula(zones[zone], y);
-  const Height its = formula(zones[other], y);
-  return {share * (its.z - mine.z), share * (its.slope - mine.slope)};
+  const contact::CurveValue mine = formula(zones[zone], y), its = formula(zones[other], y);
+  return {share * (its.value - mine.value), share * (its.slope - mine.slope), 0.0};
 }
 
-Correction correction(std::size_t zone, bool move_c) {
-  Correction result;
-  result.from = zones[zone].from;
-  result.to = zones[zone].to;
-  if (zone > 0) result.left = to_neighbour(zone, false, move_c);
-  if (zone + 1 < zones.size()) result.right = to_neighbour(zone, true, move_c);
-  return result;
+/// The cubic that is added to the formula of a zone.
+contact::HeightCurve correction(std::size_t zone, bool move_c) {
+  contact::CurveValue left, right;
+  if (zone > 0) left = to_neighbour(zone, false, move_c);
+  if (zone + 1 < zones.size()) right = to_neighbour(zone, true, move_c);
+  return {{zones[zone].from, zones[zone].to}, {left.value, right.value}, {left.slope, right.slope}};
 }
 
 /// Between two points of the Manchester list, the step at an end of zone C is blended from the left
@@ -116,58 +101,39 @@ struct Blend {
 };
 constexpr std::array<Blend, 2> blends{{{-35.169, -34.944, zone_c - 1}, {-26.211, -25.897, zone_c}}};
 
-Height corrected(std::size_t zone, double y, bool move_c) {
-  const Height plain = formula(zones[zone], y);
-  const Height more = correction(zone, move_c).at(y);
-  return {plain.z + more.z, plain.slope + more.slope};
-}
-
-Height blended(const Blend& blend, double y) {
+PiecePoint blended(const Blend& blend, double y) {
   const double h = blend.to - blend.from;
   const double t = (y - blend.from) / h;
   const double step = t * t * t * (10.0 + t * (-15.0 + 6.0 * t));
   const double rate = 30.0 * t * t * (1.0 - t) * (1.0 - t) / h;
-  const Height left = formula(zones[blend.left], y);
-  const Height right = formula(zones[blend.left + 1], y);
-  return {left.z + step * (right.z - left.z),
-          left.slope + step * (right.slope - left.slope) + rate * (right.z - left.z)};
+  const contact::CurveValue left = formula(zones[blend.left], y),
+                            right = formula(zones[blend.left + 1], y);
+  const double higher = right.value - left.value;
+  return {y, left.value + step * higher, 1.0,
+          left.slope + step * (right.slope - left.slope) + rate * higher};
 }
 
-/// Part of a zone; circles are parametrised by angle (the back of the flange is vertical at its
-/// end).
+/// Part of a zone.
 void append_zone(ProfileKnots& knots, std::size_t index, double from, double to, bool move_c) {
   const Zone& zone = zones[index];
-  if (zone.radius == 0.0) {
-    append_piece(
-        knots,
-        [=](double y) {
-          const Height height = corrected(index, y, move_c);
-          return PiecePoint{y, height.z, 1.0, height.slope};
-        },
-        from, to);
-    return;
-  }
-  const Correction more = correction(index, move_c);
-  const auto angle = [&zone](double y) {
-    return std::asin(std::clamp((y - zone.centre_y) / zone.radius, -1.0, 1.0));
-  };
+  const contact::HeightCurve more = correction(index, move_c);
   append_piece(
       knots,
-      [=](double a) {
-        const double y = zone.centre_y + zone.radius * std::sin(a);
-        const Height height = more.at(y);
-        const double dy = zone.radius * std::cos(a);
-        return PiecePoint{y, zone.centre_z + zone.sign * zone.radius * std::cos(a) + height.z, dy,
-                          -zone.sign * zone.radius * std::sin(a) + height.slope * dy};
+      [&](double parameter) {
+        PiecePoint point = point_of(zone, parameter);
+        const contact::CurveValue change = more.at(point.y);
+        point.z += change.value;
+        point.dz += change.slope * point.dy;
+        return point;
       },
-      angle(from), angle(to));
+      parameter_at(zone, from), parameter_at(zone, to));
 }
 
 }  // namespace
 
 double s1002_height(double y) {
   for (const Zone& zone : zones)
-    if (y >= zone.from && y <= zone.to) return formula(zone, y).z;
+    if (y >= zone.from && y <= zone.to) return formula(zone, y).value;
   throw std::out_of_range("S1002 reaches from y = -70 to 60 mm");
 }
 
@@ -186,12 +152,8 @@ ProfileCurve s1002(bool smooth) {
     for (const Blend& blend : blends)
       if (blend.left == k)
         append_piece(
-            knots,
-            [&blend](double y) {
-              const Height height = blended(blend, y);
-              return PiecePoint{y, height.z, 1.0, height.slope};
-            },
-            blend.from, blend.to, 0.2 * knot_distance);
+            knots, [&blend](double y) { return blended(blend, y); }, blend.from, blend.to,
+            0.2 * knot_distance);
   }
   return ProfileCurve(std::move(knots));
 }

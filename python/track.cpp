@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/errors.hpp"
 #include "profiles/formula_profiles.hpp"
-#include "profiles/profile_rows.hpp"
 #include "profiles/profiles.hpp"
 #include "python/bindings.hpp"
 #include "track/balance/balance.hpp"

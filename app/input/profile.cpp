@@ -10,7 +10,6 @@
 #include "postprocess/files/result_folder.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
-#include "profiles/profile_rows.hpp"
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>

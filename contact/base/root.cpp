@@ -14,14 +14,42 @@
 
 namespace rollfem::contact {
 
-double bracketed_root(const std::function<double(double)>& f, double a, double b, double tolerance,
-                      const char* what) {
-  const auto value = [&](double at) {
+namespace {
+
+using Function = std::function<double(double)>;
+
+/// The same function, whose values have to be finite.
+Function finite(const Function& f, const char* what) {
+  return [&f, what](double at) {
     const double found = f(at);
     if (!std::isfinite(found))
       throw SolveError(fmt::format("{}: the function is {} at {:.9g}", what, found, at));
     return found;
   };
+}
+
+/// Zero between two arguments with values of opposite signs.
+double between(const Function& f, double a, double at_a, double b, double at_b, double tolerance,
+               const char* what) {
+  if (b < a) return between(f, b, at_b, a, at_a, tolerance, what);
+  const auto close = [tolerance](double lower, double upper) {
+    constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
+    return upper - lower <=
+           std::max(tolerance, digits * std::max(std::abs(lower), std::abs(upper)));
+  };
+  // TOMS 748 halves the bracket at least every third evaluation.
+  std::uintmax_t evaluations = 400;
+  const auto bracket = boost::math::tools::toms748_solve(f, a, b, at_a, at_b, close, evaluations);
+  if (!close(bracket.first, bracket.second))
+    throw SolveError(fmt::format("{}: not found between {:.17g} and {:.17g} to {:.1e}", what,
+                                 bracket.first, bracket.second, tolerance));
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+}  // namespace
+
+double bracketed_root(const Function& f, double a, double b, double tolerance, const char* what) {
+  const Function value = finite(f, what);
   if (b < a) std::swap(a, b);
   const double at_a = value(a);
   if (at_a == 0.0) return a;
@@ -30,19 +58,24 @@ double bracketed_root(const std::function<double(double)>& f, double a, double b
   if ((at_a < 0.0) == (at_b < 0.0))
     throw SolveError(fmt::format("{}: no change of sign between {:.9g} and {:.9g}: {:.3g}, {:.3g}",
                                  what, a, b, at_a, at_b));
-  const auto close = [tolerance](double lower, double upper) {
-    constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
-    return upper - lower <=
-           std::max(tolerance, digits * std::max(std::abs(lower), std::abs(upper)));
-  };
-  // TOMS 748 halves the bracket at least every third evaluation.
-  std::uintmax_t evaluations = 400;
-  const auto bracket =
-      boost::math::tools::toms748_solve(value, a, b, at_a, at_b, close, evaluations);
-  if (!close(bracket.first, bracket.second))
-    throw SolveError(fmt::format("{}: not found between {:.17g} and {:.17g} to {:.1e}", what,
-                                 bracket.first, bracket.second, tolerance));
-  return 0.5 * (bracket.first + bracket.second);
+  return between(value, a, at_a, b, at_b, tolerance, what);
+}
+
+std::optional<double> root_from(const Function& f, double start, double at_start, double next,
+                                double largest, double tolerance, const char* what) {
+  constexpr double growth = 4.0;
+  if (at_start == 0.0) return start;
+  const Function value = finite(f, what);
+  for (double step = next - start;; step *= growth) {
+    const double at_next = value(next);
+    if (at_next == 0.0) return next;
+    if ((at_start < 0.0) != (at_next < 0.0))
+      return between(value, start, at_start, next, at_next, tolerance, what);
+    start = next;
+    at_start = at_next;
+    next += growth * step;
+    if (!(std::abs(next) <= largest)) return {};
+  }
 }
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace rollfem::contact {
@@ -14,6 +15,13 @@ namespace rollfem::contact {
 /// equal or a value is not finite.
 double bracketed_root(const std::function<double(double)>& f, double a, double b, double tolerance,
                       const char* what);
+
+/// Zero of `f` on the side of `next` from `start`, where its value is known: in steps that grow,
+/// the first one to `next`, until the sign changes, then as bracketed_root. Empty when the sign has
+/// not changed before the size of the argument exceeds `largest`.
+std::optional<double> root_from(const std::function<double(double)>& f, double start,
+                                double at_start, double next, double largest, double tolerance,
+                                const char* what);
 
 // The largest value of a smooth function of position near a good start, by a pattern search with
 // shrinking steps. Positions are evaluated in batches.

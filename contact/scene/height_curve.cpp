@@ -51,18 +51,7 @@ CurveValue HeightCurve::at(double y) const {
   }
   const std::size_t k = piece_of(y);
   const double h = y_[k + 1] - y_[k];
-  const double by_h = 1.0 / h;
-  const double t = (y - y_[k]) * by_h;
-  // Newton's form of the cubic: the chord, then corrections from the slopes at both ends.
-  const double chord = (z_[k + 1] - z_[k]) * by_h;
-  const double left = slope_[k] - chord;
-  const double right = slope_[k + 1] - chord;
-  const double sum = left + right;
-  CurveValue result;
-  result.value = z_[k] + h * t * (chord + (1.0 - t) * (left - t * sum));
-  result.slope = chord + left * (1.0 - 2.0 * t) - sum * t * (2.0 - 3.0 * t);
-  result.second = (-2.0 * left - sum * (2.0 - 6.0 * t)) * by_h;
-  return result;
+  return hermite(h, (y - y_[k]) * (1.0 / h), z_[k], z_[k + 1], slope_[k], slope_[k + 1]);
 }
 
 double HeightCurve::mean(double from, double to) const {

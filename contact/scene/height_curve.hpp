@@ -18,6 +18,18 @@ struct CurveValue {
   double second = 0.0;  ///< d2z/dy2, 1/mm; of the piece on the right at a knot
 };
 
+/// The cubic of a piece of length h at the fraction t of it, by the values a and b and the slopes
+/// da and db at its ends.
+inline CurveValue hermite(double h, double t, double a, double b, double da, double db) {
+  // Newton's form: the chord, then corrections from the slopes at both ends.
+  const double by_h = 1.0 / h;
+  const double chord = (b - a) * by_h;
+  const double left = da - chord, right = db - chord, sum = left + right;
+  return {a + h * t * (chord + (1.0 - t) * (left - t * sum)),
+          chord + left * (1.0 - 2.0 * t) - sum * t * (2.0 - 3.0 * t),
+          (-2.0 * left - sum * (2.0 - 6.0 * t)) * by_h};
+}
+
 /// Cubic Hermite pieces between knots, extrapolated by the tangents.
 class HeightCurve {
  public:

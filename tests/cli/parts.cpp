@@ -11,26 +11,10 @@ using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// The balance of each position is solved for, too.
-const std::string three_positions = R"(
-models = ["halfspace"]
-[load]
-vertical_force = 100e3
-[friction]
-coefficient = 0.3
-[wheel]
-rolling_radius = 450.0
-profile = "S1002"
-[rail]
-profile = "UIC60-manchester"
-[track]
-inclination = "1:40"
-[wheelset]
-side = "both"
-lateral_shift = [0.0, 2.0, 3.0]
-free_rolling = "torque"
-[contact_grid]
-elements_across = 16
-)";
+const std::string three_positions =
+    edited(wheel_on_rail, {"models=[\"halfspace\"]", "friction.coefficient=0.3",
+                           "wheelset.side=both", "wheelset.lateral_shift=[0.0, 2.0, 3.0]",
+                           "wheelset.free_rolling=torque", "contact_grid.elements_across=16"});
 
 TEST(Parts, OfARowOfPositionsAreOneRun) {
   const Folder folder;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
 #include <cmath>
@@ -15,15 +16,10 @@ namespace fs = std::filesystem;
 
 std::string wheel_case(const std::string& side, const std::string& shifts,
                        const std::string& across = "20") {
-  return "title = \"S1002\"\nmodels = [\"halfspace\"]\n"
-         "[load]\nvertical_force = 100e3\n[friction]\ncoefficient = 0.55\n"
-         "[wheel]\nrolling_radius = 450.0\nprofile = \"S1002\"\n"
-         "[rail]\nprofile = \"UIC60-manchester\"\n[track]\ninclination = \"1:40\"\n"
-         "[wheelset]\nside = \"" +
-         side + "\"\nlateral_shift = " + shifts +
-         "\nroll = 0.0\n[rolling]\nlongitudinal_creepage = 0.001\n"
-         "[contact_grid]\nelements_across = " +
-         across + "\n";
+  return edited(wheel_on_rail,
+                {"title=\"S1002\"", "models=[\"halfspace\"]", "wheelset.side=" + side,
+                 "wheelset.lateral_shift=" + shifts, "wheelset.roll=0.0",
+                 "rolling.longitudinal_creepage=0.001", "contact_grid.elements_across=" + across});
 }
 
 TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {

@@ -10,8 +10,9 @@ namespace {
 
 using namespace rollfem::testing;
 
-const std::string twenty_across = "title = \"two positions\"\nmodels = [\"halfspace\"]\n" +
-                                  two_positions + "[contact_grid]\nelements_across = 20\n";
+const std::string twenty_across = edited(
+    two_positions,
+    {"title=\"two positions\"", "models=[\"halfspace\"]", "contact_grid.elements_across=20"});
 
 }  // namespace
 
@@ -87,8 +88,7 @@ TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
 
 TEST(Wheelset, WheelOffTheRailIsSaidInOneLine) {
   const Folder folder;
-  std::string text = twenty_across;
-  text.replace(text.find("[0.0, 2.0]"), 10, "-60.0");
+  const std::string text = edited(twenty_across, {"wheelset.lateral_shift=-60.0"});
   const Outcome outcome = call(folder, {"run", folder.file("case.toml", text), "-o", "out"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(says(outcome.err, "wheelset.lateral_shift = -60"));

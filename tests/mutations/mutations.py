@@ -262,8 +262,8 @@ MUTATIONS = [
              "spin is in rad/m",
              ("unit_wheelset_motion", "verification_manchester_positions")),
     Mutation("vertical_force_of_friction", "track/motion/wheelset_motion.cpp",
-             "sign * lateral * std::sin(place.contact_angle)",
-             "-sign * lateral * std::sin(place.contact_angle)",
+             "normal * along_normal + lateral * across",
+             "normal * along_normal - lateral * across",
              "friction at the contact angle carries load where it adds to it",
              ("unit_wheelset_motion", "verification_wheelset_balance")),
     # track/balance
@@ -272,8 +272,8 @@ MUTATIONS = [
              "the moment of a patch about its normal does not turn the axle",
              ("unit_wheelset_motion", "verification_wheelset_balance")),
     Mutation("friction_in_the_balance", "track/balance/position.cpp",
-             "{point.longitudinal_force, point.lateral_force, point.normal_force, point.spin_moment}",
-             "{point.longitudinal_force, -point.lateral_force, point.normal_force, point.spin_moment}",
+             "{point.longitudinal_force, point.lateral_force, point.normal_force,",
+             "{point.longitudinal_force, -point.lateral_force, point.normal_force,",
              "the balance has the lateral force of the rail",
              ("verification_wheelset_balance", "verification_wheelset_manchester")),
     # convert/

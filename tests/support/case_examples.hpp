@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/base/errors.hpp"
+#include "contact/case/case_edit.hpp"
 #include "contact/case/case_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -25,9 +26,8 @@ transverse_radius = inf
 transverse_radius = 2000.0
 )";
 
-/// Two wheels in two positions. Beyond the middle the left wheel touches with a larger model error
-/// than the others.
-inline const std::string two_positions = R"([load]
+/// The left wheel of a wheelset in the middle of the track.
+inline const std::string wheel_on_rail = R"([load]
 vertical_force = 100e3
 [friction]
 coefficient = 0.55
@@ -38,15 +38,18 @@ profile = "S1002"
 profile = "UIC60-manchester"
 [track]
 inclination = "1:40"
-[wheelset]
-side = "both"
-lateral_shift = [0.0, 2.0]
-roll = 0.0
-[rolling]
-longitudinal_creepage = 0.001
-[output]
-fields = false
 )";
+
+/// A case with keys changed as by `--set`.
+inline std::string edited(const std::string& text, const std::vector<std::string>& changes) {
+  return contact::with_changes(text, "case.toml", changes, {{"auto", "halfspace", "fem"}, {}});
+}
+
+/// Two wheels in two positions. Beyond the middle the left wheel touches with a larger model error
+/// than the others.
+inline const std::string two_positions = edited(
+    wheel_on_rail, {"wheelset.side=both", "wheelset.lateral_shift=[0.0, 2.0]", "wheelset.roll=0.0",
+                    "rolling.longitudinal_creepage=0.001", "output.fields=false"});
 
 /// The small case with one piece of text replaced by another.
 inline std::string with(const std::string& piece, const std::string& replacement) {

@@ -4,13 +4,10 @@
 #pragma once
 
 #include "contact/base/errors.hpp"
-#include "contact/iteration/interpolation.hpp"
-#include "contact/solve/contact_problem.hpp"
-#include "contact/solve/point_motion.hpp"
-#include "contact/solve/prescribed_force.hpp"
-#include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/preconditioned_elasticity.hpp"
+#include "contact/solve/contact_run.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/model/model.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 
 #include "tests/support/random_draws.hpp"
 #include <algorithm>
@@ -20,7 +17,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace rollfem::testing {
@@ -54,28 +50,66 @@ struct RandomContact {
     combined.layer = layer;
     return combined;
   }
-  contact::Friction law() const { return falling ? falling : contact::coulomb(friction); }
   contact::ContactGrid grid() const {
     const int elements = across + 2 * margin;
     return contact::ContactGrid::centred(elements, elements, 2.0 * a / across, 2.0 * b / across);
   }
+
+  /// A and B of the undeformed distance A x^2 + B y^2 whose Hertz contact has these semi-axes and
+  /// this pressure (Johnson 4.26).
+  std::array<double, 2> curvatures() const {
+    const double large = std::max(a, b), small = std::min(a, b);
+    const double e2 = 1.0 - small * small / (large * large);
+    const double scale = max_pressure / material().contact_modulus;
+    double along_large = M_PI * scale / (4.0 * large), along_small = along_large;
+    if (e2 > 1e-8) {
+      const double e = std::sqrt(e2);
+      const double first = std::comp_ellint_1(e), second = std::comp_ellint_2(e);
+      const double factor = scale * small / (e2 * large * large);
+      along_large = factor * (first - second);
+      along_small = factor * (large * large / (small * small) * second - first);
+    }
+    return a >= b ? std::array{along_large, along_small} : std::array{along_small, along_large};
+  }
+
+  contact::Scene scene() const {
+    contact::Scene scene;
+    scene.wheel.material = wheel;
+    scene.rail.material = rail;
+    scene.material = material();
+    scene.friction_law = falling ? falling : contact::coulomb(friction);
+    if (given_pressure)
+      scene.given_pressure = contact::GivenPressure{a, b, max_pressure};
+    else
+      scene.geometry.quadratic = curvatures();
+    contact::LoadPoint point;
+    point.load.force = normal_force();
+    point.creepage = creepage;
+    point.longitudinal_shift = creepage.longitudinal;
+    point.lateral_shift = creepage.lateral;
+    point.spin_shift = creepage.spin;
+    point.step_length = step;
+    if (kind == RandomKind::force) {
+      point.force.longitudinal = force.x() * friction * normal_force();
+      point.force.lateral = force.y() * friction * normal_force();
+    }
+    scene.points = {point};
+    if (kind == RandomKind::shift) scene.problem = contact::Problem::shift;
+    if (kind != RandomKind::transient) return scene;
+    scene.problem = contact::Problem::transient;
+    scene.points.assign(3, point);  // from the pressure alone
+    return scene;
+  }
 };
 
-/// Effort of the solver for a contact on one grid: the largest numbers of any of its problems.
+/// Effort of the solver for a contact on one grid: the largest numbers of any of its load points.
 struct RandomOutcome {
   bool solved = true;
   bool chatters = false;  ///< there is no stable state
   std::string message;    ///< why it is not
-  int problems = 0;
   int newton_steps = 0;
   int krylov_iterations = 0;
   int outer_iterations = 0;  ///< between pressure and friction of unlike materials
-
-  void add(const contact::TangentialSolution& solution) {
-    ++problems;
-    newton_steps = std::max(newton_steps, solution.newton_steps);
-    krylov_iterations = std::max(krylov_iterations, solution.krylov_iterations);
-  }
 };
 
 class RandomContacts : private RandomDraws {
@@ -176,196 +210,57 @@ class RandomContacts : private RandomDraws {
   }
 };
 
-/// Undeformed distance whose Hertz contact has these semi-axes and this pressure (Johnson 4.26).
-inline contact::Field hertz_distance(const RandomContact& c, const contact::ContactGrid& grid) {
-  const double large = std::max(c.a, c.b), small = std::min(c.a, c.b);
-  const double e2 = 1.0 - small * small / (large * large);
-  const double scale = RandomContact::max_pressure / c.material().contact_modulus;
-  double along_large = M_PI * scale / (4.0 * large), along_small = along_large;
-  if (e2 > 1e-8) {
-    const double e = std::sqrt(e2);
-    const double first = std::comp_ellint_1(e), second = std::comp_ellint_2(e);
-    const double factor = scale * small / (e2 * large * large);
-    along_large = factor * (first - second);
-    along_small = factor * (large * large / (small * small) * second - first);
-  }
-  const double along_x = c.a >= c.b ? along_large : along_small;
-  const double along_y = c.a >= c.b ? along_small : along_large;
-  return grid.sample([&](double x, double y) { return along_x * x * x + along_y * y * y; });
-}
-
 /// Start of a grid in steady rolling: as in the models from grids of twice the cell size, down to
 /// 10 elements across; or a cold start. Steps of a history start from the previous step.
 enum class RandomStart { nested, scratch };
 
-/// One random contact on one grid.
-class RandomLevel {
+/// Counts the effort of every load point.
+class Effort : public contact::PointStore {
  public:
-  /// `coarser` (may be null): the same contact on a coarser grid, solved.
-  RandomLevel(const RandomContact& c, const RandomLevel* coarser)
-      : contact_(c), grid_(c.grid()), whole_(grid_, c.material()), coarser_(coarser) {
-    if (c.material().couples())
-      standin_ = std::make_unique<halfspace::HalfspaceCompliance>(grid_, c.material().uncoupled());
-    contact::ContactConditions conditions;
-    conditions.friction = c.law();
-    if (c.given_pressure)
-      conditions.given_pressure = grid_.sample([&](double x, double y) {
-        const double rest = 1.0 - x * x / (c.a * c.a) - y * y / (c.b * c.b);
-        return rest > 0.0 ? RandomContact::max_pressure * std::sqrt(rest) : 0.0;
-      });
-    else
-      conditions.undeformed_distance = hertz_distance(c, grid_);
-    problem_ = std::make_unique<contact::ContactProblem>(whole_, standin_ ? *standin_ : whole_,
-                                                         std::move(conditions));
-    load_.force = c.normal_force();
-  }
-
-  RandomOutcome run() {
-    try {
-      if (contact_.kind == RandomKind::force)
-        find_force();
-      else if (contact_.kind == RandomKind::transient)
-        roll_on();
-      else
-        solve(motion(contact_.creepage), first_state());
-    } catch (const contact::UnfitGrid&) {
-      unfit_ = true;
-    } catch (const contact::NoSteadyFriction& error) {
-      outcome_.solved = false;
-      outcome_.chatters = true;
-      outcome_.message = error.what();
-    } catch (const std::exception& error) {
-      outcome_.solved = false;
-      outcome_.message = error.what();
-    }
-    return outcome_;
-  }
-
-  /// Under much friction unlike materials carry their patch to where Hertz has none.
-  bool reaches_border() const {
-    return unfit_ || (outcome_.solved && contact::touches_border(grid_, state_.normal.pressure));
+  explicit Effort(RandomOutcome& outcome, bool couples) : outcome_(outcome), couples_(couples) {}
+  bool find(std::size_t, contact::PointResult&, contact::ContactState&) override { return false; }
+  void keep(std::size_t, const contact::PointResult&, const contact::ContactState& state) override {
+    const auto count = [](int& most, int here) { most = std::max(most, here); };
+    count(outcome_.newton_steps, state.tangential.newton_steps);
+    count(outcome_.krylov_iterations, state.tangential.krylov_iterations);
+    if (couples_) count(outcome_.outer_iterations, state.iterations);
   }
 
  private:
-  contact::TangentialField rigid(const contact::Creepage& c) const {
-    return contact::uniform_slip(c, grid_);
-  }
-
-  contact::TangentialMotion motion(const contact::Creepage& c) const {
-    contact::TangentialMotion result;
-    result.rigid_slip = rigid(c);
-    if (contact_.kind != RandomKind::shift) return result;
-    result.motion = contact::Motion::shift;
-    if (remembers()) result.past = contact::friction_after(contact_.law(), grid_);
-    if (remembers()) result.past->length = 1.0;
-    return result;
-  }
-
-  bool remembers() const {
-    return contact_.law()->memory().has_value() || contact_.law()->plasticity;
-  }
-  /// As contact::ContactRun begins.
-  contact::ContactState first_state() {
-    contact::ContactState start;
-    const bool nested = coarser_ != nullptr;
-    start.normal = problem_->press(
-        load_, nested
-                   ? contact::interpolated(coarser_->grid_, coarser_->state_.normal.pressure, grid_)
-                   : contact::Field());
-    const bool steady = contact_.kind == RandomKind::rolling || contact_.kind == RandomKind::force;
-    if (!nested || !steady) return start;
-    const contact::Friction friction = contact_.law();
-    const contact::Field& pressure = coarser_->state_.normal.pressure;
-    start.tangential.traction = contact::finer_tractions(
-        coarser_->grid_, pressure,
-        contact::relative_to_bound(coarser_->state_.tangential.traction,
-                                   contact::traction_bound(friction, coarser_->grid_, pressure)),
-        grid_, contact::traction_bound(friction, grid_, start.normal.pressure));
-    return start;
-  }
-
-  void solve(const contact::TangentialMotion& motion, const contact::ContactState& start,
-             const contact::ContactAccuracy& accuracy = {}) {
-    state_ = problem_->solve(load_, motion, &start, accuracy,
-                             [this](const contact::CoupledSolution& outer) { count(outer); });
-    if (!standin_) outcome_.add(state_.tangential);
-  }
-
-  void count(const contact::CoupledSolution& outer) {
-    outcome_.add(outer.tangential);
-    outcome_.outer_iterations = std::max(outcome_.outer_iterations, outer.outer_iterations);
-  }
-
-  void find_force() {
-    state_ = first_state();
-    const double bound = contact_.friction * state_.normal.normal_force;
-    const contact::PrescribedForce wanted{contact_.force.x() * bound, contact_.force.y() * bound};
-    contact::ForceSearch search;
-    search.has_peak = contact_.falling != nullptr;
-    search.stiffness = halfspace::rolling_stiffness(
-        contact::patch_size(grid_, state_.normal.pressure), contact_.material());
-    search.start = coarser_ ? coarser_->found_
-                            : contact::first_creepage(wanted, {0.0, 0.0}, search.stiffness, bound);
-    const contact::ForceLaw law = [&](const Eigen::Vector2d& creepage) {
-      solve(motion({creepage.x(), creepage.y(), contact_.creepage.spin}),
-            contact::ContactState(state_), halfspace::accuracy_of_force_search);
-      return contact::TransmittedForce{
-          grid_.element_area() * Eigen::Vector2d(state_.tangential.traction.x.sum(),
-                                                 state_.tangential.traction.y.sum()),
-          bound};
-    };
-    found_ = contact::find_creepage(law, wanted, search).creepage;
-  }
-
-  /// Three equal steps from the pressure alone.
-  void roll_on() {
-    contact::History history(grid_, contact::UpwindOrder::second);
-    const contact::Field none = contact::Field::Zero(grid_.size());
-    history.advance({none, none}, 0.0, contact::friction_after(contact_.law(), grid_));
-    state_ = first_state();
-    for (int step = 0; step < 3; ++step) {
-      const contact::StepProblem problem =
-          history.rolling_step(rigid(contact_.creepage), contact_.step);
-      contact::TangentialMotion motion;
-      motion.rigid_slip = problem.rigid_slip;
-      motion.motion = contact::Motion::shift;
-      motion.slip_factor = problem.slip_factor;
-      if (remembers()) motion.past = history.past(contact_.step);
-      solve(motion, contact::ContactState(state_));
-      history.advance({state_.displacement.x, state_.displacement.y}, contact_.step,
-                      contact::friction_after(contact_.law(), grid_, state_));
-    }
-  }
-
-  RandomContact contact_;
-  contact::ContactGrid grid_;
-  halfspace::HalfspaceCompliance whole_;
-  std::unique_ptr<halfspace::HalfspaceCompliance> standin_;  ///< null for like materials
-  const RandomLevel* coarser_;
-  std::unique_ptr<contact::ContactProblem> problem_;
-  contact::NormalLoad load_;
-  contact::ContactState state_;
-  Eigen::Vector2d found_ = Eigen::Vector2d::Zero();  ///< creepages of the force
-  bool unfit_ = false;                               ///< no state on this grid, which is too small
-  RandomOutcome outcome_;
+  RandomOutcome& outcome_;
+  bool couples_;
 };
 
-/// Solves a contact on one grid, which grows until it holds the patch.
-inline std::unique_ptr<RandomLevel> run_level(RandomContact contact, const RandomLevel* coarser,
-                                              RandomOutcome& outcome) {
+/// Solves a contact on one grid, which grows until it holds the patch: under much friction unlike
+/// materials carry their patch to where Hertz has none. `coarser` may be null.
+inline contact::LevelResult run_level(RandomContact contact, const contact::LevelResult* coarser,
+                                      RandomOutcome& outcome) {
+  const contact::Scene scene = contact.scene();
+  const contact::ChartedGeometry geometry = halfspace::halfspace_geometry(scene);
+  const contact::Progress silent;
+  contact::RunOptions options;
+  options.force_accuracy = halfspace::accuracy_of_force_search;
+  options.coarser = coarser;
   constexpr int most_enlargements = 4;
-  for (int k = 0;; ++k) {
-    auto level = std::make_unique<RandomLevel>(contact, coarser);
-    outcome = level->run();
-    if (!level->reaches_border()) return level;
-    if (k < most_enlargements) {
-      contact.margin += contact.across / 4 + 3;
-      continue;
+  for (int k = 0; k <= most_enlargements; ++k) {
+    outcome = {};
+    Effort effort(outcome, scene.material.couples());
+    const contact::ContactGrid grid = contact.grid();
+    contact::ContactRun run(scene, geometry, options, silent, &effort);
+    try {
+      if (run.solve(grid, [&] { return halfspace::halfspace_elasticity(scene, geometry, grid); }))
+        return run.take_result();
+    } catch (const std::exception& error) {
+      outcome.solved = false;
+      outcome.chatters = dynamic_cast<const contact::NoSteadyFriction*>(&error) != nullptr;
+      outcome.message = error.what();
+      return {};
     }
-    outcome.solved = false;
-    outcome.message = "the patch reaches the border of the grid";
-    return level;
+    contact.margin += contact.across / 4 + 3;
   }
+  outcome.solved = false;
+  outcome.message = "the patch reaches the border of the grid";
+  return {};
 }
 
 /// Solves a random contact; the outcome is that of its own grid. As in the models, a coarser grid
@@ -373,14 +268,15 @@ inline std::unique_ptr<RandomLevel> run_level(RandomContact contact, const Rando
 inline RandomOutcome run_random(const RandomContact& contact, RandomStart start) {
   std::vector<int> sizes{contact.across};
   while (start == RandomStart::nested && sizes.back() / 2 >= 10) sizes.push_back(sizes.back() / 2);
-  std::unique_ptr<RandomLevel> coarser;
+  std::optional<contact::LevelResult> coarser;
   RandomOutcome outcome;
   for (; !sizes.empty(); sizes.pop_back()) {
     RandomContact on_grid = contact;
     on_grid.across = sizes.back();
-    std::unique_ptr<RandomLevel> level = run_level(on_grid, coarser.get(), outcome);
+    contact::LevelResult level = run_level(on_grid, coarser ? &*coarser : nullptr, outcome);
     if (!outcome.solved && !contact.material().couples()) break;
-    coarser = outcome.solved ? std::move(level) : nullptr;
+    coarser.reset();
+    if (outcome.solved) coarser = std::move(level);
   }
   return outcome;
 }

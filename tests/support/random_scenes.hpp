@@ -247,7 +247,8 @@ class RandomScenes : private RandomDraws {
     if (kind < 0.10) return shift(scene, point, bound / (2.0 * shear * c), c);
     const double rolling = bound / (shear * a * b);
     if (kind < 0.20) return force(scene, point, bound, rolling / c);
-    const bool transient = kind<0.30, spin = kind> 0.90;
+    const bool transient = kind < 0.30;
+    const bool spin = kind > 0.90;
     if (!spin && chance(0.8)) point.creepage.longitudinal = part(rolling);
     if (!spin && chance(0.6)) point.creepage.lateral = part(rolling);
     if (spin || chance(0.5)) point.creepage.spin = part(rolling / c);

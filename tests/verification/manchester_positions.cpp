@@ -6,6 +6,7 @@
 // 2 mm shift (wheelrail_left_creep.csv, wheelrail_left_patch.csv).
 #include "track/motion/wheelset_motion.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/wheel_rail_cases.hpp"
@@ -67,7 +68,9 @@ TEST_P(Manchester, LateralCreepageAndSpinFollowFromTheMotion) {
   EXPECT_NEAR(creepage.spin, row.spin, 0.02 * std::abs(row.spin) + 5e-7);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, Manchester, ::testing::ValuesIn(positions));
+INSTANTIATE_TEST_SUITE_P(Rows, Manchester, ::testing::ValuesIn(positions), [](const auto& test) {
+  return fmt::format("Shift{:g}", test.param.shift);
+});
 
 TEST(ManchesterHeight, IsTheirsLessTheApproach) {
   // Height of the wheelset while the right wheel, which yields a little more, stands on its tread.

@@ -2,10 +2,10 @@
 #include "track/balance/position.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 #include "contact/result/refinement.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
-#include "track/balance/root.hpp"
 #include "track/motion/wheelset_motion.hpp"
 
 #include <fmt/format.h>
@@ -27,17 +27,6 @@ constexpr double torque_tolerance = 1e-5;
 /// Forces are good to half a percent of mu F_z (docs/accuracy.md); the sine of the contact angle
 /// lessens their effect on the balance, and the rotation feels both wheels alike.
 constexpr int elements_of_balance = 24;
-
-/// Tangential forces by the half-space on a coarse grid, one for each load point of the scene.
-std::vector<PatchForce> patch_forces(const contact::Scene& scene, int elements_across) {
-  const contact::ModelResult result =
-      halfspace::run_halfspace(halfspace::on_few_elements(scene, elements_across), {});
-  std::vector<PatchForce> forces;
-  for (const contact::PointResult& point : result.points)
-    forces.push_back(
-        {point.longitudinal_force, point.lateral_force, point.normal_force, point.spin_moment});
-  return forces;
-}
 
 struct Patch {
   PlacedScene placed;
@@ -78,7 +67,7 @@ class Position {
 
   std::vector<contact::Scene> balanced() {
     for (Wheel& wheel : wheels_) share(wheel, false);
-    turn(rotation_, wheels_);
+    for (Wheel& wheel : wheels_) turn(wheel);
     if (needs_forces()) settle();
     for (Wheel& wheel : wheels_) ask_for_vertical_forces(wheel);
     return scenes();
@@ -102,10 +91,11 @@ class Position {
   void settle() {
     constexpr int most_rounds = 30;
     for (int round = 0; round < most_rounds; ++round) {
-      if (free_ == FreeRolling::torque) find_rotation(wheels_);
-      if (free_ == FreeRolling::force)
-        for (Wheel& wheel : wheels_) find_rotation(wheel);
-      if (free_ == FreeRolling::none) solve(wheels_);
+      if (free_ == FreeRolling::torque) find_rotation(0, wheels_.size());
+      for (std::size_t w = 0; w < wheels_.size(); ++w) {
+        if (free_ == FreeRolling::force) find_rotation(w, w + 1);
+        if (free_ == FreeRolling::none) solve(wheels_[w]);
+      }
       double change = 0.0;
       for (Wheel& wheel : wheels_)
         if (shares(wheel)) change = std::max(change, share(wheel, true));
@@ -280,19 +270,21 @@ class Position {
               all.end());
   }
 
-  /// Creepages of the patches at the given rotations.
-  void turn(const std::vector<double>& rotation, std::vector<Wheel>& wheels) {
-    for (Wheel& wheel : wheels) turn(rotation, wheel);
+  void turn(Wheel& wheel) {
+    for (Patch& patch : wheel.patches) set_rotation_changes(patch.placed, input_, rotation_);
   }
-  void turn(const std::vector<double>& rotation, Wheel& wheel) {
-    for (Patch& patch : wheel.patches) set_rotation_changes(patch.placed, input_, rotation);
-  }
-  void solve(std::vector<Wheel>& wheels) const {
-    for (Wheel& wheel : wheels) solve(wheel);
-  }
-  void solve(Wheel& wheel) const {
-    for (Patch& patch : wheel.patches)
-      patch.force = patch_forces(patch.placed.scene, elements_across_);
+
+  /// Tangential forces by the half-space on a coarse grid at one load point; null: at all.
+  void solve(Wheel& wheel, const std::size_t* k = nullptr) const {
+    for (Patch& patch : wheel.patches) {
+      contact::Scene scene = halfspace::on_few_elements(patch.placed.scene, elements_across_);
+      if (k != nullptr) scene.points = {contact::LoadPoint(scene.points[*k])};
+      patch.force.resize(rotation_.size());
+      std::size_t at = k != nullptr ? *k : 0;
+      for (const contact::PointResult& point : halfspace::run_halfspace(scene, {}).points)
+        patch.force[at++] = {point.longitudinal_force, point.lateral_force, point.normal_force,
+                             point.spin_moment};
+    }
   }
 
   /// To vanish: the moment about the axle, or F_x of a wheel as one.
@@ -304,28 +296,34 @@ class Position {
                  : driving_moment(patch.placed.contact, patch.force[k]);
     return sum;
   }
-  double torque(const std::vector<Wheel>& wheels, std::size_t k) const {
-    double sum = 0.0;
-    for (const Wheel& wheel : wheels) sum += torque(wheel, k);
-    return sum;
-  }
 
-  /// A wheel that turns faster is held back more by the rail: the moment and -F_x fall.
-  template <class Driven>
-  void find_rotation(Driven& driven) {
-    RootOptions options;
-    options.step = 2e-4;
-    options.value_tolerance =
+  /// Rotations at which the wheels from one to another have no torque together. A wheel that turns
+  /// faster is held back more by the rail: the moment and -F_x fall.
+  void find_rotation(std::size_t from, std::size_t to) {
+    constexpr double step = 2e-4, largest = 0.1, tolerance = 1e-9;
+    const double small =
         torque_tolerance * input_.friction_coefficient * load_scale() * input_.wheel.rolling_radius;
-    const auto torques = [&](const std::vector<double>& rotation) {
-      turn(rotation, driven);
-      solve(driven);
-      std::vector<double> values;
-      for (std::size_t k = 0; k < rotation.size(); ++k) values.push_back(torque(driven, k));
-      return values;
-    };
-    rotation_ = falling_roots(torques, rotation_, options, "free rotation");
-    turn(rotation_, driven);
+    for (std::size_t k = 0; k < rotation_.size(); ++k) {
+      const auto torque_at = [&](double rotation) {
+        rotation_[k] = rotation;
+        double sum = 0.0;
+        for (std::size_t w = from; w < to; ++w) {
+          turn(wheels_[w]);
+          solve(wheels_[w], &k);
+          sum += torque(wheels_[w], k);
+        }
+        return std::abs(sum) <= small ? 0.0 : sum;
+      };
+      const double start = rotation_[k], at_start = torque_at(start);
+      const auto found = contact::root_from(torque_at, start, at_start,
+                                            at_start > 0.0 ? start + step : start - step, largest,
+                                            tolerance, "free rotation");
+      if (!found)
+        throw contact::SolveError(fmt::format(
+            "free rotation: no change of sign between {:g} and {:g}", -largest, largest));
+      rotation_[k] = *found;
+    }
+    for (std::size_t w = from; w < to; ++w) turn(wheels_[w]);
   }
 
   double load_scale() const {

@@ -42,36 +42,6 @@ double bar_of(const PointResult& point, const char* quantity, double none) {
   return bar == point.error_estimate.end() ? none : bar->second;
 }
 
-/// The motion at which a contact has given creepages, which are affine in the motion.
-class MotionAt {
- public:
-  template <class CreepageOf>
-  MotionAt(double rolling_radius, const CreepageOf& creepage_of) : turns_(1.0 / rolling_radius) {
-    const auto at = [&](const Motion& motion) {
-      const Creepage found = creepage_of(motion);
-      return Eigen::Vector3d(found.longitudinal, found.lateral, found.spin);
-    };
-    rest_ = at({turns_, 0.0, 0.0});
-    Eigen::Matrix3d by;
-    by.col(0) = at({2.0 * turns_, 0.0, 0.0}) - rest_;
-    by.col(1) = at({turns_, 1.0, 0.0}) - rest_;
-    by.col(2) = (at({turns_, 0.0, yaw_step}) - rest_) / yaw_step;
-    inverse_ = by.inverse();
-  }
-
-  Motion operator()(const Creepage& wanted) const {
-    const Eigen::Vector3d change =
-        inverse_ * (Eigen::Vector3d(wanted.longitudinal, wanted.lateral, wanted.spin) - rest_);
-    return {turns_ * (1.0 + change[0]), change[1], change[2]};
-  }
-
- private:
-  static constexpr double yaw_step = 1e-3;  // rad/mm
-  double turns_;                            // 1/mm
-  Eigen::Vector3d rest_;
-  Eigen::Matrix3d inverse_;
-};
-
 }  // namespace
 
 PressedWheel::PressedWheel(const Case& input, const SearchScene& search)
@@ -113,14 +83,33 @@ void PressedWheel::press(Scene scene, const WheelRailContact& where) {
 std::vector<Creepage> PressedWheel::creepages_of(const Contact& contact,
                                                  const std::vector<Creepage>& creepages) const {
   if (&contact == &contacts_.front()) return creepages;
-  const auto at = [&](const WheelRailContact& where, const Motion& motion) {
-    return extra_slip_ ? creepage_of(where, motion) : creepage_on_rail(where, motion);
+  // Creepages are affine in the motion: those at rest and by rotation, lateral and yaw velocity.
+  struct Affine {
+    Eigen::Vector3d rest;
+    Eigen::Matrix3d by;
   };
-  const WheelRailContact& main = contacts_.front().where;
-  const MotionAt motion_at(rolling_radius_, [&](const Motion& motion) { return at(main, motion); });
+  const double turns = 1.0 / rolling_radius_;
+  const auto of = [&](const WheelRailContact& where) {
+    const auto at = [&](const Motion& motion) {
+      const Creepage found =
+          extra_slip_ ? creepage_of(where, motion) : creepage_on_rail(where, motion);
+      return Eigen::Vector3d(found.longitudinal, found.lateral, found.spin);
+    };
+    constexpr double yaw_step = 1e-3;  // rad/mm
+    Affine result{at({turns, 0.0, 0.0}), {}};
+    result.by.col(0) = at({2.0 * turns, 0.0, 0.0}) - result.rest;
+    result.by.col(1) = at({turns, 1.0, 0.0}) - result.rest;
+    result.by.col(2) = (at({turns, 0.0, yaw_step}) - result.rest) / yaw_step;
+    return result;
+  };
+  const Affine main = of(contacts_.front().where), own = of(contact.where);
+  const Eigen::Matrix3d own_by_main = own.by * main.by.inverse();
   std::vector<Creepage> found;
-  for (const Creepage& creepage : creepages)
-    found.push_back(at(contact.where, motion_at(creepage)));
+  for (const Creepage& wanted : creepages) {
+    const Eigen::Vector3d given(wanted.longitudinal, wanted.lateral, wanted.spin);
+    const Eigen::Vector3d here = own.rest + own_by_main * (given - main.rest);
+    found.push_back({here[0], here[1], here[2]});
+  }
   return found;
 }
 

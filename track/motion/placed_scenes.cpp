@@ -2,8 +2,9 @@
 #include "track/motion/placed_scenes.hpp"
 
 #include "contact/base/errors.hpp"
+#include "halfspace/patch/load_sharing.hpp"
+#include "halfspace/patch/patch_search.hpp"
 #include "profiles/profiles.hpp"
-#include "track/motion/loaded_height.hpp"
 
 #include <fmt/format.h>
 
@@ -20,24 +21,6 @@ using contact::Case;
 using contact::Creepage;
 
 namespace {
-
-void set_creepages(PlacedScene& placed, const Case& input,
-                   const std::vector<double>& rotation_change) {
-  std::vector<contact::LoadPoint>& points = placed.scene.points;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    Creepage& creepage = points[k].creepage;
-    const Motion motion = motion_of(input, rotation_change[k]);
-    const Creepage moving = input.rolling.extra_slip == contact::ExtraSlip::none
-                                ? creepage_on_rail(placed.contact, motion)
-                                : creepage_of(placed.contact, motion);
-    if (!input.rolling.given.longitudinal) creepage.longitudinal = moving.longitudinal;
-    if (!input.rolling.given.lateral) creepage.lateral = moving.lateral;
-    if (!input.rolling.given.spin) creepage.spin = moving.spin;
-    // A prescribed force replaces the creepage in its direction.
-    if (points[k].force.longitudinal) creepage.longitudinal = 0.0;
-    if (points[k].force.lateral) creepage.lateral = 0.0;
-  }
-}
 
 /// The case's approach applies to the first patch; the others have the same sinking.
 contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) {
@@ -85,8 +68,71 @@ PlacedScene make_scene(const Case& input, WheelRailContact contact) {
         k < input.history.size() && (input.history[k].normal_force || input.history[k].approach);
     if (!by_step) placed.scene.points[k].load = load_of(input, placed.contact);
   }
-  set_creepages(placed, input, rotation_changes(input));
+  set_rotation_changes(placed, input, rotation_changes(input));
   return placed;
+}
+
+// The height of a wheel under its load. Contacts are found at first touch with the rail; from there
+// the wheel sinks vertically, and distances of several patches in one plane change by microns in
+// addition to the approach along the plane's normal (docs/track.md).
+
+/// Relative change of the approaches at which the iteration has converged.
+constexpr double near_enough = 0.1;
+constexpr int most_rounds = 4;
+
+/// Approaches of the contacts along their normals, mm; 0 without contact.
+std::vector<double> approaches(const contact::Case& input, const std::vector<PlacedScene>& wheel) {
+  std::vector<double> found;
+  if (wheel.size() == 1 || !input.load.vertical_force) {
+    for (const PlacedScene& placed : wheel)
+      found.push_back(input.load.approach ? placed.contact.approach
+                                          : halfspace::PatchSearch(placed.scene).patch().approach);
+    return found;
+  }
+  std::vector<contact::Scene> scenes;
+  for (const PlacedScene& placed : wheel) scenes.push_back(placed.scene);
+  const double sinking = halfspace::share_load(scenes, *input.load.vertical_force).sinking;
+  for (const PlacedScene& placed : wheel) {
+    const contact::ContactPlace& place = placed.contact.place;
+    found.push_back(std::max(0.0, sinking * std::cos(place.contact_angle) - place.separation));
+  }
+  return found;
+}
+
+void stand_at(double approach, PlacedScene& placed) {
+  contact::Scene& scene = placed.scene;
+  const auto& along = scene.points.front().load.direction;
+  scene.geometry.surface = contact::ContactSurface::of(std::make_shared<contact::PatchGeometry>(
+      placed.contact.geometry.under_load(approach, upwards(placed.contact.place), along)));
+}
+
+/// Moves the undeformed distances of one wheel's contacts at one position to the loaded height, for
+/// contacts in which several humps overlap the rail; a single patch keeps the distances of first
+/// touch. (For a single patch the lateral displacement, microns, is equivalent to a lateral shift
+/// of that size.) The height comes from the half-space under the largest load, without friction.
+void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& wheel) {
+  if (std::none_of(wheel.begin(), wheel.end(), [](const PlacedScene& placed) {
+        return std::isfinite(placed.contact.next_hump) && !placed.scene.given_pressure;
+      }))
+    return;
+  std::vector<double> stands(wheel.size(), 0.0), found;
+  for (const PlacedScene& placed : wheel) found.push_back(placed.contact.approach);
+  try {
+    // Starts from the estimates: one search to half a per cent is enough where they are close.
+    for (int round = 0; round < most_rounds; ++round) {
+      double change = 0.0;
+      for (std::size_t i = 0; i < wheel.size(); ++i) {
+        const double wanted = found[i] > wheel[i].contact.next_hump ? found[i] : 0.0;
+        if (wanted == stands[i]) continue;
+        change = std::max(change, std::abs(wanted - stands[i]) / std::max(wanted, stands[i]));
+        stand_at(stands[i] = wanted, wheel[i]);
+      }
+      if (round > 0 && change <= near_enough) return;
+      found = approaches(input, wheel);
+    }
+  } catch (const std::runtime_error&) {
+    // Errors of the contact are reported when it is solved.
+  }
 }
 
 }  // namespace
@@ -109,6 +155,24 @@ std::vector<double> rotation_changes(const Case& input) {
   if (given.size() > 1)
     for (std::size_t k = 0; k < changes.size(); ++k) changes[k] = given.at(k);
   return changes;
+}
+
+void set_rotation_changes(PlacedScene& placed, const Case& input,
+                          const std::vector<double>& rotation_change) {
+  std::vector<contact::LoadPoint>& points = placed.scene.points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    Creepage& creepage = points[k].creepage;
+    const Motion motion = motion_of(input, rotation_change[k]);
+    const Creepage moving = input.rolling.extra_slip == contact::ExtraSlip::none
+                                ? creepage_on_rail(placed.contact, motion)
+                                : creepage_of(placed.contact, motion);
+    if (!input.rolling.given.longitudinal) creepage.longitudinal = moving.longitudinal;
+    if (!input.rolling.given.lateral) creepage.lateral = moving.lateral;
+    if (!input.rolling.given.spin) creepage.spin = moving.spin;
+    // A prescribed force replaces the creepage in its direction.
+    if (points[k].force.longitudinal) creepage.longitudinal = 0.0;
+    if (points[k].force.lateral) creepage.lateral = 0.0;
+  }
 }
 
 std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene,
@@ -140,20 +204,10 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchOptions& opt
   return make_scenes(input, search_scene_of(input), options);
 }
 
-void set_rotation_changes(PlacedScene& scene, const Case& input,
-                          const std::vector<double>& rotation_changes) {
-  set_creepages(scene, input, rotation_changes);
-}
-
 double track_y(const contact::ContactPlace& place, double y) {
   // y of the patch frame points to the field on the left and to the middle on the right: always
   // to smaller y_track.
   return place.y_track - y * std::cos(place.contact_angle);
-}
-
-std::array<double, 2> upwards(const contact::ContactPlace& place) {
-  const double sign = place.left ? 1.0 : -1.0;
-  return {sign * std::sin(place.contact_angle), std::cos(place.contact_angle)};
 }
 
 }  // namespace rollfem::track

@@ -51,8 +51,4 @@ void set_rotation_changes(PlacedScene& scene, const contact::Case& input,
 /// Lateral position on the track (mm) of y (mm) in the patch frame.
 double track_y(const contact::ContactPlace& place, double y);
 
-/// The vertical in the frame of the patch, upwards on the wheel: NormalLoad::direction of a
-/// vertical force.
-std::array<double, 2> upwards(const contact::ContactPlace& place);
-
 }  // namespace rollfem::track

@@ -3,7 +3,6 @@
 
 #include "contact/base/errors.hpp"
 #include "track/motion/wheelset_motion.hpp"
-#include "track/placement/vertical_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +12,12 @@ namespace rollfem::track {
 
 namespace {
 
-RigidTouch touch_of(const contact::Case& input, const SearchScene& search, const WheelsetPose& pose,
+RigidTouch touch_of(const contact::Case& input, const SearchScene& search, WheelsetPose pose,
                     int position, bool left) {
-  const VerticalGap gap =
-      make_gap(input, search, touching_pose(input, search, pose, position, left), position, left);
-  const std::vector<GapMinimum> minima = gap.minima();
-  const auto lowest =
-      std::min_element(minima.begin(), minima.end(),
-                       [](const GapMinimum& a, const GapMinimum& b) { return a.gap < b.gap; });
-  const OutlinePoint at = gap.wheel().at(lowest->y);
-  return {at.radius, lowest->angle(), at.profile_y, lowest->y};
+  const VerticalGap gap = touching_gap(input, search, pose, position, left);
+  const GapMinimum lowest = gap.lowest();
+  const OutlinePoint at = gap.wheel().at(lowest.y);
+  return {at.radius, lowest.angle(), at.profile_y, lowest.y};
 }
 
 }  // namespace

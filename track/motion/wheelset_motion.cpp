@@ -86,9 +86,13 @@ double driving_moment(const WheelRailContact& contact, const PatchForce& force) 
   return -dot(moment, contact.axle.direction);
 }
 
+std::array<double, 2> upwards(const contact::ContactPlace& place) {
+  return {-side_sign(place.left) * std::sin(place.contact_angle), std::cos(place.contact_angle)};
+}
+
 double vertical_force(double normal, double lateral, const contact::ContactPlace& place) {
-  const double sign = place.left ? 1.0 : -1.0;
-  return normal * std::cos(place.contact_angle) + sign * lateral * std::sin(place.contact_angle);
+  const auto [across, along_normal] = upwards(place);
+  return normal * along_normal + lateral * across;
 }
 
 namespace {

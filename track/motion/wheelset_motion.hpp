@@ -56,8 +56,12 @@ struct PatchForce {
 /// is 0.
 double driving_moment(const WheelRailContact& contact, const PatchForce& force);
 
-/// Upward force on the wheel, N: N cos(angle) + F_y sin(angle) on the left, where the patch's y
-/// points to the field, and N cos(angle) - F_y sin(angle) on the right.
+/// The vertical in the frame of the patch, along y and the normal, upwards on the wheel: y points
+/// to the field on the left and to the middle on the right. NormalLoad::direction of a vertical
+/// force.
+std::array<double, 2> upwards(const contact::ContactPlace& place);
+
+/// Upward force on the wheel, N.
 double vertical_force(double normal, double lateral, const contact::ContactPlace& place);
 
 // Equivalent conicity of a wheelset from the difference of its rolling radii over the lateral

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/placement/placement.hpp"
 
-#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
 
@@ -17,21 +16,6 @@
 namespace rollfem::track {
 
 namespace {
-
-/// Parameters dense enough for a profile to turn little between neighbours.
-std::vector<double> samples(const profiles::ProfileCurve& curve) {
-  constexpr double step = 0.25;  // mm
-  std::vector<double> result;
-  const auto& knots = curve.knots().parameter;
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    const int parts = std::max(1, contact::count_of(std::ceil((knots[k + 1] - knots[k]) / step),
-                                                    "points along a profile"));
-    for (int i = 0; i < parts; ++i)
-      result.push_back(knots[k] + (knots[k + 1] - knots[k]) * i / parts);
-  }
-  result.push_back(knots.back());
-  return result;
-}
 
 /// Minimum of a function, refined around the smallest of the values `known` at the points `at`.
 template <class Value>
@@ -56,7 +40,8 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
   RailPlace place;
   place.angle = -std::atan(track.inclination);
   const profiles::ProfileCurve turned = rail.moved(place.angle, 0.0, 0.0);
-  const std::vector<double> at = samples(turned);
+  // Dense enough for a profile to turn little between neighbours.
+  const std::vector<double> at = profiles::dense_parameters(turned, 0.25);
   std::vector<double> y, z;
   for (const double t : at) {
     const profiles::ProfilePoint point = turned.at(t);

@@ -5,7 +5,7 @@
 // right one. Track frame: y_track = Y on the right, -Y on the left.
 #pragma once
 
-#include "contact/case/track.hpp"
+#include "contact/case/case.hpp"
 #include "contact/scene/patch_geometry.hpp"
 #include "profiles/profile_curve.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/placement/silhouette.hpp"
 
-#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 
 #include <fmt/format.h>
@@ -18,12 +17,6 @@ using contact::Axle;
 using contact::Vector3;
 
 namespace {
-
-/// Largest slope at which the outline is a height over y (as height_over_y).
-constexpr double steepest = 12.0;
-constexpr double knot_distance = 0.1;  // mm
-/// Knots closer than this come from a dense measured list and are skipped.
-constexpr double least_knot_distance = 0.01;  // mm
 
 /// Directions across the axle: `down` in the plane x = 0, `ahead` as close to x as possible.
 struct AxleFrame {
@@ -66,23 +59,7 @@ std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius
   if (!(normal[2] > 0.0)) return {};
   result.slope = -normal[1] / normal[2];
   result.profile_y = at.y;
-  if (std::abs(result.slope) > steepest) return {};
-  return result;
-}
-
-std::vector<double> parameters(const profiles::ProfileCurve& wheel) {
-  std::vector<double> result;
-  const auto& knots = wheel.knots().parameter;
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    if (!result.empty() && knots[k] - result.back() < least_knot_distance) continue;
-    const int parts =
-        std::max(1, contact::count_of(std::ceil((knots[k + 1] - knots[k]) / knot_distance),
-                                      "points along a profile"));
-    for (int i = 0; i < parts; ++i)
-      result.push_back(knots[k] + (knots[k + 1] - knots[k]) * i / parts);
-  }
-  if (knots.back() - result.back() < least_knot_distance && result.size() > 1) result.pop_back();
-  result.push_back(knots.back());
+  if (std::abs(result.slope) > profiles::steepest) return {};
   return result;
 }
 
@@ -98,9 +75,8 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
   const double h = knots[k + 1] - knots[k];
   // Beyond the ends, along the tangent.
   const double t = std::clamp((y - knots[k]) / h, 0.0, 1.0);
-  const double chord = (values[k + 1] - values[k]) / h;
-  const double left = slope(k) - chord, right = slope(k + 1) - chord;
-  const double inside = values[k] + h * t * (chord + (1.0 - t) * (left - t * (left + right)));
+  const double inside =
+      contact::hermite(h, t, values[k], values[k + 1], slope(k), slope(k + 1)).value;
   return inside + (y - (knots[k] + h * t)) * slope(t > 0.5 ? k + 1 : k);
 }
 
@@ -108,7 +84,7 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
 
 WheelPoints wheel_points(const profiles::ProfileCurve& wheel, double tread_y) {
   WheelPoints result;
-  const std::vector<double> at = parameters(wheel);
+  const std::vector<double> at = profiles::dense_parameters(wheel, 0.1, 0.01);
   for (const double parameter : at) result.points.push_back(wheel.at(parameter));
   result.start = static_cast<std::size_t>(
       std::lower_bound(at.begin(), at.end(), wheel.parameter_at(tread_y)) - at.begin());
@@ -164,14 +140,9 @@ OutlinePoint Silhouette::at(double y) const {
   point.y = y;
   point.z = curve_.at(y).value;
   point.profile_y = value_over_y(curve_.knots(), profile_y_, y);
-  double square = 0.0, along = 0.0;
-  const Vector3 place{point.x, point.y, point.z};
-  for (int d = 0; d < 3; ++d) along += (place[d] - axle_.point[d]) * axle_.direction[d];
-  for (int d = 0; d < 3; ++d) {
-    const double across = place[d] - axle_.point[d] - along * axle_.direction[d];
-    square += across * across;
-  }
-  point.radius = std::sqrt(square);
+  const Vector3 arm{point.x - axle_.point[0], y - axle_.point[1], point.z - axle_.point[2]};
+  const Vector3 across = contact::cross(arm, axle_.direction);
+  point.radius = std::sqrt(contact::dot(across, across));
   return point;
 }
 

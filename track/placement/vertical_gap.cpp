@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace rollfem::track {
 
@@ -57,11 +56,13 @@ VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const 
       places_.end());
   values_.reserve(places_.size());
   for (const double y : places_) values_.push_back(at(y));
+  find_minima();
 }
 
 void VerticalGap::lower_wheel(double way) {
   lowered_ += way;
   for (CurveValue& value : values_) value.value -= way;
+  for (GapMinimum& minimum : minima_) minimum.gap -= way;
 }
 
 CurveValue VerticalGap::at(double y) const {
@@ -76,10 +77,9 @@ VerticalGap::WithSurface VerticalGap::with_surface(double y) const {
   return {gap, rail.slope - 0.5 * gap.slope};
 }
 
-std::vector<GapMinimum> VerticalGap::minima() const {
-  std::vector<GapMinimum> result;
+void VerticalGap::find_minima() {
   constexpr std::size_t usual = 8;
-  result.reserve(usual);
+  minima_.reserve(usual);
   for (std::size_t k = 0; k + 1 < places_.size(); ++k) {
     if (!(values_[k].slope < 0.0 && values_[k + 1].slope >= 0.0)) continue;
     GapMinimum minimum;
@@ -87,22 +87,24 @@ std::vector<GapMinimum> VerticalGap::minima() const {
                                         places_[k + 1], y_tolerance, "smallest gap");
     minimum.gap = at(minimum.y).value;
     minimum.slope = rail_.at(minimum.y).slope;
-    result.push_back(minimum);
+    minima_.push_back(minimum);
   }
-  return result;
+}
+
+GapMinimum VerticalGap::lowest() const {
+  const auto lowest =
+      std::min_element(minima_.begin(), minima_.end(),
+                       [](const GapMinimum& a, const GapMinimum& b) { return a.gap < b.gap; });
+  return lowest == minima_.end() ? GapMinimum{} : *lowest;
 }
 
 double VerticalGap::smallest() const {
-  double least = std::min(values_.front().value, values_.back().value);
-  for (const GapMinimum& minimum : minima()) least = std::min(least, minimum.gap);
-  return least;
+  return std::min({values_.front().value, values_.back().value, lowest().gap});
 }
 
 GapEnd VerticalGap::end() const {
-  double inside = std::numeric_limits<double>::infinity();
-  for (const GapMinimum& minimum : minima()) inside = std::min(inside, minimum.gap);
   const double inner = values_.front().value, outer = values_.back().value;
-  if (inside < std::min(inner, outer)) return GapEnd::none;
+  if (lowest().gap < std::min(inner, outer)) return GapEnd::none;
   return inner < outer ? GapEnd::inner : GapEnd::outer;
 }
 

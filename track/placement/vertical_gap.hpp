@@ -13,8 +13,8 @@ namespace rollfem::track {
 
 /// A local minimum of the gap.
 struct GapMinimum {
-  double y = 0.0;      ///< mm, side frame
-  double gap = 0.0;    ///< mm, vertical
+  double y = 0.0;                  ///< mm, side frame
+  double gap = contact::infinity;  ///< mm, vertical
   double slope = 0.0;  ///< dz/dy of both tangents, < 0 where they fall towards the middle
   /// Contact angle, rad: positive where the surfaces fall towards the middle of the track.
   double angle() const;
@@ -45,7 +45,9 @@ class VerticalGap {
   double last() const { return last_; }    ///< mm, end of the y range of both
 
   /// All local minima, in order of y.
-  std::vector<GapMinimum> minima() const;
+  const std::vector<GapMinimum>& minima() const { return minima_; }
+  /// The lowest of them, the first of several; none where the gap is infinite.
+  GapMinimum lowest() const;
   /// Smallest gap, minima and ends taken together, mm.
   double smallest() const;
   /// Whether the smallest gap is at an end.
@@ -63,6 +65,8 @@ class VerticalGap {
   const Silhouette& wheel() const { return wheel_; }
 
  private:
+  void find_minima();
+
   Silhouette wheel_;
   contact::HeightCurve rail_;
   double first_ = 0.0;
@@ -70,6 +74,7 @@ class VerticalGap {
   double lowered_ = 0.0;
   std::vector<double> places_;               ///< knots of both, mm
   std::vector<contact::CurveValue> values_;  ///< gap there
+  std::vector<GapMinimum> minima_;
 };
 
 /// The head of a placed rail as z over y: the part about its highest point.

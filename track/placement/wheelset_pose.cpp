@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -41,69 +40,23 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
   if (end != GapEnd::none)
     fail_at_end(input, gap, end == GapEnd::inner, position, left,
                 "wheel and rail would first touch at");
-  const std::vector<GapMinimum> minima = gap.minima();
-  const auto first =
-      std::min_element(minima.begin(), minima.end(),
-                       [](const GapMinimum& a, const GapMinimum& b) { return a.gap < b.gap; });
+  const OutlinePoint first = gap.wheel().at(gap.lowest().y);
   const auto& knots = scene.profiles.wheel.knots();
   const auto tip =
       static_cast<std::size_t>(std::max_element(knots.z.begin(), knots.z.end()) - knots.z.begin());
-  const double profile_y = gap.wheel().at(first->y).profile_y;
   // A profile without flange is highest at its end.
   const bool has_flange = tip > 0 && knots.y[tip] < scene.tread_y && knots.z[tip] > 10.0;
   // Contact further down the flange (climbing) is a valid position.
   constexpr double tip_height = 2.0;
-  const double height = gap.wheel().at(first->y).radius - input.wheel.rolling_radius;
-  if (has_flange && profile_y < scene.tread_y && height > knots.z[tip] - tip_height)
+  const double height = first.radius - input.wheel.rolling_radius;
+  if (has_flange && first.profile_y < scene.tread_y && height > knots.z[tip] - tip_height)
     throw contact::SolveError(
         fmt::format("{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "
                     "left the rail; do: check gauge, flange_back_distance and lateral_shift",
-                    where(input, position, left), profile_y));
+                    where(input, position, left), first.profile_y));
 }
 
-WheelsetPose asked_pose(const Case& input, int position) {
-  const auto k = static_cast<std::size_t>(position - 1);
-  WheelsetPose pose;
-  pose.lateral_shift = input.wheelset.lateral_shift.at(k);
-  pose.yaw = input.wheelset.yaw.at(k);
-  if (!input.wheelset.roll.empty()) pose.roll = input.wheelset.roll.at(k);
-  return pose;
-}
-
-/// Roll at which both wheels touch at the same height: the possible sinking of the left wheel less
-/// that of the right wheel increases with roll, by twice the distance of the rails per radian.
-double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose, int position) {
-  std::map<double, double> known;  // the ends of the bracket are evaluated again
-  const auto difference = [&](double roll) {
-    const auto [found, is_new] = known.try_emplace(roll, 0.0);
-    pose.roll = roll;
-    if (is_new)
-      found->second = make_gap(input, scene, pose, position, true).smallest() -
-                      make_gap(input, scene, pose, position, false).smallest();
-    return found->second;
-  };
-  // Steps according to the expected slope until the sign changes.
-  const double slope = input.track.gauge + 65.0;
-  double a = 0.0, at_a = difference(a);
-  if (at_a == 0.0) return 0.0;
-  double b = -1.2 * at_a / slope, at_b = difference(b);
-  constexpr double largest_roll = 0.1;
-  while ((at_a < 0.0) == (at_b < 0.0)) {
-    const double step = b - a;
-    a = b, at_a = at_b;
-    b += 2.0 * step;
-    if (std::abs(b) > largest_roll)
-      throw contact::SolveError(fmt::format(
-          "{}: no roll of the wheelset below {} rad lets both wheels touch their rails; do: check "
-          "gauge, flange_back_distance and lateral_shift, or give wheelset.roll",
-          where(input, position, true), largest_roll));
-    at_b = difference(b);
-  }
-  return contact::bracketed_root(difference, a, b, 1e-13, "roll of the wheelset");
-}
-
-}  // namespace
-
+/// The gap under a wheel at a pose. Throws contact::SolveError when it is not above its rail.
 VerticalGap make_gap(const Case& input, const SearchScene& scene, const WheelsetPose& pose,
                      int position, bool left) {
   const Axle axle = place_axle(pose, input.wheelset, input.wheel.rolling_radius, left);
@@ -115,6 +68,28 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
                     where(input, position, left), error.what()));
   }
 }
+
+/// Roll at which both wheels touch at the same height: the possible sinking of the left wheel less
+/// that of the right wheel increases with roll, by twice the distance of the rails per radian.
+double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose pose, int position) {
+  const auto difference = [&](double roll) {
+    pose.roll = roll;
+    return make_gap(input, scene, pose, position, true).smallest() -
+           make_gap(input, scene, pose, position, false).smallest();
+  };
+  // The first step is according to the expected slope.
+  const double slope = input.track.gauge + 65.0, upright = difference(0.0);
+  constexpr double largest_roll = 0.1;
+  const auto roll = contact::root_from(difference, 0.0, upright, -1.2 * upright / slope,
+                                       largest_roll, 1e-13, "roll of the wheelset");
+  if (roll) return *roll;
+  throw contact::SolveError(fmt::format(
+      "{}: no roll of the wheelset below {} rad lets both wheels touch their rails; do: check "
+      "gauge, flange_back_distance and lateral_shift, or give wheelset.roll",
+      where(input, position, true), largest_roll));
+}
+
+}  // namespace
 
 [[noreturn]] void fail_at_end(const Case& input, const VerticalGap& gap, bool inner, int position,
                               bool left, const std::string& what) {
@@ -128,12 +103,6 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
       where(input, position, left), what, inner ? "flange-side" : "field-side",
       wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),
       wheel_ends ? "wheel" : "rail"));
-}
-
-WheelsetPose touching_pose(const Case& input, const SearchScene& scene, WheelsetPose pose,
-                           int position, bool left) {
-  touching_gap(input, scene, pose, position, left);
-  return pose;
 }
 
 VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPose& pose,
@@ -164,8 +133,12 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
 }
 
 WheelsetPose find_pose(const Case& input, const SearchScene& scene, int position) {
-  WheelsetPose pose = asked_pose(input, position);
-  if (input.wheelset.roll.empty()) pose.roll = touching_roll(input, scene, pose, position);
+  const auto k = static_cast<std::size_t>(position - 1);
+  WheelsetPose pose;
+  pose.lateral_shift = input.wheelset.lateral_shift.at(k);
+  pose.yaw = input.wheelset.yaw.at(k);
+  pose.roll = input.wheelset.roll.empty() ? touching_roll(input, scene, pose, position)
+                                          : input.wheelset.roll.at(k);
   return pose;
 }
 

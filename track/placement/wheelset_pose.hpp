@@ -31,18 +31,11 @@ SearchScene make_search_scene(const contact::Case& input, ProfilePair profiles);
 /// when a wheel is not above its rail or there is no such roll.
 WheelsetPose find_pose(const contact::Case& input, const SearchScene& scene, int position);
 
-/// The pose lowered until this wheel touches. Throws contact::SolveError when the wheel stands on
-/// the tip of its flange, contact::InputError when it stands on the end of a profile.
-WheelsetPose touching_pose(const contact::Case& input, const SearchScene& scene, WheelsetPose pose,
-                           int position, bool left);
-
-/// The same; returns the gap under the lowered wheel and sets the height of `pose`.
+/// Lowers the pose until this wheel touches, and returns the gap under it. Throws
+/// contact::SolveError when the wheel stands on the tip of its flange, contact::InputError when it
+/// stands on the end of a profile.
 VerticalGap touching_gap(const contact::Case& input, const SearchScene& scene, WheelsetPose& pose,
                          int position, bool left);
-
-/// The gap under a wheel at a pose. Throws contact::SolveError when it is not above its rail.
-VerticalGap make_gap(const contact::Case& input, const SearchScene& scene, const WheelsetPose& pose,
-                     int position, bool left);
 
 /// Rejects contact at an end of the known profiles, with `what` in the message.
 [[noreturn]] void fail_at_end(const contact::Case& input, const VerticalGap& gap, bool inner,

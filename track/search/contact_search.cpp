@@ -28,11 +28,9 @@ double sinking_under_load(const Case& input, const VerticalGap& gap,
                           const std::vector<Stretch>& stretches) {
   const double modulus =
       contact::combine(input.wheel.material, input.rail.material).contact_modulus;
-  const auto deepest = std::min_element(
-      stretches.begin(), stretches.end(),
-      [](const Stretch& a, const Stretch& b) { return a.deepest.gap < b.deepest.gap; });
-  const double cosine = std::cos(deepest->deepest.angle());
-  if (input.load.approach) return deepest->deepest.gap + *input.load.approach / cosine;
+  const GapMinimum& deepest = deepest_of(stretches).deepest;
+  const double cosine = std::cos(deepest.angle());
+  if (input.load.approach) return deepest.gap + *input.load.approach / cosine;
   const double vertical = input.load.vertical_force
                               ? *input.load.vertical_force
                               : input.load.normal_force.value_or(0.0) * cosine;
@@ -140,7 +138,7 @@ class WheelSearch {
   std::vector<WheelRailContact> contacts(const SearchOptions& options) const {
     const bool curved = input_.halfspace.surface == contact::SurfaceForm::curved;
     const double angle = options.merge_angle.value_or(curved ? angle_on_surface : angle_on_plane);
-    const auto [groups, sinking] =
+    const auto [groups, sinking, humps] =
         group_minima(gap_, angle, [&](const std::vector<Stretch>& stretches) {
           if (options.height) return *options.height - pose_.height;
           return options.sinking ? *options.sinking : sinking_under_load(input_, gap_, stretches);
@@ -149,13 +147,11 @@ class WheelSearch {
     found.reserve(groups.size());
     int loaded = 0;
     for (std::size_t k = 0; k < groups.size(); ++k) {
-      WheelRailContact contact =
-          describe(groups[k], sinking, k > 0, k + 1 < groups.size(), options);
-      contact.reserve = !(contact.normal_force > 0.0);
-      if (!contact.reserve) ++loaded;
-      found.push_back(std::move(contact));
+      found.push_back(describe(groups[k], sinking, k > 0, k + 1 < groups.size(), options));
+      found.back().reserve = !(found.back().normal_force > 0.0);
+      if (!found.back().reserve) ++loaded;
     }
-    add_near_misses(groups, sinking, options, found);
+    add_near_misses(humps, groups, sinking, options, found);
     share_vertical_force(found);
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return a.normal_force != b.normal_force ? a.normal_force > b.normal_force
@@ -171,21 +167,21 @@ class WheelSearch {
  private:
   /// Humps that do not touch, within contacts or beyond them; humps of a reserve are already
   /// listed.
-  void add_near_misses(const std::vector<PatchGroup>& groups, double sinking,
-                       const SearchOptions& options, std::vector<WheelRailContact>& found) const {
+  void add_near_misses(const std::vector<Stretch>& humps, const std::vector<Stretch>& groups,
+                       double sinking, const SearchOptions& options,
+                       std::vector<WheelRailContact>& found) const {
     const auto of_reserve = [&](const GapMinimum& minimum) {
-      return std::any_of(groups.begin(), groups.end(), [&](const PatchGroup& group) {
-        return group.stretch.deepest.gap >= sinking && group.stretch.deepest.y == minimum.y;
+      return std::any_of(groups.begin(), groups.end(), [&](const Stretch& group) {
+        return group.deepest.gap >= sinking && group.deepest.y == minimum.y;
       });
     };
     SearchOptions plain = options;
     plain.reference_offset = 0.0;
-    for (const PatchGroup& hump : separate_groups(gap_)) {
-      const GapMinimum& lowest = hump.stretch.deepest;
+    for (const Stretch& hump : humps) {
+      const GapMinimum& lowest = hump.deepest;
       if (lowest.gap < sinking || of_reserve(lowest)) continue;
       if (lowest.gap * std::cos(lowest.angle()) > options.near_miss) continue;
-      WheelRailContact contact = describe(hump, sinking, false, false, plain);
-      found.push_back(std::move(contact));
+      found.push_back(describe(hump, sinking, false, false, plain));
     }
   }
 
@@ -199,10 +195,10 @@ class WheelSearch {
       contact.normal_force *= *input_.load.vertical_force / sum;
   }
 
-  WheelRailContact describe(const PatchGroup& group, double sinking, bool neighbour_inside,
+  WheelRailContact describe(const Stretch& group, double sinking, bool neighbour_inside,
                             bool neighbour_outside, const SearchOptions& options) const {
-    const GapMinimum& first = group.stretch.deepest;
-    auto [y, slope, spread] = reference_of(gap_, group.stretch, sinking);
+    const GapMinimum& first = group.deepest;
+    auto [y, slope, spread] = reference_of(gap_, group, sinking);
     if (const double offset = options.reference_offset; offset != 0.0) {
       y += offset;
       slope = gap_.with_surface(y).slope;
@@ -215,19 +211,19 @@ class WheelSearch {
     contact.pose = pose_;
     contact.spread_of_normals = spread;
     contact.next_hump = (group.next_gap - first.gap) * axes.cosine;
-    contact.approach = std::max(0.0, approach_of(group.stretch, sinking));
-    contact.normal_force = estimate_force(gap_, group.stretch, contact.approach, modulus_);
-    fill_place(contact.place, group.stretch, axes, touch);
+    contact.approach = std::max(0.0, approach_of(group, sinking));
+    contact.normal_force = estimate_force(gap_, group, contact.approach, modulus_);
+    fill_place(contact.place, group, axes, touch);
     fill_frames(contact, axes, touch);
-    if (contact.normal_force > 0.0) check_reach(group.stretch, sinking);
+    if (contact.normal_force > 0.0) check_reach(group, sinking);
     const auto across = [&](double at) { return axes.across(at, gap_.rail().at(at).value); };
     const auto pair = [&](double lower, double upper) {
       return left_ ? std::array<double, 2>{lower, upper} : std::array<double, 2>{-upper, -lower};
     };
-    const auto reach = reach_of(gap_, group.stretch, std::max(sinking, first.gap));
+    const auto reach = reach_of(gap_, group, std::max(sinking, first.gap));
     contact.reach = pair(across(reach[0]), across(reach[1]));
-    contact.limits = pair(neighbour_inside ? across(group.stretch.limits[0]) : -contact::infinity,
-                          neighbour_outside ? across(group.stretch.limits[1]) : contact::infinity);
+    contact.limits = pair(neighbour_inside ? across(group.limits[0]) : -contact::infinity,
+                          neighbour_outside ? across(group.limits[1]) : contact::infinity);
     for (const GapMinimum& minimum : group.minima)
       if (minimum.gap < sinking || minimum.y == first.y)
         contact.touching.push_back(

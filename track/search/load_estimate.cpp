@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/search/load_estimate.hpp"
 
+#include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 #include "halfspace/elasticity/row_deflection.hpp"
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -82,10 +82,6 @@ double approach_per_deflection(const Rows& rows, std::size_t every) {
   return deflection > 0.0 ? approach / deflection : 0.0;
 }
 
-/// Approach and deflection are averaged over every third row, or over all rows if few: accurate to
-/// 1e-3 of the force.
-constexpr std::size_t every_third = 3, few_rows = 15;
-
 /// Approach that carries the force, and the local exponent of its power law.
 struct PowerLaw {
   double approach = 0.05;  ///< mm
@@ -117,6 +113,18 @@ std::optional<PowerLaw> power_law_root(const Carried& carried, const PowerLaw& s
   return {};
 }
 
+}  // namespace
+
+const Stretch& deepest_of(const std::vector<Stretch>& stretches) {
+  return *std::min_element(
+      stretches.begin(), stretches.end(),
+      [](const Stretch& a, const Stretch& b) { return a.deepest.gap < b.deepest.gap; });
+}
+
+double approach_of(const Stretch& stretch, double sinking) {
+  return (sinking - stretch.deepest.gap) * std::cos(stretch.deepest.angle());
+}
+
 double estimate_force(const VerticalGap& gap, const Stretch& stretch, double approach,
                       double modulus, std::size_t every) {
   if (!(approach > 0.0)) return 0.0;
@@ -125,21 +133,9 @@ double estimate_force(const VerticalGap& gap, const Stretch& stretch, double app
   return pi * modulus * approach_per_deflection(rows, every) * rows.vertical / cosine;
 }
 
-}  // namespace
-
-double approach_of(const Stretch& stretch, double sinking) {
-  return (sinking - stretch.deepest.gap) * std::cos(stretch.deepest.angle());
-}
-
-double estimate_force(const VerticalGap& gap, const Stretch& stretch, double approach,
-                      double modulus) {
-  return estimate_force(gap, stretch, approach, modulus, every_third);
-}
-
 double estimate_sinking(const VerticalGap& gap, const std::vector<Stretch>& stretches,
                         double vertical, double modulus) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Stretch& stretch : stretches) least = std::min(least, stretch.deepest.gap);
+  const double least = deepest_of(stretches).deepest.gap;
   const auto carried_by = [&](double sinking, std::size_t every) {
     double sum = 0.0;
     for (const Stretch& stretch : stretches)
@@ -147,21 +143,19 @@ double estimate_sinking(const VerticalGap& gap, const std::vector<Stretch>& stre
              estimate_force(gap, stretch, approach_of(stretch, sinking), modulus, every);
     return sum;
   };
-  const auto carried = [&](double sinking) { return carried_by(sinking, every_third); };
-  const auto roughly = [&](double sinking) { return carried_by(sinking, few_rows); };
+  const auto carried = [&](double sinking) { return carried_by(sinking, every_third_row); };
+  const auto roughly = [&](double sinking) { return carried_by(sinking, 15); };
   constexpr double rough = 1e-4, tolerance = 1e-12;  // mm
   const auto start = power_law_root(roughly, {}, least, vertical, rough);
   if (const auto found =
           power_law_root(carried, start.value_or(PowerLaw{}), least, vertical, tolerance))
     return least + found->approach;
-  double lower = 0.0, upper = 0.01;
   const auto excess = [&](double approach) { return carried(least + approach) - vertical; };
-  for (int step = 0; step < 30 && excess(upper) < 0.0; ++step) {
-    lower = upper;
-    upper *= 2.0;
-  }
-  return least +
-         contact::bracketed_root(excess, lower, upper, tolerance, "estimate of the sinking");
+  constexpr double first_step = 0.01, deepest = 1e7;  // mm
+  const auto found = contact::root_from(excess, 0.0, -vertical, first_step, deepest, tolerance,
+                                        "estimate of the sinking");
+  if (!found) throw contact::SolveError("estimate of the sinking: no sinking carries the load");
+  return least + *found;
 }
 
 }  // namespace rollfem::track

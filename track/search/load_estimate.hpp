@@ -18,15 +18,24 @@ struct Stretch {
   GapMinimum deepest;              ///< its lowest minimum, the reference point
   std::array<double, 2> limits{};  ///< mm, side frame: limits of the stretch
   double rolling_radius = 0.0;     ///< mm, at the reference point
+  std::vector<GapMinimum> minima;  ///< all of them
+  /// Gap at the second-lowest minimum separated by a valley, mm; infinite where there is none.
+  double next_gap = contact::infinity;
 };
+
+/// The first with the lowest minimum; at least one.
+const Stretch& deepest_of(const std::vector<Stretch>& stretches);
 
 /// Approach along the normal of a stretch when the wheel sinks by `sinking` from gap 0, mm: sinking
 /// times cosine less the separation along the normal.
 double approach_of(const Stretch& stretch, double sinking);
 
+/// Approach and deflection are averaged over some rows of elements: accurate to 1e-3 of the force.
+constexpr std::size_t every_third_row = 3;
+
 /// Normal force at an approach, N; 0 when it is not positive. `modulus` is E* of both bodies, MPa.
 double estimate_force(const VerticalGap& gap, const Stretch& stretch, double approach,
-                      double modulus);
+                      double modulus, std::size_t every = every_third_row);
 
 /// Sinking, measured from gap 0, at which the stretches together carry `vertical` (N) without
 /// friction.

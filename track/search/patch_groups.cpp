@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace rollfem::track {
@@ -19,34 +18,21 @@ constexpr double beyond_estimate_at_least = 0.01;  // mm
 /// Capacity for the humps of a wheel and a rail, which costs no more than for one.
 constexpr std::size_t usual_groups = 8;
 
-void join(PatchGroup& group, const PatchGroup& next) {
-  group.next_gap = std::min({group.next_gap, next.next_gap,
-                             std::max(group.stretch.deepest.gap, next.stretch.deepest.gap)});
-  if (next.stretch.deepest.gap < group.stretch.deepest.gap) {
-    group.stretch.deepest = next.stretch.deepest;
-    group.stretch.rolling_radius = next.stretch.rolling_radius;
+void join(Stretch& group, const Stretch& next) {
+  group.next_gap =
+      std::min({group.next_gap, next.next_gap, std::max(group.deepest.gap, next.deepest.gap)});
+  if (next.deepest.gap < group.deepest.gap) {
+    group.deepest = next.deepest;
+    group.rolling_radius = next.rolling_radius;
   }
-  group.stretch.limits[1] = next.stretch.limits[1];
+  group.limits[1] = next.limits[1];
   group.minima.insert(group.minima.end(), next.minima.begin(), next.minima.end());
 }
 
-std::vector<Stretch> stretches_of(const std::vector<PatchGroup>& groups) {
-  std::vector<Stretch> stretches;
-  stretches.reserve(groups.size());
-  for (const PatchGroup& group : groups) stretches.push_back(group.stretch);
-  return stretches;
-}
-
-double least_gap_of(const std::vector<PatchGroup>& groups) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const PatchGroup& group : groups) least = std::min(least, group.stretch.deepest.gap);
-  return least;
-}
-
 /// Range of the angles of all minima of two groups, rad.
-double angles_of_both(const PatchGroup& a, const PatchGroup& b) {
-  double least = std::numeric_limits<double>::infinity(), largest = -least;
-  for (const PatchGroup* group : {&a, &b})
+double angles_of_both(const Stretch& a, const Stretch& b) {
+  double least = contact::infinity, largest = -least;
+  for (const Stretch* group : {&a, &b})
     for (const GapMinimum& minimum : group->minima) {
       least = std::min(least, minimum.angle());
       largest = std::max(largest, minimum.angle());
@@ -55,10 +41,10 @@ double angles_of_both(const PatchGroup& a, const PatchGroup& b) {
 }
 
 /// Merges neighbours with the most similar angles first, until no two are within `merge_angle`.
-void join_neighbours(std::vector<PatchGroup>& groups, double merge_angle) {
+void join_neighbours(std::vector<Stretch>& groups, double merge_angle) {
   while (groups.size() > 1) {
     std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double least = contact::infinity;
     for (std::size_t k = 0; k + 1 < groups.size(); ++k)
       if (const double range = angles_of_both(groups[k], groups[k + 1]); range < least)
         least = range, best = k;
@@ -70,62 +56,65 @@ void join_neighbours(std::vector<PatchGroup>& groups, double merge_angle) {
 
 /// The ridge between neighbours separates them; the outer sides of the first and the last have
 /// none.
-void set_limits(const VerticalGap& gap, std::vector<PatchGroup>& groups) {
+void set_limits(const VerticalGap& gap, std::vector<Stretch>& groups) {
   for (std::size_t k = 0; k < groups.size(); ++k) {
-    groups[k].stretch.limits[0] = k > 0 ? groups[k - 1].stretch.limits[1] : gap.first();
-    groups[k].stretch.limits[1] =
+    groups[k].limits[0] = k > 0 ? groups[k - 1].limits[1] : gap.first();
+    groups[k].limits[1] =
         k + 1 < groups.size()
             ? gap.largest_between(groups[k].minima.back().y, groups[k + 1].minima.front().y)[1]
             : gap.last();
   }
 }
 
-}  // namespace
-
+/// A contact that does not touch at this sinking (mm) may do so under the load: the sinking is an
+/// estimate.
 bool within_reach_of_load(const GapMinimum& minimum, double least_gap, double sinking) {
   const double approach = sinking - least_gap;
   return minimum.gap - least_gap <
          std::max(beyond_estimate * approach, approach + beyond_estimate_at_least);
 }
 
-std::vector<PatchGroup> separate_groups(const VerticalGap& gap) {
-  std::vector<PatchGroup> groups;
+/// Every minimum with the stretch between the adjacent ridges; humps with almost no valley between
+/// them are merged.
+std::vector<Stretch> separate_groups(const VerticalGap& gap) {
+  std::vector<Stretch> groups;
   groups.reserve(usual_groups);
   for (const GapMinimum& minimum : gap.minima()) {
-    PatchGroup group;
-    group.stretch.deepest = minimum;
-    group.stretch.rolling_radius = gap.wheel().at(minimum.y).radius;
-    group.stretch.limits = {gap.first(), gap.last()};
+    Stretch group;
+    group.deepest = minimum;
+    group.rolling_radius = gap.wheel().at(minimum.y).radius;
+    group.limits = {gap.first(), gap.last()};
     group.minima = {minimum};
     if (!groups.empty()) {
-      PatchGroup& last = groups.back();
-      const auto ridge = gap.largest_between(last.stretch.deepest.y, minimum.y);
-      if (ridge[0] - std::max(last.stretch.deepest.gap, minimum.gap) < least_valley) {
+      Stretch& last = groups.back();
+      const auto ridge = gap.largest_between(last.deepest.y, minimum.y);
+      if (ridge[0] - std::max(last.deepest.gap, minimum.gap) < least_valley) {
         join(last, group);
         continue;
       }
-      last.stretch.limits[1] = group.stretch.limits[0] = ridge[1];
+      last.limits[1] = group.limits[0] = ridge[1];
     }
     groups.push_back(std::move(group));
   }
-  for (PatchGroup& group : groups) group.next_gap = std::numeric_limits<double>::infinity();
+  for (Stretch& group : groups) group.next_gap = contact::infinity;
   return groups;
 }
 
+}  // namespace
+
 Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingOf& sinking_of) {
-  const std::vector<PatchGroup> all = separate_groups(gap);
-  const double least = least_gap_of(all);
-  Contacts contacts{all, sinking_of(stretches_of(all))};
+  const std::vector<Stretch> all = separate_groups(gap);
+  const double least = deepest_of(all).deepest.gap;
+  Contacts contacts{all, sinking_of(all), all};
   // Separate patches are stiffer than together: the sinking grows from round to round, and with it
   // the set of patches that the load may reach.
   std::size_t reached = 0;
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {
-    std::vector<PatchGroup> groups;
+    std::vector<Stretch> groups;
     groups.reserve(all.size());
-    for (const PatchGroup& group : all)
-      if (within_reach_of_load(group.stretch.deepest, least, contacts.sinking))
-        groups.push_back(group);
+    for (const Stretch& group : all)
+      if (within_reach_of_load(group.deepest, least, contacts.sinking)) groups.push_back(group);
     if (groups.size() == reached) break;
     reached = groups.size();
     join_neighbours(groups, merge_angle);
@@ -133,7 +122,7 @@ Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingO
     // A single hump has already been checked.
     const bool known = round == 0 && all.size() == 1;
     contacts.groups = std::move(groups);
-    if (!known) contacts.sinking = sinking_of(stretches_of(contacts.groups));
+    if (!known) contacts.sinking = sinking_of(contacts.groups);
   }
   return contacts;
 }

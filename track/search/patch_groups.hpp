@@ -6,18 +6,9 @@
 
 #include <array>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace rollfem::track {
-
-/// A stretch and its minima.
-struct PatchGroup {
-  Stretch stretch;
-  std::vector<GapMinimum> minima;
-  /// Gap at the second-lowest minimum separated by a valley, mm; infinite where there is none.
-  double next_gap = std::numeric_limits<double>::infinity();
-};
 
 /// Sinking under the load carried by these stretches, measured from gap 0, mm.
 using SinkingOf = std::function<double(const std::vector<Stretch>&)>;
@@ -27,18 +18,11 @@ using SinkingOf = std::function<double(const std::vector<Stretch>&)>;
 /// between the others separate them. `sinking`: sinking under the load as estimated for these
 /// contacts, from gap 0, mm.
 struct Contacts {
-  std::vector<PatchGroup> groups;
+  std::vector<Stretch> groups;
   double sinking = 0.0;
+  std::vector<Stretch> humps;  ///< every minimum between ridges, whether or not the load reaches it
 };
 Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingOf& sinking_of);
-
-/// A contact that does not touch at this sinking (mm) may do so under the load: the sinking is an
-/// estimate.
-bool within_reach_of_load(const GapMinimum& minimum, double least_gap, double sinking);
-
-/// Every minimum with the stretch between the adjacent ridges; humps with almost no valley between
-/// them are merged.
-std::vector<PatchGroup> separate_groups(const VerticalGap& gap);
 
 /// Overlap of the bodies at a sinking: first and last y of the side frame.
 std::array<double, 2> reach_of(const VerticalGap& gap, const Stretch& stretch, double sinking);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {
@@ -37,12 +38,8 @@ modelling::Solved solve(const std::string& shifts, const std::string& head) {
   contact::ModelRegistry models;
   models.add(modelling::auto_model()).add(theories::models().at("halfspace")).add(bodies());
   const contact::Case input = contact::parse_case(
-      head +
-          "[load]\nvertical_force = 100e3\n[friction]\ncoefficient = 0.55\n[wheel]\n"
-          "rolling_radius = 450.0\nprofile = \"S1002\"\n[rail]\nprofile = \"UIC60-manchester\"\n"
-          "[track]\ninclination = \"1:40\"\n[wheelset]\nside = \"right\"\nroll = 0.0\n"
-          "lateral_shift = " +
-          shifts + "\n[rolling]\nlongitudinal_creepage = 0.001\n[output]\nfields = false\n",
+      head + rollfem::testing::edited(rollfem::testing::two_positions,
+                                      {"wheelset.side=right", "wheelset.lateral_shift=" + shifts}),
       "a.toml", modelling::model_words(models));
   modelling::Solving how;
   how.models = &models;

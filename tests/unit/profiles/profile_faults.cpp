@@ -32,6 +32,14 @@ void PrintTo(const Fault& fault, std::ostream* stream) {
 
 const auto same = [](Points&) {};
 
+/// The same change of every point.
+template <class Change>
+std::function<void(Points&)> each(const Change& change) {
+  return [change](Points& points) {
+    for (auto& point : points) change(point);
+  };
+}
+
 const std::vector<Fault> faults{
     {"Empty", true, "", {"is empty"}, {}},
     {"OnlyComments", true, "# nothing\n\n", {"is empty"}, {}},
@@ -57,26 +65,17 @@ const std::vector<Fault> faults{
      [](ProfileSource& s) { s.unit = contact::LengthUnit::inch; }},
     {"MirroredWheel",
      true,
-     changed("S1002",
-             [](Points& p) {
-               for (auto& q : p) q[0] = -q[0];
-             }),
+     changed("S1002", each([](auto& q) { q[0] = -q[0]; })),
      {"flange is on the wrong side", "mirror = true"},
      [](ProfileSource& s) { s.mirror = true; }},
     {"UpwardWheel",
      true,
-     changed("S1002",
-             [](Points& p) {
-               for (auto& q : p) q[1] = -q[1];
-             }),
+     changed("S1002", each([](auto& q) { q[1] = -q[1]; })),
      {"upward", "flip = true"},
      [](ProfileSource& s) { s.flip = true; }},
     {"UpwardRail",
      false,
-     changed("60E1",
-             [](Points& p) {
-               for (auto& q : p) q[1] = -q[1];
-             }),
+     changed("60E1", each([](auto& q) { q[1] = -q[1]; })),
      {"upward", "flip = true"},
      [](ProfileSource& s) { s.flip = true; }},
     {"ReversedWheel",
@@ -112,10 +111,7 @@ const std::vector<Fault> faults{
      [](ProfileSource& s) { s.longest_gap = 8.0; }},
     {"Kink",
      false,
-     changed("60E1",
-             [](Points& p) {
-               for (auto& q : p) q[1] += 0.5 * std::max(0.0, q[0] - 5.0);
-             }),
+     changed("60E1", each([](auto& q) { q[1] += 0.5 * std::max(0.0, q[0] - 5.0); })),
      {"kink of 26", "rounding = 0.05", "largest_kink = 27"},
      {}},
     {"WheelAsRail",
@@ -135,10 +131,7 @@ const std::vector<Fault> faults{
      {}},
     {"Step",
      false,
-     changed("60E1",
-             [](Points& p) {
-               for (auto& q : p) q[1] += q[0] > 5.0 ? 0.1 : 0.0;
-             }),
+     changed("60E1", each([](auto& q) { q[1] += q[0] > 5.0 ? 0.1 : 0.0; })),
      {"step of 0.1 mm", "y = 4.8", "`rounding = 0.05`"},
      {}},
 };

@@ -14,15 +14,11 @@
 namespace rollfem::profiles {
 namespace {
 
-struct Points {
-  std::vector<double> y, z;
-};
-
-/// Points of a profile at equal distances, each moved across it by normally distributed noise.
-Points measured(const ProfileCurve& curve, double spacing, double noise, unsigned seed) {
+/// PointRow of a profile at equal distances, each moved across it by normally distributed noise.
+PointRow measured(const ProfileCurve& curve, double spacing, double noise, unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0.0, 1.0);
-  Points points;
+  PointRow points;
   for (double p = curve.first(); p <= curve.last(); p += spacing) {
     const ProfilePoint place = curve.at(p);
     const double off = noise * normal(generator);
@@ -51,8 +47,8 @@ Errors compare(const ProfileCurve& truth, const ProfileCurve& curve, double from
 }
 
 TEST(SmoothingSpline, WithoutToleranceGoesThroughThePoints) {
-  const Points points = measured(find_built_in_profile("S1002")->make(), 0.5, 0.01, 1);
-  const ProfileCurve curve = smoothing_spline(points.y, points.z, 0.0);
+  const PointRow points = measured(find_built_in_profile("S1002")->make(), 0.5, 0.01, 1);
+  const ProfileCurve curve = smoothing_spline(points, 0.0);
   for (std::size_t k = 0; k < points.y.size(); ++k) {
     const ProfilePoint place = curve.at(curve.knots().parameter[k]);
     EXPECT_NEAR(place.y, points.y[k], 1e-12);
@@ -61,13 +57,13 @@ TEST(SmoothingSpline, WithoutToleranceGoesThroughThePoints) {
 }
 
 TEST(SmoothingSpline, MeetsACircleAndItsCurvature) {
-  Points points;
+  PointRow points;
   const double radius = 20.0;
   for (double angle = -1.0; angle < 1.0; angle += 0.02) {
     points.y.push_back(radius * std::sin(angle));
     points.z.push_back(-radius * std::cos(angle));
   }
-  const ProfileCurve curve = smoothing_spline(points.y, points.z, 0.0);
+  const ProfileCurve curve = smoothing_spline(points, 0.0);
   // Away from the ends, where the natural spline has no curvature.
   for (double y = -8.0; y < 8.0; y += 0.37) {
     const ProfilePoint place = curve.at(curve.parameter_at(y));
@@ -78,10 +74,10 @@ TEST(SmoothingSpline, MeetsACircleAndItsCurvature) {
 
 /// What is taken out is the noise: also when it is stated up to three times too large.
 TEST(SmoothingSpline, LeavesTheNoiseBetweenPointsAndCurve) {
-  const Points points = measured(find_built_in_profile("60E1")->make(), 0.3, 0.01, 2);
+  const PointRow points = measured(find_built_in_profile("60E1")->make(), 0.3, 0.01, 2);
   for (const double scatter : {0.01, 0.02, 0.03}) {
     SmoothingReport report;
-    const ProfileCurve curve = smoothing_spline(points.y, points.z, scatter, &report);
+    const ProfileCurve curve = smoothing_spline(points, scatter, &report);
     // 560 points: the rms of the noise itself is known to 3 %.
     EXPECT_NEAR(report.rms, 0.01, 6e-4);
     EXPECT_GT(report.largest, report.rms);
@@ -97,7 +93,7 @@ TEST(SmoothingSpline, LeavesTheNoiseBetweenPointsAndCurve) {
 }
 
 TEST(SmoothingSpline, DoesNotBendAStraightLine) {
-  Points points;
+  PointRow points;
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> step(0.1, 0.5);
   for (double y = 0.0; y < 60.0; y += step(generator)) {
@@ -105,16 +101,16 @@ TEST(SmoothingSpline, DoesNotBendAStraightLine) {
     points.z.push_back(0.4 * y - 3.0);
   }
   // The line is in the null space of the penalty: no rms distance is ever reached.
-  EXPECT_THROW(smoothing_spline(points.y, points.z, 0.01), std::invalid_argument);
-  const ProfileCurve curve = smoothing_spline(points.y, points.z, 0.0);
+  EXPECT_THROW(smoothing_spline(points, 0.01), std::invalid_argument);
+  const ProfileCurve curve = smoothing_spline(points, 0.0);
   for (double p = 0.0; p < 60.0; p += 0.7) EXPECT_NEAR(curve.at(p).curvature, 0.0, 1e-10);
 }
 
 TEST(SmoothingSpline, TellsTheScatterOfTheMeasurement) {
   for (const double noise : {0.003, 0.01, 0.03}) {
-    const Points points = measured(find_built_in_profile("60E1")->make(), 0.3, noise, 4);
+    const PointRow points = measured(find_built_in_profile("60E1")->make(), 0.3, noise, 4);
     SmoothingReport report;
-    smoothing_spline(points.y, points.z, noise, &report);
+    smoothing_spline(points, noise, &report);
     // The median of 500 dependent values: some 6 %; three of those.
     EXPECT_NEAR(report.scatter, noise, 0.18 * noise);
   }
@@ -134,14 +130,13 @@ TEST(SmoothingSpline, TakesNoiseOfAHundredthOutOfTheRunningSurfaces) {
       const ProfileCurve truth = find_built_in_profile(surface.name)->make();
       Errors worst, through;
       for (unsigned seed = 0; seed < 5; ++seed) {
-        const Points points = measured(truth, spacing, 0.01, seed);
-        const ProfileCurve curve = smoothing_spline(points.y, points.z, 0.01);
+        const PointRow points = measured(truth, spacing, 0.01, seed);
+        const ProfileCurve curve = smoothing_spline(points, 0.01);
         const Errors here = compare(truth, curve, surface.from, surface.to);
         worst.height = std::max(worst.height, here.height);
         worst.slope = std::max(worst.slope, here.slope);
         worst.curvature = std::max(worst.curvature, here.curvature);
-        through =
-            compare(truth, smoothing_spline(points.y, points.z, 0.0), surface.from, surface.to);
+        through = compare(truth, smoothing_spline(points, 0.0), surface.from, surface.to);
       }
       std::printf(
           "%s every %.1f mm: height %.2g mm, slope %.2g, curvature %.2g /mm (unsmoothed %.2g)\n",

@@ -3,7 +3,6 @@
 // and, where those files are at hand, against all of them.
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profiles.hpp"
-#include "profiles/wheel_s1002.hpp"
 
 #include <gtest/gtest.h>
 

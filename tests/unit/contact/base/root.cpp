@@ -14,6 +14,7 @@
 
 using namespace rollfem;
 using contact::bracketed_root;
+using contact::root_from;
 using rollfem::testing::refusal;
 
 namespace {
@@ -69,6 +70,33 @@ TEST(BracketedRoot, SaysWhatHasNone) {
                                            : x > 0.8 ? 1.0
                                                      : nan; }).substr(0, 40),
             "roll of the wheelset: the function is na");
+}
+
+TEST(RootFrom, IsFoundOnEitherSideAlsoWhereTheFunctionSaturates) {
+  int calls = 0;
+  const auto root_of = [&](const std::function<double(double)>& f) {
+    const auto counted = [&](double x) {
+      ++calls;
+      const double value = f(x);
+      return std::abs(value) < 1e-9 ? 0.0 : value;
+    };
+    const double at_start = counted(0.0), next = at_start > 0.0 ? 1e-3 : -1e-3;
+    return root_from(counted, 0.0, at_start, next, 0.1, 1e-9, "test").value();
+  };
+  EXPECT_NEAR(root_of([](double x) { return -std::tanh(x / 1e-3 - 2.0); }), 2e-3, 1e-9);
+  EXPECT_NEAR(root_of([](double x) { return 0.004 - x; }), 4e-3, 1e-9);
+  EXPECT_NEAR(root_of([](double x) { return -std::atan(x / 1e-5 + 40.0); }), -4e-4, 1e-9);
+  EXPECT_LT(calls, 45);
+}
+
+TEST(RootFrom, StartThatIsARootIsKept) {
+  const auto falling = [](double x) { return 0.01 - x; };
+  EXPECT_EQ(root_from(falling, 0.01, 0.0, 0.02, 1.0, 1e-9, "test"), 0.01);
+}
+
+TEST(RootFrom, IsEmptyWithoutAChangeOfSign) {
+  const auto one = [](double) { return 1.0; };
+  EXPECT_FALSE(root_from(one, 0.0, 1.0, 1e-3, 0.1, 1e-9, "test"));
 }
 
 }  // namespace

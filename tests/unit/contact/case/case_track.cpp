@@ -19,18 +19,7 @@ using contact::parse_case;
 using rollfem::testing::expect_error;
 using rollfem::testing::says;
 
-const std::string pair = R"([load]
-vertical_force = 100e3
-[friction]
-coefficient = 0.3
-[wheel]
-rolling_radius = 450.0
-profile = "S1002"
-[rail]
-profile = "UIC60-manchester"
-[track]
-inclination = "1:40"
-)";
+const std::string& pair = rollfem::testing::wheel_on_rail;
 
 std::string with_pair(const std::string& piece, const std::string& replacement) {
   std::string text = pair;

@@ -3,6 +3,7 @@
 // precisions, on skew cells with hanging nodes; on any number of processes.
 #include "fem/discretisation/elasticity_operator.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/fem_elastic_block.hpp"
@@ -155,7 +156,12 @@ INSTANTIATE_TEST_SUITE_P(Variants, Stiffness,
                          ::testing::Values(Variant{1}, Variant{2}, Variant{1, 0.48},
                                            Variant{2, 0.48}, Variant{1, 0.3, fast},
                                            Variant{2, 0.3, fast}, Variant{1, 0.48, fast},
-                                           Variant{2, 0.48, fast}));
+                                           Variant{2, 0.48, fast}),
+                         [](const auto& test) {
+                           const Variant& v = test.param;
+                           return fmt::format("Degree{}Poisson{:.0f}{}", v.degree,
+                                              100 * v.poisson_ratio, v.speed > 0 ? "Fast" : "");
+                         });
 
 }  // namespace
 }  // namespace rollfem

@@ -125,7 +125,8 @@ TEST(Origin, AWheelMeasuredFromTheBackOfItsFlangeIsPlacedTheSame) {
       if (shift > 20.0 && !left) {
         const auto message = [](const contact::Case& input, const track::SearchScene& of) {
           return rollfem::testing::refusal<contact::SolveError>([&] {
-            touching_pose(input, of, {24.0, 0.0, 0.0, 0.0}, 1, false);
+            track::WheelsetPose pose{24.0, 0.0, 0.0, 0.0};
+            touching_gap(input, of, pose, 1, false);
           });
         };
         EXPECT_TRUE(rollfem::testing::says(message(given, scene), "on the tip of its flange"));
