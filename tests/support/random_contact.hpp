@@ -286,13 +286,13 @@ class RandomLevel {
   void solve(const contact::TangentialMotion& motion, const contact::ContactState& start,
              const contact::ContactAccuracy& accuracy = {}) {
     state_ = problem_->solve(load_, motion, &start, accuracy,
-                             [this](const contact::CoupledSolution& outer) { count(outer); });
+                             [this](const contact::ContactState& outer) { count(outer); });
     if (!standin_) outcome_.add(state_.tangential);
   }
 
-  void count(const contact::CoupledSolution& outer) {
+  void count(const contact::ContactState& outer) {
     outcome_.add(outer.tangential);
-    outcome_.outer_iterations = std::max(outcome_.outer_iterations, outer.outer_iterations);
+    outcome_.outer_iterations = std::max(outcome_.outer_iterations, outer.iterations);
   }
 
   void find_force() {
@@ -323,12 +323,8 @@ class RandomLevel {
     history.advance({none, none}, 0.0, contact::friction_after(contact_.law(), grid_));
     state_ = first_state();
     for (int step = 0; step < 3; ++step) {
-      const contact::StepProblem problem =
+      contact::TangentialMotion motion =
           history.rolling_step(rigid(contact_.creepage), contact_.step);
-      contact::TangentialMotion motion;
-      motion.rigid_slip = problem.rigid_slip;
-      motion.motion = contact::Motion::shift;
-      motion.slip_factor = problem.slip_factor;
       if (remembers()) motion.past = history.past(contact_.step);
       solve(motion, contact::ContactState(state_));
       history.advance({state_.displacement.x, state_.displacement.y}, contact_.step,
