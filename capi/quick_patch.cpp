@@ -97,7 +97,7 @@ bool QuickPatch::lay_on_patch() {
                   0.5 * (patch.y_lower + patch.y_upper)))
     return false;
   geometry_->rigid_slip(given_->creepage, grid_, own_slip_);
-  slip_ = own_slip_;
+  motion_.rigid_slip = own_slip_;
   return true;
 }
 
@@ -153,7 +153,7 @@ bool QuickPatch::solve_friction(const contact::Friction& friction, bool anew, bo
   contact::TangentialOptions options;
   options.tolerance = traction_tolerance;
   options.krylov_tolerance = krylov_tolerance;
-  problem_.emplace(contact::FrictionProblem{grid_, pressure_, slip_, *friction, 1.0});
+  problem_.emplace(contact::FrictionProblem{grid_, pressure_, motion_, *friction});
   newton_.solve(rolling_, *problem_, rolling_.grid_indices(), options, anew ? none : traction_);
   spread(newton_.traction(), traction_);
   return true;
@@ -195,8 +195,8 @@ bool QuickPatch::respond(SumsByCreepage& by_creepage) {
 
 void QuickPatch::forget_neighbours() {
   distance_ = own_distance_;
-  slip_.x = own_slip_.x;
-  slip_.y = own_slip_.y;
+  motion_.rigid_slip.x = own_slip_.x;
+  motion_.rigid_slip.y = own_slip_.y;
 }
 
 /// Lumps the neighbour's tractions into one point load per block of elements. Its pressure
@@ -225,7 +225,7 @@ void QuickPatch::add_neighbour(const QuickPatch& neighbour,
     load.y /= load.normal;
     halfspace::place_beside(contact().place, neighbour.contact().place, load);
   }
-  halfspace::add_slip(loads_, material, grid_, slip_);
+  halfspace::add_slip(loads_, material, grid_, motion_.rigid_slip);
   for (contact::NeighbourLoad& load : loads_) load.normal = 0.0;
   moved_.setZero(grid_.size());
   halfspace::add_displacement(loads_, material, grid_, moved_);

@@ -140,7 +140,8 @@ class QuickPatch {
   std::vector<double> place_, climb_, cosine_, carried_, of_lateral_;
   contact::PatchSize size_;
   contact::Field own_distance_, moved_, distance_, pressure_, weights_;
-  contact::TangentialField own_slip_, slip_, traction_, change_;
+  contact::TangentialField own_slip_, traction_, change_;
+  contact::TangentialMotion motion_;
   Eigen::VectorXd slip_change_, traction_change_;  ///< on the elements in contact
   std::vector<contact::NeighbourLoad> loads_;
   contact::PointResult point_;

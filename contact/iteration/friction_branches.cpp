@@ -101,8 +101,8 @@ bool FrictionNewton::follow_bounds(double scale) {
   const bool from_sliding =
       (problem_->law.branch == FrictionBranch::sliding) != options_->other_branch;
   if (from_sliding) {
-    slip_change_.setConstant(fast / problem_->slip_factor);
-    state_.set_bound(slip_change_, point_->bound);
+    slip_change_.setConstant(fast / problem_->motion.slip_factor);
+    state_.set_bound(slip_change_, slip_change_, point_->bound);
   } else {
     point_->bound = bound_;
   }
@@ -112,34 +112,34 @@ bool FrictionNewton::follow_bounds(double scale) {
     const double tolerance = lags          ? std::max(1e-2 * near, options_->tolerance)
                              : near > 1e-3 ? round_tolerance
                                            : 0.1 * options_->tolerance;
-    held_ = point_->bound;
-    trial_->bound = held_;
-    follows_ = lags ? step / (1.0 + step) : 0.0;
+    lagged_bound_ = point_->bound;
+    trial_->bound = lagged_bound_;
+    bound_relaxation_ = lags ? step / (1.0 + step) : 0.0;
     drag_ = 0.0;
     fronts_.forget();
     const Eigen::VectorXd traction = point_->traction;
     evaluate(*point_);
-    const double part = lags ? follows_ : 1.0;
+    const double part = lags ? bound_relaxation_ : 1.0;
     const bool solved = lags ? iterate_briefly(scale, tolerance) : iterate(scale, tolerance);
-    follows_ = 1.0;
+    bound_relaxation_ = 1.0;
     if (!solved && !lags) {
       steep_ = false;  // nothing that friction does
       return false;
     }
     if (!solved && (point_->norm > coarse * scale || step < short_step)) {
       point_->traction = traction;
-      point_->bound = held_;
+      point_->bound = lagged_bound_;
       step *= 0.5;
-      follows_ = 0.0;
+      bound_relaxation_ = 0.0;
       drag_ = 0.0;
       evaluate_from_traction(*point_);
       continue;
     }
     evaluate(*point_);
     if (point_->norm <= options_->tolerance * scale && stays()) return true;
-    const Eigen::ArrayXd moved = (point_->bound - held_).array() / bound_.array();
-    const double change = moved.abs().maxCoeff(&restless_);
-    const Eigen::VectorXd next = held_ + part * (point_->bound - held_);
+    const Eigen::ArrayXd moved = (point_->bound - lagged_bound_).array() / bound_.array();
+    const double change = moved.abs().maxCoeff(&most_changed_element_);
+    const Eigen::VectorXd next = lagged_bound_ + part * (point_->bound - lagged_bound_);
     if (lags) step = solved ? std::min(longest_step, 1.5 * step) : 0.5 * step;
     // Longer steps would end in the state found last, which is unstable.
     if (lags && effort_.feedback > 1.0) step = std::min(step, 0.5 / (*effort_.feedback - 1.0));
@@ -202,19 +202,9 @@ void FrictionNewton::feed_back(const Eigen::VectorXd& change) {
     right_[e] = change[e] * at_.normal[e];
     right_[count_ + e] = change[e] * at_.normal[count_ + e];
   }
-  follows_ = 0.0;
-  effort_.krylov_iterations +=
-      gmres_
-          .solve([this](const Gmres::Given& p, Gmres::Vector result) { apply_jacobian(p, result); },
-                 [this](const Gmres::Given& p, Gmres::Vector result) {
-                   if (stood_still_)
-                     compliance_->precondition_surely(p, result);
-                   else
-                     compliance_->precondition(p, result);
-                 },
-                 right_, {tolerance, options_->max_krylov_iterations, krylov_restart}, direction_)
-          .iterations;
-  follows_ = 1.0;
+  bound_relaxation_ = 0.0;
+  invert_jacobian(tolerance, options_->max_krylov_iterations, direction_);
+  bound_relaxation_ = 1.0;
   compliance_->apply(direction_, slip_change_);
   trial_change_ = direction_ - r_ * slip_change_;
   state_.change(slip_change_, trial_change_, bound_change_);
@@ -272,7 +262,7 @@ void FrictionNewton::fail(double scale) const {
       point_->norm / scale, effort_.newton_steps, effort_.krylov_iterations, options_->tolerance);
   if (!steep_) throw SolveError("the tangential contact iteration did not converge: " + how);
   const ContactGrid& grid = problem_->grid;
-  const Index k = (*places_)[static_cast<std::size_t>(restless_)];
+  const Index k = (*places_)[static_cast<std::size_t>(most_changed_element_)];
   const std::string found =
       effort_.feedback
           ? fmt::format("in the one found a small change returns {:.3g} times as large",
@@ -280,7 +270,7 @@ void FrictionNewton::fail(double scale) const {
           : std::string("Newton's method found none");
   const SteepCause steep =
       steep_cause(problem_->law, effort_.steepness,
-                  problem_->past != nullptr ? problem_->past->length : grid.dx);
+                  problem_->motion.past ? problem_->motion.past->length : grid.dx);
   throw NoSteadyFriction(
       fmt::format("{} (steepness {:.2g}) that no stable steady state was found: {}, and bounds "
                   "went up and down most at x = "

@@ -2,6 +2,7 @@
 #include "contact/iteration/friction_newton.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -32,11 +33,10 @@ void enlarge(Eigen::VectorXd& values, Eigen::Index n) {
 
 }  // namespace
 
-FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
-                                             const FrictionProblem& problem,
-                                             const std::vector<Index>& places,
-                                             const TangentialOptions& options,
-                                             const TangentialField& start) {
+FrictionEffort FrictionNewton::solve(ElementOperator& compliance, const FrictionProblem& problem,
+                                     const std::vector<Index>& places,
+                                     const TangentialOptions& options,
+                                     const TangentialField& start) {
   compliance_ = &compliance;
   problem_ = &problem;
   places_ = &places;
@@ -45,12 +45,12 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
   state_.begin(problem, places, r_);
   feels_slip_ = state_.feels_slip();
   drag_ = 0.0;
-  follows_ = 1.0;
+  bound_relaxation_ = 1.0;
   effort_ = {};
-  stood_still_ = false;
+  preconditioner_failed_ = false;
   lay_out(static_cast<Index>(places.size()));
   state_.set_rest(bound_);
-  gather(problem.rigid_slip, rigid_slip_);
+  gather(problem.motion.rigid_slip, rigid_slip_);
   const double creepage_load = r_ * rigid_slip_.norm();
   if (count_ == 0 || creepage_load == 0.0) {
     evaluate_at_rest(*point_);
@@ -74,26 +74,22 @@ FrictionNewton::Effort FrictionNewton::solve(ElementOperator& compliance,
 
 void FrictionNewton::lay_out(Index count) {
   count_ = count;
-  constexpr Index vectors = 32;
-  enlarge(memory_, vectors * count);
+  Point &one = points_[0], &other = points_[1];
+  const std::array<Vector*, 14> pairs{&rigid_slip_, &dragged_from_, &direction_,     &slip_change_,
+                                      &right_,      &trial_change_, &one.traction,   &one.slip,
+                                      &one.value,   &one.trial,     &other.traction, &other.slip,
+                                      &other.value, &other.trial};
+  const std::array<Vector*, 4> bounds{&bound_, &bound_change_, &one.bound, &other.bound};
+  enlarge(memory_, static_cast<Index>(2 * pairs.size() + bounds.size()) * count);
   double* next = memory_.data();
-  const auto place = [&](Vector& vector, Index size) {
-    new (&vector) Vector(next, size);
+  const auto place = [&](Vector* vector, Index size) {
+    new (vector) Vector(next, size);
     next += size;
   };
-  for (Vector* vector :
-       {&rigid_slip_, &dragged_from_, &direction_, &slip_change_, &right_, &trial_change_})
-    place(*vector, 2 * count);
-  place(bound_, count);
-  place(bound_change_, count);
-  for (Point& point : points_) {
-    for (Vector* vector : {&point.traction, &point.slip, &point.value, &point.trial})
-      place(*vector, 2 * count);
-    if (feels_slip_)
-      place(point.bound, count);
-    else
-      new (&point.bound) Vector(bound_.data(), count);
-  }
+  for (Vector* vector : pairs) place(vector, 2 * count);
+  for (Vector* vector : bounds) place(vector, count);
+  if (!feels_slip_)
+    for (Point& point : points_) new (&point.bound) Vector(bound_.data(), count);
   for (Eigen::VectorXd* vector : {&at_.normal, &at_.left}) enlarge(*vector, 2 * count);
   enlarge(at_.factor, count);
 }
@@ -152,7 +148,8 @@ void FrictionNewton::evaluate(Point& point) {
   point.trial = point.traction - r_ * point.slip;
   if (drag_ > 0.0) point.trial -= r_ * drag_ * (point.traction - dragged_from_);
   if (feels_slip()) state_.set_bound(point.slip, point.trial, point.bound);
-  if (feels_slip() && follows_ < 1.0) point.bound = held_ + follows_ * (point.bound - held_);
+  if (feels_slip() && bound_relaxation_ < 1.0)
+    point.bound = lagged_bound_ + bound_relaxation_ * (point.bound - lagged_bound_);
   point.value = point.trial;
   project(point.value, point.bound);
   point.value = point.traction - point.value;
@@ -237,7 +234,7 @@ void FrictionNewton::change_value(const Gmres::Given& p, Gmres::Vector change) {
   if (falls) {
     trial_change_ = r_ * ((1.0 - r_ * drag_) * p - change);
     state_.change(change, trial_change_, bound_change_);
-    bound_change_ *= follows_;
+    bound_change_ *= bound_relaxation_;
   }
   for (Index e = 0; e < count_; ++e) {
     const Index f = count_ + e;
@@ -264,13 +261,22 @@ bool FrictionNewton::respond(const Eigen::Ref<const Eigen::VectorXd>& slip_chang
   slip_change_.setZero();  // tractions that stay
   change_value(slip_change_, right_);
   right_ = -right_;
-  return gmres_
-      .solve([this](const Gmres::Given& p, Gmres::Vector result) { apply_jacobian(p, result); },
-             [this](const Gmres::Given& p, Gmres::Vector result) {
-               compliance_->precondition(p, result);
-             },
-             right_, {tolerance, most_iterations, krylov_restart}, change)
-      .converged;
+  return invert_jacobian(tolerance, most_iterations, change).converged;
+}
+
+GmresResult FrictionNewton::invert_jacobian(double tolerance, int most_iterations,
+                                            Gmres::Vector solution) {
+  const GmresResult result =
+      gmres_.solve([this](const Gmres::Given& p, Gmres::Vector image) { apply_jacobian(p, image); },
+                   [this](const Gmres::Given& p, Gmres::Vector image) {
+                     if (preconditioner_failed_)
+                       compliance_->precondition_surely(p, image);
+                     else
+                       compliance_->precondition(p, image);
+                   },
+                   right_, {tolerance, most_iterations, krylov_restart}, solution);
+  effort_.krylov_iterations += result.iterations;
+  return result;
 }
 
 /// Tolerance of the linear system: loose at first, tighter as Newton's method converges (Eisenstat
@@ -286,25 +292,13 @@ double FrictionNewton::forcing(double residual, double previous) const {
 void FrictionNewton::find_direction(double tolerance) {
   compliance_->linearise(preconditioned(), r_, r_ * drag_);
   right_ = -point_->value;
-  const auto solved = [&](const auto& preconditioner) {
-    const GmresResult solution = gmres_.solve(
-        [this](const Gmres::Given& p, Gmres::Vector result) { apply_jacobian(p, result); },
-        preconditioner, right_, {tolerance, options_->max_krylov_iterations, krylov_restart},
-        direction_);
-    effort_.krylov_iterations += solution.iterations;
-    return solution.residual;
-  };
   constexpr double standstill = 0.5;
-  if (!stood_still_) {
-    const double residual = solved([this](const Gmres::Given& p, Gmres::Vector result) {
-      compliance_->precondition(p, result);
-    });
-    if (residual <= standstill) return;
-    stood_still_ = true;
-  }
-  solved([this](const Gmres::Given& p, Gmres::Vector result) {
-    compliance_->precondition_surely(p, result);
-  });
+  const auto solve = [&] {
+    return invert_jacobian(tolerance, options_->max_krylov_iterations, direction_).residual;
+  };
+  if (solve() <= standstill || preconditioner_failed_) return;
+  preconditioner_failed_ = true;
+  solve();
 }
 
 /// One damped Newton step. False when no step along the Newton direction reduces |F|.

@@ -16,7 +16,7 @@
 
 namespace rollfem::contact {
 
-/// What of a law lets there be several states or none, and what helps: for messages.
+/// Why a law may have several or no steady states, and the remedy: for messages.
 struct SteepCause {
   std::string cause;  ///< without "that ..."
   std::string cure;
@@ -27,20 +27,12 @@ SteepCause steep_cause(const FrictionLaw& law, double steepness, double way);
 
 class FrictionNewton {
  public:
-  struct Effort {
-    int newton_steps = 0;
-    int krylov_iterations = 0;
-    double residual = 0.0;
-    double steepness = 0.0;  ///< of the law (friction_state.hpp); 0 where it does not feel slip
-    std::optional<double> feedback;  ///< where several solutions are possible (feedback())
-  };
-
   /// `places`: grid indices of the elements in contact. `start`: initial tractions, empty for the
   /// projected full-stick solution. Throws SolveError when it does not converge, NoSteadyFriction
   /// when there is no stable solution.
-  Effort solve(ElementOperator& compliance, const FrictionProblem& problem,
-               const std::vector<Eigen::Index>& places, const TangentialOptions& options,
-               const TangentialField& start);
+  FrictionEffort solve(ElementOperator& compliance, const FrictionProblem& problem,
+                       const std::vector<Eigen::Index>& places, const TangentialOptions& options,
+                       const TangentialField& start);
 
   /// Derivative of the tractions by the rigid slip, both on the elements in contact, times a change
   /// of slip. Call it after solve(), with the compliance still alive. False if the linear system
@@ -69,7 +61,7 @@ class FrictionNewton {
     double norm = 0.0;         ///< of F
   };
 
-  bool feels_slip() const { return feels_slip_ && follows_ > 0.0; }
+  bool feels_slip() const { return feels_slip_ && bound_relaxation_ > 0.0; }
   void lay_out(Index count);
   void gather(const TangentialField& field, Vector& values) const;
   bool iterate(double scale, double tolerance);
@@ -99,6 +91,8 @@ class FrictionNewton {
   }
   void apply_jacobian(const Gmres::Given& p, Gmres::Vector result);
   void change_value(const Gmres::Given& p, Gmres::Vector change);
+  /// Solution of J x = right_ after linearise().
+  GmresResult invert_jacobian(double tolerance, int most_iterations, Gmres::Vector solution);
   double forcing(double residual, double previous) const;
   void find_direction(double tolerance);
   bool advance(double residual, double previous);
@@ -115,9 +109,9 @@ class FrictionNewton {
   Index count_ = 0;
   FrictionState state_;
   bool feels_slip_ = false;
-  /// Part of the way from held_ to the bounds of the slip that bounds go; 0: they stay as they are.
-  double follows_ = 1.0;
-  Eigen::VectorXd held_;
+  /// Part of the way from lagged_bound_ to the bounds of the slip that bounds go; 0: they stay.
+  double bound_relaxation_ = 1.0;
+  Eigen::VectorXd lagged_bound_;
   Eigen::VectorXd first_;  ///< tractions of the first point
   double drag_ = 0.0;      ///< c in w + c (p - p'), of the unit of T
   Eigen::VectorXd memory_;
@@ -132,10 +126,10 @@ class FrictionNewton {
   Linearisation at_, nearly_;
   AdhesionFronts fronts_;
   Gmres gmres_;
-  Effort effort_;
-  bool stood_still_ = false;  ///< the full preconditioner has failed once
-  bool steep_ = false;        ///< several solutions are possible
-  Index restless_ = 0;        ///< element whose bound changed most in the last round
+  FrictionEffort effort_;
+  bool preconditioner_failed_ = false;  ///< the full preconditioner has failed once
+  bool steep_ = false;                  ///< several solutions are possible
+  Index most_changed_element_ = 0;      ///< element whose bound changed most in the last round
 };
 
 }  // namespace rollfem::contact

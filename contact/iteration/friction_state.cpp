@@ -53,8 +53,8 @@ void FrictionState::find_ways() {
   const ContactGrid& grid = problem_->grid;
   ways_.resize(count_);
   leads_.assign(static_cast<std::size_t>(count_), 1);
-  if (problem_->past != nullptr) {
-    ways_.setConstant(problem_->past->length);
+  if (problem_->motion.past) {
+    ways_.setConstant(problem_->motion.past->length);
     return;
   }
   const Field edges = leading_edges(grid, problem_->pressure);
@@ -68,7 +68,7 @@ void FrictionState::find_ways() {
 }
 
 double FrictionState::slip_at(const Given& slip, Index e) const {
-  return problem_->slip_factor * std::hypot(slip[e], slip[count_ + e]);
+  return problem_->motion.slip_factor * std::hypot(slip[e], slip[count_ + e]);
 }
 
 double steepest_fall(const FrictionLaw& law, double way,
@@ -89,17 +89,18 @@ double steepness(const FrictionLaw& law, double pressure, double compliance, dou
 }
 
 double FrictionState::steepness(double compliance) const {
-  const bool steps = problem_->past != nullptr;
-  const double way = steps ? problem_->past->length : problem_->grid.dx;
+  const bool steps = problem_->motion.past.has_value();
+  const double way = steps ? problem_->motion.past->length : problem_->grid.dx;
   double largest = 0.0;
   for (Index e = 0; e < count_; ++e)
     if (e == 0 || &law(e) != &law(e - 1))
-      largest = std::max(largest, contact::steepness(law(e), problem_->pressure.maxCoeff(),
-                                                     problem_->slip_factor * compliance, way));
+      largest =
+          std::max(largest, contact::steepness(law(e), problem_->pressure.maxCoeff(),
+                                               problem_->motion.slip_factor * compliance, way));
   if (!hardens()) return largest;
   // A layer that softens loses -k |w| h, in steady rolling half of it by the element's own slip.
   return std::max(largest, -plasticity_->hardening * (steps ? way : 0.5 * way) *
-                               problem_->slip_factor * compliance);
+                               problem_->motion.slip_factor * compliance);
 }
 
 void FrictionState::set_rest(Vector bound) const {
@@ -107,7 +108,7 @@ void FrictionState::set_rest(Vector bound) const {
     const double friction = friction_at_rest(e);
     bound[e] = friction;
     if (!plasticity_) continue;
-    const double before = problem_->past != nullptr ? plastic_before(e) : 0.0;
+    const double before = problem_->motion.past ? plastic_before(e) : 0.0;
     bound[e] = std::min(friction, yield_stress(before, friction));
   }
 }
@@ -127,8 +128,8 @@ bool FrictionState::yields(Index e) const {
 
 double FrictionState::plastic_before(Index e) const {
   if (!hardens()) return 0.0;
-  if (problem_->past != nullptr)
-    return problem_->past->plastic[(*places_)[static_cast<std::size_t>(e)]];
+  if (problem_->motion.past)
+    return problem_->motion.past->plastic[(*places_)[static_cast<std::size_t>(e)]];
   return leads_[static_cast<std::size_t>(e)] ? 0.0 : plastic(e + 1);
 }
 
@@ -167,7 +168,7 @@ FrictionState::Ahead FrictionState::follow_friction(Index e, double size, const 
   const double rate_by_slip = size > memory_->least_slip ? 1.0 / memory_->distance : 0.0;
   if (leads_[static_cast<std::size_t>(e)]) {
     const Index k = (*places_)[static_cast<std::size_t>(e)];
-    const double before = problem_->past != nullptr ? problem_->past->coefficient[k] : rest_[e];
+    const double before = problem_->motion.past ? problem_->motion.past->coefficient[k] : rest_[e];
     const double left = std::exp(-ways_[e] * rate);
     coefficient_[e] = own.value + left * (before - own.value);
     by_own_[e] = (1.0 - left) * own.by_slip - left * (before - own.value) * ways_[e] * rate_by_slip;
@@ -192,7 +193,7 @@ void FrictionState::follow_yield(Index e, double size, double size_ahead, double
   const double k = layer.hardening;
   YieldStep step{plastic_before(e),   ways_[e], size, leads ? size : size_ahead,
                  friction_at_rest(e), 0.0};
-  if (problem_->past != nullptr)
+  if (problem_->motion.past)
     step.friction_ahead = step.friction;
   else if (!leads)
     step.friction_ahead = friction_at_rest(e + 1);
@@ -204,7 +205,8 @@ void FrictionState::follow_yield(Index e, double size, double size_ahead, double
     if (leads) step.slip_ahead = 0.0;
     const PlasticDisplacement still = yielding(layer, step);
     const double by_slip = still.by_slip + (leads ? still.by_slip_ahead : 0.0);
-    const double softness = problem_->slip_factor / (r_ + k * by_slip * problem_->slip_factor);
+    const double softness =
+        problem_->motion.slip_factor / (r_ + k * by_slip * problem_->motion.slip_factor);
     const double excess = trial - layer.yield_stress - k * still.value;
     if (excess > 0.0) {
       step.slip = softness * excess;
@@ -239,7 +241,7 @@ void FrictionState::linearise(const Given& slip, const Given& trial) {
   follow(slip, trial);
   for (Index e = 0; e < count_; ++e) {
     const double size = std::hypot(slip[e], slip[count_ + e]);
-    const double factor = size > 0.0 ? problem_->slip_factor / size : 0.0;
+    const double factor = size > 0.0 ? problem_->motion.slip_factor / size : 0.0;
     direction_[e] = factor * slip[e];
     direction_[count_ + e] = factor * slip[count_ + e];
     if (!plasticity_) continue;

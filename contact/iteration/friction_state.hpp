@@ -22,14 +22,29 @@ struct FrictionPast {
   Field plastic{};      ///< u*, mm; may be empty where no yield stress changes
 };
 
+/// Result of the tangential operator: slip of steady rolling or relative displacement.
+enum class Motion {
+  rolling,  ///< slip w = s + D u, without a unit
+  shift,    ///< slip w = s + u in mm: a step of a shift or of transient rolling
+};
+
+/// Motion of the surfaces in steady rolling or in one step of a history.
+struct TangentialMotion {
+  TangentialField rigid_slip;  ///< s, no unit in steady rolling, mm for Motion::shift
+  Motion motion = Motion::rolling;
+  /// Slip of the results and of the friction law divided by w: 1 in steady rolling and for a shift
+  /// (mm slipped in the step), 1/mm for a step of rolling (slip relative to the rolling speed).
+  double slip_factor = 1.0;
+  double curvature_weight = 1.0;  ///< factor of Response::curvature_slip in the slip of the problem
+  std::optional<FrictionPast> past{};  ///< of a step, where friction remembers; else empty
+};
+
 /// The problem of friction on a known pressure (tangential.hpp).
 struct FrictionProblem {
   const ContactGrid& grid;
   const Field& pressure;
-  const TangentialField& rigid_slip;
+  const TangentialMotion& motion;
   const FrictionLaw& law;
-  double slip_factor = 1.0;            ///< slip as the law takes it over that of the problem
-  const FrictionPast* past = nullptr;  ///< null: steady rolling
 };
 
 /// Largest fall of mu with |w| of an element that the material passes in this way, mm: where
@@ -75,17 +90,12 @@ class FrictionState {
   /// a layer hardens, g + k h |w|, the element's own slip follows from |q| = g + r |w|, which is
   /// well scaled however large k is, and the same in a solution.
   void set_bound(const Given& slip, const Given& trial, Vector bound);
-  void set_bound(const Given& slip, Vector bound) { set_bound(slip, slip, bound); }
   /// Prepares `change` at a slip.
   void linearise(const Given& slip, const Given& trial);
-  void linearise(const Given& slip) { linearise(slip, slip); }
   /// Adds elements whose layer hardens so fast that they nearly adhere.
   void add_stiff(std::vector<char>& adheres) const;
   /// Change of g with that of the slip and of q.
   void change(const Given& slip_change, const Given& trial_change, Vector bound_change) const;
-  void change(const Given& slip_change, Vector bound_change) const {
-    change(slip_change, slip_change, bound_change);
-  }
 
  private:
   /// What the element behind depends on.

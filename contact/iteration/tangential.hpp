@@ -23,11 +23,9 @@ class NoSteadyFriction : public SolveError {
 };
 
 struct TangentialProblem {
-  Field pressure;              ///< p_n >= 0, MPa; 0 outside the contact area
-  TangentialField rigid_slip;  ///< s, with any defect of the compliance added
-  Friction friction;           ///< null: frictionless; no default, so that it is never forgotten
-  double slip_factor = 1.0;    ///< slip of the friction law divided by w
-  std::optional<FrictionPast> past{};  ///< empty: steady rolling
+  Field pressure;           ///< p_n >= 0, MPa; 0 outside the contact area
+  TangentialMotion motion;  ///< with any defect of the compliance added to the rigid slip
+  Friction friction;        ///< null: frictionless; no default, so that it is never forgotten
 };
 
 struct TangentialOptions {
@@ -39,20 +37,23 @@ struct TangentialOptions {
   bool other_branch = false;  ///< than FrictionLaw::branch
 };
 
-struct TangentialSolution {
+struct FrictionEffort {
+  int newton_steps = 0;
+  int krylov_iterations = 0;
+  double residual = 0.0;
+  double steepness = 0.0;  ///< of the law (friction_state.hpp); 0 where it does not feel slip
+  /// How much of a small change of all bounds comes back through the slip, below 1; empty where the
+  /// law does not fall steeply enough for several solutions.
+  std::optional<double> feedback;
+};
+
+struct TangentialSolution : FrictionEffort {
   TangentialField traction;         ///< MPa, on the wheel; |p_t| <= g
   TangentialField slip;             ///< w
   Field bound;                      ///< g, MPa
   std::vector<ElementState> state;  ///< exterior where g = 0 at rest
   Field coefficient;                ///< mu that particles carry on; at rest outside; empty: mu(w)
   Field plastic;                    ///< u* likewise, mm; empty where no yield stress changes
-  int newton_steps = 0;
-  int krylov_iterations = 0;
-  double residual = 0.0;
-  double steepness = 0.0;  ///< of the friction law (friction_state.hpp)
-  /// How much of a small change of all bounds comes back through the slip, below 1; empty where the
-  /// law does not fall steeply enough for several solutions.
-  std::optional<double> feedback;
   int states = 1;  ///< that were looked for and found (ContactProblem::count_states)
 };
 

@@ -19,13 +19,14 @@ Preconditioner refitted(const SolvableCompliance& standin, UpwindOrder order,
 
 /// The approach for a given force makes the mean gap under pressure vanish. The residual of an
 /// outer iteration does not contain this mean, which on a few elements may be the whole error.
-void take_up_mean(const NormalLoad& load, const VerticalFrame& frame, NormalSolution& normal) {
+void take_up_mean(const CoupledProblem& problem, NormalSolution& normal) {
+  const VerticalFrame& frame = problem.frame;
   const Field pressed = (normal.pressure.array() > 0.0).cast<double>();
   const Field to_vertical = frame.plane() ? Field(Field::Ones(pressed.size())) : frame.to_vertical;
   const double mean =
       normal.gap.cwiseProduct(to_vertical).dot(pressed) / std::max(1.0, pressed.sum());
   normal.gap -= mean * to_vertical.cwiseInverse();
-  normal.approach += frame.plane() ? mean : mean * load.direction[1];
+  normal.approach += frame.plane() ? mean : mean * problem.load.direction[1];
 }
 
 }  // namespace
@@ -47,59 +48,46 @@ const TangentialOperator& ContactProblem::tangential_operator(Motion motion,
                          standin_.rolling(UpwindOrder::second), upwind_weights(grid(), pressure));
 }
 
-void ContactProblem::set_gap(const NormalLoad& load, const Field& displacement,
-                             NormalSolution& normal) const {
-  if (conditions_.given_pressure.size() != 0) return;
-  const VerticalFrame frame = vertical_frame(conditions_.shape, load.direction);
-  Field& gap = normal.gap;
-  gap = conditions_.undeformed_distance + displacement;
+void ContactProblem::set_gap(const CoupledProblem& problem, ContactState& state) {
+  if (problem.given_pressure.size() != 0) return;
+  const VerticalFrame& frame = problem.frame;
+  NormalSolution& normal = state.normal;
+  normal.gap = problem.undeformed_distance + state.displacement.n;
   if (frame.plane())
-    gap.array() -= normal.approach;
+    normal.gap.array() -= normal.approach;
   else
-    gap -= normal.approach / load.direction[1] * frame.to_vertical.cwiseInverse();
-  if (load.force) take_up_mean(load, frame, normal);
+    normal.gap -= normal.approach / problem.load.direction[1] * frame.to_vertical.cwiseInverse();
+  if (problem.load.force) take_up_mean(problem, normal);
 }
 
 const NormalSolution& ContactProblem::press(const NormalLoad& load, const Field& start) {
   if (pressed_.pressure.size() != 0 && load == pressed_load_) return pressed_;
-  pressed_ = press_standin(standin_.normal(), coupled_problem(load, {}, false), start);
+  pressed_ = press_standin(standin_.normal(), problem_of(load), start);
   pressed_load_ = load;
   return pressed_;
 }
 
-CoupledProblem ContactProblem::coupled_problem(const NormalLoad& load,
-                                               const TangentialMotion& motion,
-                                               bool friction) const {
-  CoupledProblem problem;
-  problem.undeformed_distance = conditions_.undeformed_distance;
-  problem.load = load;
-  problem.given_pressure = conditions_.given_pressure;
-  problem.shape = conditions_.shape;
-  problem.frame = vertical_frame(conditions_.shape, load.direction);
-  if (!friction) return problem;
-  problem.friction = conditions_.friction;
-  problem.slip_factor = motion.slip_factor;
-  problem.rigid_slip = motion.rigid_slip;
-  problem.curvature_weight = motion.curvature_weight;
-  problem.past = motion.past;
-  return problem;
+ContactState ContactProblem::solve_problem(const CoupledProblem& problem, const ContactState* start,
+                                           const ContactAccuracy& accuracy,
+                                           const OuterCallback& each_iteration,
+                                           const ForcedSlip* forced) {
+  ContactState state;
+  if (!problem.friction && problem.same_normal_block)
+    state = frictionless(problem);
+  else if (coupled())
+    state = solve_coupled(problem, start, accuracy, each_iteration, forced);
+  else
+    state = solve_uncoupled(problem, start, accuracy);
+  state.tangential.slip.x *= problem.motion.slip_factor;
+  state.tangential.slip.y *= problem.motion.slip_factor;
+  set_gap(problem, state);
+  return state;
 }
 
 ContactState ContactProblem::solve(const NormalLoad& load, const TangentialMotion& motion,
                                    const ContactState* start, const ContactAccuracy& accuracy,
                                    const OuterCallback& each_iteration) {
-  const bool friction = conditions_.friction != nullptr;
-  ContactState state;
-  if (!friction && conditions_.same_normal_block)
-    state = frictionless(load, motion);
-  else if (coupled())
-    state = solve_coupled(load, motion, start, accuracy, each_iteration, friction);
-  else
-    state = solve_uncoupled(load, motion, start, accuracy);
-  state.tangential.slip.x *= motion.slip_factor;
-  state.tangential.slip.y *= motion.slip_factor;
-  set_gap(load, state.displacement.n, state.normal);
-  return state;
+  return solve_problem(problem_of(load, motion), start, accuracy, each_iteration);
 }
 
 ContactState ContactProblem::solve_for_force(const NormalLoad& load, const MotionAt& motion,
@@ -108,15 +96,10 @@ ContactState ContactProblem::solve_for_force(const NormalLoad& load, const Motio
                                              const ContactAccuracy& accuracy,
                                              const OuterCallback& each_iteration) {
   if (coupled() && !conditions_.same_normal_block) {
-    const TangentialMotion first = motion(search.start);
     const ForcedSlip forced{wanted, search,
                             [&](const Eigen::Vector2d& at) { return motion(at).rigid_slip; }};
-    ContactState state =
-        solve_coupled(load, first, &start, accuracy, each_iteration, true, &forced);
-    state.tangential.slip.x *= first.slip_factor;
-    state.tangential.slip.y *= first.slip_factor;
-    set_gap(load, state.displacement.n, state.normal);
-    return state;
+    return solve_problem(problem_of(load, motion(search.start)), &start, accuracy, each_iteration,
+                         &forced);
   }
   ContactState state = start;
   int iterations = 0;
@@ -138,21 +121,19 @@ int ContactProblem::count_states(const ContactState& state, const TangentialMoti
   const TangentialSolution& known = state.tangential;
   if (!known.feedback) return 1;
   const Field& pressure = state.normal.pressure;
-  TangentialField slip = motion.rigid_slip;
+  TangentialMotion moved = motion;
   if (coupled()) {
-    CoupledProblem problem;
-    problem.curvature_weight = motion.curvature_weight;
-    const TangentialField more =
-        defect_slip(preconditioner(motion.motion, pressure), problem, state.defect, pressure);
-    slip.x += more.x;
-    slip.y += more.y;
+    const TangentialField more = defect_slip(preconditioner(motion.motion, pressure),
+                                             motion.curvature_weight, state.defect, pressure);
+    moved.rigid_slip.x += more.x;
+    moved.rigid_slip.y += more.y;
   }
   TangentialOptions options;
   options.other_branch = true;
   try {
-    const TangentialSolution other = solve_tangential(
-        tangential_operator(motion.motion, pressure),
-        {pressure, slip, conditions_.friction, motion.slip_factor, motion.past}, options);
+    const TangentialSolution other =
+        solve_tangential(tangential_operator(motion.motion, pressure),
+                         {pressure, moved, conditions_.friction}, options);
     const double difference = (other.bound - known.bound).cwiseAbs().maxCoeff();
     return difference > apart * known.bound.maxCoeff() ? 2 : 1;
   } catch (const SolveError&) {  // none that stays
@@ -162,29 +143,25 @@ int ContactProblem::count_states(const ContactState& state, const TangentialMoti
 
 ContactState ContactProblem::solve_frictionless(const NormalLoad& load,
                                                 const ContactAccuracy& accuracy) {
-  return solve_coupled(load, {}, nullptr, accuracy, {}, false);
+  return solve_coupled(problem_of(load), nullptr, accuracy, {});
 }
 
-ContactState ContactProblem::solve_uncoupled(const NormalLoad& load, const TangentialMotion& motion,
+ContactState ContactProblem::solve_uncoupled(const CoupledProblem& problem,
                                              const ContactState* start,
                                              const ContactAccuracy& accuracy) {
-  const CoupledProblem problem = coupled_problem(load, motion, true);
-  CoupledSolution solution;
-  solution.normal = press(load, start ? start->normal.pressure : Field());
-  if (start) solution.tangential.traction = start->tangential.traction;
+  const Motion motion = problem.motion.motion;
+  ContactState state;
+  state.normal = press(problem.load, start ? start->normal.pressure : Field());
+  if (start) state.tangential.traction = start->tangential.traction;
   // All load points share one pressure unless friction carries a part of the load; then the leading
   // edge is located anew with every pressure.
-  const UpwindOrder order = conditions_.upwind_order;
-  const Preconditioner standin =
-      problem.shares_load() && fitted(motion.motion)
+  const UpwindOrder order = problem.upwind_order;
+  const Preconditioner preconditioner =
+      problem.shares_load() && fitted(motion)
           ? refitted(standin_, order)
           : Preconditioner{standin_, standin_.normal(),
-                           tangential_operator(motion.motion, solution.normal.pressure), order,
-                           motion.motion};
-  solve_standin(standin, problem, accuracy.tangential, solution);
-  ContactState state;
-  state.normal = std::move(solution.normal);
-  state.tangential = std::move(solution.tangential);
+                           tangential_operator(motion, state.normal.pressure), order, motion};
+  solve_standin(preconditioner, problem, accuracy.tangential, state);
   state.displacement = whole_.apply(state.traction());
   state.iterations = state.tangential.newton_steps;
   state.residual = std::max(state.normal.residual, state.tangential.residual);
@@ -198,41 +175,32 @@ Preconditioner ContactProblem::preconditioner(Motion motion, const Field& pressu
   return {standin_, standin_.normal(), tangential_operator(motion, pressure), order, motion};
 }
 
-ContactState ContactProblem::solve_coupled(const NormalLoad& load, const TangentialMotion& motion,
-                                           const ContactState* start,
+ContactState ContactProblem::solve_coupled(const CoupledProblem& problem, const ContactState* start,
                                            const ContactAccuracy& accuracy,
-                                           const OuterCallback& each_iteration, bool friction,
+                                           const OuterCallback& each_iteration,
                                            const ForcedSlip* forced) {
-  const bool same_normal = conditions_.same_normal_block;
-  const CoupledProblem problem = coupled_problem(load, motion, friction);
-  const Preconditioner standin =
-      preconditioner(motion.motion, same_normal ? press(load).pressure : Field());
-  CoupledSolution solution = contact::solve_coupled(
-      whole_, standin, problem, accuracy.outer, start ? start->defect : Response(), each_iteration,
+  const bool same_normal = problem.same_normal_block;
+  ContactState state = contact::solve_coupled(
+      whole_,
+      preconditioner(problem.motion.motion, same_normal ? press(problem.load).pressure : Field()),
+      problem, accuracy.outer, start ? start->defect : Response(), each_iteration,
       start && same_normal ? start->traction() : SurfaceField(), forced);
-  ContactState state;
-  state.normal = std::move(solution.normal);
-  state.tangential = std::move(solution.tangential);
-  state.displacement = std::move(solution.displacement);
-  state.defect = std::move(solution.defect);
-  state.unknowns = solution.unknowns;
-  state.iterations = solution.outer_iterations;
-  state.residual = solution.residual;
-  if (!friction) set_frictionless(grid(), state.tangential, state.normal.pressure, {});
+  if (problem.frictionless()) set_frictionless(grid(), state.tangential, state.normal.pressure, {});
   return state;
 }
 
 /// Without friction nothing adheres and tractions vanish; normal pressure on unlike materials still
 /// moves the surfaces sideways.
-ContactState ContactProblem::frictionless(const NormalLoad& load, const TangentialMotion& motion) {
+ContactState ContactProblem::frictionless(const CoupledProblem& problem) {
   ContactState state;
-  state.normal = press(load);
-  set_frictionless(grid(), state.tangential, state.normal.pressure, motion.rigid_slip);
+  state.normal = press(problem.load);
+  set_frictionless(grid(), state.tangential, state.normal.pressure, problem.motion.rigid_slip);
   state.displacement = whole_.apply(state.traction());
   if (coupled()) {
     const TangentialField u{state.displacement.x, state.displacement.y};
-    const TangentialField moved =
-        motion.motion == Motion::shift ? u : upwind_difference(grid(), u, conditions_.upwind_order);
+    const TangentialField moved = problem.motion.motion == Motion::shift
+                                      ? u
+                                      : upwind_difference(grid(), u, problem.upwind_order);
     state.tangential.slip.x += moved.x;
     state.tangential.slip.y += moved.y;
   }

@@ -13,50 +13,9 @@
 
 namespace rollfem::contact {
 
-/// Conditions common to all load points.
-struct ContactConditions {
-  Field undeformed_distance;    ///< mm; ignored with a given pressure
-  Field given_pressure;         ///< MPa, replaces the normal problem; may be empty
-  Friction friction = nullptr;  ///< null: frictionless
-  UpwindOrder upwind_order = UpwindOrder::second;
-  PatchShape shape{};  ///< empty: plane
-  /// Second-order differences fitted to the leading edge (leading_edge.hpp): forces converge with
-  /// second order and tractions do not zigzag from row to row. false: the same difference
-  /// everywhere.
-  bool fit_leading_edge = true;
-  bool same_normal_block = true;  ///< Elasticity
-  /// The stand-in with the coupling of unlike materials; null: like materials, or the elasticity
-  /// itself.
-  const Compliance* coupled_standin = nullptr;
-};
-
 struct ContactAccuracy {
   double tangential = 1e-6;  ///< residual of Newton's method, relative to the creepage load
   OuterOptions outer{1e-6, 600, 5};
-};
-
-struct ContactState {
-  NormalSolution normal;
-  TangentialSolution tangential;
-  SurfaceField displacement;  ///< wheel minus rail, mm, by all tractions
-  Response defect;            ///< difference between the elasticity and the stand-in; may be empty
-  int iterations = 0;         ///< Newton steps, or outer iterations
-  double residual = 0.0;
-  Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< creepages (shifts) found for a force
-
-  SurfaceField traction() const {
-    return {tangential.traction.x, tangential.traction.y, normal.pressure};
-  }
-};
-
-/// A tangential problem of steady rolling or of one step.
-struct TangentialMotion {
-  TangentialField rigid_slip;  ///< no unit in steady rolling, mm for Motion::shift
-  Motion motion = Motion::rolling;
-  /// Slip of the results divided by slip of the problem (StepProblem).
-  double slip_factor = 1.0;
-  double curvature_weight = 1.0;  ///< factor of Response::curvature_slip in the slip of the problem
-  std::optional<FrictionPast> past{};  ///< of a step of a history, where friction remembers
 };
 
 /// The motion at creepages (shifts), which affect only the rigid slip.
@@ -99,18 +58,21 @@ class ContactProblem {
   ContactState solve_frictionless(const NormalLoad& load, const ContactAccuracy& accuracy);
 
  private:
-  ContactState solve_uncoupled(const NormalLoad& load, const TangentialMotion& motion,
-                               const ContactState* start, const ContactAccuracy& accuracy);
-  ContactState solve_coupled(const NormalLoad& load, const TangentialMotion& motion,
-                             const ContactState* start, const ContactAccuracy& accuracy,
-                             const OuterCallback& each_iteration, bool friction,
+  ContactState solve_problem(const CoupledProblem& problem, const ContactState* start,
+                             const ContactAccuracy& accuracy, const OuterCallback& each_iteration,
                              const ForcedSlip* forced = nullptr);
-  ContactState frictionless(const NormalLoad& load, const TangentialMotion& motion);
+  ContactState solve_uncoupled(const CoupledProblem& problem, const ContactState* start,
+                               const ContactAccuracy& accuracy);
+  ContactState solve_coupled(const CoupledProblem& problem, const ContactState* start,
+                             const ContactAccuracy& accuracy, const OuterCallback& each_iteration,
+                             const ForcedSlip* forced = nullptr);
+  ContactState frictionless(const CoupledProblem& problem);
   /// The gap along the normal recomputed with the whole elasticity, independent of the solver: from
   /// the undeformed distance, the displacement under all tractions and the approach.
-  void set_gap(const NormalLoad& load, const Field& displacement, NormalSolution& normal) const;
-  CoupledProblem coupled_problem(const NormalLoad& load, const TangentialMotion& motion,
-                                 bool friction) const;
+  static void set_gap(const CoupledProblem& problem, ContactState& state);
+  CoupledProblem problem_of(const NormalLoad& load, const TangentialMotion& motion = {}) const {
+    return {conditions_, load, motion, vertical_frame(conditions_.shape, load.direction)};
+  }
   /// Fits second-order rolling to the leading edge of this pressure if the conditions request it.
   const TangentialOperator& tangential_operator(Motion motion, const Field& pressure);
   bool fitted(Motion motion) const;

@@ -206,10 +206,10 @@ ContactState ContactRun::start_for(std::size_t k) {
 }
 
 OuterCallback ContactRun::each_iteration(std::size_t k) {
-  return [this, k](const CoupledSolution& state) {
+  return [this, k](const ContactState& state) {
     if (elasticity_->same_normal_block()) return;
     ProgressEvent event = event_of(k);
-    event.iteration = state.outer_iterations;
+    event.iteration = state.iterations;
     event.residual = state.residual;
     event.contact_elements = state.normal.contact_elements;
     event.adhesion_elements = count_adhesion(state.tangential.state);

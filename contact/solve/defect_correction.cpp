@@ -35,24 +35,24 @@ Response unstacked(const Eigen::VectorXd& all) {
 
 /// Adds the plain minus the fitted difference of the coupling, because the slip of a defect uses
 /// the fitted one.
-void leave_coupling_unfitted(const Preconditioner& halfspace, const SurfaceField& traction,
+void leave_coupling_unfitted(const Preconditioner& preconditioner, const SurfaceField& traction,
                              const SurfaceField& uncoupled, TangentialField& slip) {
-  const Field weights = halfspace.fitted_weights(traction.n);
-  if (halfspace.coupled == nullptr || weights.size() == 0) return;
-  const ContactGrid& grid = halfspace.whole.grid();
-  const SurfaceField coupled = halfspace.coupled->apply(traction);
+  const Field weights = preconditioner.fitted_weights(traction.n);
+  if (preconditioner.coupled == nullptr || weights.size() == 0) return;
+  const ContactGrid& grid = preconditioner.whole.grid();
+  const SurfaceField coupled = preconditioner.coupled->apply(traction);
   const TangentialField u{coupled.x - uncoupled.x, coupled.y - uncoupled.y};
-  const TangentialField plain = upwind_difference(grid, u, halfspace.upwind_order);
+  const TangentialField plain = upwind_difference(grid, u, preconditioner.upwind_order);
   const TangentialField fitted = fitted_difference(grid, u, weights);
   slip.x += plain.x - fitted.x;
   slip.y += plain.y - fitted.y;
 }
 
 /// Difference between elasticity and preconditioner; its normal part as a gap along z.
-Response defect_of(const Response& response, const Preconditioner& standin,
+Response defect_of(const Response& response, const Preconditioner& preconditioner,
                    const SurfaceField& traction, const VerticalFrame& frame) {
   const SurfaceField& u = response.displacement;
-  const SurfaceField halfspace = standin.whole.apply(traction);
+  const SurfaceField halfspace = preconditioner.whole.apply(traction);
   Field normal = u.n;
   if (frame.to_vertical.size() != 0) normal = normal.cwiseProduct(frame.to_vertical).eval();
   normal -=
@@ -61,7 +61,7 @@ Response defect_of(const Response& response, const Preconditioner& standin,
                   response.curvature_slip};
   if (defect.curvature_slip.x.size() == 0)
     defect.curvature_slip = {Field::Zero(u.n.size()), Field::Zero(u.n.size())};
-  leave_coupling_unfitted(standin, traction, halfspace, defect.curvature_slip);
+  leave_coupling_unfitted(preconditioner, traction, halfspace, defect.curvature_slip);
   return defect;
 }
 
@@ -74,7 +74,7 @@ double rms_over(const Field& mask, const TangentialField& values) {
   return std::hypot(rms_over(mask, values.x), rms_over(mask, values.y));
 }
 
-SurfaceField tractions(const CoupledSolution& solution) {
+SurfaceField tractions(const ContactState& solution) {
   const Eigen::Index n = solution.normal.pressure.size();
   if (solution.tangential.traction.x.size() == 0)
     return {Field::Zero(n), Field::Zero(n), solution.normal.pressure};
@@ -84,8 +84,8 @@ SurfaceField tractions(const CoupledSolution& solution) {
 /// Distance of the defect from its image over the contact area: the normal part relative to the
 /// elastic displacement (less its mean, which the approach absorbs at given force), the tangential
 /// part as slip relative to the creepage load.
-double defect_residual(const Preconditioner& halfspace, const CoupledProblem& problem,
-                       const CoupledSolution& solution, const Response& defect, bool to_the_bound) {
+double defect_residual(const Preconditioner& preconditioner, const CoupledProblem& problem,
+                       const ContactState& solution, const Response& defect, bool to_the_bound) {
   const Field mask = (solution.normal.pressure.array() > 0.0).cast<double>();
   const Response& image = solution.defect;
   Field normal_change = image.displacement.n - defect.displacement.n;
@@ -97,22 +97,25 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
                         ? 0.0
                         : rms_over(mask, normal_change) / rms_over(mask, solution.displacement.n);
   if (problem.shares_load())
-    residual = std::max(
-        residual,
-        std::abs(force_along_load(halfspace.whole.grid(), problem, solution) / *problem.load.force -
-                 1.0));
+    residual = std::max(residual,
+                        std::abs(force_along_load(preconditioner.whole.grid(), problem, solution) /
+                                     *problem.load.force -
+                                 1.0));
   if (problem.frictionless()) return residual;
   const Field& pressure = solution.normal.pressure;
-  const TangentialField slip = defect_slip(halfspace, problem, image, pressure);
-  const TangentialField before = defect_slip(halfspace, problem, defect, pressure);
+  const TangentialField slip =
+      defect_slip(preconditioner, problem.motion.curvature_weight, image, pressure);
+  const TangentialField before =
+      defect_slip(preconditioner, problem.motion.curvature_weight, defect, pressure);
   const double change = rms_over(mask, TangentialField{slip.x - before.x, slip.y - before.y});
-  double load = std::max(rms_over(mask, problem.rigid_slip), rms_over(mask, slip));
+  double load = std::max(rms_over(mask, problem.motion.rigid_slip), rms_over(mask, slip));
   if (to_the_bound)
-    load = std::min(load, halfspace.rolling.diagonal() *
-                              rms_over(mask, traction_bound(problem.friction,
-                                                            halfspace.whole.grid(), pressure)));
+    load =
+        std::min(load, preconditioner.rolling.diagonal() *
+                           rms_over(mask, traction_bound(problem.friction,
+                                                         preconditioner.whole.grid(), pressure)));
   // Differences within the rounding of the displacements count as zero.
-  const double unit = halfspace.motion == Motion::shift ? 1.0 : halfspace.whole.grid().dx;
+  const double unit = preconditioner.motion == Motion::shift ? 1.0 : preconditioner.whole.grid().dx;
   const double rounding = 1e-12 * rms_over(mask, solution.displacement.n) / unit;
   if (load > rounding) residual = std::max(residual, change / load);
   return residual;
@@ -121,19 +124,19 @@ double defect_residual(const Preconditioner& halfspace, const CoupledProblem& pr
 /// Solves the stand-in with a fixed defect, for the force if one is prescribed: one creepage after
 /// another, which is cheap compared with the compliance. The next search starts where this one
 /// ends.
-void solve_standin_with(const Preconditioner& halfspace, const Response& defect, double tolerance,
-                        std::optional<ForcedSlip>& forced, CoupledProblem& problem,
-                        CoupledSolution& solution) {
-  if (!forced) return solve_standin(halfspace, problem, defect, tolerance, solution);
+void solve_standin_with(const Preconditioner& preconditioner, const Response& defect,
+                        double tolerance, std::optional<ForcedSlip>& forced,
+                        CoupledProblem& problem, ContactState& solution) {
+  if (!forced) return solve_standin(preconditioner, problem, defect, tolerance, solution);
   ForceSearch& search = forced->search;
   const ForceLaw law = [&](const Eigen::Vector2d& unknowns) {
-    problem.rigid_slip = forced->rigid_slip(unknowns);
-    solve_standin(halfspace, problem, defect, std::min(tolerance, search.tolerance), solution);
+    problem.motion.rigid_slip = forced->rigid_slip(unknowns);
+    solve_standin(preconditioner, problem, defect, std::min(tolerance, search.tolerance), solution);
     const auto force =
-        transmitted_force(halfspace.whole.grid(), tractions(solution), problem.shape);
+        transmitted_force(preconditioner.whole.grid(), tractions(solution), problem.shape);
     return TransmittedForce{
         {force[0], force[1]},
-        mean_coefficient(problem.friction, halfspace.whole.grid(), solution.normal.pressure) *
+        mean_coefficient(problem.friction, preconditioner.whole.grid(), solution.normal.pressure) *
             force[2]};
   };
   solution.unknowns = search.start = find_creepage(law, forced->wanted, search).creepage;
@@ -203,15 +206,15 @@ class OuterSteps {
 
 }  // namespace
 
-CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
-                              const CoupledProblem& given, const OuterOptions& options,
-                              const Response& start_defect, const OuterCallback& each_iteration,
-                              const SurfaceField& start_traction, const ForcedSlip* forced) {
-  const Eigen::Index n = halfspace.whole.grid().size();
+ContactState solve_coupled(const Compliance& compliance, const Preconditioner& preconditioner,
+                           const CoupledProblem& given, const OuterOptions& options,
+                           const Response& start_defect, const OuterCallback& each_iteration,
+                           const SurfaceField& start_traction, const ForcedSlip* forced) {
+  const Eigen::Index n = preconditioner.whole.grid().size();
   Response defect = start_defect;
   if (defect.displacement.n.size() != n)
-    defect = start_traction.x.size() == n ? defect_of(compliance.respond(start_traction), halfspace,
-                                                      start_traction, given.frame)
+    defect = start_traction.x.size() == n ? defect_of(compliance.respond(start_traction),
+                                                      preconditioner, start_traction, given.frame)
                                           : zero_response(n);
 
   CoupledProblem problem = given;
@@ -219,23 +222,25 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
   if (forced != nullptr) search = *forced;
   OuterSteps steps(options.anderson_depth);
   bool may_restart = start_traction.x.size() == n && start_defect.displacement.n.size() != n;
-  CoupledSolution solution;
+  ContactState solution;
   solution.normal.pressure = start_traction.n;
   solution.tangential.traction = {start_traction.x, start_traction.y};
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
-    solve_standin_with(halfspace, defect, options.tolerance, search, problem, solution);
+    solve_standin_with(preconditioner, defect, options.tolerance, search, problem, solution);
     const SurfaceField traction = tractions(solution);
     const Response response = compliance.respond(traction);
     solution.displacement = response.displacement;
-    solution.defect = defect_of(response, halfspace, traction, problem.frame);
-    solution.outer_iterations = iteration;
-    solution.residual = defect_residual(halfspace, problem, solution, defect, options.to_the_bound);
+    solution.defect = defect_of(response, preconditioner, traction, problem.frame);
+    solution.iterations = iteration;
+    solution.residual =
+        defect_residual(preconditioner, problem, solution, defect, options.to_the_bound);
     if (each_iteration) each_iteration(solution);
     if (solution.residual <= options.tolerance) return solution;
 
     // Friction can move the patch of unlike bodies out of the grid sized for the frictionless
     // pressure: cut off at the border it has the pressure of a punch, and there may be no solution.
-    if (steps.goes_round(solution.residual) && touches_border(halfspace.whole.grid(), traction.n))
+    if (steps.goes_round(solution.residual) &&
+        touches_border(preconditioner.whole.grid(), traction.n))
       throw UnfitGrid("the contact patch reaches the border of the grid");
     if (steps.given_up() && !may_restart) break;
     if (steps.given_up()) {
@@ -250,12 +255,12 @@ CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner
   }
   const std::string how = "the outer contact iteration did not converge: relative residual " +
                           std::to_string(solution.residual) + " after " +
-                          std::to_string(solution.outer_iterations) + " iterations, required " +
+                          std::to_string(solution.iterations) + " iterations, required " +
                           std::to_string(options.tolerance);
   if (solution.tangential.feedback) {
-    const SteepCause steep =
-        steep_cause(*problem.friction, solution.tangential.steepness,
-                    problem.past ? problem.past->length : halfspace.whole.grid().dx);
+    const SteepCause steep = steep_cause(
+        *problem.friction, solution.tangential.steepness,
+        problem.motion.past ? problem.motion.past->length : preconditioner.whole.grid().dx);
     throw NoSteadyFriction(
         steep.cause +
         " that no stable steady state was found: it jumps to another one whenever pressure and "

@@ -24,14 +24,6 @@ struct OuterOptions {
   bool to_the_bound = false;
 };
 
-struct CoupledSolution : StandinSolution {
-  SurfaceField displacement;  ///< A p at the solution
-  Response defect;            ///< (A - A_half) p: start of the next load point
-  int outer_iterations = 0;
-  double residual = 0.0;
-  Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< found for ForcedSlip
-};
-
 /// A prescribed tangential force instead of creepages (shifts).
 struct ForcedSlip {
   PrescribedForce wanted;
@@ -40,18 +32,18 @@ struct ForcedSlip {
   std::function<TangentialField(const Eigen::Vector2d& unknowns)> rigid_slip;
 };
 
-using OuterCallback = std::function<void(const CoupledSolution&)>;
+using OuterCallback = std::function<void(const ContactState&)>;
 
 /// Throws SolveError when the outer iteration does not converge, UnfitGrid when it does not because
 /// the patch reaches the border of the grid. `start_traction` (may be empty): initial pressure and
 /// tangential tractions of the first solution with the stand-in. `forced` (may be null) replaces
 /// the rigid slip of the problem; every iteration then satisfies the force.
-CoupledSolution solve_coupled(const Compliance& compliance, const Preconditioner& halfspace,
-                              const CoupledProblem& problem, const OuterOptions& options = {},
-                              const Response& start_defect = {},
-                              const OuterCallback& each_iteration = {},
-                              const SurfaceField& start_traction = {},
-                              const ForcedSlip* forced = nullptr);
+ContactState solve_coupled(const Compliance& compliance, const Preconditioner& preconditioner,
+                           const CoupledProblem& problem, const OuterOptions& options = {},
+                           const Response& start_defect = {},
+                           const OuterCallback& each_iteration = {},
+                           const SurfaceField& start_traction = {},
+                           const ForcedSlip* forced = nullptr);
 
 // Anderson acceleration of a fixed-point iteration d <- F(d) (Anderson 1965; Walker & Ni 2011,
 // algorithm AA): the next iterate minimises the linearised residual over the last few steps.

@@ -65,19 +65,16 @@ TangentialField PointMotion::rigid_slip(const Creepage& creepage, double step) c
 TangentialMotion PointMotion::at(std::size_t k, const Vector2d& unknowns) const {
   const LoadPoint& point = scene_.points[k];
   if (scene_.problem == Problem::shift) {
-    const StepProblem step =
+    TangentialMotion motion =
         history_.shift_step(uniform_slip({unknowns.x(), unknowns.y(), point.spin_shift}, grid_));
-    TangentialMotion motion{step.rigid_slip, Motion::shift, step.slip_factor, 0.0};
     if (friction_) motion.past = history_.past(0.0);
     return motion;
   }
   const bool steps = scene_.problem_of(k) == Problem::transient;
   const TangentialField slip = rigid_slip({unknowns.x(), unknowns.y(), point.creepage.spin},
                                           steps ? point.step_length : grid_.dx);
-  if (!steps) return {slip, Motion::rolling, 1.0, 1.0};
-  const StepProblem step = history_.rolling_step(slip, point.step_length);
-  // Curved streamlines strain the material while it rolls; the problem of the step is in mm.
-  TangentialMotion motion{step.rigid_slip, Motion::shift, step.slip_factor, 1.0 / step.slip_factor};
+  if (!steps) return {slip};
+  TangentialMotion motion = history_.rolling_step(slip, point.step_length);
   if (friction_) motion.past = history_.past(point.step_length);
   return motion;
 }
@@ -130,6 +127,11 @@ std::array<double, 4> cubic_weights(double t) {
           -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
 }
 
+/// Curved streamlines strain the material while it rolls; the problem of the step is in mm.
+TangentialMotion step(TangentialField rigid_slip, double slip_factor) {
+  return {std::move(rigid_slip), Motion::shift, slip_factor, 1.0 / slip_factor};
+}
+
 }  // namespace
 
 Field upstream(const ContactGrid& grid, const Field& values, double distance) {
@@ -155,11 +157,12 @@ Field upstream(const ContactGrid& grid, const Field& values, double distance) {
 History::History(const ContactGrid& grid, UpwindOrder order)
     : grid_(grid), order_(order), last_(zeros(grid)), before_last_(zeros(grid)) {}
 
-StepProblem History::shift_step(const TangentialField& rigid_shift) const {
-  return {{rigid_shift.x - last_.x, rigid_shift.y - last_.y}, 1.0};
+TangentialMotion History::shift_step(const TangentialField& rigid_shift) const {
+  return {{rigid_shift.x - last_.x, rigid_shift.y - last_.y}, Motion::shift, 1.0, 0.0};
 }
 
-StepProblem History::rolling_step(const TangentialField& rigid_slip, double step_length) const {
+TangentialMotion History::rolling_step(const TangentialField& rigid_slip,
+                                       double step_length) const {
   if (!(step_length > 0.0))
     throw InputError(
         fmt::format("transient rolling: a step of {} mm; allowed: above 0", step_length));
@@ -170,14 +173,14 @@ StepProblem History::rolling_step(const TangentialField& rigid_slip, double step
   };
   const bool equal_steps = equals(last_step_) && equals(before_last_step_);
   if (order_ == UpwindOrder::first || !equal_steps)
-    return {{step_length * rigid_slip.x - one.x, step_length * rigid_slip.y - one.y},
-            1.0 / step_length};
+    return step({step_length * rigid_slip.x - one.x, step_length * rigid_slip.y - one.y},
+                1.0 / step_length);
   // (3 u - 4 u' + u'')/2 + step s = 3/2 (u + (2 step s - 4 u' + u'')/3)
   const TangentialField two{upstream(grid_, before_last_.x, 2.0 * step_length),
                             upstream(grid_, before_last_.y, 2.0 * step_length)};
-  return {{(2.0 * step_length * rigid_slip.x - 4.0 * one.x + two.x) / 3.0,
-           (2.0 * step_length * rigid_slip.y - 4.0 * one.y + two.y) / 3.0},
-          1.5 / step_length};
+  return step({(2.0 * step_length * rigid_slip.x - 4.0 * one.x + two.x) / 3.0,
+               (2.0 * step_length * rigid_slip.y - 4.0 * one.y + two.y) / 3.0},
+              1.5 / step_length);
 }
 
 void History::advance(const TangentialField& displacement, double step_length, FrictionPast after) {

@@ -19,14 +19,6 @@ namespace rollfem::contact {
 // displacement difference of the material points now in the patch. Each step is then a separate
 // tangential problem, T = A_tt, with slip measured in mm (Kalker 1990, section 4.1).
 
-/// A step as a tangential problem: |w'| = 0 in adhesion, w' = rigid_slip + A_tt p in mm.
-struct StepProblem {
-  TangentialField rigid_slip;  ///< mm
-  /// Factor from w' to the slip of the results: 1 for a shift (mm slipped in the step), 1/mm for
-  /// rolling (slip relative to the rolling speed).
-  double slip_factor = 1.0;
-};
-
 /// Displacements of the last two steps, in the frame of the contact.
 class History {
  public:
@@ -37,12 +29,14 @@ class History {
   /// Shifts always use the previous step.
   History(const ContactGrid& grid, UpwindOrder order);
 
+  // A step: |w'| = 0 in adhesion, w' = rigid_slip + A_tt p in mm, without the past of friction.
+
   /// A shift by `rigid_shift` (mm): w = W + u - u'.
-  StepProblem shift_step(const TangentialField& rigid_shift) const;
+  TangentialMotion shift_step(const TangentialField& rigid_shift) const;
 
   /// Rolling over `step_length` mm with the rigid slip s: w = step s + u(x) - u'(x + step). Throws
   /// InputError unless the step is positive.
-  StepProblem rolling_step(const TangentialField& rigid_slip, double step_length) const;
+  TangentialMotion rolling_step(const TangentialField& rigid_slip, double step_length) const;
 
   /// The step is solved: u = A p with all that caused it, and mu and u* of the elements where
   /// friction remembers. `step_length` 0 for a shift.

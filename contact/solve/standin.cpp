@@ -76,7 +76,7 @@ double frictionless_share(const CoupledProblem& problem) {
 
 /// The same force that the pressure has to carry if friction stays unchanged.
 double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
-                      const StandinSolution& solution) {
+                      const ContactState& solution) {
   const double wanted = *problem.load.force;
   if (solution.normal.pressure.size() != grid.size()) return frictionless_share(problem);
   const Field none = Field::Zero(grid.size());
@@ -90,23 +90,24 @@ double pressure_share(const ContactGrid& grid, const CoupledProblem& problem,
 
 /// Tractions under the pressure of `solution`; `defect` (may be null) is an extra slip. `weights`:
 /// Preconditioner::fitted_weights.
-void solve_tractions(const Preconditioner& standin, const CoupledProblem& problem,
+void solve_tractions(const Preconditioner& preconditioner, const CoupledProblem& problem,
                      const Response* defect, double tolerance, const Field& weights,
-                     StandinSolution& solution) {
-  TangentialProblem tangential{solution.normal.pressure, problem.rigid_slip, problem.friction,
-                               problem.slip_factor, problem.past};
+                     ContactState& solution) {
   const Field& pressure = solution.normal.pressure;
+  TangentialProblem tangential{pressure, problem.motion, problem.friction};
   if (defect != nullptr) {
-    const TangentialField slip = defect_slip(standin, problem, *defect, pressure);
-    tangential.rigid_slip.x += slip.x;
-    tangential.rigid_slip.y += slip.y;
+    const TangentialField slip =
+        defect_slip(preconditioner, problem.motion.curvature_weight, *defect, pressure);
+    tangential.motion.rigid_slip.x += slip.x;
+    tangential.motion.rigid_slip.y += slip.y;
   }
   TangentialOptions options;
   options.tolerance = tolerance;
   std::optional<EdgeFittedRolling> fitted;
-  if (weights.size() != 0) fitted.emplace(*standin.first_order, standin.rolling, weights);
-  solution.tangential = solve_tangential(fitted ? *fitted : standin.rolling, tangential, options,
-                                         solution.tangential.traction);
+  if (weights.size() != 0)
+    fitted.emplace(*preconditioner.first_order, preconditioner.rolling, weights);
+  solution.tangential = solve_tangential(fitted ? *fitted : preconditioner.rolling, tangential,
+                                         options, solution.tangential.traction);
 }
 
 }  // namespace
@@ -132,27 +133,25 @@ Field Preconditioner::fitted_weights(const Field& pressure) const {
   return upwind_weights(whole.grid(), pressure);
 }
 
-TangentialField defect_slip(const Preconditioner& standin, const CoupledProblem& problem,
+TangentialField defect_slip(const Preconditioner& preconditioner, double curvature_weight,
                             const Response& defect, const Field& pressure) {
-  const ContactGrid& grid = standin.whole.grid();
+  const ContactGrid& grid = preconditioner.whole.grid();
   const TangentialField u{defect.displacement.x, defect.displacement.y};
-  const Field weights = standin.fitted_weights(pressure);
-  TangentialField slip = standin.motion == Motion::shift ? u
-                         : weights.size() != 0           ? fitted_difference(grid, u, weights)
-                                               : upwind_difference(grid, u, standin.upwind_order);
-  if (problem.curvature_weight != 0.0) {
-    slip.x += problem.curvature_weight * defect.curvature_slip.x;
-    slip.y += problem.curvature_weight * defect.curvature_slip.y;
+  const Field weights = preconditioner.fitted_weights(pressure);
+  TangentialField slip = preconditioner.motion == Motion::shift ? u
+                         : weights.size() != 0
+                             ? fitted_difference(grid, u, weights)
+                             : upwind_difference(grid, u, preconditioner.upwind_order);
+  if (curvature_weight != 0.0) {
+    slip.x += curvature_weight * defect.curvature_slip.x;
+    slip.y += curvature_weight * defect.curvature_slip.y;
   }
   return slip;
 }
 
 double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,
-                        const StandinSolution& solution) {
-  const auto force = transmitted_force(
-      grid,
-      {solution.tangential.traction.x, solution.tangential.traction.y, solution.normal.pressure},
-      problem.shape);
+                        const ContactState& solution) {
+  const auto force = transmitted_force(grid, solution.traction(), problem.shape);
   return problem.load.direction[0] * force[1] + problem.load.direction[1] * force[2];
 }
 
@@ -177,7 +176,7 @@ constexpr double largest_share = 30.0;
 /// pressure of the load.
 void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
                    const Response* defect, const NormalOptions& normal, double tangential,
-                   bool pressed, StandinSolution& solution) {
+                   bool pressed, ContactState& solution) {
   const ContactGrid& grid = standin.whole.grid();
   const Field gap = defect ? defect->displacement.n : Field();
   Field weights;
@@ -205,17 +204,17 @@ void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
 
 }  // namespace
 
-void solve_standin(const Preconditioner& standin, const CoupledProblem& problem, double tolerance,
-                   StandinSolution& solution) {
-  solve_in_turn(standin, problem, nullptr, {}, tolerance, true, solution);
+void solve_standin(const Preconditioner& preconditioner, const CoupledProblem& problem,
+                   double tolerance, ContactState& solution) {
+  solve_in_turn(preconditioner, problem, nullptr, {}, tolerance, true, solution);
 }
 
-void solve_standin(const Preconditioner& standin, const CoupledProblem& problem,
-                   const Response& defect, double tolerance, StandinSolution& solution) {
+void solve_standin(const Preconditioner& preconditioner, const CoupledProblem& problem,
+                   const Response& defect, double tolerance, ContactState& solution) {
   NormalOptions normal;
   normal.tolerance = std::min(normal.tolerance, 0.1 * tolerance);
   const double tangential = std::min(TangentialOptions().tolerance, 0.1 * tolerance);
-  solve_in_turn(standin, problem, &defect, normal, tangential, false, solution);
+  solve_in_turn(preconditioner, problem, &defect, normal, tangential, false, solution);
 }
 
 void set_frictionless(const ContactGrid& grid, TangentialSolution& tangential,

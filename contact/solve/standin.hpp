@@ -8,15 +8,11 @@
 #include "contact/iteration/tangential.hpp"
 #include "contact/scene/scene.hpp"
 
+#include <Eigen/Core>
+
 #include <array>
 
 namespace rollfem::contact {
-
-/// Result of the tangential operator: slip of steady rolling or relative displacement.
-enum class Motion {
-  rolling,  ///< slip w = s + D u, without a unit
-  shift,    ///< slip w = s + u in mm: a step of a shift or of transient rolling
-};
 
 /// The solvable stand-in for A: the half-space on the same grid.
 struct Preconditioner {
@@ -50,21 +46,32 @@ struct VerticalFrame {
 };
 VerticalFrame vertical_frame(const PatchShape& shape, const std::array<double, 2>& direction);
 
-/// A problem for any compliance. On a curved patch (`shape`) approach and load refer to the patch
-/// frame, while distance, tractions and displacement are along the local normal and tangents.
-struct CoupledProblem {
-  Field undeformed_distance;
-  NormalLoad load;
-  Friction friction = nullptr;       ///< null: frictionless
-  TangentialField rigid_slip;        ///< empty: frictionless
-  double slip_factor = 1.0;          ///< slip of the friction law divided by slip of the problem
-  std::optional<FrictionPast> past;  ///< of a step of a history, where friction remembers
-  double curvature_weight = 1.0;     ///< factor of Response::curvature_slip in the slip
-  Field given_pressure;              ///< MPa, replaces the normal problem; may be empty
-  PatchShape shape;                  ///< empty: plane
-  VerticalFrame frame;               ///< of the shape and the direction of the load
+/// Conditions common to all load points.
+struct ContactConditions {
+  Field undeformed_distance;    ///< mm; ignored with a given pressure
+  Field given_pressure;         ///< MPa, replaces the normal problem; may be empty
+  Friction friction = nullptr;  ///< null: frictionless
+  UpwindOrder upwind_order = UpwindOrder::second;
+  PatchShape shape{};  ///< empty: plane
+  /// Second-order differences fitted to the leading edge (leading_edge.hpp): forces converge with
+  /// second order and tractions do not zigzag from row to row. false: the same difference
+  /// everywhere.
+  bool fit_leading_edge = true;
+  bool same_normal_block = true;  ///< Elasticity
+  /// The stand-in with the coupling of unlike materials; null: like materials, or the elasticity
+  /// itself.
+  const Compliance* coupled_standin = nullptr;
+};
 
-  bool frictionless() const { return rigid_slip.x.size() == 0 || !friction; }
+/// The problem of one load point for any compliance. On a curved patch (`shape`) approach and load
+/// refer to the patch frame, while distance, tractions and displacement are along the local normal
+/// and tangents.
+struct CoupledProblem : ContactConditions {
+  NormalLoad load;
+  TangentialMotion motion;  ///< empty rigid slip: frictionless
+  VerticalFrame frame;      ///< of the shape and the direction of the load
+
+  bool frictionless() const { return motion.rigid_slip.x.size() == 0 || !friction; }
   /// Whether friction carries a part of the prescribed force.
   bool shares_load() const {
     return load.force && given_pressure.size() == 0 &&
@@ -72,9 +79,19 @@ struct CoupledProblem {
   }
 };
 
-struct StandinSolution {
+/// The state of a contact: the solution of one problem, and the start of the next one.
+struct ContactState {
   NormalSolution normal;
-  TangentialSolution tangential;  ///< fields of size 0 when frictionless
+  TangentialSolution tangential;  ///< fields of size 0 while frictionless
+  SurfaceField displacement;      ///< wheel minus rail, mm, by all tractions
+  Response defect;     ///< difference between the elasticity and the stand-in; may be empty
+  int iterations = 0;  ///< Newton steps, or outer iterations
+  double residual = 0.0;
+  Eigen::Vector2d unknowns = Eigen::Vector2d::Zero();  ///< creepages (shifts) found for a force
+
+  SurfaceField traction() const {
+    return {tangential.traction.x, tangential.traction.y, normal.pressure};
+  }
 };
 
 /// Zero of a response.
@@ -83,12 +100,12 @@ Response zero_response(Eigen::Index size);
 /// Slip (displacement in a shift) that a defect of the compliance adds to the rigid slip under this
 /// pressure, by the same difference as the stand-in's, so that the sum is the slip of the whole
 /// compliance.
-TangentialField defect_slip(const Preconditioner& standin, const CoupledProblem& problem,
+TangentialField defect_slip(const Preconditioner& preconditioner, double curvature_weight,
                             const Response& defect, const Field& pressure);
 
 /// Force on the wheel along the direction of the load, N.
 double force_along_load(const ContactGrid& grid, const CoupledProblem& problem,
-                        const StandinSolution& solution);
+                        const ContactState& solution);
 
 /// Pressure without friction.
 NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem& problem,
@@ -97,13 +114,13 @@ NormalSolution press_standin(const NormalOperator& normal, const CoupledProblem&
 /// Tractions under the pressure of `solution`; where friction carries a part of the load, both
 /// alternately until the load is met to 1e-10. On entry `solution` holds the pressure of
 /// press_standin and a guess of the tractions.
-void solve_standin(const Preconditioner& standin, const CoupledProblem& problem, double tolerance,
-                   StandinSolution& solution);
+void solve_standin(const Preconditioner& preconditioner, const CoupledProblem& problem,
+                   double tolerance, ContactState& solution);
 
 /// The same with a defect, starting from the contents of `solution`; `tolerance` is that of the
 /// outer iteration.
-void solve_standin(const Preconditioner& standin, const CoupledProblem& problem,
-                   const Response& defect, double tolerance, StandinSolution& solution);
+void solve_standin(const Preconditioner& preconditioner, const CoupledProblem& problem,
+                   const Response& defect, double tolerance, ContactState& solution);
 
 /// Zero tractions, slipping wherever there is pressure. `slip` may be empty: 0.
 void set_frictionless(const ContactGrid& grid, TangentialSolution& tangential,

@@ -9,7 +9,6 @@
 #include <array>
 #include <deque>
 #include <mutex>
-#include <new>
 #include <tuple>
 #include <utility>
 
@@ -131,16 +130,6 @@ int good_fft_size(int n) {
   int size = std::max(2, n + n % 2);
   while (!has_small_factors_only(size)) size += 2;
   return size;
-}
-
-void* fft_allocate(std::size_t bytes) {
-  void* memory = fftw_malloc(bytes);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-void fft_free(void* memory) {
-  fftw_free(memory);
 }
 
 struct PaddedFft::Plans {

@@ -6,10 +6,10 @@
 
 #include "contact/base/grid.hpp"
 
+#include <boost/align/aligned_allocator.hpp>
+
 #include <complex>
 #include <memory>
-#include <new>
-#include <utility>
 #include <vector>
 
 namespace rollfem::halfspace {
@@ -17,37 +17,15 @@ namespace rollfem::halfspace {
 /// The smallest even 2^a 3^b 5^c 7^d that is at least `n`: sizes for which FFTW is fast.
 int good_fft_size(int n);
 
-/// fftw_malloc (throws std::bad_alloc) and fftw_free.
-void* fft_allocate(std::size_t bytes);
-void fft_free(void* memory);
-
-/// Memory aligned for FFTW, so that spectra are transformed without copies.
-template <typename T>
-struct FftAllocator {
-  using value_type = T;
-  FftAllocator() = default;
-  template <typename U>
-  explicit FftAllocator(const FftAllocator<U>& /*other*/) {}
-  T* allocate(std::size_t count) { return static_cast<T*>(fft_allocate(count * sizeof(T))); }
-  void deallocate(T* memory, std::size_t /*count*/) { fft_free(memory); }
-  /// Not set to zero, because it is written before use.
-  template <typename U>
-  void construct(U* /*place*/) const noexcept {}
-  template <typename U, typename... Values>
-  void construct(U* place, Values&&... values) const {
-    ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
-  }
-  friend bool operator==(const FftAllocator&, const FftAllocator&) { return true; }
-  friend bool operator!=(const FftAllocator&, const FftAllocator&) { return false; }
-};
-
 /// Transforms between a field of nx by ny values and the spectrum of the padded field. The
 /// transform of a real field is stored for the frequencies kx = 0 .. px/2, index kx * py + ky.
 /// forward() and backward() are const but share work space: one thread at a time per object. Large
 /// transforms take a second thread.
 class PaddedFft {
  public:
-  using Spectrum = std::vector<std::complex<double>, FftAllocator<std::complex<double>>>;
+  /// Aligned for FFTW, so that spectra are transformed without copies.
+  using Spectrum = std::vector<std::complex<double>,
+                               boost::alignment::aligned_allocator<std::complex<double>, 64>>;
 
   /// Fields of nx by ny, padded to at least `px` by `py` (rounded up to fast sizes).
   PaddedFft(int nx, int ny, int px, int py);

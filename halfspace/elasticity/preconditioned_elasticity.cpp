@@ -2,6 +2,7 @@
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 
 #include "contact/base/pi.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 
@@ -30,14 +31,6 @@ contact::TangentialField PreconditionedElasticity::extra_slip() const {
   return neighbour_slip(scene_.neighbour_loads, scene_.material, standin_.grid());
 }
 
-Eigen::Vector2d PreconditionedElasticity::rolling_stiffness(const contact::PatchSize& patch) const {
-  return halfspace::rolling_stiffness(patch, scene_.material);
-}
-
-Eigen::Vector2d PreconditionedElasticity::shift_stiffness(const contact::PatchSize& patch) const {
-  return halfspace::shift_stiffness(patch, scene_.material);
-}
-
 namespace {
 
 /// Of bodies and the layer between them in series; `area`: what the compliance of the layer is
@@ -45,6 +38,23 @@ namespace {
 Vector2d with_layer(const Vector2d& bodies, double area, const CombinedMaterial& material) {
   if (material.layer == 0.0) return bodies;
   return (bodies.array().inverse() + material.layer / area).inverse();
+}
+
+/// For a line contact: Carter's stiffness.
+Vector2d line_rolling_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
+  const double antiplane = 0.25 * contact::pi * material.shear_modulus * patch.length * patch.width;
+  return with_layer({antiplane / (1.0 - material.poisson_ratio), antiplane},
+                    0.5 * patch.length * patch.length * patch.width, material);
+}
+
+/// Of Hertz's distribution of tractions, whose displacement in the middle is relative to the
+/// reference distance.
+Vector2d line_shift_stiffness(const PatchSize& patch, double reference,
+                              const CombinedMaterial& material) {
+  const double antiplane = 0.5 * contact::pi * material.shear_modulus * patch.width /
+                           (std::log(4.0 * reference / patch.length) + 0.5);
+  return with_layer({antiplane / (1.0 - material.poisson_ratio), antiplane},
+                    patch.length * patch.width, material);
 }
 
 }  // namespace
@@ -64,18 +74,15 @@ Vector2d shift_stiffness(const PatchSize& patch, const CombinedMaterial& materia
       contact::pi * c * c, material);
 }
 
-Vector2d line_rolling_stiffness(const PatchSize& patch, const CombinedMaterial& material) {
-  const double antiplane = 0.25 * contact::pi * material.shear_modulus * patch.length * patch.width;
-  return with_layer({antiplane / (1.0 - material.poisson_ratio), antiplane},
-                    0.5 * patch.length * patch.length * patch.width, material);
+Vector2d PreconditionedElasticity::rolling_stiffness(const PatchSize& patch) const {
+  return scene_.geometry.line ? line_rolling_stiffness(patch, scene_.material)
+                              : halfspace::rolling_stiffness(patch, scene_.material);
 }
 
-Vector2d line_shift_stiffness(const PatchSize& patch, double reference,
-                              const CombinedMaterial& material) {
-  const double antiplane = 0.5 * contact::pi * material.shear_modulus * patch.width /
-                           (std::log(4.0 * reference / patch.length) + 0.5);
-  return with_layer({antiplane / (1.0 - material.poisson_ratio), antiplane},
-                    patch.length * patch.width, material);
+Vector2d PreconditionedElasticity::shift_stiffness(const PatchSize& patch) const {
+  return scene_.geometry.line
+             ? line_shift_stiffness(patch, reference_of(*scene_.geometry.line), scene_.material)
+             : halfspace::shift_stiffness(patch, scene_.material);
 }
 
 }  // namespace rollfem::halfspace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The elasticity of bodies close to half-spaces: any compliance, with the half-space on the same
-// grid as its stand-in, and the displacement due to other contacts of the wheel.
+// The elasticity of half-spaces and of bodies close to them: any compliance, with the half-space on
+// the same grid as its stand-in, and the displacement due to other contacts of the wheel.
 #pragma once
 
 #include "contact/result/patch_size.hpp"
@@ -16,11 +16,14 @@ namespace rollfem::halfspace {
 
 class PreconditionedElasticity : public contact::Elasticity {
  public:
-  /// The scene must outlive this object.
+  /// The scene must outlive this object. `whole`: null for half-spaces.
   PreconditionedElasticity(const contact::Scene& scene, const contact::ContactGrid& grid,
-                           std::unique_ptr<const contact::Compliance> whole);
+                           std::unique_ptr<const contact::Compliance> whole = nullptr);
 
-  const contact::Compliance& compliance() const override { return *whole_; }
+  bool same_normal_block() const override { return whole_ == nullptr; }
+  const contact::Compliance& compliance() const override {
+    return whole_ ? *whole_ : coupled_ ? *coupled_ : standin_;
+  }
   const contact::SolvableCompliance& standin() const override { return standin_; }
   const contact::Compliance* coupled_standin() const override { return coupled_.get(); }
   contact::Field extra_distance() const override;
@@ -47,12 +50,5 @@ Eigen::Vector2d rolling_stiffness(const contact::PatchSize& patch,
 /// eq. 7.43), an estimate for other shapes.
 Eigen::Vector2d shift_stiffness(const contact::PatchSize& patch,
                                 const contact::CombinedMaterial& material);
-
-/// For a line contact: Carter's stiffness, and the shift stiffness of Hertz's distribution of
-/// tractions, whose displacement in the middle is relative to the reference distance.
-Eigen::Vector2d line_rolling_stiffness(const contact::PatchSize& patch,
-                                       const contact::CombinedMaterial& material);
-Eigen::Vector2d line_shift_stiffness(const contact::PatchSize& patch, double reference,
-                                     const contact::CombinedMaterial& material);
 
 }  // namespace rollfem::halfspace

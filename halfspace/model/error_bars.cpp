@@ -45,16 +45,14 @@ struct SmoothQuantity {
   const char* name;
   double size;
   Rule rule;
-  double WaveErrors::*of_waves;
 };
 constexpr SmoothQuantity smooth_quantities[] = {
-    {"max_pressure", 0.30, {0.2, 0.40, 0.62}, &WaveErrors::max_pressure},
-    {"approach", 0.15, {0.2, 0.30, 0.48}, &WaveErrors::approach},
-    {"elastic_energy", 0.30, {0.2, 0.33, 0.55}, &WaveErrors::elastic_energy},
-    {"contact_area", 0.60, {0.0, 1.06, 1.25}, &WaveErrors::contact_area},
+    {"max_pressure", 0.30, {0.2, 0.40, 0.62}},
+    {"approach", 0.15, {0.2, 0.30, 0.48}},
+    {"elastic_energy", 0.30, {0.2, 0.33, 0.55}},
+    {"contact_area", 0.60, {0.0, 1.06, 1.25}},
 };
-constexpr SmoothQuantity normal_force{
-    "normal_force", 0.30, {0.0, 0.30, 0.45}, &WaveErrors::normal_force};
+constexpr SmoothQuantity normal_force{"normal_force", 0.30, {0.0, 0.30, 0.45}};
 
 /// A force or moment has an error from every row of elements, whose leading edge lies anywhere in
 /// an element, which makes the forces of the rows rough. It also inherits a fraction of the errors
@@ -127,8 +125,8 @@ class Bars {
     return std::max(falls_ ? rule.falling : 1.0, uneven_ ? rule.uneven : 1.0) *
            combined(rule, coarsest_ != nullptr, {change, rule.before * before, rest});
   }
-  std::optional<double> of_waves(double WaveErrors::*member, double times = 1.0) const {
-    return waves_ ? std::optional(times * (waves_->*member)) : std::nullopt;
+  std::optional<double> of_waves(const char* name, double times = 1.0) const {
+    return waves_ ? std::optional(times * waves_->at(name)) : std::nullopt;
   }
   /// `of_waves`: change by narrower elements, where waves are too short for the current ones.
   /// Changes from coarser grids are then multiplied by `of_changes`.
@@ -197,7 +195,7 @@ class Bars {
 void Bars::set_normal() const {
   constexpr double beside_narrower = 0.2;
   for (const SmoothQuantity& of : smooth_quantities) {
-    set(of.name, of.rule, over_grid(of.size * value(fine_, of.name)), of_waves(of.of_waves),
+    set(of.name, of.rule, over_grid(of.size * value(fine_, of.name)), of_waves(of.name),
         beside_narrower);
     extrapolate(of.name);
   }
@@ -207,8 +205,7 @@ void Bars::set_normal() const {
 void Bars::set_normal_force() const {
   const bool given = load_.load.force.has_value();
   set(normal_force.name, normal_force.rule,
-      given ? 0.0 : over_grid(normal_force.size * fine_.normal_force),
-      of_waves(normal_force.of_waves));
+      given ? 0.0 : over_grid(normal_force.size * fine_.normal_force), of_waves(normal_force.name));
   extrapolate(normal_force.name);
   const auto& [across, along] = load_.load.direction;
   if (given)
@@ -218,23 +215,20 @@ void Bars::set_normal_force() const {
 
 void Bars::set_extents() const {
   constexpr double of_edges = 6.0, size = 0.05;
-  const auto extent = [&](const char* axis, const char* whole, const char* middle, double unsure,
-                          double WaveErrors::*of_narrower) {
+  const auto extent = [&](const char* axis, const char* whole, const char* middle, double unsure) {
     const double rest = std::hypot(of_edges * unsure, over_grid(size * value(fine_, whole)));
-    set(whole, of_extent, rest, of_waves(of_narrower));
-    set(axis, of_extent, 0.5 * rest, of_waves(of_narrower, 0.5));
-    set(middle, of_extent, 0.5 * rest, of_waves(of_narrower, 0.5));
+    set(whole, of_extent, rest, of_waves(whole));
+    set(axis, of_extent, 0.5 * rest, of_waves(whole, 0.5));
+    set(middle, of_extent, 0.5 * rest, of_waves(whole, 0.5));
   };
-  extent("semi_axis_x", "contact_length", "patch_x_middle", size_.length_unsure,
-         &WaveErrors::length);
+  extent("semi_axis_x", "contact_length", "patch_x_middle", size_.length_unsure);
   if (!grid_.is_line())
-    extent("semi_axis_y", "contact_width", "patch_y_middle", size_.width_unsure,
-           &WaveErrors::width);
+    extent("semi_axis_y", "contact_width", "patch_y_middle", size_.width_unsure);
   // With many rows, the errors of elements cut by the front cancel; a line contact has one row.
   const double front = area_of_front(grid_, fine_.fields.state);
   const double unsure = grid_.is_line() ? 1.3 * std::max(front, grid_.element_area()) : 0.3 * front;
   set("adhesion_area", of_adhesion, std::hypot(over_grid(1.2 * fine_.contact_area), unsure),
-      of_waves(&WaveErrors::contact_area, part_in_adhesion()));
+      of_waves("contact_area", part_in_adhesion()));
 }
 
 Roughness Bars::roughness() const {
@@ -310,7 +304,7 @@ void Bars::set_tractions() const {
     set(name, rule,
         root_of_squares({along * peak.sag_x, across * peak.sag_y,
                          of_fall * (1.0 - part) * peak.fall, of_missed * missed}),
-        of_waves(&WaveErrors::max_pressure, of_pressure * part * friction_));
+        of_waves("max_pressure", of_pressure * part * friction_));
   };
   largest("max_traction", of_largest_traction,
           (traction.x.array().square() + traction.y.array().square()).sqrt().matrix());

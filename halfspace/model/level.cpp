@@ -5,9 +5,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/state_record.hpp"
-#include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
@@ -41,38 +38,12 @@ int columns_for_steps(const Scene& scene, const PatchSearch& area, double dx) {
                            "columns covering two steps (history.step_length, contact_grid)");
 }
 
-class HalfspaceElasticity : public contact::Elasticity {
+class HalfspaceElasticity : public PreconditionedElasticity {
  public:
   HalfspaceElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
                       const ContactGrid& grid)
-      : scene_(scene), geometry_(geometry) {
-    const bool couples = scene.material.couples();
-    whole_ = std::make_unique<HalfspaceCompliance>(
-        grid, couples ? scene.material : scene.material.uncoupled());
-    if (couples)
-      uncoupled_ = std::make_unique<HalfspaceCompliance>(grid, scene.material.uncoupled());
-  }
+      : PreconditionedElasticity(scene, grid), scene_(scene), geometry_(geometry) {}
 
-  bool same_normal_block() const override { return true; }
-  const contact::Compliance& compliance() const override { return *whole_; }
-  const contact::SolvableCompliance& standin() const override {
-    return uncoupled_ ? *uncoupled_ : *whole_;
-  }
-  Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const override {
-    return scene_.geometry.line ? line_rolling_stiffness(patch, scene_.material)
-                                : halfspace::rolling_stiffness(patch, scene_.material);
-  }
-  Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
-    return scene_.geometry.line
-               ? line_shift_stiffness(patch, reference_of(*scene_.geometry.line), scene_.material)
-               : halfspace::shift_stiffness(patch, scene_.material);
-  }
-  contact::Field extra_distance() const override {
-    return neighbour_displacement(scene_.neighbour_loads, scene_.material, whole_->grid());
-  }
-  contact::TangentialField extra_slip() const override {
-    return neighbour_slip(scene_.neighbour_loads, scene_.material, whole_->grid());
-  }
   void check_patch(const PatchSize& patch) const override {
     check_profiles_reach(scene_, geometry_.lateral_place(patch.y_lower),
                          geometry_.lateral_place(patch.y_upper));
@@ -81,8 +52,6 @@ class HalfspaceElasticity : public contact::Elasticity {
  private:
   const Scene& scene_;
   const contact::ChartedGeometry& geometry_;
-  std::unique_ptr<HalfspaceCompliance> whole_;
-  std::unique_ptr<HalfspaceCompliance> uncoupled_;  ///< null for like materials
 };
 
 std::string why_no_grid_holds(const Scene& scene, const contact::ChartedGeometry& geometry,

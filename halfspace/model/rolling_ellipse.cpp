@@ -44,9 +44,7 @@ Scene scaled_scene(const EllipseShape& shape, const std::vector<ScaledCreepage>&
   input.layer = shape.friction.layer;
   input.wheel.material = {2.0 * (1.0 + shape.poisson_ratio), shape.poisson_ratio};
   input.rail.material = input.wheel.material;
-  input.rolling.creepages.clear();
-  for (const ScaledCreepage& creepage : creepages)
-    input.rolling.creepages.push_back({creepage.longitudinal, creepage.lateral, creepage.spin});
+  input.rolling.creepages = creepages;
   return Scene(input);
 }
 

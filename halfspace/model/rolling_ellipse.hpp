@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/case/case.hpp"
+#include "halfspace/closed_forms/kalker.hpp"
 
 #include <optional>
 #include <vector>
@@ -25,20 +26,12 @@ struct EllipseShape {
   ScaledFriction friction{};
 };
 
-/// With c = sqrt(a b), the combined shear modulus G and the bound mu F_n of friction. Signs are
-/// those of contact::Creepage.
-struct ScaledCreepage {
-  double longitudinal = 0.0;  ///< xi G c^2 / (mu F_n)
-  double lateral = 0.0;       ///< eta G c^2 / (mu F_n)
-  double spin = 0.0;          ///< phi G c^3 / (mu F_n)
-};
+/// xi and eta times G c^2 / (mu F_n), phi times G c^3 / (mu F_n), with c = sqrt(a b), the combined
+/// shear modulus G and the bound mu F_n of friction.
+using ScaledCreepage = contact::Creepage;
 
-/// On the wheel.
-struct ScaledForces {
-  double longitudinal = 0.0;  ///< F_x / (mu F_n)
-  double lateral = 0.0;       ///< F_y / (mu F_n)
-  double spin_moment = 0.0;   ///< M_z / (mu F_n c)
-};
+/// Forces over mu F_n, the moment over mu F_n c.
+using ScaledForces = CreepForces;
 
 /// The limit of the two finest grids.
 struct EllipseForces {

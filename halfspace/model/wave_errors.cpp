@@ -81,9 +81,8 @@ ContactGrid with_narrow_elements(const ContactGrid& grid) {
 }
 
 struct Pressed {
-  contact::NormalSolution normal;
-  contact::PatchSize size;
-  double elastic_energy = 0.0;
+  Field pressure;
+  std::map<std::string, double> values;
 };
 
 Pressed press(const Scene& scene, const contact::ChartedGeometry& geometry, const ContactGrid& grid,
@@ -94,27 +93,20 @@ Pressed press(const Scene& scene, const contact::ChartedGeometry& geometry, cons
   if (beside.size() != 0) problem.undeformed_distance += beside;
   contact::NormalOptions options;
   options.tolerance = 1e-5;
-  Pressed pressed;
-  pressed.normal = contact::solve_normal(compliance.normal(), problem, options, start);
-  const Field& pressure = pressed.normal.pressure;
-  pressed.size = contact::patch_size(grid, pressure);
-  pressed.elastic_energy =
-      0.5 * grid.element_area() *
-      (pressed.normal.approach * pressure.sum() - pressure.dot(problem.undeformed_distance));
-  return pressed;
-}
-
-WaveErrors errors_between(const Pressed& here, const Pressed& there) {
-  const auto change = [](double a, double b) { return std::abs(a - b); };
-  WaveErrors errors;
-  errors.max_pressure = change(there.normal.pressure.maxCoeff(), here.normal.pressure.maxCoeff());
-  errors.approach = change(there.normal.approach, here.normal.approach);
-  errors.normal_force = change(there.normal.normal_force, here.normal.normal_force);
-  errors.contact_area = change(there.size.area, here.size.area);
-  errors.length = change(there.size.length, here.size.length);
-  errors.width = change(there.size.width, here.size.width);
-  errors.elastic_energy = change(there.elastic_energy, here.elastic_energy);
-  return errors;
+  const contact::NormalSolution normal =
+      contact::solve_normal(compliance.normal(), problem, options, start);
+  const Field& pressure = normal.pressure;
+  const contact::PatchSize size = contact::patch_size(grid, pressure);
+  return {pressure,
+          {{"max_pressure", pressure.maxCoeff()},
+           {"approach", normal.approach},
+           {"normal_force", normal.normal_force},
+           {"contact_area", size.area},
+           {"contact_length", size.length},
+           {"contact_width", size.width},
+           {"elastic_energy",
+            0.5 * grid.element_area() *
+                (normal.approach * pressure.sum() - pressure.dot(problem.undeformed_distance))}}};
 }
 
 }  // namespace
@@ -139,9 +131,12 @@ std::optional<WaveErrors> wave_errors(const Scene& scene, std::size_t k, const C
   try {
     const Pressed here =
         press(scene, geometry, wide, load, contact::interpolated(grid, pressure, wide));
-    const Pressed there = press(scene, geometry, narrow, load,
-                                contact::interpolated(wide, here.normal.pressure, narrow));
-    return errors_between(here, there);
+    const Pressed there =
+        press(scene, geometry, narrow, load, contact::interpolated(wide, here.pressure, narrow));
+    WaveErrors errors;
+    for (const auto& [name, value] : here.values)
+      errors[name] = std::abs(there.values.at(name) - value);
+    return errors;
   } catch (const contact::SolveError&) {
     return {};  // then error bars are from the grids only
   }
@@ -150,8 +145,8 @@ std::optional<WaveErrors> wave_errors(const Scene& scene, std::size_t k, const C
 std::string wave_warning(const ContactGrid& grid, const PointResult& point,
                          const WaveErrors& errors) {
   constexpr double worth_a_warning = 0.05, aim = 0.02;
-  const double pressure = errors.max_pressure / point.max_pressure;
-  const double area = errors.contact_area / point.contact_area;
+  const double pressure = errors.at("max_pressure") / point.max_pressure;
+  const double area = errors.at("contact_area") / point.contact_area;
   const double larger = std::max(pressure, area);
   if (!(larger > worth_a_warning)) return {};
   return fmt::format(

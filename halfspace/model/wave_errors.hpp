@@ -5,21 +5,14 @@
 
 #include "contact/result/result.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 
 namespace rollfem::halfspace {
 
-/// Absolute change of frictionless results with elements a quarter as wide.
-struct WaveErrors {
-  double max_pressure = 0.0;    ///< MPa
-  double approach = 0.0;        ///< mm
-  double normal_force = 0.0;    ///< N; under a given approach
-  double contact_area = 0.0;    ///< mm^2
-  double length = 0.0;          ///< mm, of the patch
-  double width = 0.0;           ///< mm
-  double elastic_energy = 0.0;  ///< N mm
-};
+/// Absolute change of frictionless results with elements a quarter as wide, by name of quantity.
+using WaveErrors = std::map<std::string, double>;
 
 /// For load point k, solved on `grid` as `point`. Empty where the elements follow the profiles, or
 /// without profiles.

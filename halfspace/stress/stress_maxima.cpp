@@ -44,7 +44,7 @@ Lattice largest_on_lattice(const LoadedBody& body, const std::vector<double>& de
   const double sign = body.body == Body::wheel ? 1.0 : -1.0;
   for (const SubsurfaceLayer& layer : subsurface_box(body, body.grid, depths))
     for (int k = 0; k < body.grid.size(); ++k) {
-      SubsurfaceState state = layer.at(k);
+      SubsurfaceState state = layer.states[static_cast<std::size_t>(k)];
       const double x = body.grid.x(k % body.grid.nx), y = body.grid.y(k / body.grid.nx);
       if (beyond) beyond(body.body, {x, y, layer.depth}, state);
       const std::array<double, 3> place{x, y, sign * layer.depth + 0.0};

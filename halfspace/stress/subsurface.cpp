@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace rollfem::halfspace {
 
@@ -35,24 +36,21 @@ void check_spacing(const contact::ContactGrid& grid, const char* name) {
 }
 
 /// The rail is the mirror image of the wheel in z = 0: with the opposite tractions the pressure
-/// stays a pressure and the tangential tractions change sign.
-LocalProblem local_problem(const LoadedBody& body) {
-  check_spacing(body.grid, "contact grid");
-  const double sign = body.body == Body::wheel ? 1.0 : -1.0;
-  LocalProblem problem;
-  problem.grid = body.grid;
-  problem.load_x = sign * sized(body.traction.x, body.grid, "x");
-  problem.load_y = sign * sized(body.traction.y, body.grid, "y");
-  problem.load_z = sized(body.traction.n, body.grid, "n");
-  problem.shear_modulus = contact::shear_modulus(body.material);
-  problem.poisson_ratio = body.material.poisson_ratio;
-  check_half_space(0.0, problem.shear_modulus, problem.poisson_ratio);
-  return problem;
-}
-
-/// Sign of the components that are odd in z: u_z, xz, yz.
+/// stays a pressure and the tangential tractions change sign, as do u_z, xz, yz in the result.
 double mirror(const LoadedBody& body) {
   return body.body == Body::wheel ? 1.0 : -1.0;
+}
+
+LocalProblem local_problem(const LoadedBody& body) {
+  check_spacing(body.grid, "contact grid");
+  LocalProblem problem{body.grid,
+                       {mirror(body) * sized(body.traction.x, body.grid, "x"),
+                        mirror(body) * sized(body.traction.y, body.grid, "y"),
+                        sized(body.traction.n, body.grid, "n")},
+                       contact::shear_modulus(body.material),
+                       body.material.poisson_ratio};
+  check_half_space(0.0, problem.shear_modulus, problem.poisson_ratio);
+  return problem;
 }
 
 SubsurfaceState global_state(const LocalState& local, double odd) {
@@ -80,57 +78,7 @@ bool fft_is_cheaper(const LocalProblem& problem, const contact::ContactGrid& poi
   return 5.0 * offsets < static_cast<double>(points.size()) * static_cast<double>(loaded_elements);
 }
 
-SubsurfaceLayer empty_layer(const contact::ContactGrid& points, double depth) {
-  SubsurfaceLayer layer;
-  layer.depth = depth;
-  for (contact::Field* field : {&layer.displacement.x, &layer.displacement.y, &layer.displacement.n,
-                                &layer.xx, &layer.yy, &layer.zz, &layer.xy, &layer.yz, &layer.xz})
-    field->resize(points.size());
-  return layer;
-}
-
-SubsurfaceLayer direct_layer(const DirectSum& sum, const contact::ContactGrid& points, double depth,
-                             double odd) {
-  SubsurfaceLayer layer = empty_layer(points, depth);
-  for (int j = 0; j < points.ny; ++j)
-    for (int i = 0; i < points.nx; ++i) {
-      const SubsurfaceState state = global_state(sum.at(points.x(i), points.y(j), depth), odd);
-      const int k = points.index(i, j);
-      layer.displacement.x[k] = state.displacement[0];
-      layer.displacement.y[k] = state.displacement[1];
-      layer.displacement.n[k] = state.displacement[2];
-      layer.xx[k] = state.stress.xx;
-      layer.yy[k] = state.stress.yy;
-      layer.zz[k] = state.stress.zz;
-      layer.xy[k] = state.stress.xy;
-      layer.yz[k] = state.stress.yz;
-      layer.xz[k] = state.stress.xz;
-    }
-  return layer;
-}
-
-SubsurfaceLayer fft_layer(const LayerConvolution& convolution, double depth, double odd) {
-  std::array<contact::Field, component_count> fields = convolution.at(depth);
-  SubsurfaceLayer layer;
-  layer.depth = depth;
-  layer.displacement = {std::move(fields[u_x]), std::move(fields[u_y]), odd * fields[u_z]};
-  layer.xx = std::move(fields[s_xx]);
-  layer.yy = std::move(fields[s_yy]);
-  layer.zz = std::move(fields[s_zz]);
-  layer.xy = std::move(fields[s_xy]);
-  layer.yz = odd * fields[s_yz];
-  layer.xz = odd * fields[s_xz];
-  return layer;
-}
-
 }  // namespace
-
-SubsurfaceState SubsurfaceLayer::at(int index) const {
-  SubsurfaceState state;
-  state.displacement = {displacement.x[index], displacement.y[index], displacement.n[index]};
-  state.stress = {xx[index], yy[index], zz[index], xy[index], yz[index], xz[index]};
-  return state;
-}
 
 std::vector<SubsurfaceState> subsurface_at(const LoadedBody& body,
                                            const std::vector<SubsurfacePoint>& points) {
@@ -163,14 +111,19 @@ std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
   const bool by_fft =
       summation == Summation::fft || (summation == Summation::automatic && possible &&
                                       fft_is_cheaper(problem, points, sum.elements()));
+  std::optional<LayerConvolution> convolution;
+  if (by_fft) convolution.emplace(problem, points);
   std::vector<SubsurfaceLayer> layers;
-  layers.reserve(depths.size());
-  if (by_fft) {
-    const LayerConvolution convolution(problem, points);
-    for (const double depth : depths) layers.push_back(fft_layer(convolution, depth, mirror(body)));
-  } else {
-    for (const double depth : depths)
-      layers.push_back(direct_layer(sum, points, depth, mirror(body)));
+  for (const double depth : depths) {
+    layers.push_back({depth, {}});
+    const auto add = [&](const LocalState& local) {
+      layers.back().states.push_back(global_state(local, mirror(body)));
+    };
+    if (convolution)
+      for (const LocalState& local : convolution->at(depth)) add(local);
+    else
+      for (int k = 0; k < points.size(); ++k)
+        add(sum.at(points.x(k % points.nx), points.y(k / points.nx), depth));
   }
   return layers;
 }

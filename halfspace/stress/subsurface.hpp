@@ -43,13 +43,10 @@ struct SubsurfaceState {
   contact::Stress stress;                ///< MPa, tension positive
 };
 
-/// One value per point of a plane (or per contact element), index j * nx + i.
+/// The states of one depth, one per point of a lattice, index j * nx + i.
 struct SubsurfaceLayer {
   double depth = 0.0;
-  contact::SurfaceField displacement;     ///< mm; n is the global z component
-  contact::Field xx, yy, zz, xy, yz, xz;  ///< MPa
-
-  SubsurfaceState at(int index) const;
+  std::vector<SubsurfaceState> states;
 };
 
 /// Method of summation over contact elements.

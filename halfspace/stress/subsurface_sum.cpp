@@ -17,9 +17,9 @@ using contact::pi;
 /// corner functions are used throughout: the stress is then exact to about 1e-15 of the traction.
 constexpr double corner_range = 300.0;
 
-void scale(LocalState& state, double shear_modulus) {
-  for (std::size_t i = 0; i < component_count; ++i)
-    state[i] *= i < s_xx ? 1.0 / (4.0 * pi * shear_modulus) : 1.0 / (2.0 * pi);
+/// Of a component of assemble_state.
+double unit_of(std::size_t component, double shear_modulus) {
+  return component < s_xx ? 1.0 / (4.0 * pi * shear_modulus) : 1.0 / (2.0 * pi);
 }
 
 double longer_side(const contact::ContactGrid& grid) {
@@ -35,7 +35,8 @@ DirectSum::DirectSum(const LocalProblem& problem) : problem_(problem) {
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const int k = grid.index(i, j);
-      if (problem.load_x[k] == 0.0 && problem.load_y[k] == 0.0 && problem.load_z[k] == 0.0)
+      if (std::all_of(problem.loads.begin(), problem.loads.end(),
+                      [k](const contact::Field& load) { return load[k] == 0.0; }))
         continue;
       i_first_ = std::min(i_first_, i);
       i_last_ = std::max(i_last_, i);
@@ -64,16 +65,13 @@ DirectSum::Loads DirectSum::near_sum(double x, double y, double z) const {
   };
   for (int j = j_first_; j <= j_last_ + 1; ++j)
     for (int i = i_first_; i <= i_last_ + 1; ++i) {
-      const double weight_x = jump(problem_.load_x, i, j);
-      const double weight_y = jump(problem_.load_y, i, j);
-      const double weight_z = jump(problem_.load_z, i, j);
-      if (weight_x == 0.0 && weight_y == 0.0 && weight_z == 0.0) continue;
+      Eigen::Array3d weight;
+      for (std::size_t c = 0; c < 3; ++c) weight[c] = jump(problem_.loads[c], i, j);
+      if ((weight == 0.0).all()) continue;
       const Potentials corner =
           corner_potentials((x - grid.x(i) + 0.5 * grid.dx) / length,
                             (y - grid.y(j) + 0.5 * grid.dy) / length, z / length);
-      sum.col(0) += weight_x * corner;
-      sum.col(1) += weight_y * corner;
-      sum.col(2) += weight_z * corner;
+      for (int c = 0; c < 3; ++c) sum.col(c) += weight[c] * corner;
     }
   sum.topRows<first_dimensionless>() *= length;
   return sum;
@@ -87,9 +85,7 @@ DirectSum::Loads DirectSum::far_sum(double x, double y, double z) const {
       const int k = grid.index(i, j);
       const Potentials element =
           rectangle_potentials(x - grid.x(i), y - grid.y(j), z, grid.dx, grid.dy);
-      sum.col(0) += problem_.load_x[k] * element;
-      sum.col(1) += problem_.load_y[k] * element;
-      sum.col(2) += problem_.load_z[k] * element;
+      for (std::size_t c = 0; c < 3; ++c) sum.col(c) += problem_.loads[c][k] * element;
     }
   return sum;
 }
@@ -103,7 +99,7 @@ LocalState DirectSum::at(double x, double y, double z) const {
   const Loads sum = near ? near_sum(x, y, z) : far_sum(x, y, z);
   LocalState state = assemble_state(sum.col(0).data(), sum.col(1).data(), sum.col(2).data(),
                                     problem_.poisson_ratio, z);
-  scale(state, problem_.shear_modulus);
+  for (std::size_t c = 0; c < component_count; ++c) state[c] *= unit_of(c, problem_.shear_modulus);
   return state;
 }
 
@@ -114,13 +110,7 @@ LayerConvolution::LayerConvolution(const LocalProblem& problem, const contact::C
                  problem.grid.ny + points.ny - 1),
       kernel_fft_(loads_fft_.px(), loads_fft_.py(), loads_fft_.px(), loads_fft_.py()),
       points_fft_(points.nx, points.ny, loads_fft_.px(), loads_fft_.py()) {
-  for (PaddedFft::Spectrum* spectrum : {&load_x_, &load_y_, &load_z_})
-    spectrum->resize(static_cast<std::size_t>(loads_fft_.spectrum_size()));
-  loads_fft_.forward(problem.load_x, load_x_);
-  loads_fft_.forward(problem.load_y, load_y_);
-  loads_fft_.forward(problem.load_z, load_z_);
-  for (PaddedFft::Spectrum& kernel : kernels_)
-    kernel.resize(static_cast<std::size_t>(loads_fft_.spectrum_size()));
+  for (std::size_t c = 0; c < 3; ++c) loads_fft_.forward(problem.loads[c], loads_[c]);
 }
 
 /// Corner functions at all differences of a lattice point and an element corner: (mx + 1) columns
@@ -166,10 +156,10 @@ void LayerConvolution::transform_kernels(double z) const {
   }
 }
 
-std::array<contact::Field, component_count> LayerConvolution::at(double z) const {
+std::vector<LocalState> LayerConvolution::at(double z) const {
   using Complex = std::complex<double>;
   transform_kernels(z);
-  const std::size_t frequencies = load_x_.size();
+  const std::size_t frequencies = loads_[0].size();
   std::array<PaddedFft::Spectrum, component_count> spectra;
   for (PaddedFft::Spectrum& spectrum : spectra) spectrum.resize(frequencies);
   using ComplexPotentials = Eigen::Array<Complex, potential_count, 1>;
@@ -177,20 +167,21 @@ std::array<contact::Field, component_count> LayerConvolution::at(double z) const
     ComplexPotentials source;
     for (int potential = 0; potential < potential_count; ++potential)
       source[potential] = kernels_[static_cast<std::size_t>(potential)][f];
-    const ComplexPotentials p_x = source * load_x_[f];
-    const ComplexPotentials p_y = source * load_y_[f];
-    const ComplexPotentials p_z = source * load_z_[f];
+    const ComplexPotentials p_x = source * loads_[0][f];
+    const ComplexPotentials p_y = source * loads_[1][f];
+    const ComplexPotentials p_z = source * loads_[2][f];
     const std::array<Complex, component_count> state =
         assemble_state(p_x.data(), p_y.data(), p_z.data(), problem_.poisson_ratio, z);
     for (std::size_t c = 0; c < component_count; ++c) spectra[c][f] = state[c];
   }
-  std::array<contact::Field, component_count> fields;
+  std::vector<LocalState> states(static_cast<std::size_t>(points_.size()));
+  contact::Field field;
   for (std::size_t c = 0; c < component_count; ++c) {
-    fields[c].resize(points_.size());
-    points_fft_.backward(spectra[c], fields[c]);
-    fields[c] *= c < s_xx ? 1.0 / (4.0 * pi * problem_.shear_modulus) : 1.0 / (2.0 * pi);
+    points_fft_.backward(spectra[c], field);
+    for (std::size_t k = 0; k < states.size(); ++k)
+      states[k][c] = unit_of(c, problem_.shear_modulus) * field[static_cast<Eigen::Index>(k)];
   }
-  return fields;
+  return states;
 }
 
 }  // namespace rollfem::halfspace

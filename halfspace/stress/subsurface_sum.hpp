@@ -14,9 +14,7 @@ namespace rollfem::halfspace {
 /// Loads on the surface of one half-space in its local frame, with the constants of its material.
 struct LocalProblem {
   contact::ContactGrid grid;
-  contact::Field load_x;  ///< MPa
-  contact::Field load_y;
-  contact::Field load_z;
+  std::array<contact::Field, 3> loads;  ///< MPa, along x, y, z
   double shear_modulus = 0.0;
   double poisson_ratio = 0.0;
 };
@@ -47,8 +45,8 @@ class LayerConvolution {
   /// Keeps a reference to the problem.
   LayerConvolution(const LocalProblem& problem, const contact::ContactGrid& points);
   LayerConvolution(LocalProblem&&, const contact::ContactGrid&) = delete;
-  /// One field per component.
-  std::array<contact::Field, component_count> at(double z) const;
+  /// One state per point of the lattice.
+  std::vector<LocalState> at(double z) const;
 
  private:
   std::vector<Potentials> corners(double z) const;
@@ -59,7 +57,7 @@ class LayerConvolution {
   PaddedFft loads_fft_;
   PaddedFft kernel_fft_;
   PaddedFft points_fft_;
-  PaddedFft::Spectrum load_x_, load_y_, load_z_;
+  std::array<PaddedFft::Spectrum, 3> loads_;
   mutable std::array<PaddedFft::Spectrum, potential_count> kernels_;
 };
 

@@ -44,7 +44,8 @@ struct Patch {
   ContactGrid grid() const { return ContactGrid::centred(nx + 6, ny + 6, 2 * a / nx, 2 * b / ny); }
   contact::CombinedMaterial material() const { return testing::alike(G, nu); }
   TangentialProblem problem(const contact::Creepage& creepage) const {
-    return {testing::hertz_pressure(grid(), a, b, p0), testing::slip_of(grid(), creepage),
+    return {testing::hertz_pressure(grid(), a, b, p0),
+            {testing::slip_of(grid(), creepage)},
             contact::coulomb(friction)};
   }
   TangentialSolution solve(const contact::Creepage& creepage) const {

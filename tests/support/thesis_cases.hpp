@@ -87,7 +87,7 @@ struct Benchmark9 {
       contact::UpwindOrder order = contact::UpwindOrder::second) const {
     const double p0 = 1.5 * force / (M_PI * radius * radius);
     return {hertz_pressure(on, radius, radius, p0),
-            slip_of(on, creepage, contact::upstream_of_spin(order, on.dx)),
+            {slip_of(on, creepage, contact::upstream_of_spin(order, on.dx))},
             contact::coulomb(friction)};
   }
 };

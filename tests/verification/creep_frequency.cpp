@@ -62,7 +62,7 @@ std::complex<double> rolled(double ka, int across) {
     const double now = wave * step * k;
     const TangentialField slip{Field::Constant(grid.size(), xi * std::cos(now)),
                                Field::Zero(grid.size())};
-    const contact::StepProblem each = history.rolling_step(slip, step);
+    const contact::TangentialMotion each = history.rolling_step(slip, step);
     state = problem.solve({1.0, {}}, {each.rigid_slip, contact::Motion::shift, each.slip_factor},
                           k > 1 ? &state : nullptr, {1e-9, {1e-9, 50, 5}});
     history.advance({state.displacement.x, state.displacement.y}, step);

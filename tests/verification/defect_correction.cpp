@@ -26,7 +26,7 @@ struct Ball {
         grid.sample([](double x, double y) { return (x * x + y * y) / 800.0; });
     problem.load.force = 82e3;
     problem.friction = coulomb(0.3);
-    problem.rigid_slip = rollfem::testing::slip_of(grid, {1e-3, 5e-4, 1e-4});
+    problem.motion.rigid_slip = rollfem::testing::slip_of(grid, {1e-3, 5e-4, 1e-4});
   }
 };
 
@@ -51,14 +51,14 @@ TEST(DefectCorrection, ReachesTheSolutionOfTheComplianceNotOfThePreconditioner) 
   OuterOptions options;
   options.tolerance = 1e-8;
   std::vector<double> residuals;
-  const CoupledSolution corrected =
+  const ContactState corrected =
       solve_coupled(scene.wanted, preconditioner(scene.other), scene.problem, options, {},
-                    [&](const CoupledSolution& state) { residuals.push_back(state.residual); });
-  const CoupledSolution direct =
+                    [&](const ContactState& state) { residuals.push_back(state.residual); });
+  const ContactState direct =
       solve_coupled(scene.wanted, preconditioner(scene.wanted), scene.problem, options);
 
-  EXPECT_EQ(direct.outer_iterations, 1);
-  EXPECT_LE(corrected.outer_iterations, 15);
+  EXPECT_EQ(direct.iterations, 1);
+  EXPECT_LE(corrected.iterations, 15);
   EXPECT_LT(residuals.back(), 1e-6 * residuals.front());
   EXPECT_LT(relative_difference(corrected.normal.pressure, direct.normal.pressure), 1e-6);
   EXPECT_LT(relative_difference(corrected.tangential.traction.x, direct.tangential.traction.x),
@@ -70,12 +70,11 @@ TEST(DefectCorrection, ReachesTheSolutionOfTheComplianceNotOfThePreconditioner) 
 
 TEST(DefectCorrection, AStartFromTheDefectIsAtTheSolution) {
   const Pair scene;
-  const CoupledSolution cold =
-      solve_coupled(scene.wanted, preconditioner(scene.other), scene.problem);
-  const CoupledSolution warm =
+  const ContactState cold = solve_coupled(scene.wanted, preconditioner(scene.other), scene.problem);
+  const ContactState warm =
       solve_coupled(scene.wanted, preconditioner(scene.other), scene.problem, {}, cold.defect);
-  EXPECT_GT(cold.outer_iterations, 2);
-  EXPECT_LE(warm.outer_iterations, 2);
+  EXPECT_GT(cold.iterations, 2);
+  EXPECT_LE(warm.iterations, 2);
 }
 
 TEST(DefectCorrection, SaysSoWhenItDoesNotConverge) {
@@ -88,9 +87,9 @@ TEST(DefectCorrection, SaysSoWhenItDoesNotConverge) {
 
 TEST(DefectCorrection, FrictionlessContactHasNoTangentialTractions) {
   Ball scene;
-  scene.problem.rigid_slip = {};
+  scene.problem.motion.rigid_slip = {};
   const HalfspaceCompliance half(scene.grid, rollfem::testing::alike(82e3, 0.28));
-  const CoupledSolution solution = solve_coupled(half, preconditioner(half), scene.problem);
+  const ContactState solution = solve_coupled(half, preconditioner(half), scene.problem);
   EXPECT_EQ(solution.tangential.traction.x.size(), 0);
   EXPECT_NEAR(solution.normal.pressure.sum() * scene.grid.element_area(), 82e3, 1e-3);
 }

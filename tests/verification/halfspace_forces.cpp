@@ -82,8 +82,8 @@ Coefficients from_solver(double a, double b, double nu, int nx, int ny) {
                                            contact::upwind_weights(grid, pressure));
   const double e = 1e-6;
   const auto run = [&](const Creepage& creepage) {
-    const TangentialProblem problem{pressure, testing::slip_of(grid, creepage),
-                                    contact::coulomb(1.0)};
+    const TangentialProblem problem{
+        pressure, {testing::slip_of(grid, creepage)}, contact::coulomb(1.0)};
     contact::TangentialOptions options;
     options.tolerance = 1e-8;
     return testing::forces(grid, contact::solve_tangential(rolling, problem, options).traction);

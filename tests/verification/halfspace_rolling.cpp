@@ -51,8 +51,8 @@ double left_of_coulomb(int across, const TangentialSolution& s) {
   const double r = g.maxCoeff() / std::hypot(1e-3, 5e-4);
   double left = 0.0;
   for (int k = 0; k < grid.size(); ++k) {
-    const double qx = s.traction.x[k] - r * (problem.rigid_slip.x[k] + moved.x[k]);
-    const double qy = s.traction.y[k] - r * (problem.rigid_slip.y[k] + moved.y[k]);
+    const double qx = s.traction.x[k] - r * (problem.motion.rigid_slip.x[k] + moved.x[k]);
+    const double qy = s.traction.y[k] - r * (problem.motion.rigid_slip.y[k] + moved.y[k]);
     const double size = std::hypot(qx, qy);
     const double factor = size > g[k] ? g[k] / size : 1.0;
     left += std::pow(s.traction.x[k] - factor * qx, 2) + std::pow(s.traction.y[k] - factor * qy, 2);

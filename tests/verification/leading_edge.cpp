@@ -96,7 +96,7 @@ double zigzag_of_case(char name, double creepage, int across, Edge edge) {
   const Field pressure = contact::solve_normal(compliance.normal(), normal).pressure;
   const TangentialProblem problem{
       pressure,
-      {Field::Constant(grid.size(), creepage), Field::Zero(grid.size())},
+      {{Field::Constant(grid.size(), creepage), Field::Zero(grid.size())}},
       contact::coulomb(input.friction_coefficient)};
   return zigzag(grid, solve(compliance, problem, edge).traction.x, hertz.semi_axis_y);
 }

@@ -90,10 +90,10 @@ TEST(PlasticLayer, SeriesOfContactOnOneElement) {
     contact::History history(grid, contact::UpwindOrder::first);
     contact::FrictionPast past{Field::Constant(9, 0.7), 1.0, Field::Zero(9)};
     for (std::size_t k = 0; k < series.shifts.size(); ++k) {
-      const contact::StepProblem step =
+      contact::TangentialMotion step =
           history.shift_step({Field::Constant(9, -series.shifts[k]), Field::Zero(9)});
-      const contact::TangentialSolution s =
-          solve_tangential(bodies.shift(), {pressure, step.rigid_slip, law, 1.0, past});
+      step.past = past;
+      const contact::TangentialSolution s = solve_tangential(bodies.shift(), {pressure, step, law});
       EXPECT_NEAR(s.traction.x[middle], series.printed[k], 2.5e-4 * series.printed[k]) << k;
       worst = std::max(worst, std::abs(s.traction.x[middle] / series.printed[k] - 1.0));
       if (s.plastic.size() != 0) past.plastic = s.plastic;

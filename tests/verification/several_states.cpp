@@ -62,9 +62,7 @@ class Rollers {
   contact::TangentialMotion step_from(const contact::ContactState& before, double creepage) const {
     contact::History history(grid_, contact::UpwindOrder::first);
     history.advance({before.displacement.x, before.displacement.y}, 0.0);
-    const contact::StepProblem step = history.rolling_step(slip(creepage), grid_.dx);
-    contact::TangentialMotion motion{step.rigid_slip, contact::Motion::shift, step.slip_factor};
-    return motion;
+    return history.rolling_step(slip(creepage), grid_.dx);
   }
 
   contact::ContactState solved(const contact::TangentialMotion& motion) {
@@ -78,10 +76,8 @@ class Rollers {
     const contact::TangentialMotion motion = step_from(before, creepage);
     contact::TangentialOptions options;
     options.other_branch = true;
-    return contact::solve_tangential(
-        whole_.shift(),
-        {before.normal.pressure, motion.rigid_slip, law_, motion.slip_factor, motion.past},
-        options);
+    return contact::solve_tangential(whole_.shift(), {before.normal.pressure, motion, law_},
+                                     options);
   }
 
   /// Tractions in a step from `before`, with bounds that follow the slip for some rounds, and the
@@ -91,8 +87,9 @@ class Rollers {
     const contact::TangentialMotion motion = step_from(before, creepage);
     contact::TangentialSolution solution;
     for (int round = 0; round < rounds; ++round) {
-      solution = contact::solve_tangential(
-          whole_.shift(), {bound, motion.rigid_slip, contact::coulomb(1.0)}, {}, solution.traction);
+      solution = contact::solve_tangential(whole_.shift(),
+                                           {bound, {motion.rigid_slip}, contact::coulomb(1.0)}, {},
+                                           solution.traction);
       const contact::Field held = bound;
       for (int k = 0; k < grid_.size(); ++k)
         bound[k] =

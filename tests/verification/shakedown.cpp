@@ -78,8 +78,8 @@ std::array<double, 2> largest_below(bool circle, double friction) {
   std::array<double, 2> largest{};
   for (std::size_t k = 0; k < depths.size(); ++k)
     for (int i = 0; i < points.size(); ++i) {
-      auto stress = pressed[k].at(i).stress.as_array();
-      const auto more = rubbed[k].at(i).stress.as_array();
+      auto stress = pressed[k].states[static_cast<std::size_t>(i)].stress.as_array();
+      const auto more = rubbed[k].states[static_cast<std::size_t>(i)].stress.as_array();
       for (std::size_t c = 0; c < 6; ++c) stress[c] += friction * more[c];
       const auto sum = contact::Stress::from_array(stress);
       largest[0] = std::max(largest[0], contact::von_mises(sum));
@@ -121,8 +121,8 @@ TEST(Shakedown, OfTheLineItIsMelansLimit) {
       double least = -1e9;
       double most = 1e9;
       for (int i = 0; i < points.size(); ++i) {
-        const auto a = pressed[k].at(i).stress;
-        const auto b = rubbed[k].at(i).stress;
+        const auto a = pressed[k].states[static_cast<std::size_t>(i)].stress;
+        const auto b = rubbed[k].states[static_cast<std::size_t>(i)].stress;
         const double difference = load * (a.xx - a.zz + friction * (b.xx - b.zz));
         const double shear = load * (a.xz + friction * b.xz);
         const double room = 1.0 - shear * shear;
@@ -146,8 +146,8 @@ TEST(Shakedown, TheSurfaceOfTheCircleIsThatOfHalfSpaceElements) {
   const auto rubbed = halfspace::subsurface_box(loaded(n, true, true), points, {0.0}).front();
   for (int i = 0; i < n; ++i) {
     if (std::abs(points.x(i)) > 0.9) continue;
-    const auto without = pressed.at(i).stress.as_array();
-    const auto more = rubbed.at(i).stress.as_array();
+    const auto without = pressed.states[static_cast<std::size_t>(i)].stress.as_array();
+    const auto more = rubbed.states[static_cast<std::size_t>(i)].stress.as_array();
     const auto exact = sliding_circle_surface(points.x(i), friction).as_array();
     for (std::size_t c = 0; c < 6; ++c)
       EXPECT_NEAR(without[c] + friction * more[c], exact[c], 0.006) << points.x(i) << " " << c;

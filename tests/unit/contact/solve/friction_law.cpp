@@ -109,10 +109,10 @@ TEST(FallingFriction, OfSpringsIsTheRootOfAQuadratic) {
   const double factor = 0.5;  // slip of the law over that of the problem
   TangentialProblem problem;
   problem.friction = std::make_shared<FallingFriction>(hyperbola(0.3, factor * w0));
-  problem.slip_factor = factor;
+  problem.motion.slip_factor = factor;
   problem.pressure = Field::Zero(3);
   problem.pressure << 100.0, 500.0, 1000.0;
-  problem.rigid_slip = {Field::Constant(3, 0.6 * s), Field::Constant(3, 0.8 * s)};
+  problem.motion.rigid_slip = {Field::Constant(3, 0.6 * s), Field::Constant(3, 0.8 * s)};
   TangentialOptions options;
   options.tolerance = 1e-10;
   const TangentialSolution solution = solve_tangential(Springs(grid, c), problem, options);
@@ -136,8 +136,8 @@ TEST(FallingFriction, OfSeveralStatesTheOneWithTheMostFrictionIsGiven) {
   TangentialProblem problem;
   problem.friction = std::make_shared<FallingFriction>(hyperbola(0.3, 1e-3));
   problem.pressure = Field::Constant(2, 1000.0);
-  problem.rigid_slip = {Field::Zero(2), Field::Zero(2)};
-  problem.rigid_slip.x << 2.8e-3, 3.2e-3;
+  problem.motion.rigid_slip = {Field::Zero(2), Field::Zero(2)};
+  problem.motion.rigid_slip.x << 2.8e-3, 3.2e-3;
   // From where both slide.
   const TangentialField sliding{Field::Constant(2, -112.0), Field::Zero(2)};
   const TangentialSolution solution = solve_tangential(Springs(grid, c), problem, {}, sliding);

@@ -32,7 +32,7 @@ struct Row {
     places.resize(static_cast<std::size_t>(elements));
     std::iota(places.begin(), places.end(), 2);
     for (const Eigen::Index k : places) pressure[k] = std::sqrt(1.0 - grid.x(static_cast<int>(k)));
-    none = {Field::Zero(grid.nx), Field::Zero(grid.nx)};
+    still.rigid_slip = {Field::Zero(grid.nx), Field::Zero(grid.nx)};
   }
 
   /// |w| = 0.6 and 0.8 of `size` along x and y.
@@ -51,16 +51,21 @@ struct Row {
   /// mu of every element.
   VectorXd coefficient(FrictionState& state, const VectorXd& slip) const {
     VectorXd bound(static_cast<Eigen::Index>(places.size()));
-    state.set_bound(slip, bound);
+    state.set_bound(slip, slip, bound);
     for (Eigen::Index e = 0; e < bound.size(); ++e)
       bound[e] /= pressure[places[static_cast<std::size_t>(e)]];
     return bound;
   }
 
+  /// Surfaces at rest: slips are given directly.
+  TangentialMotion motion(double slip_factor, const std::optional<FrictionPast>& past = {}) const {
+    return {still.rigid_slip, Motion::rolling, slip_factor, 1.0, past};
+  }
+
   ContactGrid grid;
   Field pressure;
   std::vector<Eigen::Index> places;
-  TangentialField none;
+  TangentialMotion still;
 };
 
 /// Runge and Kutta's method from the leading edge to x, 2000 steps.
@@ -92,7 +97,7 @@ double worst_error(int elements) {
   const Row row(elements);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   state.begin(problem, row.places);
   const VectorXd mu = row.coefficient(state, row.slip(smooth_slip));
   double worst = 0.0;
@@ -114,8 +119,8 @@ TEST(FrictionState, ConstantSlipDecaysExponentially) {
   const Row row(20);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law,
-                                2.0};  // the law's slip is twice
+  const TangentialMotion motion = row.motion(2.0);  // the law's slip is twice
+  const FrictionProblem problem{row.grid, row.pressure, motion, law};
   state.begin(problem, row.places);
   for (const double w : {2e-4, 3e-3, 0.5}) {
     const VectorXd mu = row.coefficient(state, row.slip([&](double) { return 0.5 * w; }));
@@ -132,7 +137,7 @@ TEST(FrictionState, ShortMemoryIsNone) {
   const Row row(20);
   const FallingFriction law = law_with(FrictionMemory{1e-12, s_0});
   FrictionState state;
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   state.begin(problem, row.places);
   const VectorXd mu = row.coefficient(state, row.slip(smooth_slip));
   for (Eigen::Index e = 0; e < mu.size(); ++e) {
@@ -147,7 +152,7 @@ TEST(FrictionState, AGapInTheRowBringsFrictionBackToThatAtRest) {
   row.places.erase(row.places.begin() + 7);
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   FrictionState state;
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   state.begin(problem, row.places);
   const VectorXd mu = row.coefficient(state, row.slip([](double) { return 0.02; }));
   EXPECT_LT(mu[7], 0.2);   // behind the first half of the row
@@ -164,20 +169,20 @@ void expect_derivative(const FrictionProblem& problem, const Row& row) {
   for (Eigen::Index e = 0; e < change.size(); ++e) change[e] = std::sin(1.7 * e + 0.3);
   const double h = 1e-8;
   VectorXd above(count), below(count), linear(count);
-  state.set_bound(slip + h * change, above);
-  state.set_bound(slip - h * change, below);
-  state.linearise(slip);
-  state.change(change, linear);
+  state.set_bound(slip + h * change, slip, above);
+  state.set_bound(slip - h * change, slip, below);
+  state.linearise(slip, slip);
+  state.change(change, change, linear);
   EXPECT_LT(((above - below) / (2.0 * h) - linear).norm(), 1e-6 * linear.norm());
 }
 
 TEST(FrictionState, DerivativesAreThoseOfTheBounds) {
   const Row row(20);
   const FallingFriction at_once = law_with({}), slow = law_with(FrictionMemory{d_c, s_0});
-  expect_derivative({row.grid, row.pressure, row.none, at_once, 0.5}, row);
-  expect_derivative({row.grid, row.pressure, row.none, slow, 0.5}, row);
+  expect_derivative({row.grid, row.pressure, row.motion(0.5), at_once}, row);
+  expect_derivative({row.grid, row.pressure, row.motion(0.5), slow}, row);
   const FrictionPast past{Field::LinSpaced(row.grid.nx, 0.2, 0.4), 0.3};
-  expect_derivative({row.grid, row.pressure, row.none, slow, 0.5, &past}, row);
+  expect_derivative({row.grid, row.pressure, row.motion(0.5, past), slow}, row);
 }
 
 TEST(FrictionState, AStepOfAHistoryRemembersItsParticle) {
@@ -185,7 +190,8 @@ TEST(FrictionState, AStepOfAHistoryRemembersItsParticle) {
   const FallingFriction law = law_with(FrictionMemory{d_c, s_0});
   const FrictionPast past{Field::LinSpaced(row.grid.nx, 0.2, 0.4), 0.3};
   FrictionState state;
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law, 1.0, &past};
+  const TangentialMotion motion = row.motion(1.0, past);
+  const FrictionProblem problem{row.grid, row.pressure, motion, law};
   state.begin(problem, row.places);
   const double w = 6e-3;
   const VectorXd mu = row.coefficient(state, row.slip([&](double) { return w; }));

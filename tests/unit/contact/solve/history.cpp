@@ -48,7 +48,7 @@ double slip_error(UpwindOrder order, double step) {
   const double speed = 0.7;
   History history(grid, order);
   const TangentialField s{Field::Constant(grid.size(), 2e-3), Field::Constant(grid.size(), 1e-3)};
-  StepProblem problem;
+  TangentialMotion problem;
   double t = 0.0;
   for (int k = 0; k < 4; ++k, t += step) {
     problem = history.rolling_step(s, step);

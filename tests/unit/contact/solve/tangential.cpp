@@ -38,7 +38,7 @@ TEST(SolveTangential, OfSpringsIsTheProjection) {
   problem.friction = coulomb(1.0);
   problem.pressure = Field::Zero(5);
   problem.pressure << 0.0, 1.0, 1.0, 10.0, 0.5;
-  problem.rigid_slip = {Field::Constant(5, 0.03), Field::Constant(5, -0.04)};  // |s| / c = 5
+  problem.motion.rigid_slip = {Field::Constant(5, 0.03), Field::Constant(5, -0.04)};  // |s| / c = 5
   const TangentialSolution s = solve_tangential(springs, problem);
   const double expected[] = {0.0, 1.0, 1.0, 5.0, 0.5};
   const ElementState states[] = {ElementState::exterior, ElementState::slip, ElementState::slip,
@@ -55,13 +55,13 @@ TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
   const ContactGrid grid = ContactGrid::centred(3, 2, 1.0, 1.0);
   const SpringBed springs(grid, 0.01);
   TangentialProblem problem{
-      Field::Constant(6, 2.0), {Field::Zero(6), Field::Zero(6)}, coulomb(1.0)};
+      Field::Constant(6, 2.0), {{Field::Zero(6), Field::Zero(6)}}, coulomb(1.0)};
   const TangentialSolution still = solve_tangential(springs, problem);
   EXPECT_EQ(still.newton_steps, 0);
   EXPECT_EQ(still.traction.x.cwiseAbs().maxCoeff(), 0.0);
   EXPECT_EQ(still.state[0], ElementState::adhesion);
   problem.pressure.setZero();
-  problem.rigid_slip.x.setOnes();
+  problem.motion.rigid_slip.x.setOnes();
   const TangentialSolution frictionless = solve_tangential(springs, problem);
   EXPECT_EQ(frictionless.traction.x.cwiseAbs().maxCoeff(), 0.0);
   EXPECT_EQ(frictionless.slip.x[0], 1.0);
@@ -70,11 +70,11 @@ TEST(SolveTangential, WithoutSlipOrBoundReturnsZeroAtOnce) {
 
 TEST(SolveTangential, RefusesFieldsOfAnotherGridAndNan) {
   const SpringBed springs(ContactGrid::centred(3, 1, 1.0, 1.0), 0.01);
-  EXPECT_THROW(solve_tangential(springs, {Field::Ones(2), {Field::Ones(3), Field::Ones(3)}, {}}),
+  EXPECT_THROW(solve_tangential(springs, {Field::Ones(2), {{Field::Ones(3), Field::Ones(3)}}, {}}),
                SolveError);
   EXPECT_THROW(
       solve_tangential(springs,
-                       {Field::Ones(3), {Field::Constant(3, std::nan("")), Field::Ones(3)}, {}}),
+                       {Field::Ones(3), {{Field::Constant(3, std::nan("")), Field::Ones(3)}}, {}}),
       SolveError);
 }
 

@@ -39,7 +39,7 @@ struct YieldRow {
     places.resize(static_cast<std::size_t>(elements));
     std::iota(places.begin(), places.end(), 2);
     for (const Eigen::Index k : places) pressure[k] = highest * std::sqrt(1.0 - x_at(k));
-    none = {Field::Zero(grid.nx), Field::Zero(grid.nx)};
+    still.rigid_slip = {Field::Zero(grid.nx), Field::Zero(grid.nx)};
   }
 
   double x_at(Eigen::Index k) const { return grid.x(static_cast<int>(k)); }
@@ -57,10 +57,24 @@ struct YieldRow {
     return values;
   }
 
+  /// Surfaces at rest: slips are given directly.
+  TangentialMotion motion(double slip_factor, const std::optional<FrictionPast>& past = {}) const {
+    return {still.rigid_slip, Motion::rolling, slip_factor, 1.0, past};
+  }
+
+  /// Bounds under these slips.
+  template <class Size>
+  VectorXd bound(FrictionState& state, const Size& size) const {
+    const VectorXd values = slip(size);
+    VectorXd found(count());
+    state.set_bound(values, values, found);
+    return found;
+  }
+
   ContactGrid grid;
   Field pressure;
   std::vector<Eigen::Index> places;
-  TangentialField none;
+  TangentialMotion still;
 };
 
 double growing_slip(double x) {
@@ -71,11 +85,10 @@ double growing_slip(double x) {
 double worst_of_bounds(int elements, double hardening) {
   const YieldRow row(elements);
   const CoulombFriction law = yielding_at(200.0, hardening);
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   FrictionState state;
   state.begin(problem, row.places);
-  VectorXd bound(row.count());
-  state.set_bound(row.slip(growing_slip), bound);
+  const VectorXd bound = row.bound(state, growing_slip);
   const auto slipped = [](double d) { return 0.01 * d * d + 0.01 / 3.0 * d * d * d; };
   double worst = 0.0;
   for (Eigen::Index e = 0; e < row.count(); ++e) {
@@ -102,11 +115,11 @@ TEST(Yielding, PlasticDisplacementIsOfSecondOrderAlongTheRow) {
 TEST(Yielding, ConstantSlipGathersFromWhereFrictionReachesTheYieldStress) {
   const YieldRow row(25);
   const CoulombFriction law = yielding_at(100.0, 2000.0);  // reached at 1 - x = 0.04
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law, 2.0};  // law's slip is twice
+  const TangentialMotion motion = row.motion(2.0);         // law's slip is twice
+  const FrictionProblem problem{row.grid, row.pressure, motion, law};
   FrictionState state;
   state.begin(problem, row.places);
-  VectorXd bound(row.count());
-  state.set_bound(row.slip([](double) { return 0.01; }), bound);
+  const VectorXd bound = row.bound(state, [](double) { return 0.01; });
   for (Eigen::Index e = 0; e < row.count() - 1; ++e) {
     EXPECT_TRUE(state.yields(e));
     EXPECT_NEAR(bound[e], 100.0 + 2000.0 * 0.02 * (1.0 - row.x(e) - 0.04), 1e-9);
@@ -118,11 +131,10 @@ TEST(Yielding, FrictionTakesOverFromALayerThatHardens) {
   YieldRow row(25);
   row.pressure = (row.pressure.array() > 0.0).select(400.0, row.pressure).eval();
   const CoulombFriction law = yielding_at(100.0, 2000.0);
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   FrictionState state;
   state.begin(problem, row.places);
-  VectorXd bound(row.count());
-  state.set_bound(row.slip([](double) { return 0.1; }), bound);
+  const VectorXd bound = row.bound(state, [](double) { return 0.1; });
   for (Eigen::Index e = 0; e < row.count(); ++e) {
     const double stress = 100.0 + 2000.0 * 0.1 * (1.0 - row.x(e));
     // Constant pressure has no known edge: yielding begins within the first element.
@@ -138,12 +150,13 @@ TEST(Yielding, AStepOfAHistoryAddsToWhatTheParticleHas) {
   const YieldRow row(25);
   const CoulombFriction law = yielding_at(50.0, -300.0);
   const FrictionPast past{Field(), 0.2, Field::LinSpaced(row.grid.nx, 0.0, 0.1)};
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law, 1.0, &past};
+  const TangentialMotion motion = row.motion(1.0, past);
+  const FrictionProblem problem{row.grid, row.pressure, motion, law};
   FrictionState state;
   state.begin(problem, row.places);
-  VectorXd bound(row.count()), rest(row.count());
+  VectorXd rest(row.count());
   state.set_rest(rest);
-  state.set_bound(row.slip([](double) { return 0.3; }), bound);
+  const VectorXd bound = row.bound(state, [](double) { return 0.3; });
   for (Eigen::Index e = 0; e < row.count(); ++e) {
     const double before = past.plastic[row.places[static_cast<std::size_t>(e)]];
     const double friction = mu * row.pressure[row.places[static_cast<std::size_t>(e)]];
@@ -157,7 +170,7 @@ TEST(Yielding, AStepOfAHistoryAddsToWhatTheParticleHas) {
 TEST(Yielding, PerfectPlasticityBoundsWithoutSlip) {
   const YieldRow row(25);
   const CoulombFriction law = yielding_at(100.0, 0.0);
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   FrictionState state;
   state.begin(problem, row.places);
   EXPECT_FALSE(state.feels_slip());
@@ -176,13 +189,14 @@ TEST(Yielding, OwnSlipFromTheTrialTractionIsThatOfASolution) {
   constexpr double r = 4e3;
   for (const double hardening : {100.0, 1e4, 1e7}) {
     const CoulombFriction law = yielding_at(150.0, hardening);
-    const FrictionProblem problem{row.grid, row.pressure, row.none, law, 0.5};
+    const TangentialMotion motion = row.motion(0.5);
+    const FrictionProblem problem{row.grid, row.pressure, motion, law};
     FrictionState by_slip, by_trial;
     by_slip.begin(problem, row.places);
     by_trial.begin(problem, row.places, r);
     const VectorXd slip = row.slip(growing_slip);
     VectorXd expected(row.count()), bound(row.count()), trial = -slip;
-    by_slip.set_bound(slip, expected);
+    by_slip.set_bound(slip, slip, expected);
     for (Eigen::Index e = 0; e < row.count(); ++e) {
       const double size = growing_slip(row.x(e));
       trial[e] *= (expected[e] + r * size) / size;
@@ -225,16 +239,16 @@ TEST(Yielding, DerivativesAreThoseOfTheBounds) {
                           Field::LinSpaced(row.grid.nx, 0.0, 0.01)};
   for (const double hardening : {3000.0, 50e3, -3000.0}) {
     const CoulombFriction law = yielding_at(180.0, hardening);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5}, row);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5}, row, 4e3);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5, &past}, row, 4e3);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.none, law, 0.5, &past}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5), law}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5), law}, row, 4e3);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5, past), law}, row, 4e3);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5, past), law}, row);
     FallingFriction falling{
         FallShape::exponential, 0.3, {{{0.2, 0.02}, {}}}, FrictionMemory{2e-3, 1e-3}};
     falling.plasticity = law.plasticity;
-    expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5}, row);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5, &past}, row);
-    expect_derivative_of_yielding({row.grid, row.pressure, row.none, falling, 0.5}, row, 4e3);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5), falling}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5, past), falling}, row);
+    expect_derivative_of_yielding({row.grid, row.pressure, row.motion(0.5), falling}, row, 4e3);
   }
 }
 
@@ -243,11 +257,10 @@ TEST(Yielding, WhatYieldsDoesNotSlip) {
   const YieldRow row(25);
   FallingFriction law{FallShape::exponential, 0.3, {{{0.2, 0.02}, {}}}, FrictionMemory{2e-3, 1e-9}};
   law.plasticity = Plasticity{1e-3, 1.0};
-  const FrictionProblem problem{row.grid, row.pressure, row.none, law};
+  const FrictionProblem problem{row.grid, row.pressure, row.still, law};
   FrictionState state;
   state.begin(problem, row.places);
-  VectorXd bound(row.count());
-  state.set_bound(row.slip([](double) { return 1.0; }), bound);
+  const VectorXd bound = row.bound(state, [](double) { return 1.0; });
   for (Eigen::Index e = 0; e < row.count(); ++e) {
     EXPECT_TRUE(state.yields(e));
     EXPECT_NEAR(state.coefficient(e), 0.5, 1e-6);

@@ -50,10 +50,11 @@ TEST(WaveErrors, AreWhatTheModelChangesOnNarrowerElements) {
     const auto errors = halfspace::wave_errors(scene, 0, wide.grid, here);
     ASSERT_TRUE(errors);
     const double pressure = std::abs(there.max_pressure - here.max_pressure);
-    EXPECT_NEAR(errors->max_pressure, pressure, 0.01 * here.max_pressure);
-    EXPECT_NEAR(errors->contact_area, std::abs(there.contact_area - here.contact_area),
+    EXPECT_NEAR(errors->at("max_pressure"), pressure, 0.01 * here.max_pressure);
+    EXPECT_NEAR(errors->at("contact_area"), std::abs(there.contact_area - here.contact_area),
                 0.01 * here.contact_area);
-    EXPECT_NEAR(errors->approach, std::abs(there.approach - here.approach), 1e-3 * here.approach);
+    EXPECT_NEAR(errors->at("approach"), std::abs(there.approach - here.approach),
+                1e-3 * here.approach);
     EXPECT_GE(here.error_estimate.at("max_pressure"), pressure);
     EXPECT_TRUE(warns(wide) || pressure < 0.06 * here.max_pressure);
     any_warning = any_warning || warns(wide);

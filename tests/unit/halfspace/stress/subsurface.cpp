@@ -98,7 +98,9 @@ TEST(Subsurface, FourierSumEqualsDirectSum) {
       const auto fft = halfspace::subsurface_box(body, lattice, depths, Summation::fft);
       for (std::size_t d = 0; d < depths.size(); ++d) {
         EXPECT_EQ(fft[d].depth, depths[d]);
-        for (int k = 0; k < lattice.size(); ++k) expect_same(fft[d].at(k), direct[d].at(k), 1e-12);
+        ASSERT_EQ(fft[d].states.size(), static_cast<std::size_t>(lattice.size()));
+        for (std::size_t k = 0; k < fft[d].states.size(); ++k)
+          expect_same(fft[d].states[k], direct[d].states[k], 1e-12);
       }
     }
   }
@@ -111,9 +113,10 @@ TEST(Subsurface, TractionsPassFromOneBodyToTheOther) {
   for (const LoadedBody& body : {wheel, rail}) {
     const auto layer = plane(body, body.grid, 0.0);
     for (int k = 0; k < body.grid.size(); ++k) {
-      EXPECT_NEAR(layer.zz[k], -body.traction.n[k], 1e-10);
-      EXPECT_NEAR(layer.xz[k], -body.traction.x[k], 1e-10);
-      EXPECT_NEAR(layer.yz[k], -body.traction.y[k], 1e-10);
+      const contact::Stress& stress = layer.states[static_cast<std::size_t>(k)].stress;
+      EXPECT_NEAR(stress.zz, -body.traction.n[k], 1e-10);
+      EXPECT_NEAR(stress.xz, -body.traction.x[k], 1e-10);
+      EXPECT_NEAR(stress.yz, -body.traction.y[k], 1e-10);
     }
   }
 }
@@ -122,15 +125,18 @@ TEST(Subsurface, SurfaceDisplacementDifferenceIsTheCompliance) {
   // Independent code: the influence coefficients with the combined constants and the coupling K.
   const LoadedBody wheel = example(Body::wheel);
   const LoadedBody rail = example(Body::rail);
-  const auto upper = plane(wheel, wheel.grid, 0.0).displacement;
-  const auto lower = plane(rail, rail.grid, 0.0).displacement;
+  const auto upper = plane(wheel, wheel.grid, 0.0).states;
+  const auto lower = plane(rail, rail.grid, 0.0).states;
   const halfspace::HalfspaceCompliance compliance(wheel.grid,
                                                   contact::combine(wheel.material, rail.material));
   const contact::SurfaceField u = compliance.apply(wheel.traction);
   const double scale = u.n.cwiseAbs().maxCoeff();
-  EXPECT_LT((upper.x - lower.x - u.x).cwiseAbs().maxCoeff(), 1e-11 * scale);
-  EXPECT_LT((upper.y - lower.y - u.y).cwiseAbs().maxCoeff(), 1e-11 * scale);
-  EXPECT_LT((upper.n - lower.n - u.n).cwiseAbs().maxCoeff(), 1e-11 * scale);
+  for (std::size_t k = 0; k < upper.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const contact::Field& expected = c == 0 ? u.x : c == 1 ? u.y : u.n;
+      EXPECT_NEAR(upper[k].displacement[c] - lower[k].displacement[c],
+                  expected[static_cast<Eigen::Index>(k)], 1e-11 * scale);
+    }
 }
 
 TEST(Subsurface, ActionAndReactionBelowBothBodies) {
@@ -142,7 +148,9 @@ TEST(Subsurface, ActionAndReactionBelowBothBodies) {
     const auto lattice = contact::ContactGrid::centred(175, 101, 0.4, 0.7);
     const auto layer = plane(body, lattice, 2.5);
     const double force = body.traction.n.sum() * body.grid.element_area();
-    EXPECT_NEAR(layer.zz.sum() * lattice.element_area(), -force, 2e-3 * force);
+    double sum = 0.0;
+    for (const SubsurfaceState& state : layer.states) sum += state.stress.zz;
+    EXPECT_NEAR(sum * lattice.element_area(), -force, 2e-3 * force);
   }
 }
 
