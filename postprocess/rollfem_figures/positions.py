@@ -15,11 +15,6 @@ from .profiles import draw_pair
 from .reader import read_columns, read_rows
 
 
-def first_of_scenes(result):
-    """The first model of every patch."""
-    return [scene.models[0] for _, scene in result.scenes()]
-
-
 def positions(result):
     """Numbers of the positions in the result."""
     return sorted({m.place["position"] for m in result.models if m.place})
@@ -28,7 +23,8 @@ def positions(result):
 def pair(result, wheel, position):
     """Wheel on rail at one position with the contact points, and the distance between both; None without profiles."""
     drawn = result.profiles.get((wheel, position))
-    touching = [m.place for m in first_of_scenes(result) if (m.place["wheel"], m.place["position"]) == (wheel, position)]
+    places = [scene.models[0].place for _, scene in result.scenes()]
+    touching = [place for place in places if (place["wheel"], place["position"]) == (wheel, position)]
     return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}") if drawn and touching else None
 
 

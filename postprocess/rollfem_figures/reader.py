@@ -17,7 +17,7 @@ from .files import folder_of, json_is_sound, results_are_sound
 
 FORMAT_VERSION = 2
 JSON_FORMATS = {"compare": ("comparison", 3), "study": ("study", 4)}
-STUDY_COLUMNS = {"values": "value", "bars": "error_estimate", "errors": "error [-]", "orders": "order [-]"}
+STUDY_COLUMNS = {"values": "value", "bars": "error_estimate", "errors": "error", "orders": "order"}
 EXTERIOR, ADHESION, SLIP, PLASTIC = 0, 1, 2, 3
 
 
@@ -343,12 +343,11 @@ def _add_numbers(study, path):
     for level in levels.values():
         level.update((name, {}) for name in STUDY_COLUMNS)
     try:
-        with open(path, encoding="utf-8", newline="") as file:
-            for row in csv.DictReader(file):
-                level = levels[row["place"], row["model"], row["vary"], row["level"], float(row["parameter"])]
-                for name, column in STUDY_COLUMNS.items():
-                    if row[column]:
-                        level[name][row["quantity"]] = float(row[column])
+        for row in read_rows(path)[1]:
+            level = levels[row["place"], row["model"], row["vary"], row["level"], float(row["parameter"])]
+            for name, column in STUDY_COLUMNS.items():
+                if row[column]:
+                    level[name][row["quantity"]] = float(row[column])
     except (OSError, KeyError, ValueError) as error:
         raise ResultError(f"{path} is not the table of this study: {error!r}; run the command again") from error
 

@@ -15,7 +15,6 @@ import numpy as np
 
 from . import _core
 from ._core import FileError, InputError
-from .ellipse import curvatures
 from .names import path_of, refuse_unused
 
 BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
@@ -70,14 +69,17 @@ def _plain(value: Any) -> Any:
     return copy.deepcopy(value)
 
 
-def _merge(into: dict[str, Any], other: Mapping[str, Any]) -> None:
-    """Merges `other` into a dict of sections: sections key by key, everything else as it is."""
+def _merge(into: dict[str, Any], other: Mapping[str, Any], removing: bool = False) -> None:
+    """Merges `other` into a dict of sections: sections key by key, everything else as it is; `removing`: None removes a
+    key."""
     for name, value in other.items():
-        if isinstance(value, dict):
+        if value is None and removing:
+            into.pop(name, None)
+        elif isinstance(value, dict):
             kept = into.setdefault(name, {})
             if not isinstance(kept, dict):
                 raise InputError(f"{name} is not a section")
-            _merge(kept, value)
+            _merge(kept, value, removing)
         else:
             into[name] = _plain(value)
 
@@ -106,8 +108,7 @@ def merged(data: dict[str, Any], changes: Mapping[str, Any], call: str = "") -> 
     """`data` with changed keys; those that are None are removed."""
     asked = nested(changes, data, call)
     refuse_unused(asked, data, call)
-    _drop(data, asked)
-    _merge(data, asked)
+    _merge(data, asked, removing=True)
     return data
 
 
@@ -211,7 +212,7 @@ class Case:
         bodies = {"load.normal_force": normal_force, "wheel.rolling_radius": 1.0, "wheel.transverse_radius": math.inf,
                   "rail.transverse_radius": 300.0}
         case = cls.of("", merged(nested(sections, {}), bodies))
-        along, across = curvatures(semi_axis_x, semi_axis_y, normal_force, case.core.contact_modulus)
+        along, across = case.core.curvatures_of_ellipse(semi_axis_x, semi_axis_y, normal_force)
         return case.with_({"wheel.rolling_radius": 0.5 / along, "rail.transverse_radius": 0.5 / across})
 
     def _parsed(self) -> _core.Case:
@@ -355,13 +356,3 @@ class Case:
     def __repr__(self) -> str:
         count = self.load_points
         return f"<rollfem.Case {self.title or self._file or 'without a title'!r}: {count} load point{'s' * (count > 1)}>"
-
-
-def _drop(data: dict[str, Any], asked: dict[str, Any]) -> None:
-    """Removes keys that are None from both."""
-    for name in list(asked):
-        if asked[name] is None:
-            del asked[name]
-            data.pop(name, None)
-        elif isinstance(asked[name], dict) and isinstance(data.get(name, {}), dict):
-            _drop(data.get(name, {}), asked[name])
