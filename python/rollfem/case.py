@@ -138,7 +138,7 @@ class Case:
 
     _file: str
     _data: dict[str, Any]
-    _read: _core.Case
+    _read: Any  # the case of the library, or title and text of a stored one
 
     def __init__(self, source: "str | os.PathLike[str] | Mapping[str, Any] | Case | None" = None, /, **sections: Any) -> None:
         self._take(source, sections)
@@ -266,7 +266,8 @@ class Case:
     @property
     def core(self) -> _core.Case:
         """The case of the library."""
-        return self._read
+        core: _core.Case = self._read
+        return core
 
     @property
     def data(self) -> dict[str, Any]:
@@ -281,12 +282,12 @@ class Case:
     @property
     def title(self) -> str:
         """As the case has it."""
-        return self.core.title
+        return str(self._read.title)
 
     @property
     def text(self) -> str:
         """The case as TOML."""
-        return self.core.text
+        return str(self._read.text)
 
     @property
     def models(self) -> list[str]:

@@ -245,9 +245,6 @@ class Stress(Files):
             _core.write_files(here, self.contents)
             self.models: list[Any] = read_stress(here).models
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Stress, (self.contents, self.text, self.folder)
-
 
 def stress(result: Any, /, *, places: Mapping[str, Any] | str | os.PathLike[str] | None = None, model: str | None = None,
            models: Any = None, patch: str = "", point_index: int | Sequence[int] = (),

@@ -42,25 +42,19 @@ class Sweep(OverAxes):
         {index: why} with skip_failures.
     """
 
-    def __init__(self, axes: dict[str, np.ndarray]) -> None:
+    def __init__(self, axes: dict[str, np.ndarray], results: Sequence[Result] = (), indices: Sequence[Sequence[Index]] = (),
+                 failures: Mapping[Index, str] | None = None) -> None:
+        """`indices`: of the load points of every result."""
         self.axes = axes
         self.results: list[Result] = []
-        self.failures: dict[Index, str] = {}
+        self.failures: dict[Index, str] = dict(failures or {})
         self._patches: dict[str, np.ndarray] = {}
-        self._indices: list[Sequence[Index]] = []  # of the load points of every result
-
-    @classmethod
-    def of(cls, axes: dict[str, np.ndarray], results: Sequence[Result], indices: Sequence[Sequence[Index]],
-           failures: dict[Index, str]) -> "Sweep":
-        """From results and the indices of their load points."""
-        made = cls(axes)
-        made.failures = failures
+        self._indices: list[Sequence[Index]] = []
         for result, at in zip(results, indices):
-            made._add(result, at)
-        return made
+            self._add(result, at)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Sweep.of, (self.axes, self.results, self._indices, self.failures)
+        return Sweep, (self.axes, self.results, self._indices, self.failures)
 
     def patches(self, model: str | None = None) -> np.ndarray:
         """The load points of every patch.
