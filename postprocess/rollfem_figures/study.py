@@ -6,7 +6,8 @@ import numpy as np
 
 from . import report, styles, tables
 from .figure import Figure
-from .reader import Quantity, read_json
+from .reader import read_json
+from .results import Quantity
 from .labels import math
 from .page import case_file, hint, made_by, section
 

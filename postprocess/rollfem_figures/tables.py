@@ -7,7 +7,7 @@ from html import escape
 from . import load_points, styles
 from .published import published
 from .page import hint
-from .reader import full_sliding, place_label
+from .results import full_sliding, place_label
 
 
 def number(value, digits=5):

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from rollfem_figures.reader import ModelRecord
+from rollfem_figures.results import ModelRecord
 
 from . import plot
 from .frames import Gridded, Labelled, html_table

@@ -12,7 +12,7 @@ from html import escape
 from typing import Any
 
 import numpy as np
-from rollfem_figures.stress_reader import read_stress
+from rollfem_figures.reader import read_stress
 
 from . import _core
 from .case import Case, toml_lines
