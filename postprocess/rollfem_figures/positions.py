@@ -129,7 +129,7 @@ def contact_table(result):
     for _, scene in result.scenes():
         place, found = scene.models[0].place, {m.name: m.points[0] for m in reversed(scene.models) if m.points}
         rows.append([place["wheel"], f"{place['position']:.0f}", f"{place['patch']:.0f}",
-                     *(tables.digits(factor * place[name], digits) for _, name, factor, digits in COLUMNS),
+                     *(tables.number(factor * place[name], digits) for _, name, factor, digits in COLUMNS),
                      tables.barred(scene.models[0].points[0], "normal_force"),
                      *(tables.barred(found[name], "max_pressure") if name in found else "–" for name in names)])
     return tables.table(["wheel", "position", "patch", *(head for head, *_ in COLUMNS), "F<sub>n</sub> [N]",
@@ -228,7 +228,7 @@ def _shift_cell(row, column, factor, digits):
     if not row.get(column):
         return "–"
     value = factor * float(row[column])
-    return tables.digits(0 if abs(value) < 1e-9 else value, digits)
+    return tables.number(0 if abs(value) < 1e-9 else value, digits)
 
 
 def wheelset_table(result):
