@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._core import FileError, InputError
+from ._core import InputError
+from .frames import InFile
 from .names import path_of, refuse_unused
 
 BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
@@ -112,7 +113,7 @@ def merged(data: dict[str, Any], changes: Mapping[str, Any], call: str = "") -> 
     return data
 
 
-class Case:
+class Case(InFile):
     """A problem to solve: the sections and keys of a case file (docs/case-file.md), with the same checks.
 
     A case never changes; `with_` makes another.
@@ -313,34 +314,8 @@ class Case:
         """
         return self.core.describe()
 
-    def write(self, file: str | os.PathLike[str]) -> str | os.PathLike[str]:
-        """Writes the case file; paths in it are changed to lead from its folder.
-
-        Parameters
-        ----------
-        file : str or os.PathLike
-            Its name.
-
-        Returns
-        -------
-        str or os.PathLike
-            The same name.
-
-        Raises
-        ------
-        FileError
-            If the file cannot be written.
-
-        Examples
-        --------
-        >>> rollfem.solve(case.write("heavy.toml"))
-        """
-        try:
-            with open(file, "w", encoding="utf-8") as out:
-                out.write(self.core.text_in_folder(os.path.dirname(os.path.abspath(file))))
-        except OSError as error:
-            raise FileError(f"{os.fspath(file)}: cannot be written: {error.strerror}") from error
-        return file
+    def _text_in(self, folder: str) -> str:
+        return self.core.text_in_folder(folder)
 
     def _repr_html_(self) -> str:
         return f"<p>{escape(repr(self))}</p><details><summary>keys</summary><pre>{escape(self.text)}</pre></details>"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers for other libraries: data frames, labelled arrays, tables of a notebook; and figures of the report."""
+"""What results, tables and cases have in common: data frames and labelled arrays for other libraries, tables of a notebook,
+folders and files, figures of the report."""
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -198,6 +199,45 @@ class Written(Tabular):
         if problem := self._store(os.fspath(folder), report):
             raise _core.FileError(f"{folder}: the results were written, but the report was not drawn: {problem}")
         return folder
+
+
+class InFile:
+    """What has a file of its own, which can be read again."""
+
+    def _text_in(self, folder: str) -> str:
+        """The text of a file in a folder."""
+        raise NotImplementedError
+
+    def write(self, file: str | os.PathLike[str]) -> str | os.PathLike[str]:
+        """Writes a file that can be read again: a case, whose paths are changed to lead from its folder, or the curve of a
+        profile (s, y, z in mm, angle in degrees, curvature in 1/mm).
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            Its name; that of a profile ends in .csv.
+
+        Returns
+        -------
+        str or os.PathLike
+            The same name.
+
+        Raises
+        ------
+        FileError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> rollfem.solve(case.write("heavy.toml"))
+        >>> rollfem.Profile("worn.whl", smoothing=0.01).write("mended.csv")
+        """
+        try:
+            with open(file, "w", encoding="utf-8") as out:
+                out.write(self._text_in(os.path.dirname(os.path.abspath(file))))
+        except OSError as error:
+            raise _core.FileError(f"{os.fspath(file)}: cannot be written: {error.strerror}") from error
+        return file
 
 
 def html_table(title: str, heads: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
