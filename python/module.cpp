@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem._core: the C++ base of the Python package rollfem/. Cases and results are opaque here;
 // solving lets other Python threads run and checks for Ctrl-C at every iteration.
+#include "contact/base/pi.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
 #include "python/caller.hpp"
 
 #include <algorithm>
@@ -102,11 +104,14 @@ PYBIND11_MODULE(_core, module) {
       .def_readonly("models", &Case::models)
       .def_property_readonly("load_points",
                              [](const Case& input) { return input.rolling.creepages.size(); })
-      .def_property_readonly(
-          "contact_modulus",
-          [](const Case& input) {
-            return contact::combine(input.wheel.material, input.rail.material).contact_modulus;
-          })
+      .def("curvatures_of_ellipse",
+           [](const Case& input, double a, double b, double force) {
+             const double pressure = 1.5 * force / (contact::pi * a * b);
+             const auto [along, across] = halfspace::hertz_curvatures(
+                 {a, b, pressure, 0.0, force},
+                 contact::combine(input.wheel.material, input.rail.material).contact_modulus);
+             return std::pair(along, across);
+           })
       .def_property_readonly("doubts",
                              [](const Case& input) { return contact::implausible_values(input); })
       .def("describe", [](const Case& input) { return rollfem::describe(input); })

@@ -9,8 +9,8 @@
 `python3 -m rollfem_figures DIR` draws DIR/figures/*.svg and writes DIR/report.html. `read_stress(DIR)` reads a folder of
 `rollfem stress`. Needs numpy and h5py.
 """
-from .reader import Model, Point, Result, ResultError, read_result
-from .stress_reader import StressModel, StressResult, StressSet, read_stress
+from .reader import ResultError, StressModel, StressResult, StressSet, read_result, read_stress
+from .results import Model, Point, Result
 
 __all__ = ["Model", "Point", "Result", "ResultError", "StressModel", "StressResult", "StressSet", "read_result",
            "read_stress"]

@@ -232,8 +232,10 @@ def _panels(result, title, labels, half, curve, thin):
     """A figure of the pressure and, at several load points, the traction under its bound;
     `curve(model, point, field)` returns the curve, or None if the model has none. `title`: of the first panel;
     `labels`: of x, of its y and of the others' y; `half`: half-width of the drawing; `thin`: legend entry of the
-    bound."""
+    bound. None if no model has a pressure field."""
     models = load_points.with_pressure(result)
+    if not models:
+        return None
     chosen = load_points.chosen_keys(models, 5)
     texts, shared = load_points.key_texts(chosen)
     figure = Figure(3)
@@ -270,9 +272,7 @@ def path(result, axis):
 
 def strip_forces(result):
     """Forces of the strips along rolling, over y: p_n, and -p_x at several creepages with the full sliding of the same
-    strips. None if no model has a pressure field."""
-    if not load_points.with_pressure(result):
-        return None
+    strips."""
     return _panels(result, "normal force per strip", (ALONG["y"], "$\\int p_n dx$ [N/mm]", "$-\\int p_x dx$ [N/mm]"), 1,
                    strip_of, "full sliding of the strip")
 

@@ -26,10 +26,9 @@ class Figure:
         if text and all(text != other[0] for other in self.legend):
             self.legend.append((text, colour, dash, width, marker, hollow, fill, opacity))
 
-    def model(self, model, marker=False):
+    def model(self, model):
         """Adds the legend entry of a model."""
-        colour, dash, own = styles.of_model(model)
-        self.entry(styles.label(model), colour, dash, marker=own if marker else None)
+        self.entry(styles.label(model), *styles.of_model(model)[:2])
 
     def tell(self, what, said):
         """Sets the alternative text if it is not made from the panels: the content of the figure and remarks."""

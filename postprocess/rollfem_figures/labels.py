@@ -49,12 +49,17 @@ def html(text):
                                    "sub": lambda piece: f"<sub>{escape(piece)}</sub>"})
 
 
+def symbol(text):
+    """A symbol of the files ("F_x", "xi", "-F_x/F_z", "mu p_0") as upright HTML for tables."""
+    return _written(math(text), escape, {"sub": lambda piece: f"<sub>{escape(piece)}</sub>"})
+
+
 def plain(text):
     """The label as read aloud."""
     return _written(text, str, {})
 
 
-def width(text, size=12.0):
-    """Approximate width of the label, px."""
+def width(text):
+    """Approximate width of the label in letters of 12 px, px."""
     return sum(0.3 if c in " .,:;|il'()[]" else 0.66 if c.isupper() or c in "−+=%→mw" else 0.57
-               for c in plain(text)) * size
+               for c in plain(text)) * 12.0

@@ -6,7 +6,7 @@ from . import load_points, styles
 from .figure import Figure
 from .outline import ALONG, adhering, extent, patch_panel, zones
 from .panel import even_marks, nice_step
-from .reader import ADHESION, PLASTIC
+from .results import ADHESION, PLASTIC
 
 
 def _zoned(result):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .reader import ADHESION, PLASTIC
+from .results import ADHESION, PLASTIC
 
 # Labels of the axes of the patch.
 ALONG = {"x": "$x$ [mm], rolling $\\rightarrow$", "y": "$y$ [mm], lateral"}

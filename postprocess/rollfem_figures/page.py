@@ -8,51 +8,8 @@ from html import escape
 from . import styles
 from .files import folder_of, write_whole
 
-_LIGHT = ("--ink:#1a1a1a;--soft:#555;--ground:#fff;--line:#ddd;--strong:#888;--box:#f5f5f5;--accent:#0067a3;"
-          "--warn:#E69F00;--bad:#D55E00")
-_DARK = ("--ink:#e6e6e6;--soft:#b0b0b0;--ground:#17191c;--line:#34373b;--strong:#777;--box:#22252a;"
-         "--accent:#6db8ea;--warn:#c98a00;--bad:#ff8b45")
-
-CSS = f"""
-:root{{color-scheme:light dark;{_LIGHT}}}
-@media screen and (prefers-color-scheme:dark){{:root{{{_DARK}}}}}
-""" + """*{box-sizing:border-box}
-body{font:16px/1.5 system-ui,"Segoe UI",Roboto,"DejaVu Sans",sans-serif;color:var(--ink);background:var(--ground);
-margin:0 auto;padding:1rem;max-width:120rem}
-h1{font-size:1.6rem;line-height:1.2;margin:.6rem 0}h2{font-size:1.2rem;margin:2.2rem 0 .4rem;
-border-bottom:2px solid var(--accent);padding-bottom:.15rem}h3{font-size:1.05rem;margin:1.6rem 0 .3rem}
-h4{font-size:.95rem;margin:1.2rem 0 .2rem}h1,h2,h3,h4,b,strong{font-weight:600}a,summary,label{color:var(--accent)}
-p,li{max-width:52rem}.meta,figcaption,.d,.e,.hint{color:var(--soft);font-size:.85rem}
-nav ul{list-style:none;padding:0;margin:.3rem 0;columns:14rem}nav li{margin:.15rem 0;break-inside:avoid}
-.wide{overflow-x:auto;max-width:100%;margin:.4rem 0}.side{display:flex;flex-wrap:wrap;gap:0 2.5rem}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.92rem}
-th,td{padding:.25rem .8rem;border-bottom:1px solid var(--line);text-align:right;vertical-align:top;
-white-space:nowrap;font-weight:normal}
-thead th{border-bottom:2px solid var(--strong);vertical-align:bottom}tbody th,thead th:first-child{text-align:left}
-tbody th,thead th:first-child{position:sticky;left:0;background:var(--ground)}
-table.left td:nth-child(3),table.left th:nth-child(3){text-align:left;white-space:normal;min-width:11rem}
-figure{margin:1.4rem 0;break-inside:avoid}figcaption{max-width:52rem}
-.panels{display:flex;flex-wrap:wrap;gap:.4rem 1rem;align-items:flex-start}.panels svg{max-width:100%;height:auto}
-.legend{list-style:none;padding:0;margin:0;flex:0 0 100%;display:flex;flex-wrap:wrap;gap:0 1.2rem;font-size:.8rem}
-.legend svg{vertical-align:-1px;margin-right:.35rem}.name{flex:0 0 100%;margin:0}.row{flex:0 0 100%;height:0}
-pre{background:var(--box);padding:.7rem;overflow-x:auto;font-size:.82rem;line-height:1.35}
-summary,label{cursor:pointer}.say{border-left:4px solid var(--warn);padding:.1rem .8rem;margin:.8rem 0}
-.bad{border-left:4px solid var(--bad);padding:.1rem .8rem}code{overflow-wrap:anywhere}
-.pick{position:absolute;opacity:0;width:1px;height:1px}.patch{display:none}
-.chooser td,.chooser th{text-align:center;padding:.1rem .5rem}.chooser label{display:inline-block;padding:.05rem .5rem;
-border-radius:.3rem;border:1px solid var(--line);margin:.05rem}
-.skip{position:absolute;left:-99rem}.skip:focus{position:static}
-@media(min-width:75rem){body.toc{display:grid;grid-template-columns:14rem minmax(0,1fr);gap:0 2.5rem}
-body.toc>*{grid-column:2}body.toc>nav{grid-column:1;grid-row:1/9;position:sticky;top:1rem;
-align-self:start;font-size:.88rem;max-height:calc(100vh - 2rem);overflow-y:auto}nav ul{columns:auto}}
-@media(max-width:40rem){body{padding:.7rem}h1{font-size:1.3rem}th,td{padding:.2rem .45rem}
-tbody th{white-space:normal;min-width:5.5rem}}
-@page{margin:14mm}
-@media print{body{max-width:none;padding:0;font-size:10.5pt}nav,summary,.screen,.chooser,.skip{display:none}
-h2,h3,h4{break-after:avoid}.hint{break-before:avoid}tr{break-inside:avoid}thead{display:table-header-group}
-.wide{overflow:visible}.panels{gap:.3rem .2rem}table,td .d,td .e,th .d{font-size:9pt}th,td{padding:.1rem .3rem;
-white-space:normal}tbody th{position:static}.plot{max-width:100%}}
-"""
+with open(os.path.join(os.path.dirname(__file__), "page.css"), encoding="utf-8") as _file:
+    CSS = _file.read()
 
 
 def made_by(program, run):

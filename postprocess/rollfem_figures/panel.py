@@ -273,13 +273,13 @@ class Panel:
         return _path(f'class="f-{fill}"', f"M0 {top:.0f}h{wide:.0f}V{bottom:.0f}h-{wide:.0f}z")
 
     @_later(5, text=True)
-    def text(self, x, y, text, anchor="start", colour="soft", shift=(0, 0), share=(False, False), small=True):
+    def text(self, x, y, text, anchor="start", colour="soft", shift=(0, 0), share=(False, False)):
         """A word at a place, moved by `shift` px to the right and down; `share`: x, y are fractions of the panel from
         the lower left corner."""
         across = x if share[0] else self.x.shares([x])[0]
         up = y if share[1] else self.y.shares([y])[0]
         return (f'<text x="{_number(across * self.width + shift[0])}" y="{_number((1 - up) * self.height + shift[1])}" '
-                f'text-anchor="{anchor}" class="{"sm " if small else ""}f-{colour}">{labels.svg(text)}</text>')
+                f'text-anchor="{anchor}" class="sm f-{colour}">{labels.svg(text)}</text>')
 
     def seen(self):
         """The content in words: ranges of the axes and of each named curve."""

@@ -15,11 +15,6 @@ from .profiles import draw_pair
 from .reader import read_columns, read_rows
 
 
-def first_of_scenes(result):
-    """The first model of every patch."""
-    return [scene.models[0] for _, scene in result.scenes()]
-
-
 def positions(result):
     """Numbers of the positions in the result."""
     return sorted({m.place["position"] for m in result.models if m.place})
@@ -28,7 +23,8 @@ def positions(result):
 def pair(result, wheel, position):
     """Wheel on rail at one position with the contact points, and the distance between both; None without profiles."""
     drawn = result.profiles.get((wheel, position))
-    touching = [m.place for m in first_of_scenes(result) if (m.place["wheel"], m.place["position"]) == (wheel, position)]
+    places = [scene.models[0].place for _, scene in result.scenes()]
+    touching = [place for place in places if (place["wheel"], place["position"]) == (wheel, position)]
     return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}") if drawn and touching else None
 
 
@@ -133,7 +129,7 @@ def contact_table(result):
     for _, scene in result.scenes():
         place, found = scene.models[0].place, {m.name: m.points[0] for m in reversed(scene.models) if m.points}
         rows.append([place["wheel"], f"{place['position']:.0f}", f"{place['patch']:.0f}",
-                     *(tables.digits(factor * place[name], digits) for _, name, factor, digits in COLUMNS),
+                     *(tables.number(factor * place[name], digits) for _, name, factor, digits in COLUMNS),
                      tables.barred(scene.models[0].points[0], "normal_force"),
                      *(tables.barred(found[name], "max_pressure") if name in found else "–" for name in names)])
     return tables.table(["wheel", "position", "patch", *(head for head, *_ in COLUMNS), "F<sub>n</sub> [N]",
@@ -232,7 +228,7 @@ def _shift_cell(row, column, factor, digits):
     if not row.get(column):
         return "–"
     value = factor * float(row[column])
-    return tables.digits(0 if abs(value) < 1e-9 else value, digits)
+    return tables.number(0 if abs(value) < 1e-9 else value, digits)
 
 
 def wheelset_table(result):

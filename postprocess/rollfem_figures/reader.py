@@ -1,24 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""results.h5 as numpy arrays.
-
-Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx]; x is the rolling direction,
-material enters the patch at large x. Tractions and forces act on the wheel.
-"""
+"""Reads results.h5, stresses, and tables and JSON files of rollfem."""
 import csv
 import json
-import math
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from .files import folder_of, json_is_sound, results_are_sound
+from .results import Model, Quantity, Result
 
 FORMAT_VERSION = 2
 JSON_FORMATS = {"compare": ("comparison", 3), "study": ("study", 4)}
-STUDY_COLUMNS = {"values": "value", "bars": "error_estimate", "errors": "error [-]", "orders": "order [-]"}
-EXTERIOR, ADHESION, SLIP, PLASTIC = 0, 1, 2, 3
+STUDY_COLUMNS = {"values": "value", "bars": "error_estimate", "errors": "error", "orders": "order"}
 
 
 class ResultError(Exception):
@@ -60,183 +55,6 @@ class Bodies(Mapping):
         return len(self._groups)
 
 
-# Quantities whose error is twice that of another one.
-TWICE = {"contact_length": "semi_axis_x", "contact_width": "semi_axis_y"}
-
-
-class PointRecord:
-    """One load point of one model, from a file or from the solution (rollfem.Point).
-
-    `scalars`: longitudinal_creepage, normal_force (N), traction_coefficient = -F_x/F_z, ... as in summary.json.
-    `fields`: pressure, traction_x, traction_y, traction_bound (MPa), slip_x, slip_y, gap (mm), state (0 exterior, 1
-    adhesion, 2 slip, 3 plastic), ...; fields not given by the model are missing. By quantity: `error_estimate`, the error bar, in
-    its unit; `no_bar`, why it has none ("exact", "given", ...);
-    `model_error`, in its unit; `richardson`, the value extrapolated to element size 0.
-    `subsurface`: dicts for every [[subsurface.*]]: kind, body, points [n, 3], displacement [n, 3], stress [n, 6];
-    `stress_maxima`, the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm); `bodies`: Bodies of finite
-    elements, if stored; otherwise empty.
-    `x`, `y`, `place`: those of its model.
-    """
-
-    def __init__(self, record, x, y, place):
-        self.__dict__.update(record)
-        self.x, self.y, self.place = x, y, place
-
-    @property
-    def lateral_force_track(self):
-        """Lateral force on the wheel in the track frame (to the right), N, where lateral_force lies in the plane of the
-        patch (docs/track.md); None without a track."""
-        if self.place is None:
-            return None
-        angle, tilt = self.place["contact_angle"], 1 if self.place["wheel"] == "left" else -1
-        return float(tilt * self.scalars["normal_force"] * math.sin(angle) - self.scalars["lateral_force"] * math.cos(angle))
-
-
-class Point(PointRecord):
-    """A load point as figures need it. `number`: of the load point, from 0; `by_number`: identified by it (steps of a
-    history, prescribed forces)."""
-
-    def __getitem__(self, name):
-        return self.scalars[name]
-
-    def bar(self, quantity):
-        """The error bar of a quantity; None if it has none."""
-        if quantity not in self.error_estimate and TWICE.get(quantity) in self.error_estimate:
-            return 2 * self.error_estimate[TWICE[quantity]]
-        return self.error_estimate.get(quantity)
-
-    def found(self, quantity):
-        """Whether a creepage or shift is a result: found for a prescribed force. Its statement of the error tells."""
-        if word := self.no_bar.get(quantity):
-            return word not in ("given", "balance")
-        return quantity in self.error_estimate and "spin" not in self.error_estimate  # free rolling has a bar of the spin
-
-    @property
-    def creepages(self):
-        """(xi, eta, spin)."""
-        return tuple(self[n] for n in ("longitudinal_creepage", "lateral_creepage", "spin"))
-
-    @property
-    def key(self):
-        """Key of a load point within its case, equal in every model: (xi, eta, spin), or the number from 1 in a history
-        or with prescribed forces, where creepages are results."""
-        return (float(self.number + 1),) if self.by_number else self.creepages
-
-
-class ModelRecord:
-    """All load points of one model on its contact grid, from a file or from the solution (rollfem.ModelResult).
-
-    `name`, `label` (in figures), `key` (name of its group in results.h5: the name, with profiles followed by the patch);
-    `seconds`, `unknowns`, `contact_elements`, `notes`; `model_error_source`, source of the model errors, or why there are
-    none; `x`, `y`, element centres, and `dx`, `dy` (mm); `place`, with profiles that of the patch: a dict of wheel,
-    position, patch, y_track (mm), contact_angle (rad), ...; otherwise None.
-    """
-
-    of_point = PointRecord  # type of its load points
-
-    def __init__(self, record):
-        self.__dict__.update(record)
-        self.points = [self.of_point(point, self.x, self.y, self.place) for point in record["points"]]
-
-    def middle(self, values, axis, at=0.0):
-        """`values` [ny, nx] along a line: axis "x" for the line y = at, "y" for x = at.
-
-        The row or column nearest to it; the mean of two if they are equally near.
-        """
-        across = self.y if axis == "x" else self.x
-        distance = np.abs(across - at)
-        lines = np.flatnonzero(distance < distance.min() + 1e-6 * (self.dy if axis == "x" else self.dx))
-        return values[lines, :].mean(axis=0) if axis == "x" else values[:, lines].mean(axis=1)
-
-
-class Model(ModelRecord):
-    """A model as figures need it."""
-
-    of_point = Point
-    _found = None  # points by key, created on first use
-
-    @property
-    def has_friction(self):
-        """Whether the model covers friction."""
-        return any(p["max_traction"] > 0 or any(p.creepages) for p in self.points)
-
-    @property
-    def has_bound(self):
-        """Whether its tractions have a bound; those of the linear theory do not."""
-        return self.name != "linear"
-
-    def at(self, key):
-        """The point with that key, (xi, eta, spin) in steady rolling; or None."""
-        if self._found is None:
-            self._found = {point.key: point for point in reversed(self.points)}
-        return self._found.get(key) or next(
-            (p for p in self.points if len(p.key) == len(key)
-             and all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-15) for a, b in zip(p.key, key))), None)
-
-    def nearest(self, longitudinal_creepage):
-        """The point whose xi is nearest."""
-        return min(self.points, key=lambda p: abs(p["longitudinal_creepage"] - longitudinal_creepage))
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """Description of a scalar of a load point."""
-
-    title: str  # for headings: "largest pressure"
-    symbol: str  # "F_x", "xi"; empty if there is none
-    unit: str  # "-" if it has none
-    meaning: str = ""
-    percent_of: str = ""  # reference of errors and differences in percent: "value", "mu F_z", ...
-
-    @property
-    def label(self):
-        """For an axis: "largest pressure (MPa)"."""
-        return self.title if self.unit == "-" else f"{self.title} ({self.unit})"
-
-
-@dataclass
-class Result:
-    """A whole run."""
-
-    directory: str
-    title: str
-    case_file: str
-    case_text: str
-    case: dict
-    provenance: dict
-    models: list
-    quantities: dict = field(default_factory=dict)  # {name: Quantity}, in the order of summary.json
-    # with profiles: {(wheel, position): {"rail": [n, 2], "wheel": [n, 2]}}, y and z on the track
-    profiles: dict = field(default_factory=dict)
-    # name of the reference model, if the user has chosen one
-    reference: str = ""
-    default_reference: str = ""  # name of the reference model of the command, otherwise the best one of the run
-    verdict: str = ""  # one sentence on results that miss the accuracy; otherwise empty
-
-    def scenes(self):
-        """(label, Result) of every patch, in the order of the run; ("", self) without profiles."""
-        found = {}
-        for model in self.models:
-            found.setdefault(place_label(model.place), []).append(model)
-        if list(found) == [""]:
-            return [("", self)]
-        return [(label, replace(self, models=models)) for label, models in found.items()]
-
-    def model(self, name):
-        """The (first) model of that name; KeyError if the result does not contain it."""
-        return {model.name: model for model in reversed(self.models)}[name]
-
-
-def place_label(place):
-    """Label of a patch within a run; empty without profiles."""
-    if not place:
-        return ""
-    text = f"{place['wheel']} wheel, position {place['position']}"
-    if place["patches"] > 1:
-        text += f", patch {place['patch']} of {place['patches']}"
-    return text
-
-
 def _plain(value):
     """An HDF5 attribute as a Python value."""
     if isinstance(value, bytes):
@@ -264,15 +82,6 @@ def _read_point(group, number, by_number, nodes):
             "subsurface": below, "stress_maxima": largest,
             "bodies": Bodies(nodes, group["bodies"]) if nodes is not None and "bodies" in group else {},
             "number": number, "by_number": by_number}
-
-
-def full_sliding(point, percent_of, friction):
-    """Full-sliding value of a quantity whose errors are in percent of `percent_of`; 0 for other quantities."""
-    if not percent_of.startswith("mu"):
-        return 0.0
-    size = {"mu": 1.0, "mu F_z": point["normal_force"], "mu p_0": point["max_pressure"],
-            "mu F_z sqrt(ab)": point["normal_force"] * math.sqrt(point["semi_axis_x"] * point["semi_axis_y"])}
-    return friction * abs(size[percent_of])
 
 
 def _read_model(key, group, by_number):
@@ -343,12 +152,11 @@ def _add_numbers(study, path):
     for level in levels.values():
         level.update((name, {}) for name in STUDY_COLUMNS)
     try:
-        with open(path, encoding="utf-8", newline="") as file:
-            for row in csv.DictReader(file):
-                level = levels[row["place"], row["model"], row["vary"], row["level"], float(row["parameter"])]
-                for name, column in STUDY_COLUMNS.items():
-                    if row[column]:
-                        level[name][row["quantity"]] = float(row[column])
+        for row in read_rows(path)[1]:
+            level = levels[row["place"], row["model"], row["vary"], row["level"], float(row["parameter"])]
+            for name, column in STUDY_COLUMNS.items():
+                if row[column]:
+                    level[name][row["quantity"]] = float(row[column])
     except (OSError, KeyError, ValueError) as error:
         raise ResultError(f"{path} is not the table of this study: {error!r}; run the command again") from error
 
@@ -405,3 +213,77 @@ def read_result(path, of_model=Model):
     except KeyError as error:
         raise ResultError(f"{file} cannot be read as a result of rollfem: {error}; "
                           "run the case again") from error
+
+
+@dataclass
+class StressSet:
+    """Displacement and stress at the places of one request in one body, of `rollfem stress`. Global frame: x along rolling, y
+    lateral, z into the wheel; tension is positive.
+
+    `columns`: arrays [n] by the names of stress.csv without units: distance (mm, from the first
+    place), x, y, z, displacement_x, ... (mm), xx, yy, zz, xy, yz, xz, hydrostatic, von_mises,
+    tresca, orthogonal_shear, principal_1, principal_2, principal_3 (MPa). `shape` is
+    (points across, points along): `columns["von_mises"].reshape(shape)` is the lattice of a plane.
+    """
+
+    name: str  # at_1, line_1, plane_1, depth_centre, depth_most_loaded
+    kind: str  # point, line, plane, surface
+    body: str  # wheel, rail
+    shape: tuple
+    columns: dict
+    largest: list  # dicts measure, value (MPa), over_max_pressure, place [x, y, z]
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+
+@dataclass
+class StressModel:
+    """Stresses of one model at one load point. `data` is its entry in stress.json."""
+
+    name: str
+    key: str
+    sets: list
+    data: dict
+    label: str = ""  # label in figures
+
+    def set(self, name, body):
+        """The set of that name and body, or None."""
+        return next((s for s in self.sets if (s.name, s.body) == (name, body)), None)
+
+
+@dataclass
+class StressResult:
+    directory: str
+    title: str
+    source: str
+    models: list
+    yield_shear_stress: float = None  # MPa, or None if none was given
+    shakedown_map: dict = None  # boundaries: lists by name, over tangential_coefficient
+
+
+def _rows(path):
+    """{(model key, load point, set, body): {column: array}} of stress.csv, columns without their units."""
+    groups = {}
+    for row in read_rows(path)[1]:
+        names, (model, point, name, body, *numbers) = list(row)[4:], row.values()
+        groups.setdefault((model, int(point), name, body), []).append([float(number) for number in numbers])
+    return {key: dict(zip(names, np.array(rows).T)) for key, rows in groups.items()}
+
+
+def read_stress(directory):
+    """Reads the folder of a `rollfem stress` call, or its stress.json. Raises ResultError if it is not one."""
+    directory = folder_of(directory)
+    try:
+        data = sound_json(os.path.join(directory, "stress.json"))
+        if data["format"] != 2:
+            raise ResultError(f"{directory}: stress.json has format {data['format']}, not 2; do: run rollfem stress again")
+        rows = _rows(os.path.join(directory, "stress.csv"))
+        models = [StressModel(entry["name"], entry["key"], [
+            StressSet(s["name"], s["kind"], s["body"], (s["points_across"], s["points_along"]),
+                      rows[entry["key"], entry["point"], s["name"], s["body"]], s["largest"]) for s in entry["sets"]],
+            entry, entry.get("label", "")) for entry in data["models"]]
+        return StressResult(directory, data["title"], data["source"], models,
+                            data.get("yield_shear_stress"), data.get("shakedown_map"))
+    except (OSError, KeyError, IndexError, ValueError) as error:
+        raise ResultError(f"{directory} is not a folder of `rollfem stress`: {error}") from error

@@ -5,7 +5,8 @@ from html import escape
 
 from . import curves, load_points, maps, positions, stresses, styles, tables
 from .page import case_file, hint, made_by, section
-from .reader import place_label, read_result
+from .reader import read_result
+from .results import place_label
 
 CONVENTIONS = section("Signs", """<p>x is the rolling direction, and material enters the patch at large x (on the right of
 the figures); y is lateral; z points into the wheel. Tractions and forces are those acting on the wheel.

@@ -11,7 +11,7 @@ from .figure import Figure
 from .outline import at_points, contour_lines
 from .page import hint, section
 from .panel import nice_step
-from .stress_reader import read_stress
+from .reader import read_stress
 from .stresses import MEASURES
 from .tables import number, plain, table
 

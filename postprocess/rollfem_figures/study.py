@@ -6,7 +6,8 @@ import numpy as np
 
 from . import report, styles, tables
 from .figure import Figure
-from .reader import Quantity, read_json
+from .reader import read_json
+from .results import Quantity
 from .labels import math
 from .page import case_file, hint, made_by, section
 
@@ -87,11 +88,6 @@ def _add_band(panel, place, drawn, key, friction):
     return level > low
 
 
-def _cells(series):
-    """Cell sizes of the levels over that of the coarsest."""
-    return [series["ratio"] ** -k if series["ratio"] > 1 else 1.0 for k in range(len(series["levels"]))]
-
-
 def values_figure(place):
     """The values of every quantity with their bars against the cell size, and at size 0 the limit of each model. A model
     without cells is a line across. None without levels."""
@@ -101,9 +97,9 @@ def values_figure(place):
                            f"[{_quantity(place, key).unit}]")
         panel.x.see([0.0, 1.0])
         for series in place["series"]:
-            look = _look(place, series)
-            rows = [(h, level["values"][key], level.get("bars", {}).get(key) or 0.0)
-                    for h, level in zip(_cells(series), series["levels"]) if key in level["values"]]
+            look, finer = _look(place, series), max(1.0, series["ratio"])
+            rows = [(finer ** -k, level["values"][key], level.get("bars", {}).get(key) or 0.0)
+                    for k, level in enumerate(series["levels"]) if key in level["values"]]
             if len(rows) == 1 and not series["ratio"]:
                 alone = not any(other["ratio"] for other in place["series"])  # otherwise it may leave the frame
                 panel.line([0.0, 1.0], [rows[0][1]] * 2, see=alone, **{**look, "marker": None})
@@ -168,12 +164,6 @@ def _heading(place, key):
     return f"−F<sub>x</sub>/F<sub>z</sub> at ξ = {tables.plain(_xi(place, key))} %"
 
 
-def _is_reference(place, series, level, key):
-    """Whether the value is itself the finest one used as reference, which has no error."""
-    return (series["references"][key]["kind"] == "finest" and level is series["levels"][-1]
-            and level["errors"].get(key) == 0)
-
-
 def _noted(html, note):
     """A cell with a note under it."""
     return f"{html}<br><span class=d>{note}</span>"
@@ -185,7 +175,8 @@ def _value_cell(place, series, level, key):
     html = tables.measured(level["values"][key], level.get("bars", {}).get(key), 6)
     if key not in level["errors"]:
         return html
-    if _is_reference(place, series, level, key):
+    # The finest value may itself be the reference, which has no error.
+    if series["references"][key]["kind"] == "finest" and level is series["levels"][-1] and level["errors"].get(key) == 0:
         return _noted(html, "the reference")
     order = level.get("orders", {}).get(key)
     return _noted(html, f"{tables.number(100 * level['errors'][key], 2)} %{' of μ' * _is_coefficient(key)}"

@@ -5,15 +5,18 @@ import re
 from html import escape
 
 from . import load_points, styles
+from .labels import symbol
 from .published import published
 from .page import hint
-from .reader import full_sliding, place_label
+from .results import full_sliding, place_label
 
 
 def number(value, digits=5):
-    """A number for reading: `digits` significant digits, without exponent if possible."""
+    """A number for reading: `digits` significant digits (None: all that it needs), without exponent if possible."""
     if value is None or math.isnan(value):
         return "–"
+    if digits is None:
+        return plain(value)
     if value == 0:
         return "0"
     if isinstance(value, int) and abs(value) < 10 ** digits:
@@ -29,11 +32,6 @@ def number(value, digits=5):
 def plain(value):
     """A number given by the user, without superfluous digits."""
     return f"{value:.6g}".replace("-", "−")
-
-
-def digits(value, count):
-    """A number with `digits` significant digits; None: all that it needs."""
-    return plain(value) if count is None else number(value, count)
 
 
 def percent(value):
@@ -97,16 +95,6 @@ def table(head, rows, kind="", frame="", name=""):
                    for row in rows)
     return (f'<div class="wide{frame and " " + frame}" role=region tabindex=0 aria-label="{name}"><table class="{kind}">'
             f'<thead><tr>{"".join(f"<th scope=col>{h}</th>" for h in head)}</tr></thead><tbody>{body}</tbody></table></div>')
-
-
-# Letters of the files as shown on a page.
-GREEK = {"xi": "ξ", "eta": "η", "phi": "φ", "mu": "μ"}
-
-
-def symbol(text):
-    """A symbol of the files as HTML: F_x, xi, -F_x/F_z, mu p_0."""
-    text = re.sub(r"\b(" + "|".join(GREEK) + r")\b", lambda found: GREEK[found[1]], escape(text))
-    return re.sub(r"_(\w+)", r"<sub>\1</sub>", text).replace("-", "−")
 
 
 def unit(quantity):

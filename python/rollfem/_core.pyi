@@ -30,8 +30,8 @@ class Case:
     text: str
     models: list[str]
     load_points: int
-    contact_modulus: float
     doubts: list[str]
+    def curvatures_of_ellipse(self, semi_axis_x: float, semi_axis_y: float, normal_force: float) -> tuple[float, float]: ...
     def describe(self) -> str: ...
     def text_in_folder(self, folder: str) -> str: ...
 

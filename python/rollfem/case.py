@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._core import FileError, InputError
-from .ellipse import curvatures
+from ._core import InputError
+from .frames import InFile
 from .names import path_of, refuse_unused
 
 BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
@@ -70,14 +70,17 @@ def _plain(value: Any) -> Any:
     return copy.deepcopy(value)
 
 
-def _merge(into: dict[str, Any], other: Mapping[str, Any]) -> None:
-    """Merges `other` into a dict of sections: sections key by key, everything else as it is."""
+def _merge(into: dict[str, Any], other: Mapping[str, Any], removing: bool = False) -> None:
+    """Merges `other` into a dict of sections: sections key by key, everything else as it is; `removing`: None removes a
+    key."""
     for name, value in other.items():
-        if isinstance(value, dict):
+        if value is None and removing:
+            into.pop(name, None)
+        elif isinstance(value, dict):
             kept = into.setdefault(name, {})
             if not isinstance(kept, dict):
                 raise InputError(f"{name} is not a section")
-            _merge(kept, value)
+            _merge(kept, value, removing)
         else:
             into[name] = _plain(value)
 
@@ -106,12 +109,11 @@ def merged(data: dict[str, Any], changes: Mapping[str, Any], call: str = "") -> 
     """`data` with changed keys; those that are None are removed."""
     asked = nested(changes, data, call)
     refuse_unused(asked, data, call)
-    _drop(data, asked)
-    _merge(data, asked)
+    _merge(data, asked, removing=True)
     return data
 
 
-class Case:
+class Case(InFile):
     """A problem to solve: the sections and keys of a case file (docs/case-file.md), with the same checks.
 
     A case never changes; `with_` makes another.
@@ -137,7 +139,7 @@ class Case:
 
     _file: str
     _data: dict[str, Any]
-    _read: _core.Case
+    _read: Any  # the case of the library, or title and text of a stored one
 
     def __init__(self, source: "str | os.PathLike[str] | Mapping[str, Any] | Case | None" = None, /, **sections: Any) -> None:
         self._take(source, sections)
@@ -211,7 +213,7 @@ class Case:
         bodies = {"load.normal_force": normal_force, "wheel.rolling_radius": 1.0, "wheel.transverse_radius": math.inf,
                   "rail.transverse_radius": 300.0}
         case = cls.of("", merged(nested(sections, {}), bodies))
-        along, across = curvatures(semi_axis_x, semi_axis_y, normal_force, case.core.contact_modulus)
+        along, across = case.core.curvatures_of_ellipse(semi_axis_x, semi_axis_y, normal_force)
         return case.with_({"wheel.rolling_radius": 0.5 / along, "rail.transverse_radius": 0.5 / across})
 
     def _parsed(self) -> _core.Case:
@@ -265,7 +267,8 @@ class Case:
     @property
     def core(self) -> _core.Case:
         """The case of the library."""
-        return self._read
+        core: _core.Case = self._read
+        return core
 
     @property
     def data(self) -> dict[str, Any]:
@@ -280,12 +283,12 @@ class Case:
     @property
     def title(self) -> str:
         """As the case has it."""
-        return self.core.title
+        return str(self._read.title)
 
     @property
     def text(self) -> str:
         """The case as TOML."""
-        return self.core.text
+        return str(self._read.text)
 
     @property
     def models(self) -> list[str]:
@@ -311,34 +314,8 @@ class Case:
         """
         return self.core.describe()
 
-    def write(self, file: str | os.PathLike[str]) -> str | os.PathLike[str]:
-        """Writes the case file; paths in it are changed to lead from its folder.
-
-        Parameters
-        ----------
-        file : str or os.PathLike
-            Its name.
-
-        Returns
-        -------
-        str or os.PathLike
-            The same name.
-
-        Raises
-        ------
-        FileError
-            If the file cannot be written.
-
-        Examples
-        --------
-        >>> rollfem.solve(case.write("heavy.toml"))
-        """
-        try:
-            with open(file, "w", encoding="utf-8") as out:
-                out.write(self.core.text_in_folder(os.path.dirname(os.path.abspath(file))))
-        except OSError as error:
-            raise FileError(f"{os.fspath(file)}: cannot be written: {error.strerror}") from error
-        return file
+    def _text_in(self, folder: str) -> str:
+        return self.core.text_in_folder(folder)
 
     def _repr_html_(self) -> str:
         return f"<p>{escape(repr(self))}</p><details><summary>keys</summary><pre>{escape(self.text)}</pre></details>"
@@ -355,13 +332,3 @@ class Case:
     def __repr__(self) -> str:
         count = self.load_points
         return f"<rollfem.Case {self.title or self._file or 'without a title'!r}: {count} load point{'s' * (count > 1)}>"
-
-
-def _drop(data: dict[str, Any], asked: dict[str, Any]) -> None:
-    """Removes keys that are None from both."""
-    for name in list(asked):
-        if asked[name] is None:
-            del asked[name]
-            data.pop(name, None)
-        elif isinstance(asked[name], dict) and isinstance(data.get(name, {}), dict):
-            _drop(data.get(name, {}), asked[name])

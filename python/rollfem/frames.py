@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers for other libraries: data frames, labelled arrays, tables of a notebook; and figures of the report."""
+"""What results, tables and cases have in common: data frames and labelled arrays for other libraries, tables of a notebook,
+folders and files, figures of the report."""
 import os
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
 from typing import Any
@@ -41,6 +42,69 @@ class Tabular:
             raise ImportError("to_dataframe needs pandas; do: apt install python3-pandas, or take columns(), which has "
                               "the same in numpy arrays") from error
         return pandas.DataFrame(self.columns())
+
+
+#: Of labelled arrays: {name: (dimensions, values, attributes)}, coordinates, attributes of the whole.
+Labelled = tuple[Mapping[str, tuple[Sequence[str], Any, Mapping[str, str]]], Mapping[str, Any], Mapping[str, Any]]
+
+
+class Gridded(Tabular):
+    """What has numbers over axes."""
+
+    def _labelled(self, *which: Any, **named: Any) -> Labelled:
+        raise NotImplementedError
+
+    def to_xarray(self, *which: Any, **named: Any) -> Any:
+        """All numbers (and fields) with their axes and units.
+
+        Parameters
+        ----------
+        *which, **named
+            As of `columns`.
+
+        Returns
+        -------
+        xarray.Dataset
+            Of a ModelResult: numbers over point_index (from 0), fields over point_index, y and x (mm); fields of load
+            points that do not keep them are nan. Of a Sweep or Table: over its axes.
+
+        Raises
+        ------
+        ImportError
+            Without xarray.
+
+        Examples
+        --------
+        >>> result["halfspace"].to_xarray().pressure.sel(x=0.0, method="nearest")
+        >>> sweep.to_xarray().traction_coefficient.plot()
+        >>> table.to_xarray().longitudinal_force.isel(spin=2, lateral=0).plot()
+        """
+        try:
+            import xarray
+        except ImportError as error:
+            raise ImportError("to_xarray needs xarray; do: apt install python3-xarray") from error
+        values, coordinates, attributes = self._labelled(*which, **named)
+        return xarray.Dataset(dict(values), coords=dict(coordinates), attrs=dict(attributes))
+
+
+class OverAxes(Gridded):
+    """What has an array over all its axes for each number."""
+
+    axes: dict[str, np.ndarray]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of values of each axis."""
+        return tuple(len(values) for values in self.axes.values())
+
+    def _places(self) -> dict[str, np.ndarray]:
+        """The columns of the axes."""
+        return {name: grid.ravel() for name, grid in zip(self.axes, np.meshgrid(*self.axes.values(), indexing="ij"))}
+
+    def _over_axes(self, columns: Mapping[str, np.ndarray], unit: Callable[[str], str], attributes: Mapping[str, Any]) -> Labelled:
+        """Labelled arrays of columns, with their units."""
+        return ({name: (tuple(self.axes), column.reshape(self.shape), {"units": unit(name)})
+                 for name, column in columns.items() if name not in self.axes}, self.axes, attributes)
 
 
 class Written(Tabular):
@@ -137,14 +201,43 @@ class Written(Tabular):
         return folder
 
 
-def dataset_of(values: Mapping[str, tuple[Sequence[str], Any, Mapping[str, str]]], coordinates: Mapping[str, Any],
-               attributes: Mapping[str, Any]) -> Any:
-    """A xarray.Dataset of {name: (dimensions, values, attributes)}."""
-    try:
-        import xarray
-    except ImportError as error:
-        raise ImportError("to_xarray needs xarray; do: apt install python3-xarray") from error
-    return xarray.Dataset(dict(values), coords=dict(coordinates), attrs=dict(attributes))
+class InFile:
+    """What has a file of its own, which can be read again."""
+
+    def _text_in(self, folder: str) -> str:
+        """The text of a file in a folder."""
+        raise NotImplementedError
+
+    def write(self, file: str | os.PathLike[str]) -> str | os.PathLike[str]:
+        """Writes a file that can be read again: a case, whose paths are changed to lead from its folder, or the curve of a
+        profile (s, y, z in mm, angle in degrees, curvature in 1/mm).
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            Its name; that of a profile ends in .csv.
+
+        Returns
+        -------
+        str or os.PathLike
+            The same name.
+
+        Raises
+        ------
+        FileError
+            If the file cannot be written.
+
+        Examples
+        --------
+        >>> rollfem.solve(case.write("heavy.toml"))
+        >>> rollfem.Profile("worn.whl", smoothing=0.01).write("mended.csv")
+        """
+        try:
+            with open(file, "w", encoding="utf-8") as out:
+                out.write(self._text_in(os.path.dirname(os.path.abspath(file))))
+        except OSError as error:
+            raise _core.FileError(f"{os.fspath(file)}: cannot be written: {error.strerror}") from error
+        return file
 
 
 def html_table(title: str, heads: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:

@@ -4,10 +4,10 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from rollfem_figures.reader import ModelRecord
+from rollfem_figures.results import ModelRecord
 
 from . import plot
-from .frames import Tabular, dataset_of, html_table
+from .frames import Gridded, Labelled, html_table
 from .names import known
 from .point import FIELDS, QUANTITIES, Point, array_of, attribute, text_of
 
@@ -21,7 +21,7 @@ def count(things: Sequence[Any], word: str) -> str:
     return f"{len(things)} {word}{'' if len(things) == 1 else 's'}"
 
 
-class ModelResult(Tabular, ModelRecord):
+class ModelResult(Gridded, ModelRecord):
     """Results of one model on one patch: its load points on its contact grid.
 
     Every quantity is an array over the load points: model.traction_coefficient; nan where the model does not give it.
@@ -174,24 +174,7 @@ class ModelResult(Tabular, ModelRecord):
                     found[f"{name}_bar"] = self.bars(name)
         return found
 
-    def to_xarray(self) -> Any:
-        """All numbers and fields with their coordinates and units.
-
-        Returns
-        -------
-        xarray.Dataset
-            Numbers over point_index (from 0), fields over point_index, y and x (mm); fields of load points that do not
-            keep them are nan.
-
-        Raises
-        ------
-        ImportError
-            Without xarray.
-
-        Examples
-        --------
-        >>> result["halfspace"].to_xarray().pressure.sel(x=0.0, method="nearest")
-        """
+    def _labelled(self) -> Labelled:
         values: dict[str, tuple[Sequence[str], Any, dict[str, str]]] = {}
         for name, column in self.columns().items():
             values[name] = ("point_index",), column, {"units": QUANTITIES[name.removesuffix("_bar")].unit}
@@ -200,8 +183,8 @@ class ModelResult(Tabular, ModelRecord):
             if any(name in point.fields for point in self.points):
                 values[name] = (("point_index", "y", "x"), np.stack([p.fields.get(name, empty) for p in self.points]),
                                 {"units": field.unit})
-        return dataset_of(values, {"point_index": np.arange(len(self)), "x": self.x, "y": self.y},
-                          {"model": self.name, "key": self.key})
+        return (values, {"point_index": np.arange(len(self)), "x": self.x, "y": self.y},
+                {"model": self.name, "key": self.key})
 
     plot_creep_curve = plot.creep_curve
     plot_pressure = plot.pressure

@@ -4,22 +4,25 @@ from typing import Any
 
 import numpy as np
 
-from .names import with_unit
+from .names import known, with_unit
 
 
-def _axes(ax: Any) -> Any:
-    if ax is not None:
-        return ax
-    try:
-        from matplotlib import pyplot
-    except ImportError as error:
-        raise ImportError("figures need matplotlib; do: apt install python3-matplotlib") from error
-    return pyplot.subplots(layout="constrained")[1]
+def _axes(ax: Any, x: str, y: str) -> Any:
+    """The axes to draw on, with their labels."""
+    if ax is None:
+        try:
+            from matplotlib import pyplot
+        except ImportError as error:
+            raise ImportError("figures need matplotlib; do: apt install python3-matplotlib") from error
+        ax = pyplot.subplots(layout="constrained")[1]
+    ax.set_xlabel(x)
+    ax.set_ylabel(y)
+    return ax
 
 
 def _describe(name: str) -> str:
     from .point import QUANTITIES
-    return QUANTITIES[name].label
+    return str(QUANTITIES[known(name, QUANTITIES)].label)
 
 
 def _edges(centres: Any, size: float) -> Any:
@@ -28,18 +31,16 @@ def _edges(centres: Any, size: float) -> Any:
 
 def creep_curve(model: Any, x: str = "longitudinal_creepage", y: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
     """One quantity over another, by their names, with error bars where there are any."""
-    ax = _axes(ax)
+    ax = _axes(ax, _describe(x), _describe(y))
     bars = model.bars(y)
     style = {"marker": "o", "markersize": 4, "capsize": 2, "label": model.label or model.name, **style}
     ax.errorbar(model.values(x), model.values(y), None if np.isnan(bars).all() else np.nan_to_num(bars), **style)
-    ax.set_xlabel(_describe(x))
-    ax.set_ylabel(_describe(y))
     return ax
 
 
 def creep_curves(result: Any, x: str = "longitudinal_creepage", y: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
     """The same for every model and patch with more than one load point; for all if none has."""
-    ax = _axes(ax)
+    ax = _axes(ax, _describe(x), _describe(y))
     several = [model for model in result if len(model) > 1] or list(result)
     for model in several:
         label = model.label or model.name
@@ -49,12 +50,10 @@ def creep_curves(result: Any, x: str = "longitudinal_creepage", y: str = "tracti
 
 
 def _map(model: Any, values: Any, ax: Any, label: str, **style: Any) -> Any:
-    ax = _axes(ax)
+    ax = _axes(ax, "x along rolling (mm)", "y (mm)")
     drawn = ax.pcolormesh(_edges(model.x, model.dx), _edges(model.y, model.dy), values, **style)
     ax.figure.colorbar(drawn, ax=ax, label=label)
     ax.set_aspect("equal")
-    ax.set_xlabel("x along rolling (mm)")
-    ax.set_ylabel("y (mm)")
     return ax
 
 
@@ -85,13 +84,11 @@ def traction(model: Any, point: int = 0, ax: Any = None, arrows: int = 12, **sty
 
 def path(model: Any, axis: str = "x", point: int = 0, ax: Any = None) -> Any:
     """Tangential traction and its bound along the middle line of the patch: axis "x" or "y"."""
-    ax = _axes(ax)
+    ax = _axes(ax, f"{axis} (mm)", "traction (MPa)")
     for field, label, line in (("traction_bound", "bound", "--"), ("traction_x", "$p_x$", "-"),
                                ("traction_y", "$p_y$", "-")):
         if field in model.points[point].fields:
             ax.plot(*model.middle(field, axis, point), line, label=label)
-    ax.set_xlabel(f"{axis} (mm)")
-    ax.set_ylabel("traction (MPa)")
     ax.legend()
     return ax
 
@@ -99,12 +96,12 @@ def path(model: Any, axis: str = "x", point: int = 0, ax: Any = None) -> Any:
 def surface(sweep: Any, quantity: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
     """A quantity with its error bars over the first axis of a sweep, a curve for each value of the second, if there is
     one."""
-    ax = _axes(ax)
     values, bars = sweep.values(quantity), np.nan_to_num(sweep.bars(quantity))
     style = {"marker": "o", "markersize": 4, "capsize": 2, **style}
     names = list(sweep.axes)
     if values.ndim > 2:
         raise ValueError(f"a sweep over {values.ndim} keys does not fit one figure; do: plot slices of sweep.values({quantity!r})")
+    ax = _axes(ax, with_unit(names[0]), _describe(quantity))
     first = np.asarray(sweep.axes[names[0]])
     if values.ndim == 1:
         ax.errorbar(first, values, bars if bars.any() else None, **style)
@@ -112,27 +109,21 @@ def surface(sweep: Any, quantity: str = "traction_coefficient", ax: Any = None, 
         for k, other in enumerate(sweep.axes[names[1]]):
             ax.errorbar(first, values[:, k], bars[:, k] if bars.any() else None, **{"label": f"{names[1]} {other:g}", **style})
         ax.legend()
-    ax.set_xlabel(with_unit(names[0]))
-    ax.set_ylabel(_describe(quantity))
     return ax
 
 
 def profile(found: Any, ax: Any = None, **style: Any) -> Any:
     """Shape of a profile, z down."""
-    ax = _axes(ax)
+    ax = _axes(ax, "y, to the field side (mm)", "z, down (mm)")
     ax.plot(found.y, found.z, **style)
     ax.set_aspect("equal")
     ax.invert_yaxis()
-    ax.set_xlabel("y, to the field side (mm)")
-    ax.set_ylabel("z, down (mm)")
     return ax
 
 
 def curvature(found: Any, ax: Any = None, **style: Any) -> Any:
     """Curvature of a profile over y."""
-    ax = _axes(ax)
+    ax = _axes(ax, "y, to the field side (mm)", "curvature (1/mm)")
     ax.plot(found.y, found.curvature, **style)
     ax.set_yscale("symlog", linthresh=1e-3)
-    ax.set_xlabel("y, to the field side (mm)")
-    ax.set_ylabel("curvature (1/mm)")
     return ax

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from rollfem_figures.reader import PointRecord, Quantity
+from rollfem_figures.results import PointRecord, Quantity
 
 from . import _core
 from .names import known

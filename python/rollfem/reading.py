@@ -2,6 +2,7 @@
 """Reads what rollfem has written into the types that computing returns."""
 import os
 import tomllib
+from types import SimpleNamespace
 from typing import Any
 
 from rollfem_figures.reader import ResultError, read_json, read_result
@@ -10,8 +11,10 @@ from . import _core
 from .case import Case
 from .model import ModelResult
 from .result import Result
-from .studies import Comparison, Files, Stress, Study
+from .studies import Comparison, Stress, Study
 from .tables import Table
+
+FILES = {"study": Study, "compare": Comparison, "stress": Stress}
 
 
 def _text(folder: str, name: str) -> str:
@@ -49,7 +52,7 @@ def read(path: str | os.PathLike[str]) -> Any:
         kind = kind_of(name)
         if kind == "table":
             return Table(name)
-        if kind in ("study", "compare", "stress"):
+        if kind in FILES:
             return _files(kind, name if os.path.isdir(name) else os.path.dirname(name) or ".")
         stored = read_result(name, ModelResult)
     except (ResultError, OSError) as error:
@@ -62,17 +65,14 @@ def read(path: str | os.PathLike[str]) -> Any:
 
 
 def _files(kind: str, folder: str) -> Study | Comparison | Stress:
-    found: type[Files] = Study if kind == "study" else Comparison if kind == "compare" else Stress
-    contents = {name: _text(folder, name) for name in (found.json, found.table)}
-    if kind == "stress":
-        return Stress(contents, folder=folder)
-    read_json(folder, kind)  # which knows checksums
-    if kind == "study":
-        return Study(contents, folder=folder)
-    made = Comparison(contents, folder=folder)
-    for case in made.data["cases"]:
-        if case["complete"] and isinstance(stored := read(os.path.join(folder, case["name"])), Result):
-            made.results[case["name"]] = stored
+    found: type[Study | Comparison | Stress] = FILES[kind]
+    if found is not Stress:  # which reads all of its own
+        read_json(folder, kind)  # which knows checksums
+    made = found({name: _text(folder, name) for name in (found.json, found.table)}, folder=folder)
+    if isinstance(made, Comparison):
+        for case in made.data["cases"]:
+            if case["complete"] and isinstance(stored := read(os.path.join(folder, case["name"])), Result):
+                made.results[case["name"]] = stored
     return made
 
 
@@ -81,26 +81,15 @@ class StoredCase(Case):
     the case must not prevent showing the result."""
 
     def __init__(self, file: str, title: str, text: str) -> None:
-        self._file, self._title, self._text = file, title, text
-        self._data = tomllib.loads(text)
+        self._file, self._data, self._read = file, tomllib.loads(text), SimpleNamespace(title=title, text=text)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return StoredCase, (self._file, self._title, self._text)
+        return StoredCase, (self._file, self.title, self.text)
 
     @property
     def core(self) -> _core.Case:
         """Reads the case."""
         return Case.of(self._file, self._data).core
-
-    @property
-    def title(self) -> str:
-        """Of the stored case."""
-        return self._title
-
-    @property
-    def text(self) -> str:
-        """Of the stored case."""
-        return self._text
 
     def __repr__(self) -> str:
         return f"<rollfem.Case {self.title!r}, stored>"

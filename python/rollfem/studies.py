@@ -12,7 +12,7 @@ from html import escape
 from typing import Any
 
 import numpy as np
-from rollfem_figures.stress_reader import read_stress
+from rollfem_figures.reader import read_stress
 
 from . import _core
 from .case import Case, toml_lines
@@ -244,9 +244,6 @@ class Stress(Files):
         with tempfile.TemporaryDirectory() as here:
             _core.write_files(here, self.contents)
             self.models: list[Any] = read_stress(here).models
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Stress, (self.contents, self.text, self.folder)
 
 
 def stress(result: Any, /, *, places: Mapping[str, Any] | str | os.PathLike[str] | None = None, model: str | None = None,

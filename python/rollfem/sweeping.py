@@ -10,7 +10,7 @@ import numpy as np
 from . import plot
 from ._core import InputError, Progress, SolveError
 from .case import Case, nested
-from .frames import Tabular, dataset_of, html_table
+from .frames import Labelled, OverAxes, html_table
 from .names import CREEPAGES, known, refuse_unused
 from .patches import bar_of, whole
 from .point import QUANTITIES, Point
@@ -22,7 +22,7 @@ MOST_POINTS = 1000  # of a list in a case
 Index = tuple[int, ...]
 
 
-class Sweep(Tabular):
+class Sweep(OverAxes):
     """Results over a grid of values: sweep.traction_coefficient, or sweep.values("...") of a model, is an array with one
     axis for each key, in their order; nan where there is no solution.
 
@@ -42,30 +42,19 @@ class Sweep(Tabular):
         {index: why} with skip_failures.
     """
 
-    def __init__(self, axes: dict[str, np.ndarray]) -> None:
+    def __init__(self, axes: dict[str, np.ndarray], results: Sequence[Result] = (), indices: Sequence[Sequence[Index]] = (),
+                 failures: Mapping[Index, str] | None = None) -> None:
+        """`indices`: of the load points of every result."""
         self.axes = axes
         self.results: list[Result] = []
-        self.failures: dict[Index, str] = {}
+        self.failures: dict[Index, str] = dict(failures or {})
         self._patches: dict[str, np.ndarray] = {}
-        self._indices: list[Sequence[Index]] = []  # of the load points of every result
-
-    @classmethod
-    def of(cls, axes: dict[str, np.ndarray], results: Sequence[Result], indices: Sequence[Sequence[Index]],
-           failures: dict[Index, str]) -> "Sweep":
-        """From results and the indices of their load points."""
-        made = cls(axes)
-        made.failures = failures
+        self._indices: list[Sequence[Index]] = []
         for result, at in zip(results, indices):
-            made._add(result, at)
-        return made
+            self._add(result, at)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Sweep.of, (self.axes, self.results, self._indices, self.failures)
-
-    @property
-    def shape(self) -> Index:
-        """Number of values of each axis."""
-        return tuple(len(values) for values in self.axes.values())
+        return Sweep, (self.axes, self.results, self._indices, self.failures)
 
     def patches(self, model: str | None = None) -> np.ndarray:
         """The load points of every patch.
@@ -200,8 +189,7 @@ class Sweep(Tabular):
         --------
         >>> sweep.columns()["spin"]
         """
-        grids = np.meshgrid(*self.axes.values(), indexing="ij")
-        found = {name: grid.ravel() for name, grid in zip(self.axes, grids)}
+        found = self._places()
         for name in QUANTITIES:
             values, bars = self.values(name, model).ravel(), self.bars(name, model).ravel()
             if not np.isnan(values).all() and name not in found:
@@ -210,30 +198,9 @@ class Sweep(Tabular):
                     found[f"{name}_bar"] = bars
         return found
 
-    def to_xarray(self, model: str | None = None) -> Any:
-        """All numbers with their axes and units.
-
-        Parameters
-        ----------
-        model : str, optional
-            As of `patches`.
-
-        Returns
-        -------
-        xarray.Dataset
-
-        Raises
-        ------
-        ImportError
-            Without xarray.
-
-        Examples
-        --------
-        >>> sweep.to_xarray().traction_coefficient.plot()
-        """
-        values = {name: (tuple(self.axes), column.reshape(self.shape), {"units": QUANTITIES[name.removesuffix("_bar")].unit})
-                  for name, column in self.columns(model).items() if name not in self.axes}
-        return dataset_of(values, self.axes, {"model": model or next(iter(self._patches))})
+    def _labelled(self, model: str | None = None) -> Labelled:
+        return self._over_axes(self.columns(model), lambda name: str(QUANTITIES[name.removesuffix("_bar")].unit),
+                               {"model": model or next(iter(self._patches))})
 
     plot = plot.surface
 
@@ -258,9 +225,8 @@ class Sweep(Tabular):
 
     def _repr_html_(self) -> str:
         heads = [*self.axes, "model", "traction_coefficient", "max_pressure"]
-        grids = [grid.ravel() for grid in np.meshgrid(*self.axes.values(), indexing="ij")]
         return html_table(repr(self), heads, (row for model in self._patches for row in zip(
-            *grids, itertools.repeat(model), *(self.values(name, model).ravel() for name in heads[-2:]))))
+            *self._places().values(), itertools.repeat(model), *(self.values(name, model).ravel() for name in heads[-2:]))))
 
 
 def _lists(case: Case, without: Sequence[str] = ()) -> dict[str, list[Any]]:

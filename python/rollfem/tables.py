@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from .frames import Written, dataset_of, html_table
+from .frames import Labelled, OverAxes, Written, html_table
 from .solving import Told, checked
 
 
-class Table(Written):
+class Table(Written, OverAxes):
     """A table of creep forces, with interpolation between its points (docs/tables.md).
 
     Parameters
@@ -76,9 +76,8 @@ class Table(Written):
         self.axes: dict[str, np.ndarray] = {name: np.array(values) for name, values in found["axes"]}
         self._first = "lateral_shift" if found["over_shifts"] else "axis_ratio"
         self.interpolation: dict[str, float] = found["interpolation"]
-        shape = tuple(len(values) for values in self.axes.values())
-        forces = np.array(found["forces"]).reshape(*shape, 3)
-        bars = np.array(found["bars"]).reshape(*shape, 2)
+        forces = np.array(found["forces"]).reshape(*self.shape, 3)
+        bars = np.array(found["bars"]).reshape(*self.shape, 2)
         self.longitudinal_force, self.lateral_force, self.spin_moment = np.moveaxis(forces, -1, 0)
         self.force_bar, self.moment_bar = np.moveaxis(bars, -1, 0)
         self.wheels: dict[str, np.ndarray] | None = None
@@ -88,17 +87,12 @@ class Table(Written):
         if found["over_shifts"]:
             of_wheels = tuple(len(self.axes[name]) for name in ("load", self._first) if name in self.axes)
             self.wheels = {name: np.array(values).reshape(of_wheels) for name, values in found["wheels"].items()}
-            self.force_along_normal = np.array(found["along_normal"]).reshape(shape)
+            self.force_along_normal = np.array(found["along_normal"]).reshape(self.shape)
         if found["over_shifts"] or self.only_for:
             self.shear_modulus, self.friction_coefficient = found["shear_modulus"], found["friction_coefficient"]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (self._core.files()["table.h5"],)
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Number of values of each axis."""
-        return tuple(len(values) for values in self.axes.values())
 
     def scaled(self, longitudinal: ArrayLike = 0.0, lateral: ArrayLike = 0.0, spin: ArrayLike = 0.0,
                axis_ratio: ArrayLike | None = None, lateral_shift: ArrayLike | None = None,
@@ -246,33 +240,12 @@ class Table(Written):
         --------
         >>> table.columns()["longitudinal_force"]
         """
-        grids = np.meshgrid(*self.axes.values(), indexing="ij")
-        found = {name: grid.ravel() for name, grid in zip(self.axes, grids)}
-        for name in ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar"):
-            found[name] = getattr(self, name).ravel()
-        if self.force_along_normal is not None:
-            found["force_along_normal"] = self.force_along_normal.ravel()
-        return found
+        names = ["longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar"]
+        names += ["force_along_normal"] * (self.force_along_normal is not None)
+        return {**self._places(), **{name: getattr(self, name).ravel() for name in names}}
 
-    def to_xarray(self) -> Any:
-        """Forces over their axes.
-
-        Returns
-        -------
-        xarray.Dataset
-
-        Raises
-        ------
-        ImportError
-            Without xarray.
-
-        Examples
-        --------
-        >>> table.to_xarray().longitudinal_force.isel(spin=2, lateral=0).plot()
-        """
-        values = {name: (tuple(self.axes), column.reshape(self.shape), {"units": "1"})
-                  for name, column in self.columns().items() if name not in self.axes}
-        return dataset_of(values, self.axes, {"title": self.title})
+    def _labelled(self) -> Labelled:
+        return self._over_axes(self.columns(), lambda name: "1", {"title": self.title})
 
     def _contents(self) -> dict[str, bytes]:
         return self._core.files()

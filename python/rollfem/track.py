@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Profiles, and where rigid wheels touch their rails: nothing is solved here."""
+import io
 import os
 from html import escape
 from typing import Any
@@ -8,7 +9,7 @@ import numpy as np
 
 from . import _core, plot
 from .case import Case
-from .frames import Tabular, html_table
+from .frames import InFile, Tabular, html_table
 from .solving import checked
 
 #: Columns of a wheelset over its lateral shift, as those of wheelset.csv.
@@ -154,7 +155,7 @@ def contact_points(case: Any, /, **sections: Any) -> list[dict[str, Any]]:
     return _core.contact_points(checked(case, sections, "contact_points").core)
 
 
-class Profile(Tabular):
+class Profile(Tabular, InFile):
     """A profile of wheel or rail as one curve: y towards the field side, z down, both in mm.
 
     Parameters
@@ -265,36 +266,12 @@ class Profile(Tabular):
         """{name: array} of s, y, z, angle and curvature."""
         return {name: getattr(self, name) for name in ("s", "y", "z", "angle", "curvature")}
 
-    def write(self, file: str | os.PathLike[str]) -> str | os.PathLike[str]:
-        """Writes the curve, which cases and `Profile` read again.
-
-        Parameters
-        ----------
-        file : str or os.PathLike
-            Ends in .csv; s, y, z in mm, angle in degrees, curvature in 1/mm.
-
-        Returns
-        -------
-        str or os.PathLike
-            The same name.
-
-        Raises
-        ------
-        FileError
-            If the file cannot be written.
-
-        Examples
-        --------
-        >>> rollfem.Profile("worn.whl", smoothing=0.01).write("mended.csv")
-        """
-        columns = self.columns()
+    def _text_in(self, folder: str) -> str:
+        columns, text = self.columns(), io.StringIO()
         # Joints once: points must not coincide.
         rows = np.stack(list(columns.values()), axis=1)[np.append(np.diff(self.s) > 0.0, True)]
-        try:
-            np.savetxt(file, rows, "%.9g", ",", header=",".join(columns), comments="")
-        except OSError as error:
-            raise _core.FileError(f"{os.fspath(file)}: cannot be written: {error.strerror}") from error
-        return file
+        np.savetxt(text, rows, "%.9g", ",", header=",".join(columns), comments="")
+        return text.getvalue()
 
     plot_curvature = plot.curvature
     plot = plot.profile
