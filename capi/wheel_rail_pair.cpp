@@ -70,6 +70,9 @@ void check(const rollfem_state& state, double rolling_radius) {
          state.rotation_speed * rolling_radius / speed - 1.0, 1.0);
 }
 
+namespace {
+
+/// Writes a state into a case. A given height or penetration goes to the search (SearchOptions).
 void set(const rollfem_state& state, Case& input) {
   contact::Wheelset& wheelset = input.wheelset;
   wheelset.lateral_shift.assign(1, state.lateral_shift);
@@ -87,8 +90,6 @@ void set(const rollfem_state& state, Case& input) {
   else
     input.load.approach = 1.0;  // a placeholder: the search overrides it
 }
-
-namespace {
 
 /// Adds a patch to its wheel, where the most loaded ones are listed first.
 void add_patch(const contact::PointResult& point, double max_pressure_bar,
@@ -218,26 +219,25 @@ constexpr contact::SurfaceForm surfaces[] = {contact::SurfaceForm::automatic,
 
 }  // namespace
 
-WheelRailPair::Borrowed::Borrowed(const WheelRailPair& pair) : pair_(pair) {
+WheelRailPair::Lent WheelRailPair::workspace() const {
+  Lent lent(nullptr, [this](Workspace* used) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.emplace_back(used);
+  });
   {
-    const std::lock_guard<std::mutex> lock(pair_.mutex_);
-    if (!pair_.idle_.empty()) {
-      workspace_ = std::move(pair_.idle_.back());
-      pair_.idle_.pop_back();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!idle_.empty()) {
+      lent.reset(idle_.back().release());
+      idle_.pop_back();
+      return lent;
     }
   }
-  if (workspace_) return;
-  workspace_ = std::make_unique<Workspace>();
-  workspace_->input = pair_.input_;
-  for (const auto& tables : pair_.tables_)
-    workspace_->wheels.push_back(
-        std::make_unique<QuickWheel>(*tables, tables == pair_.tables_.back(), pair_.material_));
-}
-
-WheelRailPair::Borrowed::~Borrowed() {
-  workspace_->linearises = false;
-  const std::lock_guard<std::mutex> lock(pair_.mutex_);
-  pair_.idle_.push_back(std::move(workspace_));
+  lent.reset(new Workspace);
+  lent->input = input_;
+  for (const auto& tables : tables_)
+    lent->wheels.push_back(
+        std::make_unique<QuickWheel>(*tables, tables == tables_.back(), material_));
+  return lent;
 }
 
 WheelRailPair::WheelRailPair(Case input)
@@ -256,8 +256,9 @@ WheelRailPair::WheelRailPair(Case input)
 
 rollfem_result WheelRailPair::solve(const rollfem_state& state) const {
   check(state, input_.wheel.rolling_radius);
-  const Borrowed workspace(*this);
-  return solve(*workspace, state);
+  const Lent lent = workspace();
+  lent->linearises = false;
+  return solve(*lent, state);
 }
 
 rollfem_result WheelRailPair::solve(Workspace& workspace, const rollfem_state& state) const {
