@@ -36,31 +36,20 @@ Eigen::Matrix<double, 6, PatchSum::count> wrenches_of(const track::WheelRailCont
 }
 
 void check(const rollfem_state& state, double rolling_radius) {
-  const auto within = [](const char* name, double value, double limit) {
-    if (std::abs(value) <= limit) return;  // false for NaN
+  const auto within = [](const char* name, double value, double limit, bool above_zero = false) {
+    if (std::abs(value) <= limit && (value > 0.0 || !above_zero)) return;  // false for NaN
     throw contact::InputError(
-        fmt::format("{} = {:g}: is out of bounds; allowed: magnitudes up to {:g}; do: correct it",
-                    name, value, limit));
-  };
-  const auto positive = [](const char* name, double value, double limit) {
-    if (value > 0.0 && value <= limit) return;
-    throw contact::InputError(
-        fmt::format("{} = {:g}: is out of bounds; allowed: above 0, up to {:g}; do: correct it",
-                    name, value, limit));
+        fmt::format("{} = {:g}: is out of bounds; allowed: {} {:g}; do: correct it", name, value,
+                    above_zero ? "above 0, up to" : "magnitudes up to", limit));
   };
   const double speed = state.forward_speed;
-  positive("forward_speed in mm/s", speed, 1e9);
-  switch (state.given) {
-    case ROLLFEM_VERTICAL_FORCE:
-      positive("vertical_force in N", state.vertical_force, 1e12);
-      break;
-    case ROLLFEM_HEIGHT:
-      within("height in mm", state.height, 1e3);
-      break;
-    case ROLLFEM_PENETRATION:
-      within("penetration in mm", state.penetration, 1e3);
-      break;
-  }
+  within("forward_speed in mm/s", speed, 1e9, true);
+  if (state.given == ROLLFEM_VERTICAL_FORCE)
+    within("vertical_force in N", state.vertical_force, 1e12, true);
+  else if (state.given == ROLLFEM_HEIGHT)
+    within("height in mm", state.height, 1e3);
+  else
+    within("penetration in mm", state.penetration, 1e3);
   within("lateral_shift in mm", state.lateral_shift, 1e3);
   within("yaw in rad", state.yaw, 0.2);
   if (!std::isnan(state.roll)) within("roll in rad", state.roll, 0.2);

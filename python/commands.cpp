@@ -22,11 +22,6 @@ py::tuple tuple_of(const Files& files) {
   return py::make_tuple(files.contents, files.text, files.warnings);
 }
 
-py::tuple study_of(const Case& input, const StudyOptions& options, const py::object& callback) {
-  return tuple_of(without_gil(
-      callback, [&](const Progress& progress) { return study(input, options, progress); }));
-}
-
 using Missings = std::vector<std::tuple<std::string, std::string, bool>>;
 
 /// `cases`: name, result, (model, reason, failed) of those that are missing.
@@ -96,7 +91,9 @@ void define_commands(py::module_& module) {
   module.def("study", [](const Case& input, const std::vector<std::string>& models,
                          const std::vector<std::string>& vary, bool together, int levels,
                          const std::vector<std::string>& references, const py::object& callback) {
-    return study_of(input, {models, vary, together, levels, references}, callback);
+    const StudyOptions options{models, vary, together, levels, references};
+    return tuple_of(without_gil(
+        callback, [&](const Progress& progress) { return study(input, options, progress); }));
   });
   module.def("compare", &comparison_of);
   module.def("stress",
