@@ -47,7 +47,7 @@ ALLOWED = {
             "profiles": ANY, "track": ANY, "postprocess": ANY, "tables": ANY,
             "theories": ANY, "fem": {"elasticity"}},
     "interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
-    "python": {"interface": ANY, "contact": ANY, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
+    "python": {"contact": ANY, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
     "capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "tables": {"files"}},
 }
 # Rooms of a module, each of which may include those before it.
