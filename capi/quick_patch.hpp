@@ -38,7 +38,7 @@ struct QuickContact {
   contact::Creepage creepage;
   /// Derivatives of xi, eta and phi by rotation, lateral and yaw velocity (track::Motion), if a
   /// response follows.
-  Eigen::Matrix3d by_motion;
+  Eigen::Matrix3d by_motion = Eigen::Matrix3d::Zero();
 };
 
 /// Extents of a grid, mm.
