@@ -30,7 +30,7 @@ enum class QuickOutcome {
 /// Derivatives of the resultants of a patch.
 struct PatchResponse {
   SumsByCreepage by_creepage = SumsByCreepage::Zero();  ///< at the same pressure
-  PatchSums by_sinking;                                 ///< per mm, at the same place and creepages
+  PatchSums by_sinking = PatchSums::Zero();             ///< per mm, at the same place and creepages
 };
 
 class QuickWheel {
