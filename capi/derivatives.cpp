@@ -49,19 +49,19 @@ std::array<Variable, ROLLFEM_STATE_VARIABLES> variables_of(const rollfem_state& 
 
 rollfem_result WheelRailPair::linearise(const rollfem_state& state, WheelDerivatives& found) const {
   check(state, input_.wheel.rolling_radius);
-  const Borrowed workspace(*this);
-  workspace->linearises = true;
-  const rollfem_result at = solve(*workspace, state);
-  workspace->linearises = false;
+  const Lent lent = workspace();
+  lent->linearises = true;
+  const rollfem_result at = solve(*lent, state);
+  lent->linearises = false;
   found = {};
   if (at.patch_count == 0) return at;
-  const bool responds = workspace->solved != nullptr && respond(*workspace, state, found);
+  const bool responds = lent->solved != nullptr && respond(*lent, state, found);
   // The response takes the friction of every slip relative to the speed as unchanged by the speed.
   const int differences = ROLLFEM_BY_FORWARD_SPEED + (friction_falls() ? 1 : 0);
   const int count = responds ? differences : ROLLFEM_STATE_VARIABLES;
   for (int k = 0; k < count; ++k)
     if (k != ROLLFEM_BY_ROLL || !std::isnan(state.roll))
-      found.by.col(k) = difference(*workspace, state, at, k);
+      found.by.col(k) = difference(*lent, state, at, k);
   if (responds) return at;
   if (state.given != ROLLFEM_VERTICAL_FORCE) {
     found.stiffness = -found.by(2, ROLLFEM_BY_LOAD);
@@ -70,7 +70,7 @@ rollfem_result WheelRailPair::linearise(const rollfem_state& state, WheelDerivat
   rollfem_state sunk = state;
   sunk.given = ROLLFEM_PENETRATION;
   sunk.penetration = at.penetration;
-  found.stiffness = -difference(*workspace, sunk, at, ROLLFEM_BY_LOAD)[2];
+  found.stiffness = -difference(*lent, sunk, at, ROLLFEM_BY_LOAD)[2];
   return at;
 }
 

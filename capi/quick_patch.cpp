@@ -17,6 +17,14 @@ using contact::PatchSize;
 
 namespace {
 
+/// A field as a matrix: column j is the row of elements at y_j.
+Eigen::Map<const Eigen::ArrayXXd> rows(const ContactGrid& grid, const double* values) {
+  return {values, grid.nx, grid.ny};
+}
+Eigen::Map<Eigen::ArrayXXd> rows(const ContactGrid& grid, Field& field) {
+  return {field.data(), grid.nx, grid.ny};
+}
+
 /// Relative to the creepage load: a hundredth of the error of so few elements.
 constexpr double traction_tolerance = 1e-5;
 /// Tolerance of Newton's linear systems; a looser one costs more steps than it saves.
@@ -35,7 +43,7 @@ QuickPatch::QuickPatch(const halfspace::InfluenceTables& tables,
       rolling_(tables.nx(), tables.ny(),
                (tables.nx() - 2 * margin + 3) * (tables.ny() - 2 * margin + 3)) {
   for (auto* list : {&place_, &climb_, &cosine_, &carried_, &of_lateral_})
-    list->resize(static_cast<std::size_t>(tables.ny()));
+    list->resize(tables.ny());
   for (Field* field : {&pressure_, &traction_.x, &traction_.y, &change_.x, &change_.y})
     field->setZero(tables.nx() * tables.ny());
   loads_.reserve(loads_across * loads_across);
@@ -46,6 +54,10 @@ void QuickPatch::begin(const QuickContact& contact) {
   direction_ = track::upwards(contact.contact->place);
   const bool follows = contact.geometry.surface.follows > 0.0;
   geometry_.emplace(contact.geometry, follows ? contact::Chart::arc : contact::Chart::plane);
+  const track::WheelRailContact& of = *contact.contact;
+  box = {2.0 * std::sqrt(2.0 * of.place.rolling_radius * of.approach),
+         {grid_place(of.reach[0]), grid_place(of.reach[1])},
+         0.0};
 }
 
 double QuickPatch::first_sinking() const {
@@ -61,14 +73,7 @@ double QuickPatch::grid_place(double y) const {
   return at;
 }
 
-GridBox QuickPatch::overlap() const {
-  const track::WheelRailContact& of = contact();
-  return {2.0 * std::sqrt(2.0 * of.place.rolling_radius * of.approach),
-          {grid_place(of.reach[0]), grid_place(of.reach[1])},
-          0.0};
-}
-
-GridBox QuickPatch::overlap_at(double sinking) const {
+void QuickPatch::reach_to(double sinking) {
   const contact::PatchGeometry& profiles = *given_->geometry.surface.profiles;
   const double approach = (sinking - first_sinking()) * direction_[1];
   constexpr double step = 0.1, farthest = 15.0;  // mm
@@ -78,11 +83,11 @@ GridBox QuickPatch::overlap_at(double sinking) const {
     while (std::abs(y) < farthest && profiles.known(y) && profiles.distance(0.0, y) < approach);
     return grid_place(y);
   };
-  return {
+  box = {
       2.0 * std::sqrt(2.0 * contact().place.rolling_radius * approach), {end(-1.0), end(1.0)}, 0.0};
 }
 
-bool QuickPatch::lay_over(const GridBox& box) {
+bool QuickPatch::lay_over_box() {
   const double width = box.y[1] - box.y[0], nx = tables_.nx(), ny = tables_.ny();
   if (!(box.length > 0.0 && width > 0.0)) return false;
   return place_grid(box.length / nx, width / ny, box.middle_along_x, 0.5 * (box.y[0] + box.y[1]));
@@ -107,15 +112,14 @@ bool QuickPatch::place_grid(double dx, double dy, double x_middle, double y_midd
   geometry_->undeformed_distance(grid_, distance_);
   const auto [across, upwards] = direction_;
   for (int j = 0; j < grid_.ny; ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    place_[k] = geometry_->lateral_place(grid_.y(j));
-    climb_[k] = geometry_->climb(grid_.y(j));
-    cosine_[k] = 1.0 / contact::stretch_of(climb_[k]);
-    carried_[k] = contact::carried_part(direction_, climb_[k]) * cosine_[k];
-    of_lateral_[k] = (across + upwards * climb_[k]) * cosine_[k];
-    auto row = distance_.segment(grid_.index(0, j), grid_.nx);
-    row = row.array() / carried_[k] + first_sinking();
+    place_[j] = geometry_->lateral_place(grid_.y(j));
+    climb_[j] = geometry_->climb(grid_.y(j));
+    cosine_[j] = 1.0 / contact::stretch_of(climb_[j]);
+    carried_[j] = contact::carried_part(direction_, climb_[j]) * cosine_[j];
+    of_lateral_[j] = (across + upwards * climb_[j]) * cosine_[j];
   }
+  rows(grid_, distance_).rowwise() /= carried_.transpose();
+  distance_.array() += first_sinking();
   own_distance_ = distance_;
   return true;
 }
@@ -125,12 +129,8 @@ halfspace::NormalBlock QuickPatch::block() const {
 }
 
 void QuickPatch::set_forces(const double* forces) {
-  const double area = grid_.element_area();
-  for (int j = 0; j < grid_.ny; ++j)
-    for (int i = 0; i < grid_.nx; ++i) {
-      const int k = grid_.index(i, j);
-      pressure_[k] = forces[k] / (area * carried_[static_cast<std::size_t>(j)]);
-    }
+  rows(grid_, pressure_) =
+      rows(grid_, forces).rowwise() / (grid_.element_area() * carried_).transpose();
 }
 
 /// True if no unloaded row lies between loaded ones.
@@ -138,7 +138,7 @@ bool QuickPatch::is_one_region() const {
   int changes = 0;
   bool inside = false;
   for (int j = 0; j < grid_.ny; ++j) {
-    const bool loaded = pressure_.segment(grid_.index(0, j), grid_.nx).maxCoeff() > 0.0;
+    const bool loaded = rows(grid_, pressure_.data()).col(j).maxCoeff() > 0.0;
     if (loaded != inside) ++changes;
     inside = loaded;
   }
@@ -229,40 +229,27 @@ void QuickPatch::add_neighbour(const QuickPatch& neighbour,
   for (contact::NeighbourLoad& load : loads_) load.normal = 0.0;
   moved_.setZero(grid_.size());
   halfspace::add_displacement(loads_, material, grid_, moved_);
-  for (int j = 0; j < grid_.ny; ++j)
-    distance_.segment(grid_.index(0, j), grid_.nx) +=
-        moved_.segment(grid_.index(0, j), grid_.nx) / carried_[static_cast<std::size_t>(j)];
+  rows(grid_, distance_) += rows(grid_, moved_).rowwise() / carried_.transpose();
 }
 
 double QuickPatch::load_of_friction() const {
-  double sum = 0.0;
-  for (int j = 0; j < grid_.ny; ++j)
-    sum += of_lateral_[static_cast<std::size_t>(j)] *
-           traction_.y.segment(grid_.index(0, j), grid_.nx).sum();
-  return sum * grid_.element_area();
+  const auto lateral = rows(grid_, traction_.y.data());
+  return grid_.element_area() * (lateral.rowwise() * of_lateral_.transpose()).sum();
 }
 
 void QuickPatch::scale(double factor) {
   for (Field* field : {&pressure_, &traction_.x, &traction_.y}) *field *= factor;
 }
 
-bool QuickPatch::reaches_only(const std::function<bool(double)>& good, double elements) const {
-  for (int j = 0; j < grid_.ny; ++j) {
-    if (!(pressure_.segment(grid_.index(0, j), grid_.nx).maxCoeff() > 0.0)) continue;
+bool QuickPatch::reaches_only(bool (contact::PatchGeometry::*good)(double) const,
+                              double elements) const {
+  const contact::PatchGeometry& profiles = *given_->geometry.surface.profiles;
+  const auto loaded = rows(grid_, pressure_.data());
+  for (int j = 0; j < grid_.ny; ++j)
     for (const double side : {-elements, elements})
-      if (!good(place_[static_cast<std::size_t>(j)] + side * grid_.dy)) return false;
-  }
+      if (loaded.col(j).maxCoeff() > 0.0 && !(profiles.*good)(place_[j] + side * grid_.dy))
+        return false;
   return true;
-}
-
-bool QuickPatch::is_within_profiles(double elements) const {
-  const contact::PatchGeometry& profiles = *given_->geometry.surface.profiles;
-  return reaches_only([&](double y) { return profiles.known(y); }, elements);
-}
-
-bool QuickPatch::is_within_limits(double elements) const {
-  const contact::PatchGeometry& profiles = *given_->geometry.surface.profiles;
-  return reaches_only([&](double y) { return profiles.within_limits(y); }, elements);
 }
 
 void QuickPatch::finish(const contact::Friction& friction, const double* gap,
@@ -273,17 +260,28 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
   fields.traction.y = traction_.y;
   for (Field* field : {&fields.gap, &fields.displacement.n, &fields.traction_bound})
     field->setZero(pressure_.size());
-  for (int j = 0; j < grid_.ny; ++j)
-    for (int i = 0; i < grid_.nx; ++i) {
-      const int k = grid_.index(i, j);
-      fields.gap[k] = gap[k] * carried_[static_cast<std::size_t>(j)];
-      fields.displacement.n[k] = displacement[k] * carried_[static_cast<std::size_t>(j)];
-    }
+  rows(grid_, fields.gap) = rows(grid_, gap).rowwise() * carried_.transpose();
+  rows(grid_, fields.displacement.n) = rows(grid_, displacement).rowwise() * carried_.transpose();
   if (friction)
     for (const Eigen::Index k : rolling_.grid_indices())
       fields.traction_bound[k] = friction->coefficient() * pressure_[k];
+  const PatchSums sums = this->sums();
+  point_.creepage = given_->creepage;
+  point_.longitudinal_force = sums[PatchSum::longitudinal];
+  point_.lateral_force = sums[PatchSum::lateral];
+  point_.lateral_pressure = sums[PatchSum::lateral_pressure];
+  point_.normal_force = sums[PatchSum::normal];
+  point_.spin_moment = sums[PatchSum::spin_moment];
+  point_.creepage_work =  // per mm rolled, N
+      -grid_.element_area() * (traction_.x.dot(own_slip_.x) + traction_.y.dot(own_slip_.y));
   point_.approach = sinking - first_sinking();
-  fill_sums();
+  const PeakPressure::Peak peak = peak_.of(*geometry_, grid_, pressure_);
+  point_.max_pressure = peak.pressure;
+  max_pressure_bar_ = peak.bar;
+  const PatchSize patch = measure();
+  point_.contact_length = patch.length;
+  point_.contact_width = patch.width;
+  point_.contact_area = patch.area;
   const std::vector<char>& adheres = newton_.adheres();
   point_.adhesion_area =
       !friction ? 0.0
@@ -296,44 +294,19 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
 /// Resultants of pressure and tractions; without a pressure, of the tractions alone.
 PatchSums QuickPatch::sum(const Field* pressure, const contact::TangentialField& traction) const {
   PatchSums sums = PatchSums::Zero();
-  for (int j = 0; j < grid_.ny; ++j) {
-    const auto row = static_cast<std::size_t>(j);
+  for (int j = 0; j < grid_.ny; ++j)
     for (int i = 0; i < grid_.nx; ++i) {
       const int k = grid_.index(i, j);
       const double pressed = pressure == nullptr ? 0.0 : (*pressure)[k];
-      const double of_pressure = -climb_[row] * pressed * cosine_[row];
-      const double across = traction.y[k] * cosine_[row] + of_pressure;
+      const double of_pressure = -climb_[j] * pressed * cosine_[j];
+      const double across = traction.y[k] * cosine_[j] + of_pressure;
       sums[PatchSum::lateral_pressure] += of_pressure;
       sums[PatchSum::longitudinal] += traction.x[k];
       sums[PatchSum::lateral] += across;
-      sums[PatchSum::normal] += (pressed + climb_[row] * traction.y[k]) * cosine_[row];
-      sums[PatchSum::spin_moment] += grid_.x(i) * across - place_[row] * traction.x[k];
+      sums[PatchSum::normal] += (pressed + climb_[j] * traction.y[k]) * cosine_[j];
+      sums[PatchSum::spin_moment] += grid_.x(i) * across - place_[j] * traction.x[k];
     }
-  }
   return grid_.element_area() * sums;
-}
-
-/// Work of the creep forces per mm rolled, N.
-double QuickPatch::creepage_work() const {
-  return -grid_.element_area() * (traction_.x.dot(own_slip_.x) + traction_.y.dot(own_slip_.y));
-}
-
-void QuickPatch::fill_sums() {
-  const PatchSums sums = this->sums();
-  point_.creepage = given_->creepage;
-  point_.longitudinal_force = sums[PatchSum::longitudinal];
-  point_.lateral_force = sums[PatchSum::lateral];
-  point_.lateral_pressure = sums[PatchSum::lateral_pressure];
-  point_.normal_force = sums[PatchSum::normal];
-  point_.spin_moment = sums[PatchSum::spin_moment];
-  point_.creepage_work = creepage_work();
-  const PeakPressure::Peak peak = peak_.of(*geometry_, grid_, pressure_);
-  point_.max_pressure = peak.pressure;
-  max_pressure_bar_ = peak.bar;
-  const PatchSize patch = measure();
-  point_.contact_length = patch.length;
-  point_.contact_width = patch.width;
-  point_.contact_area = patch.area;
 }
 
 }  // namespace rollfem::capi

@@ -15,7 +15,6 @@
 #include "track/search/contact_search.hpp"
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -39,7 +38,7 @@ struct QuickContact {
   contact::Creepage creepage;
   /// Derivatives of xi, eta and phi by rotation, lateral and yaw velocity (track::Motion), if a
   /// response follows.
-  Eigen::Matrix3d by_motion;
+  Eigen::Matrix3d by_motion = Eigen::Matrix3d::Zero();
 };
 
 /// Extents of a grid, mm.
@@ -47,6 +46,12 @@ struct GridBox {
   double length = 0.0;        ///< along x
   std::array<double, 2> y{};  ///< lower and upper end
   double middle_along_x = 0.0;
+
+  void grow(double factor) {
+    const double more = 0.5 * (factor - 1.0) * (y[1] - y[0]);
+    length *= factor;
+    y = {y[0] - more, y[1] + more};
+  }
 };
 
 class QuickPatch {
@@ -58,7 +63,8 @@ class QuickPatch {
   /// Uses grids as large as the tables.
   QuickPatch(const halfspace::InfluenceTables& tables, const contact::CombinedMaterial& material);
 
-  /// Starts with a contact, which must outlive the solution.
+  /// Starts with a contact, which must outlive the solution, and the box of its overlap according
+  /// to the search.
   void begin(const QuickContact& contact);
   const QuickContact& given() const { return *given_; }
   const track::WheelRailContact& contact() const { return *given_->contact; }
@@ -66,12 +72,12 @@ class QuickPatch {
   const std::array<double, 2>& direction() const { return direction_; }
   /// Sinking of the wheel at which the bodies touch, mm along the load.
   double first_sinking() const;
-  /// Box of the overlap of the bodies according to the search, or at a given sinking.
-  GridBox overlap() const;
-  GridBox overlap_at(double sinking) const;
+  /// Takes the box of the overlap of the bodies at this sinking.
+  void reach_to(double sinking);
 
-  /// Covers a box with all elements; false if the box is too narrow for the tables.
-  bool lay_over(const GridBox& box);
+  GridBox box;  ///< of the grid on which the patch is searched
+  /// Covers the box with all elements; false if it is too narrow for the tables.
+  bool lay_over_box();
   /// Covers the last measured patch with the elements inside the margin.
   bool lay_on_patch();
   const contact::ContactGrid& grid() const { return grid_; }
@@ -101,10 +107,9 @@ class QuickPatch {
   double load_of_friction() const;
   void scale(double factor);
 
-  /// True if, within this many elements beside the loaded ones, both profiles are known and no
-  /// other contact begins.
-  bool is_within_profiles(double elements) const;
-  bool is_within_limits(double elements) const;
+  /// True if `good` holds within this many elements beside the loaded ones: both profiles are known
+  /// (PatchGeometry::known), or no other contact begins (within_limits).
+  bool reaches_only(bool (contact::PatchGeometry::*good)(double) const, double elements) const;
 
   /// Computes the sums and the data for check_point. `gap` and `displacement`: along the load, mm.
   void finish(const contact::Friction& friction, const double* gap, const double* displacement,
@@ -119,14 +124,11 @@ class QuickPatch {
   double max_pressure_bar() const { return max_pressure_bar_; }  ///< MPa
 
  private:
-  bool reaches_only(const std::function<bool(double)>& good, double elements) const;
   double grid_place(double y) const;
   bool place_grid(double dx, double dy, double x_middle, double y_middle);
   PatchSums sum(const contact::Field* pressure, const contact::TangentialField& traction) const;
   void spread(const Eigen::Ref<const Eigen::VectorXd>& of_elements,
               contact::TangentialField& field) const;
-  double creepage_work() const;
-  void fill_sums();
 
   const halfspace::InfluenceTables& tables_;
   const QuickContact* given_ = nullptr;
@@ -137,7 +139,7 @@ class QuickPatch {
   contact::ContactGrid grid_;
   /// Per row of the grid: y in the patch frame, inclination of the surface and its cosine, and the
   /// components along the load of unit pressure and unit lateral traction.
-  std::vector<double> place_, climb_, cosine_, carried_, of_lateral_;
+  Eigen::ArrayXd place_, climb_, cosine_, carried_, of_lateral_;
   contact::PatchSize size_;
   contact::Field own_distance_, moved_, distance_, pressure_, weights_;
   contact::TangentialField own_slip_, traction_, change_;

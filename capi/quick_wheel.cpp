@@ -66,28 +66,25 @@ QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contact
     (contacts[k].contact->reserve ? reserve_ : loaded_).push_back(all_[k].get());
   }
   if (loaded_.empty()) return QuickOutcome::unfit;
-  boxes_.clear();
-  for (const QuickPatch* patch : loaded_) boxes_.push_back(patch->overlap());
   double pressed = load.force;
   constexpr int most_grids = 4;
   for (int grids = 0; grids < most_grids; ++grids) {
     const double found_for = pressed;
     if (!find_patches(pressed)) return QuickOutcome::unfit;
-    if (!every([](const QuickPatch& patch) { return patch.is_within_limits(0.0); }))
-      return QuickOutcome::conformal;
+    if (!reach_only(&contact::PatchGeometry::within_limits, 0.0)) return QuickOutcome::conformal;
     if (!lay_on_patches()) return QuickOutcome::unfit;
     set_problem();
     try {
       given_sinking_ ? settle(load) : share_load(load, pressed);
     } catch (const LeavesGrids&) {
       constexpr double somewhat = 1.1;
-      grow_boxes(given_sinking_ ? somewhat : std::cbrt(pressed / found_for));
+      // Contacts grow with the cube root of their load.
+      const double factor = given_sinking_ ? somewhat : std::cbrt(pressed / found_for);
+      for (QuickPatch* patch : loaded_) patch->box.grow(factor);
       continue;
     }
-    if (!every([](const QuickPatch& patch) { return patch.is_within_profiles(1.0); }))
-      return QuickOutcome::unfit;
-    if (!every([](const QuickPatch& patch) { return patch.is_within_limits(1.0); }))
-      return QuickOutcome::conformal;
+    if (!reach_only(&contact::PatchGeometry::known, 1.0)) return QuickOutcome::unfit;
+    if (!reach_only(&contact::PatchGeometry::within_limits, 1.0)) return QuickOutcome::conformal;
     check(load);
     return QuickOutcome::solved;
   }
@@ -97,11 +94,13 @@ QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contact
 /// Finds the frictionless patches, each on a few elements over the overlap of the bodies.
 bool QuickWheel::find_patches(double force) {
   for (int round = 0; round < most_rounds; ++round) {
-    for (std::size_t k = 0; k < loaded_.size(); ++k)
-      if (!loaded_[k]->lay_over(boxes_[k])) return false;
+    for (QuickPatch* patch : loaded_)
+      if (!patch->lay_over_box()) return false;
     set_problem();
     solve_normal(force, search_tolerance, true);
-    drop_unloaded();
+    loaded_.erase(std::remove_if(loaded_.begin(), loaded_.end(),
+                                 [](const QuickPatch* patch) { return !patch->has_pressure(); }),
+                  loaded_.end());
     if (loaded_.empty()) return false;
     const bool fits = !adjust_boxes();
     if (!take_reached() && fits) return true;
@@ -116,96 +115,64 @@ bool QuickWheel::lay_on_patches() {
   });
 }
 
-template <class Good>
-bool QuickWheel::every(Good&& good) const {
+bool QuickWheel::reach_only(bool (contact::PatchGeometry::*good)(double) const,
+                            double elements) const {
   return std::all_of(loaded_.begin(), loaded_.end(),
-                     [&](const QuickPatch* patch) { return good(*patch); });
+                     [&](const QuickPatch* patch) { return patch->reaches_only(good, elements); });
 }
 
-bool QuickWheel::stays_on_grids() const {
-  return every(
-      [](const QuickPatch& patch) { return patch.has_pressure() && !patch.touches_border(); });
-}
-
-/// Scales the boxes; contacts grow with the cube root of their load.
-void QuickWheel::grow_boxes(double factor) {
-  for (GridBox& box : boxes_) {
-    const double more = 0.5 * (factor - 1.0) * (box.y[1] - box.y[0]);
-    box.length *= factor;
-    box.y = {box.y[0] - more, box.y[1] + more};
-  }
-}
-
-/// Gives new grids to patches that do not fit theirs; false if all fit.
+/// Gives new boxes to patches that do not fit their grids; false if all fit.
 bool QuickWheel::adjust_boxes() {
-  constexpr double larger = 0.15;
+  constexpr double larger = 1.3;
   constexpr int fewest_elements = 6;
   bool any = false;
-  for (std::size_t k = 0; k < loaded_.size(); ++k) {
-    GridBox& box = boxes_[k];
-    const double width = box.y[1] - box.y[0];
-    const PatchSize size = loaded_[k]->measure();
-    if (loaded_[k]->touches_border()) {
-      box.length *= 1.0 + 2.0 * larger;
-      box.y = {box.y[0] - larger * width, box.y[1] + larger * width};
+  for (QuickPatch* patch : loaded_) {
+    const PatchSize size = patch->measure();
+    if (patch->touches_border()) {
+      patch->box.grow(larger);
       any = true;
-    } else if (size.length < fewest_elements * loaded_[k]->grid().dx ||
-               size.width < fewest_elements * loaded_[k]->grid().dy) {
+    } else if (size.length < fewest_elements * patch->grid().dx ||
+               size.width < fewest_elements * patch->grid().dy) {
       constexpr double room = 0.3;
-      box = {(1.0 + 2.0 * room) * size.length,
-             {size.y_lower - room * size.width, size.y_upper + room * size.width},
-             0.5 * (size.x_lower + size.x_upper)};
+      patch->box = {(1.0 + 2.0 * room) * size.length,
+                    {size.y_lower - room * size.width, size.y_upper + room * size.width},
+                    0.5 * (size.x_lower + size.x_upper)};
       any = true;
     }
   }
   return any;
 }
 
-/// Adds contacts that the sinking wheel has reached; false if there are none.
-bool QuickWheel::take_reached() {
-  const double sinking = joint_->solver.approach();
-  bool any = false;
-  for (QuickPatch*& patch : reserve_) {
-    if (!(sinking > patch->first_sinking())) continue;
-    loaded_.push_back(patch);
-    boxes_.push_back(patch->overlap_at(sinking));
-    patch = nullptr;
-    any = true;
-  }
-  reserve_.erase(std::remove(reserve_.begin(), reserve_.end(), nullptr), reserve_.end());
-  return any;
+bool QuickWheel::stays_on_grids() const {
+  return std::all_of(loaded_.begin(), loaded_.end(), [](const QuickPatch* patch) {
+    return patch->has_pressure() && !patch->touches_border();
+  });
 }
 
-void QuickWheel::drop_unloaded() {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < loaded_.size(); ++k) {
-    if (!loaded_[k]->has_pressure()) continue;
-    loaded_[kept] = loaded_[k];
-    boxes_[kept++] = boxes_[k];
-  }
-  loaded_.resize(kept);
-  boxes_.resize(kept);
+/// Adds contacts that the sinking wheel has reached; false if there are none.
+bool QuickWheel::take_reached() {
+  const auto reached = std::stable_partition(
+      reserve_.begin(), reserve_.end(),
+      [&](const QuickPatch* patch) { return !(sinking() > patch->first_sinking()); });
+  if (reached == reserve_.end()) return false;
+  std::for_each(reached, reserve_.end(), [&](QuickPatch* patch) { patch->reach_to(sinking()); });
+  loaded_.insert(loaded_.end(), reached, reserve_.end());
+  reserve_.erase(reached, reserve_.end());
+  return true;
 }
 
 void QuickWheel::set_problem() {
   joint_ = &joints_[loaded_.size() - 1];
   blocks_.clear();
-  Eigen::Index size = 0;
-  for (const QuickPatch* patch : loaded_) {
-    blocks_.push_back(patch->block());
-    size += patch->distance().size();
-  }
+  for (const QuickPatch* patch : loaded_) blocks_.push_back(patch->block());
   normal_.set(blocks_);
-  joint_->distance.resize(size);
+  joint_->distance.resize(place_of(loaded_.size()));
   set_distances();
 }
 
 void QuickWheel::set_distances() {
-  Eigen::Index first = 0;
-  for (const QuickPatch* patch : loaded_) {
-    joint_->distance.segment(first, patch->distance().size()) = patch->distance();
-    first += patch->distance().size();
-  }
+  for (std::size_t k = 0; k < loaded_.size(); ++k)
+    joint_->distance.segment(place_of(k), place_of(1)) = loaded_[k]->distance();
 }
 
 /// Solves for the pressures that together carry `force`, or for those at a given sinking, starting
@@ -220,11 +187,8 @@ void QuickWheel::solve_normal(double force, double tolerance, bool anew) {
     solver.solve_approach(normal_, joint_->distance, *given_sinking_, options, start);
   else
     solver.solve_sum(normal_, joint_->distance, force, options, start);
-  Eigen::Index first = 0;
-  for (QuickPatch* patch : loaded_) {
-    patch->set_forces(solver.pressure().data() + first);
-    first += patch->distance().size();
-  }
+  for (std::size_t k = 0; k < loaded_.size(); ++k)
+    loaded_[k]->set_forces(solver.pressure().data() + place_of(k));
 }
 
 /// Displacement and slip of every patch by the present tractions of the others.
@@ -318,11 +282,10 @@ bool QuickWheel::respond(const QuickLoad& load, std::vector<PatchResponse>& resp
 
 void QuickWheel::check(const QuickLoad& load) {
   const contact::BoundConstrainedCg& solver = joint_->solver;
-  Eigen::Index first = 0;
-  for (QuickPatch* patch : loaded_) {
-    patch->finish(load.friction, solver.gap().data() + first, solver.displacement().data() + first,
-                  solver.approach());
-    first += patch->distance().size();
+  for (std::size_t k = 0; k < loaded_.size(); ++k) {
+    QuickPatch* patch = loaded_[k];
+    patch->finish(load.friction, solver.gap().data() + place_of(k),
+                  solver.displacement().data() + place_of(k), solver.approach());
     contact::NormalLoad own;
     if (loaded_.size() == 1 && !given_sinking_) {
       own.force = load.force;

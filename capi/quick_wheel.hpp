@@ -30,7 +30,7 @@ enum class QuickOutcome {
 /// Derivatives of the resultants of a patch.
 struct PatchResponse {
   SumsByCreepage by_creepage = SumsByCreepage::Zero();  ///< at the same pressure
-  PatchSums by_sinking;                                 ///< per mm, at the same place and creepages
+  PatchSums by_sinking = PatchSums::Zero();             ///< per mm, at the same place and creepages
 };
 
 class QuickWheel {
@@ -68,7 +68,10 @@ class QuickWheel {
   bool find_patches(double force);
   bool adjust_boxes();
   bool take_reached();
-  void drop_unloaded();
+  /// Of the k-th patch in the fields of the joint problem: all grids are of one size.
+  Eigen::Index place_of(std::size_t k) const {
+    return static_cast<Eigen::Index>(k) * loaded_.front()->grid().size();
+  }
   void set_problem();
   void set_distances();
   void solve_normal(double force, double tolerance, bool anew);
@@ -77,9 +80,7 @@ class QuickWheel {
   void solve_in_turn(const QuickLoad& load, double share, int turn);
   void share_load(const QuickLoad& load, double& share);
   void settle(const QuickLoad& load);
-  void grow_boxes(double factor);
-  template <class Good>
-  bool every(Good&& good) const;
+  bool reach_only(bool (contact::PatchGeometry::*good)(double) const, double elements) const;
   bool stays_on_grids() const;
   void feel_neighbours(const QuickLoad& load);
   bool solve_friction(const QuickLoad& load, int turn);
@@ -89,7 +90,6 @@ class QuickWheel {
   contact::CombinedMaterial material_;
   std::vector<std::unique_ptr<QuickPatch>> all_;
   std::vector<QuickPatch*> loaded_, reserve_;
-  std::vector<GridBox> boxes_;  ///< of the loaded patches
   std::optional<double> given_sinking_;
   std::vector<PatchSums> below_, above_;
   std::vector<halfspace::NormalBlock> blocks_;

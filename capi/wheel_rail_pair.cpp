@@ -36,31 +36,20 @@ Eigen::Matrix<double, 6, PatchSum::count> wrenches_of(const track::WheelRailCont
 }
 
 void check(const rollfem_state& state, double rolling_radius) {
-  const auto within = [](const char* name, double value, double limit) {
-    if (std::abs(value) <= limit) return;  // false for NaN
+  const auto within = [](const char* name, double value, double limit, bool above_zero = false) {
+    if (std::abs(value) <= limit && (value > 0.0 || !above_zero)) return;  // false for NaN
     throw contact::InputError(
-        fmt::format("{} = {:g}: is out of bounds; allowed: magnitudes up to {:g}; do: correct it",
-                    name, value, limit));
-  };
-  const auto positive = [](const char* name, double value, double limit) {
-    if (value > 0.0 && value <= limit) return;
-    throw contact::InputError(
-        fmt::format("{} = {:g}: is out of bounds; allowed: above 0, up to {:g}; do: correct it",
-                    name, value, limit));
+        fmt::format("{} = {:g}: is out of bounds; allowed: {} {:g}; do: correct it", name, value,
+                    above_zero ? "above 0, up to" : "magnitudes up to", limit));
   };
   const double speed = state.forward_speed;
-  positive("forward_speed in mm/s", speed, 1e9);
-  switch (state.given) {
-    case ROLLFEM_VERTICAL_FORCE:
-      positive("vertical_force in N", state.vertical_force, 1e12);
-      break;
-    case ROLLFEM_HEIGHT:
-      within("height in mm", state.height, 1e3);
-      break;
-    case ROLLFEM_PENETRATION:
-      within("penetration in mm", state.penetration, 1e3);
-      break;
-  }
+  within("forward_speed in mm/s", speed, 1e9, true);
+  if (state.given == ROLLFEM_VERTICAL_FORCE)
+    within("vertical_force in N", state.vertical_force, 1e12, true);
+  else if (state.given == ROLLFEM_HEIGHT)
+    within("height in mm", state.height, 1e3);
+  else
+    within("penetration in mm", state.penetration, 1e3);
   within("lateral_shift in mm", state.lateral_shift, 1e3);
   within("yaw in rad", state.yaw, 0.2);
   if (!std::isnan(state.roll)) within("roll in rad", state.roll, 0.2);
@@ -70,6 +59,9 @@ void check(const rollfem_state& state, double rolling_radius) {
          state.rotation_speed * rolling_radius / speed - 1.0, 1.0);
 }
 
+namespace {
+
+/// Writes a state into a case. A given height or penetration goes to the search (SearchOptions).
 void set(const rollfem_state& state, Case& input) {
   contact::Wheelset& wheelset = input.wheelset;
   wheelset.lateral_shift.assign(1, state.lateral_shift);
@@ -87,8 +79,6 @@ void set(const rollfem_state& state, Case& input) {
   else
     input.load.approach = 1.0;  // a placeholder: the search overrides it
 }
-
-namespace {
 
 /// Adds a patch to its wheel, where the most loaded ones are listed first.
 void add_patch(const contact::PointResult& point, double max_pressure_bar,
@@ -218,26 +208,25 @@ constexpr contact::SurfaceForm surfaces[] = {contact::SurfaceForm::automatic,
 
 }  // namespace
 
-WheelRailPair::Borrowed::Borrowed(const WheelRailPair& pair) : pair_(pair) {
+WheelRailPair::Lent WheelRailPair::workspace() const {
+  Lent lent(nullptr, [this](Workspace* used) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.emplace_back(used);
+  });
   {
-    const std::lock_guard<std::mutex> lock(pair_.mutex_);
-    if (!pair_.idle_.empty()) {
-      workspace_ = std::move(pair_.idle_.back());
-      pair_.idle_.pop_back();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!idle_.empty()) {
+      lent.reset(idle_.back().release());
+      idle_.pop_back();
+      return lent;
     }
   }
-  if (workspace_) return;
-  workspace_ = std::make_unique<Workspace>();
-  workspace_->input = pair_.input_;
-  for (const auto& tables : pair_.tables_)
-    workspace_->wheels.push_back(
-        std::make_unique<QuickWheel>(*tables, tables == pair_.tables_.back(), pair_.material_));
-}
-
-WheelRailPair::Borrowed::~Borrowed() {
-  workspace_->linearises = false;
-  const std::lock_guard<std::mutex> lock(pair_.mutex_);
-  pair_.idle_.push_back(std::move(workspace_));
+  lent.reset(new Workspace);
+  lent->input = input_;
+  for (const auto& tables : tables_)
+    lent->wheels.push_back(
+        std::make_unique<QuickWheel>(*tables, tables == tables_.back(), material_));
+  return lent;
 }
 
 WheelRailPair::WheelRailPair(Case input)
@@ -256,8 +245,9 @@ WheelRailPair::WheelRailPair(Case input)
 
 rollfem_result WheelRailPair::solve(const rollfem_state& state) const {
   check(state, input_.wheel.rolling_radius);
-  const Borrowed workspace(*this);
-  return solve(*workspace, state);
+  const Lent lent = workspace();
+  lent->linearises = false;
+  return solve(*lent, state);
 }
 
 rollfem_result WheelRailPair::solve(Workspace& workspace, const rollfem_state& state) const {

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "rollfem/rollfem.h"
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -59,7 +60,9 @@ class WheelRailPair {
     QuickWheel* solved = nullptr;  ///< the wheel that holds the solution
     std::vector<PatchResponse> responses;
   };
-  class Borrowed;
+  /// The workspace of a call, given back at its end.
+  using Lent = std::unique_ptr<Workspace, std::function<void(Workspace*)>>;
+  Lent workspace() const;
 
   rollfem_result solve(Workspace& workspace, const rollfem_state& state) const;
   QuickOutcome solve_quickly(Workspace& workspace, const rollfem_state& state,
@@ -84,26 +87,7 @@ class WheelRailPair {
   mutable std::vector<std::unique_ptr<Workspace>> idle_;
 };
 
-/// The workspace of a call, given back at its end.
-class WheelRailPair::Borrowed {
- public:
-  explicit Borrowed(const WheelRailPair& pair);
-  ~Borrowed();
-  Borrowed(const Borrowed&) = delete;
-  Borrowed& operator=(const Borrowed&) = delete;
-
-  Workspace& operator*() const { return *workspace_; }
-  Workspace* operator->() const { return workspace_.get(); }
-
- private:
-  const WheelRailPair& pair_;
-  std::unique_ptr<Workspace> workspace_;
-};
-
 /// Checks every number of a state against the bounds of case files. Throws contact::InputError.
 void check(const rollfem_state& state, double rolling_radius);
-
-/// Writes a state into a case. A given height or penetration goes to the search (SearchOptions).
-void set(const rollfem_state& state, contact::Case& input);
 
 }  // namespace rollfem::capi

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Studies, comparisons and stresses as the files that their commands write, and auto's forecast.
-#include "interface/session.hpp"
 #include "models/registry.hpp"
 #include "models/solving/expected_choice.hpp"
 #include "models/stress/stored_stress.hpp"
@@ -17,14 +16,14 @@ using namespace py::literals;
 
 namespace {
 
+const contact::ModelRegistry& known_models() {
+  static const contact::ModelRegistry models = modelling::built_in_models();
+  return models;
+}
+
 /// (contents by file name, text for the terminal, warnings)
 py::tuple tuple_of(const Files& files) {
   return py::make_tuple(files.contents, files.text, files.warnings);
-}
-
-py::tuple study_of(const Case& input, const StudyOptions& options, const py::object& callback) {
-  return tuple_of(without_gil(
-      callback, [&](const Progress& progress) { return study(input, options, progress); }));
 }
 
 using Missings = std::vector<std::tuple<std::string, std::string, bool>>;
@@ -46,7 +45,7 @@ py::tuple stress_of(const modelling::StressRequest& request) {
   return tuple_of(without_gil(py::none(), [&](const Progress&) {
     Files found;
     const postprocess::StressReport report =
-        modelling::stored_stress(request, registry(), found.warnings);
+        modelling::stored_stress(request, known_models(), found.warnings);
     found.contents = {{"stress.csv", postprocess::stress_csv(report)},
                       {"stress.json", postprocess::stress_json(report)}};
     found.text = postprocess::stress_table(report);
@@ -65,7 +64,7 @@ py::dict forecast_dict(const modelling::Forecast& forecast) {
 
 /// Of every contact of the case: (place, accuracy, sentence, forecasts of the models).
 py::list forecast_of(const Case& input) {
-  const modelling::ExpectedChoice choice = modelling::expected_choice(input, registry());
+  const modelling::ExpectedChoice choice = modelling::expected_choice(input, known_models());
   py::list found;
   for (const modelling::ExpectedContact& contact : choice.contacts) {
     py::list models;
@@ -96,7 +95,9 @@ void define_commands(py::module_& module) {
   module.def("study", [](const Case& input, const std::vector<std::string>& models,
                          const std::vector<std::string>& vary, bool together, int levels,
                          const std::vector<std::string>& references, const py::object& callback) {
-    return study_of(input, {models, vary, together, levels, references}, callback);
+    const StudyOptions options{models, vary, together, levels, references};
+    return tuple_of(without_gil(
+        callback, [&](const Progress& progress) { return study(input, options, progress); }));
   });
   module.def("compare", &comparison_of);
   module.def("stress",
@@ -117,7 +118,8 @@ void define_commands(py::module_& module) {
              });
   module.def("forecast", &forecast_of);
   module.def("compared_models", [] {
-    return modelling::built_of(registry(), registry().names(&contact::ModelInfo::in_compare));
+    return modelling::built_of(known_models(),
+                               known_models().names(&contact::ModelInfo::in_compare));
   });
   module.def("write_files", &write_files);
   module.def("draw", &draw);

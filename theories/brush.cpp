@@ -15,12 +15,6 @@ namespace {
 
 using contact::pi;
 
-/// One row of the contact grid.
-struct Row {
-  const contact::ContactGrid& grid;
-  int j;
-};
-
 /// Tractions between the elements of a strip. They vanish at the leading edge, and with a finite
 /// bound at the trailing edge.
 struct StripSample {
@@ -48,11 +42,12 @@ StripSample sample(const StripTractions& strip, const BrushStrip& place, double 
   return {between(strip.traction_x), between(strip.traction_y), nearest};
 }
 
-void fill_row(const Row& row, const BrushStrip& strip, const StripTractions& tractions,
-              contact::ContactFields& fields) {
-  for (int i = 0; i < row.grid.nx; ++i) {
-    const double x = row.grid.x(i);
-    const int k = row.grid.index(i, row.j);
+/// Fields of a row of the contact grid.
+void fill_row(const contact::ContactGrid& grid, int j, const BrushStrip& strip,
+              const StripTractions& tractions, contact::ContactFields& fields) {
+  for (int i = 0; i < grid.nx; ++i) {
+    const double x = grid.x(i);
+    const int k = grid.index(i, j);
     if (std::abs(x - strip.middle) >= strip.half_length) continue;
     const StripSample at = sample(tractions, strip, x);
     fields.traction.x[k] = at.traction_x;
@@ -314,7 +309,7 @@ void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& pro
   for (int j = 0; j < grid.ny; ++j) {
     const BrushStrip strip = strip_at(grid.y(j));
     if (strip.half_length <= 0.0) continue;
-    fill_row({grid, j}, strip, solve_strip(problem, strip, chord_elements(strip, problem.elements)),
+    fill_row(grid, j, strip, solve_strip(problem, strip, chord_elements(strip, problem.elements)),
              point.fields);
   }
 }

@@ -47,17 +47,14 @@ double EllipticPatch::friction_at(const contact::Creepage& creepage) const {
 
 EllipticPatch elliptic_patch(const contact::Scene& scene) {
   contact::ModelResult hertz = run_hertz(scene, {});
+  const bool falls = scene.friction_law && scene.friction_law->feels_slip();
   EllipticPatch patch{halfspace::hertz_of_scene(scene),
                       scene.material,
                       contact::ChartedGeometry(scene.geometry, contact::Chart::plane),
-                      0.0,
-                      {},
-                      {},
-                      {}};
-  patch.friction = scene.friction_coefficient();
-  if (scene.friction_law && scene.friction_law->feels_slip()) patch.falling = scene.friction_law;
-  patch.grid = hertz.grid;
-  patch.normal = std::move(hertz.points.front());
+                      scene.friction_coefficient(),
+                      falls ? scene.friction_law : nullptr,
+                      hertz.grid,
+                      std::move(hertz.points.front())};
   // Theories give no tangential displacement, and the record holds either all components or none.
   patch.normal.fields.displacement = {};
   return patch;

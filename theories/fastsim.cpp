@@ -55,8 +55,9 @@ int convergence_order(const FastsimOptions& options, const contact::Creepage& cr
   return second ? 2 : 1;
 }
 
-}  // namespace
-
+/// k_0 (alpha_inf + (1 - alpha_inf)/(1 + beta eps)), by which the slope of a creep curve is reduced
+/// (Spiryagin, Polach and Cole 2013, Vehicle System Dynamics 51, 1765-1783). eps is Polach's
+/// gradient for the slope reduced by k_0, with the friction of the rigid slip in the middle.
 double slope_factor(const EllipticPatch& patch, const contact::Creepage& creepage,
                     const std::array<double, 3>& reduction) {
   const auto& [start, end, decay] = reduction;
@@ -68,6 +69,8 @@ double slope_factor(const EllipticPatch& patch, const contact::Creepage& creepag
   return start * (end + (1.0 - end) / (1.0 + decay * gradient));
 }
 
+/// Flexibilities of a patch at given creepages: the linear theory's over the case's reduction of
+/// the slope, and a layer in series.
 BrushFlexibilities fastsim_flexibilities(const EllipticPatch& patch,
                                          const contact::Creepage& creepage,
                                          const FastsimOptions& options) {
@@ -83,6 +86,8 @@ BrushFlexibilities fastsim_flexibilities(const EllipticPatch& patch,
              ? three
              : single_flexibility(three, creepage, std::sqrt(a * b));
 }
+
+}  // namespace
 
 StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count) {
   const double step = 2.0 * semi_axis_x / count;

@@ -7,8 +7,6 @@
 #include "theories/brush.hpp"
 #include "theories/elliptic_patch.hpp"
 
-#include <array>
-
 namespace rollfem::theories {
 
 using contact::FastsimElements;
@@ -18,18 +16,6 @@ using FastsimOptions = contact::FastsimOptions;
 /// FastsimElements::grid: elements of a box with `count` over 2 a whose centres lie in the strip,
 /// with the spin taken at CONTACT's position.
 StripElements grid_elements(const BrushStrip& strip, double semi_axis_x, int count);
-
-/// Flexibilities of a patch at given creepages: the linear theory's over the case's reduction of
-/// the slope, and a layer in series.
-BrushFlexibilities fastsim_flexibilities(const EllipticPatch& patch,
-                                         const contact::Creepage& creepage,
-                                         const FastsimOptions& options);
-
-/// k_0 (alpha_inf + (1 - alpha_inf)/(1 + beta eps)), by which the slope of a creep curve is reduced
-/// (Spiryagin, Polach and Cole 2013, Vehicle System Dynamics 51, 1765-1783). eps is Polach's
-/// gradient for the slope reduced by k_0, with the friction of the rigid slip in the middle.
-double slope_factor(const EllipticPatch& patch, const contact::Creepage& creepage,
-                    const std::array<double, 3>& reduction);
 
 /// Forces and areas of one load point of the case; the extra rigid slip of the case is included.
 BrushTotals fastsim(const EllipticPatch& patch, const contact::Creepage& creepage,

@@ -49,7 +49,7 @@ StripPatch find_patch(const StripProfile& profile, int first, double level) {
 
 /// Strips of one patch from Hertz's ellipse. A parabola B y^2 penetrating to the depth g0 has the
 /// volume 4/3 g0 sqrt(g0/B); the ellipse's B gives the same depth and volume.
-void solve_as_hertz(const StripProfile& profile, double contact_modulus, double level,
+void solve_as_hertz(const StripProfile& profile, const StripLaw& law, double level,
                     StripPatch& patch, StripNormalSolution& solution) {
   const double depth = overlap(profile, patch.deepest, level);
   double volume = 0.0;
@@ -58,7 +58,7 @@ void solve_as_hertz(const StripProfile& profile, double contact_modulus, double 
   const double half_width = 0.75 * volume / depth;
   const double A = profile.curvature[patch.deepest];
   const double B = depth / (half_width * half_width);
-  const halfspace::HertzContact shape = halfspace::hertz_from_force(A, B, contact_modulus, 1.0);
+  const halfspace::HertzContact shape = halfspace::hertz_from_force(A, B, law.contact_modulus, 1.0);
   const double aspect = shape.semi_axis_x / shape.semi_axis_y;
   patch.semi_axis_y = half_width;
   patch.semi_axis_x = aspect * half_width;
@@ -122,31 +122,23 @@ void solve_by_penetration(const StripProfile& profile, const StripLaw& law, doub
   }
 }
 
-void solve_patch(const StripProfile& profile, const StripLaw& law, double level, StripPatch& patch,
-                 StripNormalSolution& solution) {
-  if (law.virtual_penetration)
-    solve_by_penetration(profile, law, level, patch, solution);
-  else
-    solve_as_hertz(profile, law.contact_modulus, level, patch, solution);
-}
-
-/// Penetration at which an increasing function of the solution reaches `target`.
-template <class Function>
+/// Solution at the penetration at which `value`, which increases with it, reaches `target`.
 StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw& law,
-                                     double target, const char* quantity, Function&& value) {
+                                     double target, const char* quantity,
+                                     double StripNormalSolution::*value) {
   const double available =
       std::min(profile.distance.front(), profile.distance.back()) - smallest_distance(profile);
   const auto solve = [&](double g) { return strips_at_penetration(profile, law, g); };
-  if (!(available > 0.0) || value(solve(available)) < target)
+  if (!(available > 0.0) || solve(available).*value < target)
     throw contact::SolveError(
         fmt::format("strip model: at a {} of {:g} the patch reaches the end of the profiles; give "
                     "profiles wider than the contact",
                     quantity, target));
   // Bisected to the last digit, because the force jumps where two patches merge.
   const StripNormalSolution solution =
-      solve(contact::bracketed_root([&](double g) { return value(solve(g)) / target - 1.0; }, 0.0,
+      solve(contact::bracketed_root([&](double g) { return solve(g).*value / target - 1.0; }, 0.0,
                                     available, 0.0, "strip model: penetration"));
-  const double error = std::abs(value(solution) / target - 1.0);
+  const double error = std::abs(solution.*value / target - 1.0);
   if (error > 1e-6)
     throw contact::SolveError(
         fmt::format("strip model: no penetration gives a {} of {:g}, because two patches merge "
@@ -168,7 +160,8 @@ StripNormalSolution strips_at_penetration(const StripProfile& profile, const Str
   for (int j = 0; j < profile.size(); ++j) {
     if (!(overlap(profile, j, level) > 0.0)) continue;
     StripPatch patch = find_patch(profile, j, level);
-    solve_patch(profile, law, level, patch, solution);
+    (law.virtual_penetration ? solve_by_penetration : solve_as_hertz)(profile, law, level, patch,
+                                                                      solution);
     if (overlap(profile, patch.deepest, level) > deepest) {
       deepest = overlap(profile, patch.deepest, level);
       solution.approach = patch.approach;
@@ -182,13 +175,12 @@ StripNormalSolution strips_at_penetration(const StripProfile& profile, const Str
 StripNormalSolution strips_for_force(const StripProfile& profile, const StripLaw& law,
                                      double normal_force) {
   return find_penetration(profile, law, normal_force, "normal force",
-                          [](const StripNormalSolution& s) { return s.normal_force; });
+                          &StripNormalSolution::normal_force);
 }
 
 StripNormalSolution strips_for_approach(const StripProfile& profile, const StripLaw& law,
                                         double approach) {
-  return find_penetration(profile, law, approach, "approach",
-                          [](const StripNormalSolution& s) { return s.approach; });
+  return find_penetration(profile, law, approach, "approach", &StripNormalSolution::approach);
 }
 
 StripSection strip_section(const StripProfile& profile, const StripNormalSolution& solution,

@@ -87,10 +87,6 @@ struct StripSection {
 StripSection strip_section(const StripProfile& profile, const StripNormalSolution& solution,
                            double y);
 
-/// Profile of the radii or the patch of a case; with a patch, over the y at which the distance is
-/// below the approach of expected_patch, beyond which there is no contact.
-StripProfile strip_profile(const contact::Scene& scene, int strips);
-
 /// The model "strip": the traction bound of a strip is the parabola with the friction force of its
 /// pressure, 3 pi/8 mu p0(y) in the middle. Extra rigid slip is allowed. error_estimate covers the
 /// resolution only.

@@ -21,9 +21,49 @@ using contact::pi;
 /// Extent of the strips, in semi-axes of Hertz's ellipse.
 constexpr double reach = 1.25;
 
+/// Strips over all y at which the profiles overlap at the half-space's approach.
+StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
+  const halfspace::PatchSearch search(scene);
+  const halfspace::ExpectedPatch& expected = search.patch();
+  const halfspace::Box overlap = search.ridge().overlap(expected.approach).box;
+  const double lower = overlap.y_lower;
+  const double upper = overlap.y_upper;
+  const int count =
+      std::max(4, contact::count_of(std::round(strips * (upper - lower) / expected.width()),
+                                    "strips (strip.strips)"));
+  StripProfile profile;
+  profile.width = (upper - lower) / count;
+  profile.y_first = lower + 0.5 * profile.width;
+  for (int j = 0; j < count; ++j) {
+    const halfspace::RidgePoint point =
+        halfspace::ridge_point(*scene.geometry.surface.profiles, profile.y(j));
+    profile.distance.push_back(point.distance);
+    profile.curvature.push_back(point.curvature);
+    profile.middle.push_back(point.x);
+  }
+  return profile;
+}
+
+/// Profile of the radii or the patch of a case; with a patch, over the y at which the distance is
+/// below the approach of expected_patch, beyond which there is no contact.
+StripProfile strip_profile(const contact::Scene& scene, int strips) {
+  if (scene.has_profiles()) return profile_of_patch(scene, strips);
+  const contact::Curvatures curvatures = halfspace::curvatures_of_scene(scene);
+  const double half_width = reach * halfspace::hertz_of_scene(scene).semi_axis_y;
+  const int count = std::max(4, static_cast<int>(std::lround(reach * strips)));
+  StripProfile profile;
+  profile.width = 2.0 * half_width / count;
+  profile.y_first = -half_width + 0.5 * profile.width;
+  for (int j = 0; j < count; ++j) {
+    const double y = profile.y_first + j * profile.width;
+    profile.distance.push_back(contact::undeformed_distance(curvatures, 0.0, y));
+    profile.curvature.push_back(curvatures.A);
+  }
+  return profile;
+}
+
 struct StripContact {
   const contact::Scene& scene;
-  contact::CombinedMaterial material;
   contact::ChartedGeometry geometry;
   StripProfile profile;
   StripNormalSolution normal;
@@ -32,11 +72,10 @@ struct StripContact {
 StripContact strip_contact(const contact::Scene& scene, int strips,
                            const std::optional<double>& virtual_penetration) {
   StripContact contact{scene,
-                       scene.material,
                        contact::ChartedGeometry(scene.geometry, contact::Chart::plane),
                        strip_profile(scene, strips),
                        {}};
-  const StripLaw law{contact.material.contact_modulus, virtual_penetration};
+  const StripLaw law{scene.material.contact_modulus, virtual_penetration};
   const contact::NormalLoad load = contact::largest_load(scene);
   contact.normal = load.force ? strips_for_force(contact.profile, law, *load.force)
                               : strips_for_approach(contact.profile, law, load.approach.value());
@@ -110,8 +149,9 @@ contact::PointResult normal_part(const StripContact& contact, const contact::Con
 BrushProblem brush_problem(const StripContact& contact, const StripPatch& patch,
                            const contact::Creepage& creepage, int elements) {
   return {contact.geometry, creepage,
-          kalker_flexibilities(patch.semi_axis_x, patch.semi_axis_y, contact.material.shear_modulus,
-                               contact.material.poisson_ratio),
+          kalker_flexibilities(patch.semi_axis_x, patch.semi_axis_y,
+                               contact.scene.material.shear_modulus,
+                               contact.scene.material.poisson_ratio),
           elements};
 }
 
@@ -136,49 +176,6 @@ BrushTotals strip_totals(const StripContact& contact, const contact::Creepage& c
   }
   return totals;
 }
-
-/// Strips over all y at which the profiles overlap at the half-space's approach.
-StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
-  const halfspace::PatchSearch search(scene);
-  const halfspace::ExpectedPatch& expected = search.patch();
-  const halfspace::Box overlap = search.ridge().overlap(expected.approach).box;
-  const double lower = overlap.y_lower;
-  const double upper = overlap.y_upper;
-  const int count =
-      std::max(4, contact::count_of(std::round(strips * (upper - lower) / expected.width()),
-                                    "strips (strip.strips)"));
-  StripProfile profile;
-  profile.width = (upper - lower) / count;
-  profile.y_first = lower + 0.5 * profile.width;
-  for (int j = 0; j < count; ++j) {
-    const halfspace::RidgePoint point =
-        halfspace::ridge_point(*scene.geometry.surface.profiles, profile.y(j));
-    profile.distance.push_back(point.distance);
-    profile.curvature.push_back(point.curvature);
-    profile.middle.push_back(point.x);
-  }
-  return profile;
-}
-
-}  // namespace
-
-StripProfile strip_profile(const contact::Scene& scene, int strips) {
-  if (scene.has_profiles()) return profile_of_patch(scene, strips);
-  const contact::Curvatures curvatures = halfspace::curvatures_of_scene(scene);
-  const double half_width = reach * halfspace::hertz_of_scene(scene).semi_axis_y;
-  const int count = std::max(4, static_cast<int>(std::lround(reach * strips)));
-  StripProfile profile;
-  profile.width = 2.0 * half_width / count;
-  profile.y_first = -half_width + 0.5 * profile.width;
-  for (int j = 0; j < count; ++j) {
-    const double y = profile.y_first + j * profile.width;
-    profile.distance.push_back(contact::undeformed_distance(curvatures, 0.0, y));
-    profile.curvature.push_back(curvatures.A);
-  }
-  return profile;
-}
-
-namespace {
 
 /// From half as many strips. Sizes end at a boundary within a strip, so their bar is the full
 /// change.

@@ -39,7 +39,9 @@ set(fmu_reals
   "right_fy|output||N|of the right rail on its wheel, to the right"
   "left_t_gamma|output||N|wear number of the left wheel"
   "right_t_gamma|output||N|wear number of the right wheel")
+set(fmu_laws constant linear rational exponential)  # in the order of rollfem_law
+string(REPLACE ";" ", " fmu_law_words "${fmu_laws}")
 set(fmu_strings
   "wheel_profile|parameter|S1002||built in or a file"
   "rail_profile|parameter|60E1||built in or a file"
-  "friction_law|parameter|constant||or linear, rational, exponential: how friction falls with the slip velocity")
+  "friction_law|parameter|constant||${fmu_law_words}: how friction falls with the slip velocity")

@@ -172,11 +172,6 @@ EXPORT const char* fmi2GetVersion(void) {
   return "2.0";
 }
 
-EXPORT fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, const fmi2String* categories) {
-  (void)c, (void)on, (void)count, (void)categories;
-  return fmi2OK;
-}
-
 EXPORT fmi2Status fmi2Reset(fmi2Component c) {
   slave* s = c;
   memcpy(s->now.value, start_values, sizeof start_values);
@@ -189,7 +184,6 @@ EXPORT fmi2Status fmi2Reset(fmi2Component c) {
 
 EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                                      const fmi2CallbackFunctions* of_master, fmi2Boolean visible, fmi2Boolean logging) {
-  (void)resources, (void)visible, (void)logging;
   slave* s = calloc(1, sizeof *s);
   if (s == NULL) return NULL;
   if (of_master != NULL) s->of_master = *of_master;
@@ -207,28 +201,18 @@ EXPORT void fmi2FreeInstance(fmi2Component c) {
   free(c);
 }
 
-EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start,
-                                      fmi2Boolean has_stop, fmi2Real stop) {
-  (void)c, (void)has_tolerance, (void)tolerance, (void)start, (void)has_stop, (void)stop;
-  return fmi2OK;
-}
-
-EXPORT fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
-  (void)c;
-  return fmi2OK;
-}
-
 EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
   slave* s = c;
   const double* v = s->now.value;
   for (int k = V_mass; k <= V_spin_inertia; ++k)
     if (!(v[k] > 0.0)) return fail(s, fmi2Error, "mass and inertias; allowed: above 0; do: correct them");
   if (!(v[V_largest_step] > 0.0)) return fail(s, fmi2Error, "largest_step; allowed: above 0; do: correct it");
-  static const char* const laws[] = {"constant", "linear", "rational", "exponential"}; /* as in rollfem_law */
+  static const char* const laws[] = {LAWS};
+  enum { COUNT = sizeof laws / sizeof *laws };
   int law = 0;
-  while (law < 4 && strcmp(s->text[2], laws[law]) != 0) ++law;
-  if (law == 4)
-    return fail(s, fmi2Error, "friction_law; allowed: constant, linear, rational, exponential; do: name one of them");
+  while (law < COUNT && strcmp(s->text[2], laws[law]) != 0) ++law;
+  if (law == COUNT)
+    return fail(s, fmi2Error, "friction_law; allowed: " LAW_WORDS "; do: name one of them");
   drop_wheels(s);
   for (int side = 0; side < 2; ++side) {
     rollfem_definition definition = {.struct_size = sizeof definition};
@@ -265,15 +249,9 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
 
 EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean is_final) {
   slave* s = c;
-  (void)time, (void)is_final;
   if (!is_initialised(s) || !(step > 0.0))
     return fail(s, fmi2Error, "a step must be longer than 0 and follow the initialisation");
   return advance(s, step) ? fmi2OK : fail(s, fmi2Discard, s->message);
-}
-
-EXPORT fmi2Status fmi2Terminate(fmi2Component c) {
-  (void)c;
-  return fmi2OK;
 }
 
 EXPORT fmi2Status fmi2CancelStep(fmi2Component c) {
@@ -333,11 +311,19 @@ EXPORT fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state) {
 }
 
 EXPORT fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate* place) {
-  (void)c;
   free(*place);
   *place = NULL;
   return fmi2OK;
 }
+
+/* What is accepted without any effect. */
+#define IGNORED(name, ...) \
+  EXPORT fmi2Status name(__VA_ARGS__) { return fmi2OK; }
+IGNORED(fmi2SetDebugLogging, fmi2Component c, fmi2Boolean on, size_t n, const fmi2String* categories)
+IGNORED(fmi2SetupExperiment, fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start,
+        fmi2Boolean has_stop, fmi2Real stop)
+IGNORED(fmi2EnterInitializationMode, fmi2Component c)
+IGNORED(fmi2Terminate, fmi2Component c)
 
 /* What this FMU does not have: modelDescription.xml declares none of it. */
 #define NONE(name, ...)                                                                                      \

@@ -96,7 +96,7 @@ def judge(path, bracket, name):
     return None
 
 
-NAMED = re.compile(r'ModelInfo\s+\w+\{\s*"([a-z-]+)"')
+NAMED = re.compile(r'ModelInfo\s+\w+(?:\{|\s*=\s*theory\()\s*"([a-z-]+)"')
 TOLD_APART = re.compile(r'(?:[=!]=\s*"([a-z-]+)")|(?:"([a-z-]+)"\s*[=!]=)')
 # There the name is a word of the case file that is written.
 MAY_NAME_MODELS = {"convert"}
