@@ -4,7 +4,6 @@
 #include "contact/result/record.hpp"
 
 #include "contact/result/quantities.hpp"
-#include "contact/result/unsolved.hpp"
 #include "postprocess/write/results_hdf5.hpp"
 #include "postprocess/write/summary_json.hpp"
 
