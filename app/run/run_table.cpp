@@ -3,7 +3,7 @@
 
 #include "contact/result/bars.hpp"
 #include "contact/result/derived.hpp"
-#include "contact/result/unsolved.hpp"
+#include "contact/result/quantities.hpp"
 
 #include <fmt/format.h>
 

@@ -21,9 +21,8 @@ namespace rollfem::contact {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Upper body (1): a surface of revolution about the axle.
-struct Wheel {
-  double rolling_radius = 0.0;          ///< mm, radius at the running circle
+/// What wheel and rail have in common.
+struct Body {
   double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
   double round_to = usual_round_to;  ///< fraction of that radius, see contact/base/profile_drop.hpp
   Material material;
@@ -31,14 +30,13 @@ struct Wheel {
   ProfileSource profile;  ///< instead of the transverse radius
 };
 
-/// Lower body (2): a straight extruded rail.
-struct Rail {
-  double transverse_radius = infinity;  ///< mm, > 0 convex, < 0 concave, inf flat
-  double round_to = usual_round_to;  ///< fraction of that radius, see contact/base/profile_drop.hpp
-  Material material;
-  std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by rollfem
-  ProfileSource profile;  ///< instead of the transverse radius
+/// Upper body (1): a surface of revolution about the axle.
+struct Wheel : Body {
+  double rolling_radius = 0.0;  ///< mm, radius at the running circle
 };
+
+/// Lower body (2): a straight extruded rail.
+struct Rail : Body {};
 
 enum class ContactShape {
   point,  ///< bodies of finite width: radii, profiles, points

@@ -38,11 +38,9 @@ void read_files(const GivenCase& given, Case& input) {
     if (mesh == nullptr ||
         std::filesystem::is_regular_file(folder / std::get<std::string>(mesh->value), error))
       continue;
-    CaseProblem problem = problem_at(std::string(body) + ".mesh", *mesh);
-    problem.wrong = "there is no such mesh file";
-    problem.allowed = "a gmsh mesh (.msh), its path relative to the case file";
-    problem.action = "check the path, or omit the key: rollfem then meshes the body";
-    fail(given.file, problem);
+    fail_at(given, std::string(body) + ".mesh", *mesh, "there is no such mesh file",
+            "a gmsh mesh (.msh), its path relative to the case file",
+            "check the path, or omit the key: rollfem then meshes the body");
   }
 }
 

@@ -123,8 +123,8 @@ void explain_stresses(const BarRules& rules, PointResult& point) {
   if (!point.subsurface.empty()) explain("subsurface_stress");
 }
 
-}  // namespace
-
+/// Error bars derived from others of the point: length and width of the patch from its semi-axes,
+/// work of the creepages from forces and creepages. Existing bars are kept.
 void derive_bars(PointResult& point) {
   const auto twice = [&](const char* extent, const char* half) {
     if (has_bar(point, half))
@@ -145,6 +145,8 @@ void derive_bars(PointResult& point) {
       std::abs(point.lateral_force) * bar_or_zero(point, "lateral_creepage");
   point.error_estimate.emplace("creepage_work", of_forces + of_creepages);
 }
+
+}  // namespace
 
 void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result) {
   for (std::size_t k = 0; k < result.points.size(); ++k) {

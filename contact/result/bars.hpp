@@ -25,6 +25,8 @@ inline constexpr const char* balance = "balance";
 /// Depends on geometry.reference_distance (line contact), so it has no absolute meaning.
 inline constexpr const char* relative = "relative";
 inline constexpr const char* not_estimated = "not estimated";
+/// The largest stress lies on the surface, or so near it that the coarser grid does not tell.
+inline constexpr const char* near_surface = "near surface";
 }  // namespace no_bar
 
 /// A model's reasons for values without error bar.
@@ -35,10 +37,6 @@ struct BarRules {
   /// Reason for all other values, a word of no_bar.
   const char* otherwise = no_bar::not_estimated;
 };
-
-/// Error bars derived from others of the point: length and width of the patch from its semi-axes,
-/// work of the creepages from forces and creepages. Existing bars are kept.
-void derive_bars(PointResult& point);
 
 /// Sets the error bars of creepages found by the balance of a wheelset, and the reason in
 /// PointResult::no_bar for every value without bar, unless the model has set it. Prescribed values

@@ -3,7 +3,6 @@
 
 #include "contact/base/accuracy.hpp"
 #include "contact/result/bars.hpp"
-#include "contact/result/unsolved.hpp"
 
 #include <fmt/format.h>
 

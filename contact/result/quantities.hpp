@@ -3,10 +3,12 @@
 // figures and docs/results.md take them from here; how to add one: docs/developing.md.
 #pragma once
 
+#include "contact/base/errors.hpp"
 #include "contact/result/result.hpp"
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rollfem::contact {
@@ -85,5 +87,23 @@ std::string percent_text(ErrorScale scale, double part);
 
 /// The table for docs/results.md.
 std::string quantities_markdown();
+
+// Load points that have no solution beside others that do. They keep their place among the results,
+// so that load points are numbered as in the case: empty in all files, without fields.
+
+/// The load point with its motion alone; all other numbers become NaN, which Quantity::value takes
+/// for absent.
+void leave_empty(PointResult& point);
+
+bool is_solved(const PointResult& point);
+
+/// The load points of a run that have a solution, and why the others have none. Whoever needs all
+/// takes it for any other failure.
+class PartlySolved : public SolveError {
+ public:
+  PartlySolved(const std::string& why, ModelResult solved)
+      : SolveError(why), result(std::move(solved)) {}
+  ModelResult result;
+};
 
 }  // namespace rollfem::contact

@@ -25,11 +25,6 @@ inline bool only_below(const StressMeasure& measure) {
   return measure.value == orthogonal_shear;
 }
 
-namespace no_bar {
-/// The largest stress lies on the surface, or so near it that the coarser grid does not tell.
-inline constexpr const char* near_surface = "near surface";
-}  // namespace no_bar
-
 /// The largest tangential traction of a load point as orthogonal shear stress on the surface of a
 /// body, at the middle of its element.
 StressMaximum largest_surface_shear(const std::string& body, const ContactGrid& grid,

@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
-#include "contact/result/unsolved.hpp"
 
 #include <fmt/format.h>
 

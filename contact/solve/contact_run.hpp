@@ -58,7 +58,7 @@ struct LevelResult {
   double tangential_seconds = 0.0;
   double steepness = 0.0;  ///< gain of the friction law, the largest of all load points
   int several = 0;         ///< load points with more than one state (ContactProblem::count_states)
-  std::vector<std::string> unsolved;  ///< why load points are empty (contact/result/unsolved.hpp)
+  std::vector<std::string> unsolved;  ///< why load points are empty (contact/result/quantities.hpp)
 };
 
 /// Warning about a law that falls, or a layer that softens, this steeply; may be empty.

@@ -4,7 +4,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
-#include "contact/result/unsolved.hpp"
+#include "contact/result/quantities.hpp"
 #include "contact/result/validity.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // What the driver does where friction falls so steeply that load points have several states or
 // none: warns, before and after, and leaves those empty that have none.
 #include "contact/iteration/friction_newton.hpp"
-#include "contact/result/unsolved.hpp"
+#include "contact/result/quantities.hpp"
 #include "contact/solve/contact_run.hpp"
 
 #include <fmt/format.h>

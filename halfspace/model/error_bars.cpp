@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/model/error_bars.hpp"
 
+#include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_extremes.hpp"

@@ -3,7 +3,7 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/result/unsolved.hpp"
+#include "contact/result/quantities.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/near_misses.hpp"
 

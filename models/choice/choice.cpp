@@ -2,7 +2,7 @@
 #include "models/choice/choice.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/unsolved.hpp"
+#include "contact/result/quantities.hpp"
 
 #include <fmt/format.h>
 

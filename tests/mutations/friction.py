@@ -4,8 +4,8 @@
 from mutation import Mutation
 
 FRICTION = [
-    Mutation("fall_of_friction", "contact/scene/friction_law.cpp",
-             "return {left, -rate * left};", "return {left, -left};",
+    Mutation("fall_of_friction", "contact/case/fall_shape.cpp",
+             "return Left{left, -rate * left};", "return Left{left, -left};",
              "Newton's method takes another slope than the exponential law has",
              ("unit_friction_law",)),
     Mutation("memory_of_friction", "contact/iteration/friction_state.cpp",

@@ -13,15 +13,6 @@
 
 namespace rollfem::contact {
 
-CaseProblem problem_at(const std::string& path, const GivenValue& given) {
-  CaseProblem problem;
-  problem.line = given.line;
-  problem.column = given.column;
-  problem.key = path;
-  problem.value = given.text;
-  return problem;
-}
-
 unsigned section_line(const GivenCase& given, const std::string& section) {
   const auto found = given.section_lines.find(section);
   return found == given.section_lines.end() ? 0 : found->second;

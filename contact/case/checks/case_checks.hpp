@@ -73,9 +73,6 @@ void complete(const GivenCase& given, Case& input);
 /// subsurface points in their body. Throws InputError.
 void check_values(const GivenCase& given, const Case& input);
 
-/// Problem at a given value; the caller adds the cause.
-CaseProblem problem_at(const std::string& path, const GivenValue& given);
-
 /// Throws InputError: the value at `path` is wrong.
 [[noreturn]] void fail_at(const GivenCase& given, const std::string& path, const GivenValue& value,
                           const std::string& wrong, const std::string& allowed,

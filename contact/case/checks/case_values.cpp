@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Consistency checks of values whose keys are valid individually, and derived values.
 #include "contact/base/material.hpp"
+#include "contact/base/pi.hpp"
 #include "contact/base/profile_drop.hpp"
 #include "contact/case/checks/case_checks.hpp"
 
@@ -184,17 +185,11 @@ void check_places(const GivenCase& given, const Case& input, bool bodies) {
     const GivenEntry& entry = given.entries.at(k);
     const auto fail_here = [&](const std::string& key, const std::string& wrong,
                                const std::string& allowed, const std::string& action) {
-      CaseProblem problem;
       const Key* declared = find_key(entry.section, key);
       const auto found = entry.values.find(declared);
       if (found != entry.values.end())
-        problem = problem_at(declared->path(), found->second);
-      else
-        problem.line = entry.line;
-      problem.wrong = wrong;
-      problem.allowed = allowed;
-      problem.action = action;
-      fail(given.file, problem);
+        fail_at(given, declared->path(), found->second, wrong, allowed, action);
+      fail(given.file, {entry.line, 0, "", "", wrong, allowed, action});
     };
     using Kind = SubsurfaceRequest::Kind;
     // Corners of a line on the surface have z = 0.
@@ -212,9 +207,8 @@ void check_places(const GivenCase& given, const Case& input, bool bodies) {
             "surface",
             "change the sign of z, or name the other body");
     if (request.kind == Kind::plane) {
-      const GivenEntry& plane = entry;
       for (const double count :
-           std::get<std::vector<double>>(plane.values.at(find_key(entry.section, "points")).value))
+           std::get<std::vector<double>>(entry.values.at(find_key(entry.section, "points")).value))
         if (count != std::floor(count))
           fail_here("points", fmt::format("{} is not a whole number", count), "two whole numbers",
                     "write for instance `points = [41, 21]`");
@@ -249,7 +243,7 @@ void complete(const GivenCase& given, Case& input) {
   }
   if (input.given_pressure) {
     GivenPressure& pressure = *input.given_pressure;
-    const double volume = 2.0 / 3.0 * 3.14159265358979323846 * pressure.semi_axis_x *
+    const double volume = 2.0 / 3.0 * pi * pressure.semi_axis_x *
                           pressure.semi_axis_y;  // of the semi-ellipsoid with p0 = 1
     if (input.load.normal_force)
       pressure.max_pressure = *input.load.normal_force / volume;

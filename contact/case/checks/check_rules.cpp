@@ -37,17 +37,14 @@ bool is_none(const Key&, const GivenValue& given) {
   return given.value == KeyValue(std::string("none"));
 }
 
-struct Found {
-  const Key* key = nullptr;
-  const GivenValue* value = nullptr;
-};
+using Given = std::map<const Key*, GivenValue>::value_type;
 
-/// The first key of the file that matches a pattern and has an effect.
-Found find_match(const GivenCase& given, const char* pattern,
-                 bool (*nothing)(const Key&, const GivenValue&)) {
-  for (const auto& [key, value] : given.values)
-    if (matches(pattern, key->path()) && !nothing(*key, value)) return {key, &value};
-  return {};
+/// The first key of the file that matches a pattern and has an effect; null if none.
+const Given* find_match(const GivenCase& given, const char* pattern,
+                        bool (*nothing)(const Key&, const GivenValue&)) {
+  for (const Given& one : given.values)
+    if (matches(pattern, one.first->path()) && !nothing(*one.first, one.second)) return &one;
+  return nullptr;
 }
 
 std::string falling_laws() {
@@ -60,15 +57,15 @@ std::string falling_laws() {
 void check_exclusion(const GivenCase& given, const Exclusion& rule) {
   if (!rule.where(given)) return;
   for (const char* pattern : rule.keys) {
-    const Found found = find_match(given, pattern, rule.defaults_too ? is_none : asks_for_nothing);
-    if (found.key == nullptr) continue;
+    const Given* found = find_match(given, pattern, rule.defaults_too ? is_none : asks_for_nothing);
+    if (found == nullptr) continue;
     const auto filled = [&](const char* text) {
       return fmt::format(
           fmt::runtime(text), fmt::arg("problem", word_of(given, "rolling", "problem")),
           fmt::arg("slip", word_of(given, "rolling", "extra_slip")),
           fmt::arg("law", word_of(given, "friction", "law")), fmt::arg("laws", falling_laws()));
     };
-    fail_at(given, found.key->path(), *found.value, filled(rule.wrong), filled(rule.allowed),
+    fail_at(given, found->first->path(), found->second, filled(rule.wrong), filled(rule.allowed),
             rule.action);
   }
 }
@@ -80,14 +77,14 @@ bool leaves_points(const GivenValue& value) {
 }
 
 void check_rivals(const GivenCase& given, const Rivals& rule) {
-  Found first;
+  const Given* first = nullptr;
   for (const char* pattern : rule.keys) {
-    const Found found = find_match(given, pattern, is_none);
-    if (found.key == nullptr || (rule.by_point && leaves_points(*found.value))) continue;
-    if (first.key != nullptr)
-      fail_at(given, found.key->path(), *found.value,
-              fmt::format("contradicts {} = {} of line {}{}", first.key->path(), first.value->text,
-                          first.value->line, rule.why),
+    const Given* found = find_match(given, pattern, is_none);
+    if (found == nullptr || (rule.by_point && leaves_points(found->second))) continue;
+    if (first != nullptr)
+      fail_at(given, found->first->path(), found->second,
+              fmt::format("contradicts {} = {} of line {}{}", first->first->path(),
+                          first->second.text, first->second.line, rule.why),
               rule.allowed, "remove one of the two");
     first = found;
   }

@@ -24,20 +24,12 @@ constexpr double largest_spin = 0.1;         // rad/mm
 constexpr double narrowest_gauge = 100.0;    // mm, of models
 constexpr double largest_inclination = 0.1;  // tangent; rails lean by up to 1:20
 
-class Doubts {
- public:
-  explicit Doubts(const Case& input) : input_(input) {}
-
+struct Doubts {
+  const std::string& file;
+  std::vector<std::string> texts;
   void add(bool doubtful, const char* key, double value, const char* unit, const std::string& why) {
-    if (doubtful)
-      texts_.push_back(fmt::format("{}: {} = {:g}{}: {}", input_.file, key, value, unit, why));
+    if (doubtful) texts.push_back(fmt::format("{}: {} = {:g}{}: {}", file, key, value, unit, why));
   }
-
-  std::vector<std::string> take() { return std::move(texts_); }
-
- private:
-  const Case& input_;
-  std::vector<std::string> texts_;
 };
 
 void doubt_radii(const Case& input, Doubts& doubts) {
@@ -55,28 +47,21 @@ void doubt_radii(const Case& input, Doubts& doubts) {
 }
 
 void doubt_moduli(const Case& input, Doubts& doubts) {
-  const auto check = [&](const char* key, double modulus) {
-    doubts.add(
-        std::isfinite(modulus) && modulus > stiffest, key, modulus, " MPa",
-        "no material is that stiff; do: give it in MPa if this is in kPa, or inf for a rigid body");
-  };
-  check("wheel.young_modulus", input.wheel.material.young_modulus);
-  check("rail.young_modulus", input.rail.material.young_modulus);
-}
-
-/// Profiles are those of metal wheels on rails, as are loads that a soft wheel would not carry.
-void doubt_softness(const Case& input, Doubts& doubts) {
+  // Profiles are those of metal wheels on rails, as are loads that a soft wheel would not carry.
   const double radius = input.wheel.rolling_radius;
   const double force = input.load.vertical_force.value_or(input.load.normal_force.value_or(0.0));
   const bool loaded = input.geometry.shape == ContactShape::point && std::isfinite(radius) &&
                       radius >= smallest_wheel && force >= least_load_of_wheel * radius * radius;
-  if (!loaded && !input.has_profiles()) return;
-  const auto check = [&](const char* key, double modulus) {
-    doubts.add(modulus < least_of_metal, key, modulus, " MPa",
+  const bool metal = loaded || input.has_profiles();
+  for (const auto& [key, modulus] :
+       {std::pair{"wheel.young_modulus", input.wheel.material.young_modulus},
+        std::pair{"rail.young_modulus", input.rail.material.young_modulus}}) {
+    doubts.add(
+        std::isfinite(modulus) && modulus > stiffest, key, modulus, " MPa",
+        "no material is that stiff; do: give it in MPa if this is in kPa, or inf for a rigid body");
+    doubts.add(metal && modulus < least_of_metal, key, modulus, " MPa",
                "metals have 7e4 to 2.1e5; do: give it in MPa if this is in GPa");
-  };
-  check("wheel.young_modulus", input.wheel.material.young_modulus);
-  check("rail.young_modulus", input.rail.material.young_modulus);
+  }
 }
 
 void doubt_track(const Case& input, Doubts& doubts) {
@@ -139,15 +124,14 @@ void doubt_creepages(const Case& input, Doubts& doubts) {
 }  // namespace
 
 std::vector<std::string> implausible_values(const Case& input) {
-  Doubts doubts(input);
+  Doubts doubts{input.file, {}};
   doubt_radii(input, doubts);
   doubt_moduli(input, doubts);
-  doubt_softness(input, doubts);
   doubt_track(input, doubts);
   doubt_load(input, doubts);
   doubt_friction(input, doubts);
   doubt_creepages(input, doubts);
-  return doubts.take();
+  return std::move(doubts.texts);
 }
 
 }  // namespace rollfem::contact

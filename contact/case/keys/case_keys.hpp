@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The keys of the case file: section, kind, unit, symbol, bounds, default and a sentence, declared
-// once in contact/case/keys_*.cpp. Reading, bounds checks, `check`, `new-case` and
+// once in contact/case/keys/keys_*.cpp. Reading, bounds checks, `check`, `new-case` and
 // docs/case-file.md are all derived from these declarations.
 #pragma once
 

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_text.hpp"
-#include "contact/case/toml/toml_values.hpp"
+#include "contact/case/toml/toml_source.hpp"
 
 #include <fmt/format.h>
 

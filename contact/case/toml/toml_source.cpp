@@ -12,7 +12,7 @@ namespace rollfem::contact {
 
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string for_message(std::string_view text) {
   return printable(text.substr(0, text.find_last_not_of(" \r") + 1), 60);
 }
 
@@ -164,7 +164,7 @@ TomlSource::TomlSource(const std::string& text, std::string file)
 }
 
 std::string TomlSource::line(unsigned number) const {
-  return number == 0 || number > lines_.size() ? "" : quoted(lines_[number - 1]);
+  return number == 0 || number > lines_.size() ? "" : for_message(lines_[number - 1]);
 }
 
 std::string TomlSource::value(const toml::source_region& region) const {
@@ -174,7 +174,7 @@ std::string TomlSource::value(const toml::source_region& region) const {
   const bool one_line = region.end.line == region.begin.line;
   const std::size_t end =
       one_line ? std::min<std::size_t>(region.end.column - 1, line.size()) : line.size();
-  return quoted(line.substr(begin, end > begin ? end - begin : std::string::npos)) +
+  return for_message(line.substr(begin, end > begin ? end - begin : std::string::npos)) +
          (one_line ? "" : " ...");
 }
 

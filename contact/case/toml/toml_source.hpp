@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The text of a case file, for messages that quote it, and the faults of invalid TOML in words;
-// private to contact/case.
+// The text of a case file, for messages that quote it, the faults of invalid TOML in words, and
+// values checked against the declarations of their keys; private to contact/case.
 #pragma once
 
+#include "contact/case/checks/case_checks.hpp"
 #include "contact/case/toml/toml_library.hpp"
 
 #include <optional>
@@ -45,5 +46,12 @@ std::optional<TomlFault> find_toml_fault(const TomlSource& source);
 /// The message of toml++ about a fault on that line, in words for an author of case files who does
 /// not know TOML's grammar.
 std::string meaning_of(std::string_view description, const std::string& line);
+
+inline constexpr std::size_t longest_list = 1000;
+
+/// `names`: allowed words for a key that declares none. Throws InputError when the value is not
+/// allowed for the key.
+GivenValue read_value(const TomlSource& source, const Key& key,
+                      const std::vector<std::string>& names, const toml::node& node);
 
 }  // namespace rollfem::contact

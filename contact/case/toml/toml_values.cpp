@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contact/case/toml/toml_values.hpp"
-
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_text.hpp"
+#include "contact/case/toml/toml_source.hpp"
 
 #include <fmt/format.h>
 
@@ -66,12 +65,10 @@ class ValueReader {
  private:
   [[noreturn]] void fail_value(const std::string& wrong) const {
     const bool words = key_.kind == KeyKind::word || key_.kind == KeyKind::words;
-    CaseProblem problem = problem_at(key_.path(), given_);
-    problem.wrong = wrong;
-    problem.allowed = allowed_values(key_, names_);
-    problem.action = words ? "write one of these names in quotes"
-                           : fmt::format("correct it, for instance {}", instance_of(key_));
-    fail(source_.file(), problem);
+    fail(source_.file(),
+         {given_.line, given_.column, key_.path(), given_.text, wrong, allowed_values(key_, names_),
+          words ? "write one of these names in quotes"
+                : fmt::format("correct it, for instance {}", instance_of(key_))});
   }
 
   KeyValue value() const {

@@ -127,17 +127,10 @@ TEST(CaseDeclarations, ReferenceHasUnitsAndRowsOfBothBodiesOnce) {
 
 TEST(CaseDeclarations, PartsEndUpInTheKey) {
   Keys<FemOptions> keys("toy", "A section of this test", &Case::fem);
-  keys.real("stiffness")
-      .symbol("k")
-      .unit("N/mm")
-      .between(1.0, 5.0)
-      .upper_open()
-      .otherwise("none")
-      .says("How stiff it is.")
-      .into(&FemOptions::extent);
-  keys.choice("kind")
-      .required("\"gmsh\"")
-      .into(&FemOptions::mesh, {{"gmsh", MeshFamily::gmsh}, {"box", MeshFamily::structured}});
+  keys.add("stiffness", &FemOptions::extent, symbol("k"), unit("N/mm"),
+           upper_open(between(1.0, 5.0)), otherwise("none"), "How stiff it is.");
+  keys.add("kind", &FemOptions::mesh, {{"gmsh", MeshFamily::gmsh}, {"box", MeshFamily::structured}},
+           Required{"\"gmsh\""});
   const SectionWithKeys declared = keys;
   ASSERT_EQ(declared.keys.size(), 2u);
   const Key& stiffness = declared.keys[0];

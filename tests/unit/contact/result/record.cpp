@@ -4,7 +4,6 @@
 #include "contact/result/record.hpp"
 
 #include "contact/result/quantities.hpp"
-#include "contact/result/unsolved.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <gtest/gtest.h>
