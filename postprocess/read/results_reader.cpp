@@ -296,11 +296,6 @@ ResultsFile::ResultsFile(const std::string& path) : path_(sound_file(path)) {
   });
 }
 
-std::string ResultsFile::directory() const {
-  const fs::path parent = fs::path(path_).parent_path();
-  return parent.empty() ? "." : parent.string();
-}
-
 ModelResult ResultsFile::read(const StoredModel& model) const {
   const File file = open_checked(path_);
   return guarded(path_, [&] {
