@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "postprocess/files/folder_owner.hpp"
-
 #include "contact/base/errors.hpp"
 #include "postprocess/files/result_folder.hpp"
 
