@@ -3,7 +3,6 @@
 #include "python/caller.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
-#include "tables/filling/table_grid.hpp"
 
 #include <map>
 #include <pybind11/stl.h>

@@ -9,7 +9,7 @@
 #include "models/fem/fem_library.hpp"
 #include "models/solving/solving.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"
-#include "postprocess/files/folder_owner.hpp"
+#include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <filesystem>

@@ -98,15 +98,14 @@ void exchange(contact::Record& record, SmoothParts& parts) {
 
 /// What a file holds.
 struct Stored {
-  std::string key, words, made;
-  long unknowns = 0;
-  double seconds = 0.0;
+  std::string key;
+  CorrectionCache::Entry entry;
   std::string parts;
 };
 
 void exchange(contact::Record& record, Stored& stored) {
-  record.values(stored.key, stored.words, stored.made, stored.unknowns, stored.seconds,
-                stored.parts);
+  CorrectionCache::Entry& entry = stored.entry;
+  record.values(stored.key, entry.words, entry.made, entry.unknowns, entry.seconds, stored.parts);
 }
 
 /// Throws std::runtime_error if the file is damaged or of another format.
@@ -155,7 +154,7 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
         found.parts = std::move(parts);
         found.parts->notes.push_back(
             fmt::format("the correction comes from the cache ({}); computing it took {:.1f} s",
-                        folder_.string(), stored.seconds));
+                        folder_.string(), stored.entry.seconds));
         return found;
       }
     } catch (const std::exception&) {
@@ -170,12 +169,11 @@ std::string CorrectionCache::keep(const contact::Scene& correction, const Smooth
                                   double seconds) const {
   if (off()) return {};
   const std::string key = key_of(correction, correction.is_symmetric());
-  Stored stored{key,
-                halfspace::correction_words(correction),
-                fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
-                parts.unknowns,
-                seconds,
-                packed(parts)};
+  Stored stored{key, {}, packed(parts)};
+  stored.entry.words = halfspace::correction_words(correction);
+  stored.entry.made = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
+  stored.entry.unknowns = parts.unknowns;
+  stored.entry.seconds = seconds;
   contact::Record record;
   exchange(record, stored);
   try {
@@ -192,18 +190,14 @@ std::vector<CorrectionCache::Entry> CorrectionCache::entries() const {
   for (const fs::path& file : postprocess::files_in(folder_)) {
     if (!is_entry(file)) continue;
     Entry& entry = entries.emplace_back();
-    entry.file = file;
-    std::error_code error;
-    entry.bytes = fs::file_size(file, error);
     try {
-      const Stored stored = read(file);
-      entry.words = stored.words;
-      entry.made = stored.made;
-      entry.unknowns = stored.unknowns;
-      entry.seconds = stored.seconds;
+      entry = read(file).entry;
     } catch (const std::runtime_error&) {
       // Listed as damaged.
     }
+    entry.file = file;
+    std::error_code error;
+    entry.bytes = fs::file_size(file, error);
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.made, a.file) < std::tie(b.made, b.file);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Writes compare.json and compare.csv.
 #include "postprocess/compare/comparison.hpp"
+#include "postprocess/write/csv.hpp"
 #include "postprocess/write/json_head.hpp"
 
 #include <fmt/format.h>
@@ -45,17 +46,6 @@ ordered_json case_json(const ComparedCase& compared, const CaseStandings& stand)
   return json;
 }
 
-/// A cell of a table for spreadsheets.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
-std::string cell(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : std::string();
-}
-
 }  // namespace
 
 std::string comparison_json(const ComparisonRecord& record) {
@@ -86,7 +76,7 @@ std::string comparison_csv(const ComparisonRecord& record) {
     for (const ComparedNumber& n : compared_numbers(compared, record.references)) {
       fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}", quoted(compared.name),
                      quoted(n.patch), n.model, n.point, n.longitudinal_creepage, n.lateral_creepage,
-                     n.spin, n.quantity, n.value, cell(n.error), cell(n.model_error));
+                     n.spin, n.quantity, n.value, csv_cell(n.error), csv_cell(n.model_error));
       if (n.reference_value)
         fmt::format_to(out, ",{},{},{},{},{},{},{}\n", n.reference, *n.reference_value,
                        n.reference_error, n.scale, 100.0 * n.difference(), 100.0 * n.allowed(),

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rollfem::postprocess {
 
@@ -44,5 +45,29 @@ void check_directory(const std::string& directory);
 /// The folder as an absolute path without links and trailing slash. Throws contact::InputError if
 /// it has no name or cannot be resolved.
 std::filesystem::path resolved_folder(const std::string& directory);
+
+/// Ensures that only one process at a time produces a result: it owns the folder from before the
+/// first solution until everything is written.
+class FolderOwner {
+ public:
+  /// Takes DIR.lock beside the folder, for `command` (shown to others). The lock belongs to the
+  /// operating system and ends with its process in any case; the file left by a killed process is
+  /// reused. Throws contact::InputError with process, host, start and command of another owner, or
+  /// if the file cannot be created.
+  FolderOwner(const std::string& directory, const std::string& command);
+  FolderOwner(const FolderOwner&) = delete;
+  FolderOwner& operator=(const FolderOwner&) = delete;
+  ~FolderOwner();
+
+  /// Removed with the owner: the file, then folders created for it, if empty.
+  std::vector<std::filesystem::path> made() const;
+
+ private:
+  bool lock();
+
+  std::filesystem::path file_;
+  MadeFolders parents_;
+  int lock_ = -1;
+};
 
 }  // namespace rollfem::postprocess

@@ -7,7 +7,6 @@
 #include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/stored_bodies.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +19,8 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
+using contact::BodyField;
+using contact::BodyValues;
 using contact::Field;
 using contact::FileError;
 using contact::InputError;
@@ -133,6 +134,16 @@ std::optional<contact::ContactPlace> read_place(hid_t model) {
   return place;
 }
 
+/// Load points of a model that store wheel and rail, from 0.
+std::vector<std::size_t> points_with_bodies(hid_t model) {
+  std::vector<std::size_t> found;
+  if (!has_member(model, "bodies")) return found;
+  const std::size_t count = members(open_group(model, "points")).size();
+  for (std::size_t k = 0; k < count; ++k)
+    if (has_member(open_group(model, fmt::format("points/{:04}", k)), "bodies")) found.push_back(k);
+  return found;
+}
+
 std::vector<StoredModel> list_models(hid_t file) {
   const Handle all = open_group(file, "models");
   std::vector<std::pair<double, StoredModel>> found;
@@ -228,6 +239,52 @@ PointResult read_point(hid_t group, const contact::ContactGrid& grid) {
   return point;
 }
 
+BodyField read_mesh(hid_t bodies, const std::string& name) {
+  const Handle group = open_group(bodies, name);
+  BodyField body;
+  body.name = name;
+  body.points = read_rows<3>(group, "points");
+  const double nodes = static_cast<double>(body.points.size());
+  for (const auto& row : read_rows<8>(group, "cells")) {
+    std::array<int, 8> cell{};
+    for (std::size_t k = 0; k < 8; ++k) {
+      if (!(row[k] >= 0.0 && row[k] < nodes))
+        throw std::runtime_error(
+            fmt::format("a cell of the {} names node {} of {}", name, row[k], body.points.size()));
+      cell[k] = static_cast<int>(row[k]);
+    }
+    body.cells.push_back(cell);
+  }
+  return body;
+}
+
+/// Nodes and cells.
+std::vector<BodyField> read_mesh_of_bodies(hid_t model) {
+  if (!has_member(model, "bodies")) return {};
+  const Handle all = open_group(model, "bodies");
+  std::vector<BodyField> bodies;
+  for (const char* name : {"wheel", "rail"})
+    if (has_member(all, name)) bodies.push_back(read_mesh(all, name));
+  return bodies;
+}
+
+/// Displacement and stress of `bodies` at a load point of points_with_bodies().
+std::vector<BodyValues> read_body_values(hid_t model, std::size_t point,
+                                         const std::vector<BodyField>& bodies) {
+  const Handle all = open_group(model, fmt::format("points/{:04}/bodies", point));
+  std::vector<BodyValues> values;
+  for (const BodyField& body : bodies) {
+    const Handle group = open_group(all, body.name);
+    values.push_back(
+        {read_rows<3, float>(group, "displacement"), read_rows<6, float>(group, "stress")});
+    if (values.back().displacement.size() != body.points.size() ||
+        values.back().stress.size() != body.points.size())
+      throw std::runtime_error(
+          fmt::format("nodes and values of the {} differ in number", body.name));
+  }
+  return values;
+}
+
 }  // namespace
 
 ResultsFile::ResultsFile(const std::string& path) : path_(sound_file(path)) {
@@ -237,11 +294,6 @@ ResultsFile::ResultsFile(const std::string& path) : path_(sound_file(path)) {
     input_ = read_case(file);
     models_ = list_models(file);
   });
-}
-
-std::string ResultsFile::directory() const {
-  const fs::path parent = fs::path(path_).parent_path();
-  return parent.empty() ? "." : parent.string();
 }
 
 ModelResult ResultsFile::read(const StoredModel& model) const {
@@ -262,7 +314,7 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
     const Handle points = open_group(group, "points");
     for (const std::string& number : members(points))
       result.points.push_back(read_point(open_group(points, number), result.grid));
-    result.bodies = postprocess::read_bodies(group);
+    result.bodies = read_mesh_of_bodies(group);
     return result;
   });
 }

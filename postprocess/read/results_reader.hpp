@@ -28,8 +28,6 @@ class ResultsFile {
   explicit ResultsFile(const std::string& path);
 
   const std::string& path() const { return path_; }
-  /// Folder that holds the file.
-  std::string directory() const;
   /// Only title, file, text, friction coefficient, radii and materials of the case.
   const contact::Case& input() const { return input_; }
   /// Models in the order of the run.

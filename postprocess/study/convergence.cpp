@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/study/convergence.hpp"
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,28 +63,18 @@ struct Fit {
 /// Least-squares fit of limit + C ratio^(-order k) for a given order; finer levels have weights
 /// 1/h.
 Fit fit_at(const std::vector<double>& values, double ratio, double order) {
-  double w = 0.0, wx = 0.0, wf = 0.0, wxx = 0.0, wxf = 0.0;
-  const auto weight = [&](std::size_t k) { return std::pow(ratio, static_cast<double>(k)); };
-  const auto abscissa = [&](std::size_t k) {
-    return std::pow(ratio, -order * static_cast<double>(k));
-  };
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const double x = abscissa(k);
-    w += weight(k);
-    wx += weight(k) * x;
-    wf += weight(k) * values[k];
-    wxx += weight(k) * x * x;
-    wxf += weight(k) * x * values[k];
-  }
-  Fit fit;
-  fit.order = order;
-  const double slope = (w * wxf - wx * wf) / (w * wxx - wx * wx);
-  fit.limit = (wf - slope * wx) / w;
-  fit.squares = 0.0;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    fit.last_residual = values[k] - fit.limit - slope * abscissa(k);
-    fit.squares += weight(k) / w * fit.last_residual * fit.last_residual;
-  }
+  using Array = Eigen::ArrayXd;
+  const auto n = static_cast<Eigen::Index>(values.size());
+  const Array level = Array::LinSpaced(n, 0.0, static_cast<double>(n - 1));
+  const Array f = Eigen::Map<const Array>(values.data(), n);
+  const Array weight = Eigen::pow(ratio, level) / Eigen::pow(ratio, level).sum();
+  const Array x = Eigen::pow(ratio, -order * level);
+  const double mean_x = (weight * x).sum(), mean_f = (weight * f).sum();
+  const double slope = (weight * (x - mean_x) * f).sum() / (weight * (x - mean_x) * x).sum();
+  Fit fit{order, mean_f - slope * mean_x};
+  const Array residual = f - fit.limit - slope * x;
+  fit.squares = (weight * residual.square()).sum();
+  fit.last_residual = residual[n - 1];
   return fit;
 }
 

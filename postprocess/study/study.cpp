@@ -122,6 +122,11 @@ double study_error(const StudyRecord& record, const std::string& key, double val
   return scale > 0.0 ? std::abs(value - reference.value) / scale : std::abs(value);
 }
 
+std::optional<double> bar_of(const StudyLevel& level, const std::string& key) {
+  const auto bar = level.bars.find(key);
+  return bar == level.bars.end() ? std::nullopt : std::optional<double>(bar->second);
+}
+
 std::optional<Limit> series_limit(const StudySeries& series, const std::string& key) {
   const std::vector<double> values = values_of(series, key);
   if (values.size() < 2 || !(series.ratio > 1.0)) return {};

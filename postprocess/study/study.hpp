@@ -116,6 +116,9 @@ const char* percent_of(const std::string& key);
 double study_error(const StudyRecord& record, const std::string& key, double value,
                    const StudyReference& reference);
 
+/// The model's own error bar.
+std::optional<double> bar_of(const StudyLevel& level, const std::string& key);
+
 /// Limit of one key of a series; empty with fewer than two levels or without a ratio.
 std::optional<Limit> series_limit(const StudySeries& series, const std::string& key);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Writes study.json and study.csv.
 #include "postprocess/study/study.hpp"
+#include "postprocess/write/csv.hpp"
 #include "postprocess/write/json_head.hpp"
 
 #include <fmt/format.h>
@@ -89,16 +90,6 @@ ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
   return json;
 }
 
-/// Labels of several things refined together have commas.
-std::string csv_cell(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
-
-std::string bar_cell(const StudyLevel& level, const std::string& key) {
-  const auto bar = level.bars.find(key);
-  return bar == level.bars.end() ? std::string() : fmt::format("{}", bar->second);
-}
-
 /// Cells ",reference,uncertainty,kind,error,percent of,order" of a value; missing entries are
 /// empty.
 std::string reference_cells(const StudyRecord& record, const StudySeries& series,
@@ -115,7 +106,7 @@ std::string reference_cells(const StudyRecord& record, const StudySeries& series
   return fmt::format(",{},{},{},{},{},{}", reference->second.value, reference->second.uncertainty,
                      reference->second.kind,
                      study_error(record, key, level.values.at(key), reference->second),
-                     percent_of(key), order ? fmt::format("{}", *order) : std::string());
+                     percent_of(key), csv_cell(order));
 }
 
 }  // namespace
@@ -143,12 +134,17 @@ std::string study_csv(const StudyRecord& record) {
   for (const StudyPlace& place : record.places) {
     for (const StudySeries& series : place.series) {
       const References refs = references(place, series, record.rule);
-      for (const StudyLevel& level : series.levels)
+      for (const StudyLevel& level : series.levels) {
+        // Labels of several things refined together have commas.
+        const bool several = level.label.find(',') != std::string::npos;
+        const std::string label = several ? quoted(level.label) : level.label;
         for (const auto& [key, value] : level.values)
           fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}{}\n", place_key(place),
-                         series.model, series.vary, csv_cell(level.label), level.parameter,
-                         level.unknowns, level.contact_elements, level.seconds, key, value,
-                         bar_cell(level, key), reference_cells(record, series, key, level, refs));
+                         series.model, series.vary, label, level.parameter, level.unknowns,
+                         level.contact_elements, level.seconds, key, value,
+                         csv_cell(bar_of(level, key)),
+                         reference_cells(record, series, key, level, refs));
+      }
     }
   }
   return text;

@@ -36,12 +36,6 @@ std::string percent(const std::string& key, double error) {
       is_coefficient(key) ? contact::ErrorScale::friction : contact::ErrorScale::value, error);
 }
 
-/// "+- 0.58", the model's own error bar.
-std::string bar_text(const StudyLevel& level, const std::string& key) {
-  const auto bar = level.bars.find(key);
-  return bar == level.bars.end() ? std::string() : fmt::format("+- {:.2g}", bar->second);
-}
-
 /// Value of the finest level with the key; null if there is none.
 const double* finest_value(const StudySeries& series, const std::string& key) {
   const double* last = nullptr;
@@ -73,10 +67,10 @@ std::string key_table(const StudyRecord& record, const StudyPlace& place, const 
     const auto value = level.values.find(key);
     if (value == level.values.end()) continue;
     const bool own = &value->second == finest && reference.kind == "finest";
-    const auto order = orders.at(k++);
+    const auto order = orders.at(k++), bar = bar_of(level, key);
     text += fmt::format(
         "    {:<{}}{:>10}{:>10.3g}{:>14.7g}{:>12}{:>16}{:>8}\n", level.label, width, level.unknowns,
-        level.seconds, value->second, bar_text(level, key),
+        level.seconds, value->second, bar ? fmt::format("+- {:.2g}", *bar) : "",
         own ? "reference" : percent(key, study_error(record, key, value->second, reference)),
         order ? fmt::format("{:.2f}", *order) : "");
   }

@@ -27,12 +27,6 @@ std::string header(const std::string& name, const std::string& unit) {
   return fmt::format(",{} [{}]", name, unit);
 }
 
-/// Cell of a quantity; empty if the model does not give it.
-std::string cell(const Quantity& quantity, const PointResult& point) {
-  const std::optional<double> value = quantity.value(point);
-  return value ? fmt::format(",{}", *value) : ",";
-}
-
 /// Whether a quantity has a column for its bar: not counts and times, but given values, which may
 /// be results in other problems.
 bool may_have_bar(const Quantity& quantity) {
@@ -114,6 +108,16 @@ std::vector<int> middle_lines(double first, double step, int count) {
   return low == high ? std::vector<int>{low} : std::vector<int>{low, high};
 }
 
+std::string csv_cell(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : std::string();
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
 std::string creep_curve_csv(const RunRecord& run) {
   std::string text = place_head(run) + "model,point";
   for (const Quantity& quantity : contact::quantities())
@@ -129,7 +133,8 @@ std::string creep_curve_csv(const RunRecord& run) {
     for (std::size_t k = 0; k < model.points.size(); ++k) {
       const PointResult& point = model.points[k];
       text += fmt::format("{}{},{}", place_cells(model), model.name, k + 1);
-      for (const Quantity& quantity : contact::quantities()) text += cell(quantity, point);
+      for (const Quantity& quantity : contact::quantities())
+        text += ',' + csv_cell(quantity.value(point));
       for (const Quantity& quantity : with_bar) text += bar_cell(point, quantity.name);
       for (const Quantity& quantity : with_bar) text += model_error_cell(point, quantity.name);
       text += '\n';
@@ -207,7 +212,7 @@ std::string contacts_csv(const RunRecord& run) {
     for (std::size_t k = 0; k < model.points.size(); ++k) {
       text += fmt::format("{},{},{}", place, model.name, k + 1);
       for (const char* name : main_results)
-        text += cell(contact::quantity_named(name), model.points[k]);
+        text += ',' + csv_cell(contact::quantity_named(name).value(model.points[k]));
       const PointResult& point = model.points[k];
       text += fmt::format(
           ",{},{}", lateral_force_track(*model.place, point.normal_force, point.lateral_force),

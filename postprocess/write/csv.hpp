@@ -5,9 +5,15 @@
 
 #include "postprocess/write/output.hpp"
 
+#include <optional>
 #include <string>
 
 namespace rollfem::postprocess {
+
+/// A cell: the number, or nothing.
+std::string csv_cell(const std::optional<double>& value);
+/// A text that may hold commas, in quotation marks.
+std::string quoted(const std::string& text);
 
 /// One row per model and load point with all scalars.
 std::string creep_curve_csv(const RunRecord& run);

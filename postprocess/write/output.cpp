@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace rollfem::postprocess {
 namespace {
@@ -62,23 +63,23 @@ void write_body_files(ResultFolder& folder, const contact::ModelResult& model) {
 void write_results(const std::string& directory, const RunRecord& run) {
   check_record(run);
   ResultFolder folder(directory);
+  const auto asks = [&](const char* path) {
+    const auto& paths = run.input.output.paths;
+    return std::count(paths.begin(), paths.end(), path) > 0;
+  };
   folder.write("case.toml", contact::text_in_folder(run.input, directory));
   folder.write("summary.json", summary_json(run));
-  folder.write("creep_curve.csv", creep_curve_csv(run));
-  const auto& paths = run.input.output.paths;
-  if (std::count(paths.begin(), paths.end(), "x"))
-    folder.write("path_x.csv", path_csv(run, Path::x));
-  if (std::count(paths.begin(), paths.end(), "y"))
-    folder.write("path_y.csv", path_csv(run, Path::y));
-  const std::string below = subsurface_csv(run);
-  if (!below.empty()) folder.write("subsurface.csv", below);
-  const std::string contacts = contacts_csv(run);
-  if (!contacts.empty()) folder.write("contacts.csv", contacts);
-  const std::string wheelset = wheelset_csv(run);
-  if (!wheelset.empty()) folder.write("wheelset.csv", wheelset);
-  if (!run.rigid_row.empty()) folder.write("wheelset_rigid.csv", rigid_wheelset_csv(run.rigid_row));
-  const std::string patches = patches_csv(run);
-  if (!patches.empty()) folder.write("patches.csv", patches);
+  const std::pair<const char*, std::string> tables[] = {
+      {"creep_curve.csv", creep_curve_csv(run)},
+      {"path_x.csv", asks("x") ? path_csv(run, Path::x) : ""},
+      {"path_y.csv", asks("y") ? path_csv(run, Path::y) : ""},
+      {"subsurface.csv", subsurface_csv(run)},
+      {"contacts.csv", contacts_csv(run)},
+      {"wheelset.csv", wheelset_csv(run)},
+      {"wheelset_rigid.csv", run.rigid_row.empty() ? "" : rigid_wheelset_csv(run.rigid_row)},
+      {"patches.csv", patches_csv(run)}};
+  for (const auto& [name, text] : tables)
+    if (!text.empty()) folder.write(name, text);
   if (run.input.output.fields)
     for (const contact::ModelResult& model : run.models) {
       write_contact(folder, model, run.input.output);

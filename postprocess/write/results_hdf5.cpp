@@ -6,7 +6,6 @@
 #include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/stored_bodies.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
 
 #include <fmt/core.h>
@@ -225,6 +224,22 @@ void write_stress_maxima(hid_t point, const std::vector<contact::StressMaximum>&
   write_rows(group, "place", place, "mm", "x, y, z in the global frame, z into the wheel");
 }
 
+/// Wheel and rail at a load point that stores them; nodes and cells stand once in the model.
+void write_body_values(hid_t point, const std::vector<contact::BodyField>& bodies,
+                       const contact::PointResult& result) {
+  if (result.bodies.empty()) return;
+  const Handle all = create_group(point, "bodies",
+                                  "Wheel and rail under this load: values at the nodes of "
+                                  "../../bodies; between them trilinear");
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Handle group = create_group(all, bodies[k].name, "The whole segment, both halves");
+    write_rows(group, "displacement", result.bodies.at(k).displacement, "mm",
+               "displacement of the nodes, x, y, z");
+    write_rows(group, "stress", result.bodies.at(k).stress, "MPa",
+               "stress: xx, yy, zz, xy, yz, xz; tension positive");
+  }
+}
+
 /// Writes a quantity; counts and booleans (1 or 0) as integers, nothing if the model does not give
 /// it, NaN if the load point has no solution.
 void write_quantity(hid_t group, const contact::Quantity& quantity, const PointResult& point) {
@@ -278,6 +293,27 @@ void write_place(hid_t model, const contact::ContactPlace& place) {
   write_attribute(group, "wheel", std::string(place.left ? "left" : "right"));
   for (const PlaceScalar& scalar : place_scalars())
     write_attribute(group, scalar.name, scalar.value(place));
+}
+
+/// After all load points.
+void write_bodies(hid_t model, const contact::ModelResult& result) {
+  const std::vector<std::size_t> kept = result.points_with_bodies();
+  if (kept.empty()) return;
+  const Handle all =
+      create_group(model, "bodies",
+                   "Wheel and rail: nodes and hexahedra; displacement and stress are links to the "
+                   "load point in the attribute load_point (from 0)");
+  write_attribute(all, "load_point", static_cast<long>(kept.back()));
+  for (const contact::BodyField& body : result.bodies) {
+    const Handle group = create_group(all, body.name, "The whole segment, both halves");
+    write_rows(group, "points", body.points, "mm",
+               "x, y, z of the undeformed nodes in the global frame, z into the wheel");
+    write_rows(group, "cells", body.cells, "-",
+               "nodes of every hexahedron, from 0, in VTK's order");
+    for (const char* name : {"displacement", "stress"})
+      link(model, fmt::format("points/{:04}/bodies/{}/{}", kept.back(), body.name, name), group,
+           name);
+  }
 }
 
 void write_model(hid_t models, const ModelResult& model, long order,

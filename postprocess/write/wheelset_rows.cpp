@@ -61,13 +61,9 @@ std::string head() {
          "[-],wave_length [mm]\n";
 }
 
-std::string number_or_nothing(const std::optional<double>& value) {
-  return value ? fmt::format(",{}", *value) : ",";
-}
-
 std::string conicity_cells(const RigidWheelset& rigid) {
-  return number_or_nothing(rigid.conicity_harmonic) + number_or_nothing(rigid.conicity_wave) +
-         number_or_nothing(rigid.wave_length);
+  return fmt::format(",{},{},{}", csv_cell(rigid.conicity_harmonic), csv_cell(rigid.conicity_wave),
+                     csv_cell(rigid.wave_length));
 }
 
 }  // namespace
@@ -152,9 +148,9 @@ std::string wheelset_csv(const RunRecord& run) {
         if (!left.main && !right.main) break;
         const std::optional<RigidWheelset>& rigid = run.wheelset[p];
         text += fmt::format(
-            "{},{},{},{},{}{}{}{}{}\n", position, run.input.wheelset.lateral_shift[p],
+            "{},{},{},{},{}{}{},{}{}\n", position, run.input.wheelset.lateral_shift[p],
             run.input.wheelset.yaw[p], model, k + 1, wheel_cells(left, k), wheel_cells(right, k),
-            number_or_nothing(loaded_radius_difference(left, right)),
+            csv_cell(loaded_radius_difference(left, right)),
             rigid ? fmt::format(",{}{}", rigid->radius_difference(), conicity_cells(*rigid))
                   : ",,,,");
       }

@@ -28,15 +28,8 @@ TablePoint point_of(const halfspace::EllipseForces& found) {
 
 class EllipseSource : public TableSource {
  public:
-  EllipseSource(const CreepTable& table, const contact::Case& input) : input_(input) {
-    axes_.axis_ratio = table.axis_ratio;
-    axes_.load = table.load;
-    axes_.speed = table.speed;
-    axes_.scale = table.scale;
-    axes_.mean_axis = table.mean_axis;
-    axes_.poisson_ratio = table.poisson_ratio;
-    axes_.shear_modulus = table.shear_modulus;
-  }
+  EllipseSource(const CreepTable& table, const contact::Case& input)
+      : input_(input), axes_(table) {}
 
   void prepare(CreepTable&, const contact::Progress&) override {}
 

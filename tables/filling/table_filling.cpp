@@ -2,16 +2,20 @@
 #include "tables/filling/table_filling.hpp"
 
 #include "contact/base/threads.hpp"
-#include "tables/filling/table_parts.hpp"
+#include "contact/result/record.hpp"
 #include "tables/filling/table_source.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <ctime>
+#include <functional>
+#include <future>
 #include <memory>
+#include <mutex>
 #include <random>
 #include <string>
 #include <utility>
@@ -41,6 +45,105 @@ std::array<std::size_t, 3> to_and_fro(const CreepTable& table, std::size_t n) {
   return {i, j, row % 2 == 0 ? m : spins - 1 - m};
 }
 
+/// Points `begin` to `end` - 1 of a list.
+struct TablePart {
+  std::size_t begin = 0, end = 0;
+};
+
+/// Creepages of consecutive points of a node of the other axes.
+std::vector<Scaled> creepages_of(const CreepTable& table, const TablePart& part) {
+  std::vector<Scaled> creepages;
+  for (std::size_t n = part.begin; n < part.end; ++n) {
+    const auto [i, j, k] = to_and_fro(table, n % (table.size() / table.nodes()));
+    creepages.push_back({table.creepage[0][i], table.creepage[1][j], table.creepage[2][k]});
+  }
+  return creepages;
+}
+
+/// A list of points, cut into parts of at most halfspace::longest_chain. No part crosses the border
+/// between consecutive groups of `of_a_group` points. The division does not depend on resumed
+/// parts, so that results are identical to the last bit.
+struct TableParts {
+  std::string name;        ///< of the records
+  std::string stage;       ///< in progress events
+  contact::Share share;    ///< parts to solve; others are only read if stored
+  std::size_t points = 0;  ///< in the list
+  std::size_t of_a_group = 1;
+  /// Called by several threads at once.
+  std::function<std::vector<TablePoint>(const TablePart&)> solve;
+  /// Called for every solved or resumed part, by one thread at a time.
+  std::function<void(const TablePart&, const std::vector<TablePoint>&)> done;
+};
+
+void exchange(contact::Record& record, std::vector<TablePoint>& points) {
+  for (TablePoint& point : points) {
+    record.values(point.forces[0], point.forces[1], point.forces[2], point.along_normal);
+    record.values(point.bars[0], point.bars[1], point.elements_across);
+  }
+}
+
+/// Solves the parts on all cores. `checkpoint` may be null. An exception from solve, done or
+/// progress ends the work and is passed on.
+void solve_parts(const TableParts& table, const contact::Progress& progress,
+                 contact::Checkpoint* checkpoint) {
+  contact::CheckpointPart kept(checkpoint, table.name + "-");
+  constexpr std::size_t longest_part = 64;  // of what a thread solves and stores as one record
+  std::vector<TablePart> parts;
+  for (std::size_t begin = 0; begin < table.points; begin = parts.back().end) {
+    const std::size_t end_of_group = (begin / table.of_a_group + 1) * table.of_a_group;
+    parts.push_back({begin, std::min({begin + longest_part, end_of_group, table.points})});
+  }
+  const auto name_of = [](std::size_t part) { return fmt::format("{:05}", part); };
+  contact::ProgressEvent event;
+  event.model = "table";
+  event.stage = table.stage;
+  event.points = static_cast<int>(table.points);
+  const auto add = [&](std::size_t p, const std::vector<TablePoint>& points) {
+    table.done(parts[p], points);
+    event.point += static_cast<int>(points.size());
+  };
+  std::vector<std::size_t> missing;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (const auto bytes = kept.find(name_of(p))) {
+      contact::Record record(*bytes);
+      std::vector<TablePoint> points(parts[p].end - parts[p].begin);
+      exchange(record, points);
+      add(p, points);
+    } else if (table.share.holds(p)) {
+      missing.push_back(p);
+    }
+  }
+  contact::report(progress, event);
+  std::atomic<std::size_t> next{0};
+  std::mutex telling;
+  // Each thread takes one part after another until none is left.
+  const auto work = [&] {
+    try {
+      const contact::SingleThread single;
+      for (std::size_t n = next++; n < missing.size(); n = next++) {
+        std::vector<TablePoint> points = table.solve(parts[missing[n]]);
+        const std::lock_guard<std::mutex> one_at_a_time(telling);
+        add(missing[n], points);
+        contact::Record record;
+        exchange(record, points);
+        kept.keep(name_of(missing[n]), record.bytes());
+        contact::report(progress, event);
+      }
+    } catch (...) {
+      next = missing.size();  // no thread starts another part
+      throw;
+    }
+  };
+  const std::size_t threads = std::min(static_cast<std::size_t>(contact::threads()),
+                                       std::max<std::size_t>(missing.size(), 1));
+  std::vector<std::future<void>> running;
+  for (std::size_t t = 1; t < threads; ++t) running.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : running) other.get();
+  event.finished = true;
+  contact::report(progress, event);
+}
+
 void fill_grid(CreepTable& table, const TableSource& source, const contact::Progress& progress,
                contact::Checkpoint* checkpoint, contact::Share share) {
   const std::size_t of_a_place = table.size() / table.nodes();
@@ -50,12 +153,7 @@ void fill_grid(CreepTable& table, const TableSource& source, const contact::Prog
   if (table.over_shifts()) table.along_normal.resize(table.size());
   TableParts parts{"table", "points", share, table.size(), of_a_place, {}, {}};
   parts.solve = [&](const TablePart& part) {
-    std::vector<Scaled> creepages;
-    for (std::size_t n = part.begin; n < part.end; ++n) {
-      const auto [i, j, k] = to_and_fro(table, n % of_a_place);
-      creepages.push_back({table.creepage[0][i], table.creepage[1][j], table.creepage[2][k]});
-    }
-    return source.at_node(part.begin / of_a_place, creepages);
+    return source.at_node(part.begin / of_a_place, creepages_of(table, part));
   };
   parts.done = [&](const TablePart& part, const std::vector<TablePoint>& points) {
     for (std::size_t n = part.begin; n < part.end; ++n) {
@@ -260,11 +358,8 @@ void forecast(const CreepTable& table, const TableSource& source, int check_poin
   constexpr std::size_t sample = 16, worth_a_forecast = 200;
   if (table.size() < worth_a_forecast) return;
   const std::size_t places = table.nodes(), of_a_place = table.size() / places;
-  std::vector<Scaled> creepages;
-  for (std::size_t n = of_a_place / 2; n < std::min(of_a_place / 2 + sample, of_a_place); ++n) {
-    const auto [i, j, k] = to_and_fro(table, n);
-    creepages.push_back({table.creepage[0][i], table.creepage[1][j], table.creepage[2][k]});
-  }
+  const std::vector<Scaled> creepages =
+      creepages_of(table, {of_a_place / 2, std::min(of_a_place / 2 + sample, of_a_place)});
   const std::clock_t begin = std::clock();  // CPU time: other programs would spoil a short sample
   {
     const contact::SingleThread single;

@@ -2,14 +2,23 @@
 // Solvers for the points of a table: ellipses, or a shifted wheel.
 #pragma once
 
+#include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
 #include "tables/files/creep_table.hpp"
-#include "tables/filling/table_parts.hpp"
 
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace rollfem::tables {
+
+/// A solved point, scaled as in a CreepTable.
+struct TablePoint {
+  Scaled forces{};
+  double along_normal = 0.0;
+  std::array<double, 2> bars{};
+  int elements_across = 0;
+};
 
 class TableSource {
  public:

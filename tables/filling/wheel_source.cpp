@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/errors.hpp"
-#include "tables/filling/table_grid.hpp"
+#include "tables/filling/table_filling.hpp"
 #include "tables/filling/table_source.hpp"
 #include "track/balance/pressed_wheel.hpp"
 #include "track/motion/placed_scenes.hpp"

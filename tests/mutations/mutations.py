@@ -308,7 +308,7 @@ MUTATIONS = [
              "return {std::sqrt(3.0) / von_mises, 0.95 / shear};",
              "the shakedown limit is 5 % too low",
              ("verification_shakedown",)),
-    Mutation("ellipse_shear", "postprocess/stress/ellipse_shear.cpp",
+    Mutation("ellipse_shear", "postprocess/stress/shakedown.cpp",
              "near * std::cosh(t) * 1.5 / M_PI", "near * std::cosh(t) * 1.47 / M_PI",
              "the shear below an ellipse is 2 % too small",
              ("verification_shakedown",)),

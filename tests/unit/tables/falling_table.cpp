@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
-#include "tables/filling/table_grid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include "halfspace/model/model.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
-#include "tables/filling/table_grid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/rolling_ellipse.hpp"
-#include "tables/filling/table_grid.hpp"
 
 #include <gtest/gtest.h>
 

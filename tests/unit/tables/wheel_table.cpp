@@ -5,7 +5,6 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 #include "tables/filling/table_filling.hpp"
-#include "tables/filling/table_grid.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <gtest/gtest.h>
