@@ -5,7 +5,6 @@
 #include "interface/session.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/program/provenance.hpp"
-#include "models/program/version.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
@@ -24,9 +23,8 @@ Ready ready_for(const std::vector<std::string>& models, const contact::Progress&
   ready.how.progress = progress;
   if (!modelling::any_parallel(registry(), models)) return ready;
   ready.one_at_a_time = modelling::lock_fem();
-  ready.how.need_session = [] { modelling::need_session("models"); };
+  ready.how.need_session = [] { modelling::parallel_session("models"); };
   if (!modelling::any_choice(registry(), models)) ready.how.need_session();
-  ready.how.session = modelling::ParallelSession::living();
   return ready;
 }
 
@@ -58,12 +56,8 @@ Result solve(const Case& input, const std::vector<std::string>& models, const Pr
   result.provenance = modelling::provenance_of(known, "rollfem::solve");
   Ready ready = ready_for(names, progress);
   ready.how.go_on = missing != nullptr;
-  modelling::Solved solved = modelling::solve(result.input, ready.how);
-  for (const modelling::Missing& one : solved.missing)
+  for (const postprocess::MissingModel& one : modelling::solve(result, ready.how))
     missing->push_back({one.model, one.reason, one.failed});
-  result.models = std::move(solved.results);
-  result.pairs = std::move(solved.pairs);
-  result.verdict = std::move(solved.verdict);
   return result;
 }
 

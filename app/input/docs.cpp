@@ -4,7 +4,7 @@
 #include "app/frame/commands.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 #include "models/registry.hpp"
 #include "postprocess/write/case_schema.hpp"
 

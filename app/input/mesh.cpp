@@ -83,8 +83,8 @@ void mesh(const CaseRequest& request) {
   const fs::path folder = request.folder("_mesh");
   spare_input(input, folder);
 
-  const fem::Entry& entry = modelling::open_fem_library("mesh");
-  entry.start(request.call.argc, request.call.argv);
+  const fem::Entry& entry =
+      modelling::parallel_session("mesh", request.call.argc, request.call.argv).entry;
   std::vector<MeshedBody> bodies;
   for (const contact::Scene& scene : scenes)
     for (MeshedBody& body : entry.mesh(scene)) {
@@ -102,7 +102,6 @@ void mesh(const CaseRequest& request) {
               << table(bodies) << "\nmeshes: " << folder.string()
               << " (.msh: coarse, as accepted by [wheel] mesh and [rail] mesh; .vtu: refined)\n";
   }
-  entry.stop();
 }
 
 }  // namespace

@@ -205,12 +205,13 @@ class Bench {
 
   /// Empty if the model cannot take the case.
   std::optional<Row> solved(const BenchCase& given, const std::string& model, int across) {
-    const contact::Case input = input_of(given, model, across);
+    postprocess::RunRecord record;
+    record.input = input_of(given, model, across);
     const contact::Stopwatch watch;
     const std::clock_t begin = std::clock();
-    const modelling::Solved found = modelling::solve(input, how_);
-    if (found.results.empty()) return {};
-    Row row = row_of(given, found.results.front());
+    modelling::solve(record, how_);
+    if (record.models.empty()) return {};
+    Row row = row_of(given, record.models.front());
     row.seconds = watch.seconds();
     row.own_seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) /
                                                 static_cast<double>(CLOCKS_PER_SEC));

@@ -5,7 +5,7 @@
 #include "contact/result/record.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "models/caches/correction_file.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "models/caches/machine_speed.hpp"
 
 #include "models/caches/correction_cache.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 #include "postprocess/hdf5/named_values.hpp"
 
 #include <filesystem>

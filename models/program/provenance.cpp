@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/program/provenance.hpp"
 
-#include "models/program/version.hpp"
-
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
