@@ -19,7 +19,6 @@
 #include <new>
 #include <poll.h>
 #include <sched.h>
-#include <sstream>
 #include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
@@ -118,9 +117,9 @@ std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error)
   if (words == std::string::npos || set == std::string::npos || end == std::string::npos)
     return text;
   const std::string given = text.substr(words + 2, set - words - 2);
+  const std::string list = text.substr(set + 9, end - set - 9);
   std::vector<std::string> allowed;
-  std::istringstream list(text.substr(set + 9, end - set - 9));
-  for (std::string word; std::getline(list, word, ',');) allowed.push_back(word);
+  for (const std::string_view word : contact::parts_of(list, ",")) allowed.emplace_back(word);
   return fmt::format("{}: {} is not allowed; {}allowed: {}", text.substr(0, words), given,
                      contact::did_you_mean(given, allowed), contact::listed(allowed));
 }
