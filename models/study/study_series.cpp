@@ -78,7 +78,7 @@ StudyValues exact_values(const contact::Scene& scene) {
 }
 
 bool parallel(const LevelPlan& plan, const StudyRun& work) {
-  return work.how.models->at(plan.model).parallel;
+  return work.how.models->at(plan.series.model).parallel;
 }
 
 /// The level as stored by an earlier call, otherwise solved. Collective for a parallel model.
@@ -90,7 +90,7 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
   const std::string name = level_record_name(place, series, level);
   const bool several = parallel(plan, work) && !work.how.together;
   if (const auto kept = find_level(work.kept, name, several ? work.how.session : nullptr)) {
-    work.say(fmt::format("{} {}: resumed", plan.model, level.label));
+    work.say(fmt::format("{} {}: resumed", plan.series.model, level.label));
     return *kept;
   }
   LevelPoints points(work.kept, name);
@@ -100,7 +100,7 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
     event.stage = wanted.label + ": " + event.stage;
     contact::report(work.how.progress, event);
   };
-  const contact::ModelResult result = solve_scene(plan.model, wanted.input, work.notes, how);
+  const contact::ModelResult result = solve_scene(plan.series.model, wanted.input, work.notes, how);
   const auto total = result.seconds.find("total");
   level.unknowns = result.unknowns;
   level.contact_elements = result.contact_elements;
@@ -111,19 +111,15 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
     level.noise = std::max(level.noise, point.residual);
   keep_level(work.kept, name, level);
   points.drop();
-  work.say(fmt::format("{} {}: {:.2g} s", plan.model, level.label, level.seconds));
+  work.say(fmt::format("{} {}: {:.2g} s", plan.series.model, level.label, level.seconds));
   return level;
 }
 
 /// If a level is too coarse to be meshed or solved, the series begins with a finer one. After a
 /// solved level a failure ends the series, because limits need consecutive levels.
 StudySeries run_series(const LevelPlan& plan, const std::string& place, const StudyRun& work) {
-  StudySeries series;
-  series.model = plan.model;
-  series.vary = plan.vary;
-  series.parameter = plan.parameter;
-  series.ratio = plan.ratio;
-  const contact::ModelInfo& model = work.how.models->at(plan.model);
+  StudySeries series = plan.series;
+  const contact::ModelInfo& model = work.how.models->at(series.model);
   series.measures_others = model.name == work.how.models->reference().name;
   series.limit_of_its_own = !model.half_spaces;
   if (!parallel(plan, work) && !work.how.first) return series;
@@ -132,7 +128,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const St
     const contact::RefinedInput& wanted = plan.levels[k];
     const auto failed = [&](const std::exception& error, std::string& list) {
       if (!work.how.together) throw;  // the others may be inside a collective call
-      work.say(fmt::format("{} {}: no result: {}", plan.model, wanted.label, error.what()));
+      work.say(fmt::format("{} {}: no result: {}", plan.series.model, wanted.label, error.what()));
       if (list.find(error.what()) == std::string::npos)
         list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", wanted.label, error.what());
     };
