@@ -55,12 +55,6 @@ namespace rollfem::app {
 
 namespace {
 
-std::string joined(int argc, char** argv) {
-  std::string text;
-  for (int i = 0; i < argc; ++i) text += (i > 0 ? " " : "") + std::string(argv[i]);
-  return text;
-}
-
 /// Whether the reader has closed the pipe (`rollfem run ... | head -1`), which is no failure.
 bool reader_is_gone() {
   pollfd output{STDOUT_FILENO, POLLOUT, 0};
@@ -137,7 +131,7 @@ std::vector<std::string> arguments(int argc, char** argv) {
 }
 
 int execute(int argc, char** argv, const contact::ModelRegistry& models) {
-  Call call{models, joined(argc, argv), argc, argv};
+  Call call{models, fmt::format("{}", fmt::join(argv, argv + argc, " ")), argc, argv};
   CLI::App program("rollfem: rolling contact of wheel and rail by half-spaces and finite elements",
                    "rollfem");
   program.set_version_flag("--version", version_text, "version, features and libraries");

@@ -149,7 +149,7 @@ class Bench {
       double measured, expected;
     };
     std::vector<Timed> timed;
-    for (const int across : grids_of_half_spaces()) {
+    for (const int across : request_.quick ? quick_grids : grids) {
       const std::optional<Row> row = quickest(given, model.name, across);
       tell(given, model, across, row);
       const auto seconds = predicted(given, model.name, across);
@@ -172,10 +172,6 @@ class Bench {
         row->own_seconds = std::min(row->own_seconds, again->own_seconds);
       }
     return row;
-  }
-
-  const std::vector<int>& grids_of_half_spaces() const {
-    return request_.quick ? quick_grids : grids;
   }
 
   /// Predicted seconds from choice/laws.hpp.

@@ -6,24 +6,14 @@
 #include "postprocess/hdf5/named_values.hpp"
 
 #include <filesystem>
-#include <unistd.h>
 
 namespace rollfem::modelling {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-std::string host() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
-
-}  // namespace
 
 fs::path machine_speed_file() {
   const CorrectionCache cache;
-  return cache.off() ? fs::path() : cache.folder() / ("bench_" + host() + ".h5");
+  return cache.off() ? fs::path() : cache.folder() / ("bench_" + host_name() + ".h5");
 }
 
 std::optional<MachineSpeed> machine_speed() {

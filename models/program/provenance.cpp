@@ -22,12 +22,12 @@ std::string utc_now() {
   return text;
 }
 
+}  // namespace
+
 std::string host_name() {
   char name[256] = {};
   return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
 }
-
-}  // namespace
 
 postprocess::Provenance provenance_of(const contact::ModelRegistry& models,
                                       const std::string& command) {
