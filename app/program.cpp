@@ -19,7 +19,6 @@
 #include <new>
 #include <poll.h>
 #include <sched.h>
-#include <sstream>
 #include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
@@ -55,12 +54,6 @@ extern "C" int sched_yield() noexcept {
 namespace rollfem::app {
 
 namespace {
-
-std::string joined(int argc, char** argv) {
-  std::string text;
-  for (int i = 0; i < argc; ++i) text += (i > 0 ? " " : "") + std::string(argv[i]);
-  return text;
-}
 
 /// Whether the reader has closed the pipe (`rollfem run ... | head -1`), which is no failure.
 bool reader_is_gone() {
@@ -118,9 +111,9 @@ std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error)
   if (words == std::string::npos || set == std::string::npos || end == std::string::npos)
     return text;
   const std::string given = text.substr(words + 2, set - words - 2);
+  const std::string list = text.substr(set + 9, end - set - 9);
   std::vector<std::string> allowed;
-  std::istringstream list(text.substr(set + 9, end - set - 9));
-  for (std::string word; std::getline(list, word, ',');) allowed.push_back(word);
+  for (const std::string_view word : contact::parts_of(list, ",")) allowed.emplace_back(word);
   return fmt::format("{}: {} is not allowed; {}allowed: {}", text.substr(0, words), given,
                      contact::did_you_mean(given, allowed), contact::listed(allowed));
 }
@@ -138,7 +131,7 @@ std::vector<std::string> arguments(int argc, char** argv) {
 }
 
 int execute(int argc, char** argv, const contact::ModelRegistry& models) {
-  Call call{models, joined(argc, argv), argc, argv};
+  Call call{models, fmt::format("{}", fmt::join(argv, argv + argc, " ")), argc, argv};
   CLI::App program("rollfem: rolling contact of wheel and rail by half-spaces and finite elements",
                    "rollfem");
   program.set_version_flag("--version", version_text, "version, features and libraries");

@@ -2,7 +2,7 @@
 #include "app/frame/commands.hpp"
 #include "contact/base/errors.hpp"
 #include "models/fem/fem_library.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>

@@ -5,7 +5,6 @@
 #include "contact/case/case_reader.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/program/provenance.hpp"
-#include "models/program/version.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
@@ -37,9 +36,8 @@ Ready ready_for(const std::vector<std::string>& models, const contact::Progress&
   ready.how.progress = progress;
   if (!modelling::any_parallel(registry(), models)) return ready;
   ready.one_at_a_time = modelling::lock_fem();
-  ready.how.need_session = [] { modelling::need_session("models"); };
+  ready.how.need_session = [] { modelling::parallel_session("models"); };
   if (!modelling::any_choice(registry(), models)) ready.how.need_session();
-  ready.how.session = modelling::ParallelSession::living();
   return ready;
 }
 
@@ -73,12 +71,8 @@ Result solve(const Case& input, const std::vector<std::string>& models, const Pr
   result.provenance = modelling::provenance_of(known, "rollfem::solve");
   Ready ready = ready_for(names, progress);
   ready.how.go_on = missing != nullptr;
-  modelling::Solved solved = modelling::solve(result.input, ready.how);
-  if (missing != nullptr)
-    missing->insert(missing->end(), solved.missing.begin(), solved.missing.end());
-  result.models = std::move(solved.results);
-  result.pairs = std::move(solved.pairs);
-  result.verdict = std::move(solved.verdict);
+  const std::vector<Missing> unsolved = modelling::solve(result, ready.how);
+  if (missing != nullptr) missing->insert(missing->end(), unsolved.begin(), unsolved.end());
   return result;
 }
 

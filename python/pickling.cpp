@@ -3,7 +3,7 @@
 // checkpoints.
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 #include "python/bindings.hpp"
 
 #include <cstring>

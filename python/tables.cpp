@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 #include "python/caller.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"

@@ -6,7 +6,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/checks/plausibility.hpp"
 #include "models/program/provenance.hpp"
-#include "models/program/version.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 
@@ -213,19 +212,16 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
                            const std::function<void(const modelling::Solving&)>& body) {
   modelling::check_built(known_, models_, asked_by);
   prepare_farewell();
+  modelling::Solving how;
   const auto start = [&] {
-    if (!session_)
-      session_ = std::make_unique<modelling::ParallelSession>(asked_by, request_.call.argc,
-                                                              request_.call.argv);
+    how.session = &modelling::parallel_session(asked_by, request_.call.argc, request_.call.argv);
   };
   // A choice may end without finite elements, whose library takes longer to load than half-spaces
   // take to solve. With several processes the library is needed for their agreement.
   if (parallel_ && (processes_ > 1 || !modelling::any_choice(known_, models_))) start();
   try {
-    modelling::Solving how;
     how.need_session = start;
     how.models = &known_;
-    how.session = session_.get();
     how.progress = progress_;
     how.first = first_;
     how.together = processes_ == 1;
@@ -234,10 +230,8 @@ void CommandFrame::compute(const std::string& asked_by, const std::string& kept,
   } catch (...) {
     display_.clear();
     tell_of_kept(kept);
-    static_cast<void>(session_.release());
     throw;
   }
-  session_.reset();
 }
 
 void store_results(const std::string& directory, const postprocess::RunRecord& record) {

@@ -76,8 +76,7 @@ class CommandFrame {
   void forget_kept();
 
   /// Calls `body`, with MPI started if a model needs it. If it throws, this reports the stored work
-  /// (`kept`: "load points") and leaves the session open, because finalising MPI would wait for
-  /// processes that have not failed. `asked_by`: the option or key that names the models.
+  /// (`kept`: "load points"). `asked_by`: the option or key that names the models.
   void compute(const std::string& asked_by, const std::string& kept,
                const std::function<void(const modelling::Solving&)>& body);
 
@@ -95,7 +94,6 @@ class CommandFrame {
   int processes_ = 1;
   ProgressDisplay display_;
   contact::Progress progress_;
-  std::unique_ptr<modelling::ParallelSession> session_;
   std::vector<std::unique_ptr<postprocess::FolderOwner>> owned_;
   std::unique_ptr<postprocess::CheckpointFolder> kept_;
 };

@@ -54,7 +54,7 @@ void add_model_option(CLI::App& command, const std::string& names, std::vector<s
 }
 
 void add_quiet_flags(CLI::App& program) {
-  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+  for (CLI::App* command : program.get_subcommands(nullptr)) {
     const std::string& name = command->get_name();
     if (command->get_option_no_throw("--quiet") == nullptr && name != "docs" && name != "new-case")
       command->add_flag_callback("-q,--quiet", silence, "print errors and warnings only");

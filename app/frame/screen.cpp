@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "app/frame/screen.hpp"
 
-#include "models/program/version.hpp"
+#include "contact/base/text_fields.hpp"
+#include "models/program/provenance.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <iostream>
-#include <sstream>
 #include <streambuf>
 #include <vector>
 
@@ -23,13 +23,6 @@ class Nowhere : public std::streambuf {
 };
 
 std::streambuf* shown = nullptr;
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream rest(line + ",");
-  for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(cell);
-  return cells;
-}
 
 }  // namespace
 
@@ -56,21 +49,21 @@ Json result_head(const std::string& kind) {
 Json columns_of(const std::string& csv) {
   Json columns = Json::object(), units = Json::object();
   std::vector<std::string> names;
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line.front() == '#') continue;
-    const std::vector<std::string> cells = cells_of(line);
+  for (contact::TextLines lines(csv); lines.next();) {
+    if (lines.line().empty() || lines.line().front() == '#') continue;
     const bool heading = names.empty();
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      if (heading) {
-        const std::size_t unit = cells[k].find(" [");
-        names.push_back(cells[k].substr(0, unit));
-        columns[names[k]] = Json::array();
-        if (unit != std::string::npos)
-          units[names[k]] = cells[k].substr(unit + 2, cells[k].size() - unit - 3);
-      } else {
-        columns[names[k]].push_back(cells[k].empty() ? Json() : Json(std::stod(cells[k])));
+    std::size_t k = 0;
+    for (const std::string_view part : contact::parts_of(lines.line(), ",")) {
+      const std::string cell(part);
+      if (!heading) {
+        columns[names[k++]].push_back(cell.empty() ? Json() : Json(std::stod(cell)));
+        continue;
       }
+      const std::size_t unit = cell.find(" [");
+      names.push_back(cell.substr(0, unit));
+      columns[names.back()] = Json::array();
+      if (unit != std::string::npos)
+        units[names.back()] = cell.substr(unit + 2, cell.size() - unit - 3);
     }
   }
   return {{"columns", columns}, {"units", units}};

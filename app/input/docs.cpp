@@ -4,7 +4,7 @@
 #include "app/frame/commands.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 #include "models/registry.hpp"
 #include "postprocess/write/case_schema.hpp"
 
@@ -16,11 +16,6 @@
 namespace rollfem::app {
 
 namespace {
-
-/// The commands shown in help, in the same order.
-std::vector<const CLI::App*> commands(const CLI::App& program) {
-  return program.get_subcommands([](const CLI::App*) { return true; });
-}
 
 /// The option's names ("-o --output"), or the allowed words of a positional argument.
 std::string option_words(const CLI::App& command) {
@@ -75,7 +70,7 @@ std::string roff_options(const CLI::App& command) {
 std::string bash_completion(const CLI::App& program, const contact::ModelRegistry& models) {
   std::vector<std::string> names;
   std::string cases;
-  for (const CLI::App* command : commands(program)) {
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
     names.push_back(command->get_name());
     cases += fmt::format("    {}) words='{}' ;;\n", command->get_name(), option_words(*command));
   }
@@ -109,7 +104,7 @@ complete -o filenames -F _rollfem rollfem ./rollfem
 std::string zsh_completion(const CLI::App& program, const contact::ModelRegistry& models) {
   std::string named;
   std::string cases;
-  for (const CLI::App* command : commands(program)) {
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
     std::string sentence = command->get_description();
     std::replace(sentence.begin(), sentence.end(), '\'', ' ');
     named += fmt::format("      '{}:{}'\n", command->get_name(), sentence);
@@ -146,7 +141,7 @@ std::string manual_page(const CLI::App& program, const std::string& version) {
       "elements and a hybrid of these. A case file states the problem; the result is a folder with "
       "report.html to read first. Units are mm, N, MPa, s and rad.\n.SH COMMANDS\n",
       roff(version));
-  for (const CLI::App* command : commands(program)) {
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
     text += fmt::format(".SS {}\n{}\n", command->get_name(), roff(command->get_description()));
     text += roff_options(*command);
     const std::string footer = command->get_footer();

@@ -52,25 +52,23 @@ std::string table(const std::vector<MeshedBody>& bodies) {
   for (const MeshedBody& body : bodies) width = std::max(width, body.name.size() + 2);
   std::string text = fmt::format("{:<34}", "");
   for (const MeshedBody& body : bodies) text += fmt::format("{:>{}}", body.name, width);
-  const auto row = [&](const char* what, const auto& value) {
+  const auto row = [&](const char* what, const char* format, const auto& value) {
     text += fmt::format("\n{:<34}", what);
     for (const MeshedBody& body : bodies)
-      text += fmt::format("{:>{}.5g}", 1.0 * value(body), width);
+      text += fmt::format(fmt::runtime(format), value(body), width);
   };
-  const auto count = [&](const char* what, const auto& value) {
-    text += fmt::format("\n{:<34}", what);
-    for (const MeshedBody& body : bodies) text += fmt::format("{:>{}}", value(body), width);
-  };
-  count("coarse cells", [](const MeshedBody& b) { return b.coarse_cells; });
-  count("times halved at the patch", [](const MeshedBody& b) { return b.levels; });
-  count("cells", [](const MeshedBody& b) { return b.cells; });
-  count("unknowns", [](const MeshedBody& b) { return b.unknowns; });
-  row("size of cells in the patch, mm", [](const MeshedBody& b) { return b.size_in_patch; });
-  row("shortest edge, mm", [](const MeshedBody& b) { return b.shortest_edge; });
-  row("longest edge, mm", [](const MeshedBody& b) { return b.longest_edge; });
-  row("smallest scaled Jacobian (1: box)",
+  constexpr const char *count = "{:>{}}", *number = "{:>{}.5g}";
+  row("coarse cells", count, [](const MeshedBody& b) { return b.coarse_cells; });
+  row("times halved at the patch", count, [](const MeshedBody& b) { return b.levels; });
+  row("cells", count, [](const MeshedBody& b) { return b.cells; });
+  row("unknowns", count, [](const MeshedBody& b) { return b.unknowns; });
+  row("size of cells in the patch, mm", number,
+      [](const MeshedBody& b) { return b.size_in_patch; });
+  row("shortest edge, mm", number, [](const MeshedBody& b) { return b.shortest_edge; });
+  row("longest edge, mm", number, [](const MeshedBody& b) { return b.longest_edge; });
+  row("smallest scaled Jacobian (1: box)", number,
       [](const MeshedBody& b) { return b.smallest_scaled_jacobian; });
-  row("largest aspect ratio", [](const MeshedBody& b) { return b.largest_aspect_ratio; });
+  row("largest aspect ratio", number, [](const MeshedBody& b) { return b.largest_aspect_ratio; });
   return text + "\n";
 }
 
@@ -83,8 +81,8 @@ void mesh(const CaseRequest& request) {
   const fs::path folder = request.folder("_mesh");
   spare_input(input, folder);
 
-  const fem::Entry& entry = modelling::open_fem_library("mesh");
-  entry.start(request.call.argc, request.call.argv);
+  const fem::Entry& entry =
+      modelling::parallel_session("mesh", request.call.argc, request.call.argv).entry;
   std::vector<MeshedBody> bodies;
   for (const contact::Scene& scene : scenes)
     for (MeshedBody& body : entry.mesh(scene)) {
@@ -102,7 +100,6 @@ void mesh(const CaseRequest& request) {
               << table(bodies) << "\nmeshes: " << folder.string()
               << " (.msh: coarse, as accepted by [wheel] mesh and [rail] mesh; .vtu: refined)\n";
   }
-  entry.stop();
 }
 
 }  // namespace

@@ -133,9 +133,6 @@ std::string table(const NamedProfile& profile) {
 }
 
 bool is_wheel(const ProfileRequest& request) {
-  if (request.wheel && request.rail)
-    throw contact::InputError(
-        "profile: --wheel and --rail exclude each other; do: give one of them");
   if (request.wheel || request.rail) return request.wheel;
   if (const auto* built_in = profiles::find_built_in_profile(request.name)) return built_in->wheel;
   const std::string ending = fs::path(request.name).extension().string();
@@ -146,9 +143,6 @@ bool is_wheel(const ProfileRequest& request) {
 }
 
 std::vector<NamedProfile> of_case(const ProfileRequest& request) {
-  if (request.wheel && request.rail)
-    throw contact::InputError(
-        "profile: --wheel and --rail exclude each other; do: give one of them");
   const contact::Case input = contact::read_case(request.name);
   std::vector<NamedProfile> profiles;
   for (const bool wheel : {true, false}) {
@@ -165,6 +159,9 @@ std::vector<NamedProfile> of_case(const ProfileRequest& request) {
 }
 
 std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
+  if (request.wheel && request.rail)
+    throw contact::InputError(
+        "profile: --wheel and --rail exclude each other; do: give one of them");
   if (fs::path(request.name).extension() == ".toml") return of_case(request);
   std::error_code error;
   if (profiles::find_built_in_profile(request.name) == nullptr &&

@@ -3,7 +3,7 @@
 #include "app/frame/command_frame.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
@@ -167,20 +167,15 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
     postprocess::RunRecord record;
     record.input = task.input;
     record.provenance = frame.provenance();
-    modelling::Solved solved = modelling::solve(task.input, how);
+    compared.missing = modelling::solve(record, how);
     bool failed = false;
-    for (modelling::Missing& missing : solved.missing) {
+    for (postprocess::MissingModel& missing : compared.missing) {
       failed = failed || missing.failed;
-      compared.missing.push_back({missing.model,
-                                  missing.failed ? missing.reason : reason_alone(missing.reason),
-                                  missing.failed});
+      if (!missing.failed) missing.reason = reason_alone(missing.reason);
     }
-    for (const contact::ModelResult& model : solved.results)
+    for (const contact::ModelResult& model : record.models)
       if (!model.shortfall.empty()) compared.missing.push_back({model.name, model.shortfall, true});
-    if (solved.results.empty() || !how.first) return compared;
-    record.models = std::move(solved.results);
-    record.pairs = std::move(solved.pairs);
-    record.verdict = std::move(solved.verdict);
+    if (record.models.empty() || !how.first) return compared;
     store_results(task.folder.string(), record);
     if (!failed) frame.forget_kept();
     compared.models = postprocess::scalars_of(std::move(record.models));

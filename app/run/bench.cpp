@@ -149,7 +149,7 @@ class Bench {
       double measured, expected;
     };
     std::vector<Timed> timed;
-    for (const int across : grids_of_half_spaces()) {
+    for (const int across : request_.quick ? quick_grids : grids) {
       const std::optional<Row> row = quickest(given, model.name, across);
       tell(given, model, across, row);
       const auto seconds = predicted(given, model.name, across);
@@ -172,10 +172,6 @@ class Bench {
         row->own_seconds = std::min(row->own_seconds, again->own_seconds);
       }
     return row;
-  }
-
-  const std::vector<int>& grids_of_half_spaces() const {
-    return request_.quick ? quick_grids : grids;
   }
 
   /// Predicted seconds from choice/laws.hpp.
@@ -205,12 +201,13 @@ class Bench {
 
   /// Empty if the model cannot take the case.
   std::optional<Row> solved(const BenchCase& given, const std::string& model, int across) {
-    const contact::Case input = input_of(given, model, across);
+    postprocess::RunRecord record;
+    record.input = input_of(given, model, across);
     const contact::Stopwatch watch;
     const std::clock_t begin = std::clock();
-    const modelling::Solved found = modelling::solve(input, how_);
-    if (found.results.empty()) return {};
-    Row row = row_of(given, found.results.front());
+    modelling::solve(record, how_);
+    if (record.models.empty()) return {};
+    Row row = row_of(given, record.models.front());
     row.seconds = watch.seconds();
     row.own_seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) /
                                                 static_cast<double>(CLOCKS_PER_SEC));

@@ -119,11 +119,8 @@ void run_at_once(const RunRequest& request) {
     how.checkpoint = frame.keep_in(request.folder(), record.input);
     how.share = request.share;
     how.placed = placed;
-    modelling::Solved solved = modelling::solve(record.input, how);
+    modelling::solve(record, how);
     if (!how.first || frame.ends_part()) return;
-    record.models = std::move(solved.results);
-    record.pairs = std::move(solved.pairs);
-    record.verdict = std::move(solved.verdict);
     if (placed) add_rigid_wheelset(placed->search, record);
     frame.clear_line();
     write_and_tell(request, record);

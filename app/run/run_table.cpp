@@ -27,9 +27,9 @@ bool has_friction(const ModelResult& model) {
 }
 
 /// Ignores the residue of a search for zero creepage.
-bool any_creepage(const std::vector<PointResult>& points, double contact::Creepage::*member) {
+bool any_motion(const std::vector<PointResult>& points, const char* name) {
   return std::any_of(points.begin(), points.end(), [&](const PointResult& point) {
-    return std::abs(point.creepage.*member) > 1e-15;
+    return std::abs(contact::quantity(point, name)) > 1e-15;
   });
 }
 
@@ -114,13 +114,9 @@ std::vector<std::pair<const char*, const char*>> given_columns(
   std::vector<std::pair<const char*, const char*>> columns;
   if (points.front().step > 0) columns.emplace_back("step", "step");
   for (const Motion& motion : motions) {
-    // Ignores the residue of a search for zero creepage.
-    const bool moves = std::any_of(points.begin(), points.end(), [&](const PointResult& point) {
-      return std::abs(contact::quantity(point, motion.name)) > 1e-15;
-    });
     if (is_found(points, motion.name))
       columns.emplace_back(motion.force, motion.force_heading);
-    else if (*motion.heading != '\0' && (columns.empty() || moves))
+    else if (*motion.heading != '\0' && (columns.empty() || any_motion(points, motion.name)))
       columns.emplace_back(motion.name, motion.heading);
   }
   return columns;
@@ -177,8 +173,7 @@ std::string scene_table(const std::vector<ModelResult>& models) {
                           return barred(five_digits(point.traction_coefficient), point,
                                         "traction_coefficient", 1.0);
                         });
-  if ((any_creepage(points, &contact::Creepage::lateral) ||
-       any_creepage(points, &contact::Creepage::spin)) &&
+  if ((any_motion(points, "lateral_creepage") || any_motion(points, "spin")) &&
       given.count("lateral_force") == 0)
     text += curve_table(with_friction, "lateral coefficient -F_y/F_z (forces on the wheel)",
                         [](const PointResult& point) {

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
 #include "halfspace/patch/correction_scene.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/files/seal.hpp"
 

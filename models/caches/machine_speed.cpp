@@ -3,29 +3,19 @@
 
 #include "contact/result/record.hpp"
 #include "models/caches/correction_cache.hpp"
-#include "models/program/version.hpp"
+#include "models/program/provenance.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/files/seal.hpp"
 
 #include <filesystem>
-#include <unistd.h>
 
 namespace rollfem::modelling {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-std::string host() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
-
-}  // namespace
 
 fs::path machine_speed_file() {
   const CorrectionCache cache;
-  return cache.off() ? fs::path() : cache.folder() / ("bench_" + host());
+  return cache.off() ? fs::path() : cache.folder() / ("bench_" + host_name());
 }
 
 std::optional<MachineSpeed> machine_speed() {

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 namespace rollfem::modelling {
@@ -90,39 +89,20 @@ FemLock lock_fem() {
   return FemLock(one_at_a_time);
 }
 
-namespace {
-
-const ParallelSession* living_session = nullptr;
-
-std::unique_ptr<ParallelSession>& lasting_session() {
-  static std::unique_ptr<ParallelSession> session;
+const ParallelSession& parallel_session(const std::string& asked_by, int argc, char** argv) {
+  static const ParallelSession session = [&] {
+    static char name[] = "rollfem";
+    static char* arguments[] = {name, nullptr};
+    const fem::Entry& entry = open_fem_library(asked_by);
+    const bool given = argv != nullptr;
+    int count = given ? argc : 1;
+    char** words = given ? argv : arguments;
+    entry.start(count, words);
+    // Ends the session before its libraries are unloaded.
+    std::atexit([] { session.entry.stop(); });
+    return ParallelSession{entry};
+  }();
   return session;
-}
-
-}  // namespace
-
-ParallelSession::ParallelSession(const std::string& asked_by, int argc, char** argv)
-    : entry_(open_fem_library(asked_by)) {
-  entry_.start(argc, argv);
-  living_session = this;
-}
-
-ParallelSession::~ParallelSession() {
-  living_session = nullptr;
-  entry_.stop();
-}
-
-const ParallelSession* ParallelSession::living() {
-  return living_session;
-}
-
-void need_session(const std::string& asked_by) {
-  if (living_session != nullptr) return;
-  static char name[] = "rollfem";
-  static char* arguments[] = {name, nullptr};
-  lasting_session() = std::make_unique<ParallelSession>(asked_by, 1, arguments);
-  // Ends the session before its libraries are unloaded.
-  std::atexit([] { lasting_session().reset(); });
 }
 
 }  // namespace rollfem::modelling

@@ -19,29 +19,16 @@ const fem::Entry& open_fem_library(const std::string& asked_by);
 using FemLock = std::unique_lock<std::recursive_mutex>;
 FemLock lock_fem();
 
-// MPI, initialised only while parallel models run.
-
-/// Starts the MPI of the finite-element library and finalises it on destruction.
-class ParallelSession {
- public:
-  /// `asked_by`: the option or key that requests a parallel model, for the message of a build
-  /// without the library.
-  ParallelSession(const std::string& asked_by, int argc, char** argv);
-  ~ParallelSession();
-  ParallelSession(const ParallelSession&) = delete;
-  ParallelSession& operator=(const ParallelSession&) = delete;
-
+/// The MPI of the finite-element library, initialised only when parallel models run.
+struct ParallelSession {
   /// Collective: the text of the first process on every process.
-  std::string from_first(const std::string& text) const { return entry_.from_first(text); }
-  /// The one that lives, or null.
-  static const ParallelSession* living();
-
- private:
-  const fem::Entry& entry_;
+  std::string from_first(const std::string& text) const { return entry.from_first(text); }
+  const fem::Entry& entry;
 };
 
-/// Unless a session lives, starts one for the rest of the process, because MPI starts only once.
-/// With the lock.
-void need_session(const std::string& asked_by);
+/// The session, started by the first call, with the lock. It lasts until the process ends, because
+/// MPI starts only once. `asked_by`: as above.
+const ParallelSession& parallel_session(const std::string& asked_by, int argc = 0,
+                                        char** argv = nullptr);
 
 }  // namespace rollfem::modelling

@@ -33,21 +33,13 @@ SmoothParts found_here(const contact::Scene& scene, const contact::Progress& pro
   const auto stored = cache.find(correction, scene.asks_for_stress());
   if (stored.parts) return *stored.parts;
   const FemLock alone = lock_fem();
-  need_session("model hybrid");
+  const fem::Entry& library = parallel_session("model hybrid").entry;
   const contact::Stopwatch watch;
-  SmoothParts parts = open_fem_library("model hybrid").find_smooth_parts(scene, progress);
+  SmoothParts parts = library.find_smooth_parts(scene, progress);
   const std::string why = cache.keep(correction, parts, watch.seconds());
   for (const std::string& note : {stored.note, why})
     if (!note.empty()) parts.notes.push_back(note);
   return parts;
-}
-
-/// The first process looks for all of them.
-SmoothParts find_smooth_parts(const contact::Scene& scene, const contact::Progress& progress) {
-  const Processes here = processes();
-  if (here.count == 1) return found_here(scene, progress);
-  const std::string bytes = here.first() ? packed(found_here(scene, progress)) : "";
-  return unpacked(open_fem_library("model hybrid").from_first(bytes));
 }
 
 /// The expected patch, from which the model derives values missing from the case.
@@ -89,8 +81,11 @@ RefinedInput domain_level(ModelInput input, int k, int n) {
 
 }  // namespace
 
-hybrid::FindParts smooth_parts_finder() {
-  return find_smooth_parts;
+SmoothParts find_smooth_parts(const contact::Scene& scene, const contact::Progress& progress) {
+  const Processes here = processes();  // the first looks for all of them
+  if (here.count == 1) return found_here(scene, progress);
+  const std::string bytes = here.first() ? packed(found_here(scene, progress)) : "";
+  return unpacked(open_fem_library("model hybrid").from_first(bytes));
 }
 
 bool correction_is_kept(const contact::Scene& scene) {
@@ -113,7 +108,7 @@ contact::ModelInfo hybrid_model() {
                                            Demand::distance_quadratic, Demand::given_pressure});
   hybrid.run = [](const ModelInput& input, const contact::Progress& progress,
                   contact::Checkpoint* checkpoint) {
-    return hybrid::run_hybrid(input, progress, checkpoint, smooth_parts_finder());
+    return hybrid::run_hybrid(input, progress, checkpoint, find_smooth_parts);
   };
   hybrid.refinements = {halfspace::contact_grid()};
   hybrid.half_spaces = false;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "models/program/provenance.hpp"
 
-#include "models/program/version.hpp"
-
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -24,12 +22,12 @@ std::string utc_now() {
   return text;
 }
 
+}  // namespace
+
 std::string host_name() {
   char name[256] = {};
   return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
 }
-
-}  // namespace
 
 postprocess::Provenance provenance_of(const contact::ModelRegistry& models,
                                       const std::string& command) {

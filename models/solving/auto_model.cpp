@@ -138,71 +138,58 @@ Scene on_cells(Scene scene, int across) {
   return scene;
 }
 
-/// Solves the candidates of a scene; each passes the checks of its own model.
-class Solver {
- public:
-  Solver(const Scene& scene, const Solving& how) : asked_(scene), scene_(scene), how_(how) {
-    scene_.accuracy.relative.reset();
-    scene_.options.halfspace.model_error = false;
-  }
+/// The estimate of the half-space's model error for one scene, by load point.
+struct Estimate {
+  std::vector<std::map<std::string, double>> errors;
+  std::string source;
+};
 
-  Subject subject(const std::vector<Forecast>& forecasts) const {
-    Subject made;
-    for (const Forecast& forecast : forecasts) made.candidates.push_back(candidate(forecast));
-    made.friction_coefficient = asked_.friction_coefficient();
-    made.name = fmt::format("{}: {}", asked_.file, asked_.patch_prefix());
-    return made;
+/// Finer grids hardly change the model error: the first estimate serves all of them.
+void share_model_error(const Scene& scene, const contact::Progress& progress, Estimate& first,
+                       contact::ModelResult& result) {
+  if (first.errors.empty()) {
+    halfspace::add_model_error(scene, progress, result);
+    for (const contact::PointResult& point : result.points)
+      first.errors.push_back(point.model_error);
+    first.source = result.model_error_source;
+    return;
   }
+  for (std::size_t k = 0; k < result.points.size(); ++k)
+    result.points[k].model_error = first.errors[k];
+  result.model_error_source = first.source;
+}
 
- private:
-  Candidate candidate(const Forecast& forecast) const {
-    Candidate made{forecast, {}};
-    const std::string name = forecast.model;
-    const Choosable kind = how_.models->at(name).choosable;
-    const bool cells = kind == Choosable::finite_bodies;
-    const bool estimates = kind == Choosable::half_spaces && bodies_known(asked_);
-    made.estimates_model_error = estimates;
-    if (kind == Choosable::half_spaces && !estimates)
-      made.no_model_error = scene_.geometry.line
-                                ? "the model error of half-planes in line contact is not estimated"
-                                : "only the undeformed distance of the bodies is known";
-    made.solve = [this, name, cells, estimates](int across) {
+/// The candidates of a scene; each passes the checks of its own model.
+Subject subject_of(const Scene& asked, const std::vector<Forecast>& forecasts, const Solving& how) {
+  Subject made;
+  made.friction_coefficient = asked.friction_coefficient();
+  made.name = fmt::format("{}: {}", asked.file, asked.patch_prefix());
+  const auto scene = std::make_shared<Scene>(asked);
+  scene->accuracy.relative.reset();  // accuracy and estimates are the matter of the choice
+  scene->options.halfspace.model_error = false;
+  const auto estimate = std::make_shared<Estimate>();
+  for (const Forecast& forecast : forecasts) {
+    const contact::ModelInfo& model = how.models->at(forecast.model);
+    const bool plain = model.choosable == Choosable::half_spaces;
+    const bool estimates = plain && bodies_known(asked);
+    Candidate candidate{forecast, {}, estimates};
+    if (plain && !estimates)
+      candidate.no_model_error =
+          asked.geometry.line ? "the model error of half-planes in line contact is not estimated"
+                              : "only the undeformed distance of the bodies is known";
+    candidate.solve = [scene, estimate, estimates, &model, &how](int across) {
+      if (model.parallel && how.need_session) how.need_session();
+      const bool cells = model.choosable == Choosable::finite_bodies;
       contact::ModelResult result =
-          run(name, cells ? on_cells(scene_, across) : on_grid(scene_, across));
-      if (estimates) share_model_error(result);
+          run_model(model.name, cells ? on_cells(*scene, across) : on_grid(*scene, across), how);
+      result.label = model.label;
+      if (estimates) share_model_error(*scene, how.progress, *estimate, result);
       return result;
     };
-    return made;
+    made.candidates.push_back(std::move(candidate));
   }
-
-  /// Finer grids hardly change the model error: the first estimate serves all of them.
-  void share_model_error(contact::ModelResult& result) const {
-    if (estimated_.empty()) {
-      halfspace::add_model_error(scene_, how_.progress, result);
-      for (const contact::PointResult& point : result.points)
-        estimated_.push_back(point.model_error);
-      source_ = result.model_error_source;
-      return;
-    }
-    for (std::size_t k = 0; k < result.points.size(); ++k)
-      result.points[k].model_error = estimated_[k];
-    result.model_error_source = source_;
-  }
-
-  contact::ModelResult run(const std::string& name, const Scene& scene) const {
-    const contact::ModelInfo& model = how_.models->at(name);
-    if (model.parallel && how_.need_session) how_.need_session();
-    contact::ModelResult result = run_model(name, scene, how_);
-    result.label = model.label;
-    return result;
-  }
-
-  const Scene& asked_;
-  Scene scene_;  ///< without requested accuracy and estimates, which this class handles
-  const Solving& how_;
-  mutable std::vector<std::map<std::string, double>> estimated_;  ///< per load point
-  mutable std::string source_;
-};
+  return made;
+}
 
 }  // namespace
 
@@ -281,12 +268,9 @@ double seconds_for(const contact::AccuracyRequest& asked) {
 
 Chosen solve_by_choice(const std::vector<Scene>& scenes, const Solving& how) {
   const Contacts forecasts = forecasts_here(scenes, *how.models);
-  std::vector<std::unique_ptr<Solver>> solvers;
   std::vector<Subject> subjects;
-  for (std::size_t c = 0; c < scenes.size(); ++c) {
-    solvers.push_back(std::make_unique<Solver>(scenes[c], how));
-    subjects.push_back(solvers.back()->subject(forecasts[c]));
-  }
+  for (std::size_t c = 0; c < scenes.size(); ++c)
+    subjects.push_back(subject_of(scenes[c], forecasts[c], how));
   Wanted wanted;
   wanted.accuracy = scenes.front().accuracy;  // the same for all scenes of a case
   wanted.accuracy.relative = accuracy_of(wanted.accuracy);

@@ -20,6 +20,14 @@ namespace rollfem::modelling {
 
 namespace {
 
+using postprocess::MissingModel;
+
+/// Results, and the models without one.
+struct Solved {
+  std::vector<contact::ModelResult> results;
+  std::vector<MissingModel> missing;
+};
+
 /// Adds model and patch to progress events, because a model may run another one.
 contact::Progress told(const contact::ModelInfo& model, const contact::Scene& scene,
                        const contact::Progress& progress) {
@@ -112,7 +120,7 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
 
 /// The models that can take every scene. For the others: a sentence, or the registry's exception.
 std::vector<std::string> able_models(const contact::Case& input, const Scenes& scenes,
-                                     const Solving& how, std::vector<Missing>& missing) {
+                                     const Solving& how, std::vector<MissingModel>& missing) {
   std::vector<std::string> able;
   for (const std::string& name : input.models) try {
       for (const contact::Scene& scene : scenes.list) how.models->check(scene, name);
@@ -216,24 +224,25 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
   }
 }
 
-Solved solve(const contact::Case& input, const Solving& how) {
+std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& how) {
   Solved solved;
-  Scenes scenes = scenes_of(input, how.placed ? how.placed : placed_wheels(input), how.progress,
-                            how.checkpoint, how.share);
-  std::vector<std::string> able = able_models(input, scenes, how, solved.missing);
+  Scenes scenes = scenes_of(record.input, how.placed ? how.placed : placed_wheels(record.input),
+                            how.progress, how.checkpoint, how.share);
+  std::vector<std::string> able = able_models(record.input, scenes, how, solved.missing);
   std::string advice;
   if (any_choice(*how.models, able))
     advice = solve_chosen(able.front(), scenes, how, solved);
   else
     solve_named(std::move(able), scenes, how, solved);
-  track::check_results(input, solved.results);
-  solved.pairs = std::move(scenes.pairs);
-  if (solved.results.empty()) return solved;
+  track::check_results(record.input, solved.results);
+  record.models = std::move(solved.results);
+  record.pairs = std::move(scenes.pairs);
+  if (record.models.empty()) return solved.missing;
   const contact::Scene& first = scenes.list.front();
-  solved.verdict =
-      contact::missed_text(solved.results, first.accuracy, first.friction_coefficient());
-  if (!advice.empty()) solved.verdict += " " + advice;
-  return solved;
+  record.verdict =
+      contact::missed_text(record.models, first.accuracy, first.friction_coefficient());
+  if (!advice.empty()) record.verdict += " " + advice;
+  return solved.missing;
 }
 
 }  // namespace rollfem::modelling

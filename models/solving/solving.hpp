@@ -4,11 +4,11 @@
 
 #include "contact/base/progress.hpp"
 #include "contact/base/share.hpp"
-#include "contact/case/case.hpp"
 #include "contact/result/result.hpp"
 #include "contact/solve/model.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/solving/case_scenes.hpp"
+#include "postprocess/compare/comparison.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <functional>
@@ -16,15 +16,6 @@
 #include <vector>
 
 namespace rollfem::modelling {
-
-using Missing = postprocess::MissingModel;
-
-struct Solved {
-  std::vector<contact::ModelResult> results;
-  std::vector<postprocess::PlacedPair> pairs;
-  std::vector<Missing> missing;  ///< with Solving::go_on
-  std::string verdict;           ///< RunRecord::verdict
-};
 
 struct Solving {
   const contact::ModelRegistry* models = nullptr;
@@ -43,10 +34,12 @@ struct Solving {
   bool go_on = false;
 };
 
-/// Runs the models of `input.models` on every scene of the case. Throws contact::InputError and
-/// contact::SolveError, which name model and patch. With several processes a failure is thrown even
-/// with `go_on`, because the others may be inside a collective call.
-Solved solve(const contact::Case& input, const Solving& how);
+/// Runs the models of `record.input` on every scene of the case and adds their results, and what
+/// there is to say of them, to the record. Returns the models without a result (Solving::go_on).
+/// Throws contact::InputError and contact::SolveError, which name model and patch. With several
+/// processes a failure is thrown even with `go_on`, because the others may be inside a collective
+/// call.
+std::vector<postprocess::MissingModel> solve(postprocess::RunRecord& record, const Solving& how);
 
 /// Runs one model on a scene as it is, with progress and checkpoint of its patch. Throws
 /// contact::InputError and contact::SolveError.

@@ -34,14 +34,9 @@ std::string patch_name(const StoredModel& model) {
 template <class Range, class Name>
 std::string listed(const Range& range, const Name& name) {
   std::vector<std::string> once;
-  std::string text;
-  for (const auto& entry : range) {
-    const std::string one = name(entry);
-    if (std::find(once.begin(), once.end(), one) != once.end()) continue;
-    once.push_back(one);
-    text += (text.empty() ? "" : ", ") + one;
-  }
-  return text;
+  for (const auto& entry : range)
+    if (std::find(once.begin(), once.end(), name(entry)) == once.end()) once.push_back(name(entry));
+  return contact::listed(once);
 }
 
 /// The models of the requested patch.

@@ -250,7 +250,7 @@ std::vector<StressSet> hybrid_sets(const contact::Case& input, const ModelResult
   scene.subsurface.clear();
   scene.output.stress_maxima = true;
   scene.follows_surface = 1.0;
-  const halfspace::SmoothParts parts = smooth_parts_finder()(scene, {});
+  const halfspace::SmoothParts parts = find_smooth_parts(scene, {});
   const hybrid::Stresses stresses(scene, parts);
   for (const NamedRequest& named : requests) {
     SubsurfaceRequest request = named.request;

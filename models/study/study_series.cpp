@@ -6,12 +6,6 @@
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "models/solving/expected_choice.hpp"
-<<<<<<< HEAD
-#include "models/study/study_checks.hpp"
-#include "models/study/study_levels.hpp"
-=======
-#include "models/study/study_checkpoint.hpp"
->>>>>>> 2affadc5d36effa12ae50adb88d41a0dd41393ba
 #include "theories/registry.hpp"
 
 #include <fmt/format.h>
@@ -87,7 +81,7 @@ StudyValues exact_values(const contact::Scene& scene) {
 }
 
 bool parallel(const LevelPlan& plan, const StudyRun& work) {
-  return work.how.models->at(plan.model).parallel;
+  return work.how.models->at(plan.series.model).parallel;
 }
 
 /// The load points of one level. Their records carry the seconds spent on the level so far, so that
@@ -154,7 +148,7 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
   if (!kept.empty()) {
     contact::Record record(kept);
     exchange(record, level);
-    work.say(fmt::format("{} {}: resumed", plan.model, level.label));
+    work.say(fmt::format("{} {}: resumed", plan.series.model, level.label));
     return level;
   }
   const std::string prefix = name + "-of-";
@@ -165,7 +159,7 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
     event.stage = wanted.label + ": " + event.stage;
     contact::report(work.how.progress, event);
   };
-  const contact::ModelResult result = solve_scene(plan.model, wanted.input, work.notes, how);
+  const contact::ModelResult result = solve_scene(plan.series.model, wanted.input, work.notes, how);
   const auto total = result.seconds.find("total");
   level.unknowns = result.unknowns;
   level.contact_elements = result.contact_elements;
@@ -180,19 +174,15 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
     work.kept->keep(name, record.bytes());
     work.kept->drop(prefix);
   }
-  work.say(fmt::format("{} {}: {:.2g} s", plan.model, level.label, level.seconds));
+  work.say(fmt::format("{} {}: {:.2g} s", plan.series.model, level.label, level.seconds));
   return level;
 }
 
 /// If a level is too coarse to be meshed or solved, the series begins with a finer one. After a
 /// solved level a failure ends the series, because limits need consecutive levels.
 StudySeries run_series(const LevelPlan& plan, const std::string& place, const StudyRun& work) {
-  StudySeries series;
-  series.model = plan.model;
-  series.vary = plan.vary;
-  series.parameter = plan.parameter;
-  series.ratio = plan.ratio;
-  const contact::ModelInfo& model = work.how.models->at(plan.model);
+  StudySeries series = plan.series;
+  const contact::ModelInfo& model = work.how.models->at(series.model);
   series.measures_others = model.name == work.how.models->reference().name;
   series.limit_of_its_own = !model.half_spaces;
   if (!parallel(plan, work) && !work.how.first) return series;
@@ -201,7 +191,7 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const St
     const contact::RefinedInput& wanted = plan.levels[k];
     const auto failed = [&](const std::exception& error, std::string& list) {
       if (!work.how.together) throw;  // the others may be inside a collective call
-      work.say(fmt::format("{} {}: no result: {}", plan.model, wanted.label, error.what()));
+      work.say(fmt::format("{} {}: no result: {}", plan.series.model, wanted.label, error.what()));
       if (list.find(error.what()) == std::string::npos)
         list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", wanted.label, error.what());
     };

@@ -125,13 +125,14 @@ bool is_named(const Refinement& way, const std::string& word) {
 LevelPlan plan_of(const ModelInput& input, const std::string& model,
                   const std::vector<Refinement>& ways, int levels) {
   LevelPlan plan;
-  plan.model = model;
-  plan.ratio = ways.empty() ? 0.0 : ways.front().ratio;
+  postprocess::StudySeries& series = plan.series;
+  series.model = model;
+  series.ratio = ways.empty() ? 0.0 : ways.front().ratio;
   int count = ways.empty() ? 1 : levels;
   for (const Refinement& way : ways) {
-    plan.vary += (plan.vary.empty() ? "" : " and ") + way.word;
-    plan.parameter += (plan.parameter.empty() ? "" : ", ") + way.parameter;
-    if (way.ratio != plan.ratio) plan.ratio = 0.0;
+    series.vary += (series.vary.empty() ? "" : " and ") + way.word;
+    series.parameter += (series.parameter.empty() ? "" : ", ") + way.parameter;
+    if (way.ratio != series.ratio) series.ratio = 0.0;
     if (levels == 0) count = count == 0 ? way.levels : std::min(count, way.levels);
     if (way.fixed) count = std::min(count, way.levels);
   }

@@ -15,10 +15,7 @@ namespace rollfem::modelling {
 
 /// The levels of one model, coarsest first.
 struct LevelPlan {
-  std::string model;
-  std::string vary;       ///< "grid", "grid and domain"; empty: one level, nothing to refine
-  std::string parameter;  ///< heading of the labels, "elements across"
-  double ratio = 0.0;     ///< ratio of cell sizes between levels; 0: not meaningful
+  postprocess::StudySeries series;  ///< without levels; `vary` is empty if nothing is refined
   std::vector<contact::RefinedInput> levels;
 };
 

@@ -34,43 +34,46 @@ contact::ModelInfo bodies() {
 
 /// The right wheel: on its tread in the middle of the track (a model error of 0.4 % of mu), near
 /// its flange root at 6 mm (1.6 % of the width).
-modelling::Solved solve(const std::string& shifts, const std::string& head) {
+postprocess::RunRecord solve(const std::string& shifts, const std::string& head) {
   contact::ModelRegistry models;
   models.add(modelling::auto_model()).add(theories::models().at("halfspace")).add(bodies());
-  const contact::Case input = contact::parse_case(
+  postprocess::RunRecord record;
+  record.input = contact::parse_case(
       head + rollfem::testing::edited(rollfem::testing::two_positions,
                                       {"wheelset.side=right", "wheelset.lateral_shift=" + shifts}),
       "a.toml", modelling::model_words(models));
   modelling::Solving how;
   how.models = &models;
-  return modelling::solve(input, how);
+  modelling::solve(record, how);
+  return record;
 }
 
 TEST(AutoOfRuns, OneContactThatNeedsAnotherModelChangesTheModelOfAll) {
   const std::string asked = "models = [\"auto\"]\naccuracy = 0.01\n";
-  ASSERT_EQ(solve("[2.0]", asked).results.at(0).name, "halfspace");
-  ASSERT_EQ(solve("[6.0]", asked).results.at(0).name, "bodies");
-  const modelling::Solved both = solve("[2.0, 6.0]", asked);
-  ASSERT_EQ(both.results.size(), 2U);
+  ASSERT_EQ(solve("[2.0]", asked).models.at(0).name, "halfspace");
+  ASSERT_EQ(solve("[6.0]", asked).models.at(0).name, "bodies");
+  const postprocess::RunRecord both = solve("[2.0, 6.0]", asked);
+  ASSERT_EQ(both.models.size(), 2U);
   for (int k = 0; k < 2; ++k) {
-    EXPECT_EQ(both.results[k].name, "bodies");
-    EXPECT_EQ(both.results[k].label, "bodies");
-    EXPECT_EQ(both.results[k].place->position, k + 1);
-    EXPECT_EQ(both.results[k].notes.front(), both.results[0].notes.front());
-    EXPECT_EQ(both.results[k].shortfall, "");
+    EXPECT_EQ(both.models[k].name, "bodies");
+    EXPECT_EQ(both.models[k].label, "bodies");
+    EXPECT_EQ(both.models[k].place->position, k + 1);
+    EXPECT_EQ(both.models[k].notes.front(), both.models[0].notes.front());
+    EXPECT_EQ(both.models[k].shortfall, "");
   }
   EXPECT_EQ(both.verdict, "");
 }
 
 TEST(AutoOfRuns, WithoutTimeForAllOfThemAllKeepTheHalfSpaceAndTheRunSaysSo) {
-  const modelling::Solved some = solve("[2.0, 6.0, 2.0, 2.0, 2.0, 6.0]", "models = [\"auto\"]\n");
-  ASSERT_EQ(some.results.size(), 6U);
-  for (const contact::ModelResult& result : some.results) EXPECT_EQ(result.name, "halfspace");
+  const postprocess::RunRecord some =
+      solve("[2.0, 6.0, 2.0, 2.0, 2.0, 6.0]", "models = [\"auto\"]\n");
+  ASSERT_EQ(some.models.size(), 6U);
+  for (const contact::ModelResult& result : some.models) EXPECT_EQ(result.name, "halfspace");
   EXPECT_TRUE(says(some.verdict, "2 of 6 contacts miss 1 %: worst ", "(b)",
                    "`--set accuracy=0.01` allows more time: finite elements would take about"));
   for (const char* name : {"max_pressure", "traction_coefficient", "semi_axis_y"})
-    EXPECT_EQ(contact::quantity(some.results[0].points[0], name),
-              contact::quantity(some.results[4].points[0], name));
+    EXPECT_EQ(contact::quantity(some.models[0].points[0], name),
+              contact::quantity(some.models[4].points[0], name));
 }
 
 }  // namespace
