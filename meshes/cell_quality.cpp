@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meshes/cell_quality.hpp"
 
+#include <Eigen/Core>
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
 namespace rollfem::meshes {
 
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double length(const Vector& a) {
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
-double determinant(const Vector& a, const Vector& b, const Vector& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-         a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
 
 /// Neighbours of each corner, right-handed.
 constexpr int neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
@@ -32,30 +20,28 @@ constexpr int faces[3][2][4] = {
 
 }  // namespace
 
-CellQuality cell_quality(const std::array<Vector, 8>& corners) {
+CellQuality cell_quality(const std::array<std::array<double, 3>, 8>& corners) {
+  const auto at = [&](int k) { return Eigen::Map<const Eigen::Vector3d>(corners[k].data()); };
   CellQuality quality;
-  quality.shortest_edge = length(difference(corners[1], corners[0]));
+  quality.shortest_edge = (at(1) - at(0)).norm();
   for (int k = 0; k < 8; ++k) {
-    Vector edge[3];
+    Eigen::Matrix3d edges;
     double product = 1.0;
     for (int d = 0; d < 3; ++d) {
-      edge[d] = difference(corners[neighbours[k][d]], corners[k]);
-      const double size = length(edge[d]);
+      edges.col(d) = at(neighbours[k][d]) - at(k);
+      const double size = edges.col(d).norm();
       product *= size;
       quality.shortest_edge = std::min(quality.shortest_edge, size);
       quality.longest_edge = std::max(quality.longest_edge, size);
     }
-    const double jacobian = determinant(edge[0], edge[1], edge[2]);
     quality.scaled_jacobian =
-        std::min(quality.scaled_jacobian, product > 0 ? jacobian / product : 0.0);
+        std::min(quality.scaled_jacobian, product > 0 ? edges.determinant() / product : 0.0);
   }
   double shortest = 0.0, longest = 0.0;
   for (const auto& pair : faces) {
-    Vector way{};
-    for (int k = 0; k < 4; ++k)
-      for (int d = 0; d < 3; ++d)
-        way[d] += 0.25 * (corners[pair[1][k]][d] - corners[pair[0][k]][d]);
-    const double size = length(way);
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 4; ++k) way += 0.25 * (at(pair[1][k]) - at(pair[0][k]));
+    const double size = way.norm();
     shortest = longest == 0.0 ? size : std::min(shortest, size);
     longest = std::max(longest, size);
   }

@@ -20,12 +20,9 @@ GmshSession::~GmshSession() {
   gmsh::finalize();
 }
 
-std::string gmsh_complaint() {
-  std::string text;
-  gmsh::logger::getLastError(text);
-  return text.empty() ? "unknown error" : text;
-}
+namespace {
 
+/// Quadrilaterals whose sizes follow the boundary lines.
 void set_quadrilaterals() {
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
   gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
@@ -41,7 +38,10 @@ void mesh_plane(const std::string& what) {
     gmsh::model::geo::synchronize();
     gmsh::model::mesh::generate(2);
   } catch (...) {
-    throw contact::InputError("gmsh cannot mesh the cross-section (" + gmsh_complaint() +
+    std::string complaint;
+    gmsh::logger::getLastError(complaint);
+    throw contact::InputError("gmsh cannot mesh the cross-section (" +
+                              (complaint.empty() ? "unknown error" : complaint) +
                               "): use [fem] mesh = \"structured\", or change " + what);
   }
 }
@@ -80,6 +80,24 @@ PlaneMesh collect_plane(const std::vector<int>& lines) {
       }
   }
   return mesh;
+}
+
+}  // namespace
+
+PlaneMesh mesh_polygon(const std::vector<std::array<double, 2>>& corners, const std::string& what) {
+  namespace geo = gmsh::model::geo;
+  const GmshSession session;
+  gmsh::model::add("section");
+  set_quadrilaterals();
+  std::vector<int> points, lines;
+  for (const auto& p : corners) points.push_back(geo::addPoint(p[0], p[1], 0.0));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    lines.push_back(geo::addLine(points[k], points[(k + 1) % points.size()]));
+    geo::mesh::setTransfiniteCurve(lines.back(), 2);
+  }
+  geo::mesh::setRecombine(2, geo::addPlaneSurface({geo::addCurveLoop(lines)}));
+  mesh_plane(what);
+  return collect_plane(lines);
 }
 
 }  // namespace rollfem::meshes

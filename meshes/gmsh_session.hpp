@@ -18,24 +18,16 @@ class GmshSession {
   GmshSession& operator=(const GmshSession&) = delete;
 };
 
-/// Last error message of gmsh; "unknown error" if there is none.
-std::string gmsh_complaint();
-
-/// Settings for meshing cross-sections: quadrilaterals whose sizes follow the given boundary lines.
-void set_quadrilaterals();
-
-/// Meshes the plane surfaces of the model. Throws contact::InputError with the advice to change
-/// `what`.
-void mesh_plane(const std::string& what);
-
-/// Result of mesh_plane: nodes and quadrilaterals, and the edges on the given boundary lines.
+/// Nodes and quadrilaterals in a closed polygon, and the edges on its lines.
 struct PlaneMesh {
   std::vector<std::array<double, 2>> points;
   std::vector<std::array<int, 4>> quads;
   std::vector<std::array<int, 2>> edges;
-  std::vector<std::size_t> line;  ///< index in `lines` of each edge
+  std::vector<std::size_t> line;  ///< of each edge: the one that begins at this corner
 };
-/// Throws contact::InputError when gmsh has left other cells.
-PlaneMesh collect_plane(const std::vector<int>& lines);
+/// Cells of twice the size of the lines, recombined and split into four (a left-over triangle into
+/// three): each line becomes two edges. Throws contact::InputError with the advice to change
+/// `what`.
+PlaneMesh mesh_polygon(const std::vector<std::array<double, 2>>& corners, const std::string& what);
 
 }  // namespace rollfem::meshes

@@ -4,6 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "meshes/cell_quality.hpp"
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +19,11 @@ namespace {
 
 using Point = std::array<double, 3>;
 using Face = std::array<int, 4>;
+using Vector = Eigen::Vector3d;
+
+Vector vector(const Point& p) {
+  return {p[0], p[1], p[2]};
+}
 
 /// Nodes closer than this fraction of the shortest edge coincide.
 constexpr double same_place = 1e-4;
@@ -34,11 +40,6 @@ std::string place(const Point& p) {
 Face sorted(Face face) {
   std::sort(face.begin(), face.end());
   return face;
-}
-
-double distance(const Point& a, const Point& b) {
-  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-                   (a[2] - b[2]) * (a[2] - b[2]));
 }
 
 /// Shortest edge of the mesh.
@@ -139,14 +140,9 @@ class OutsideNodes {
                                [&](int node, double value) { return x(node) < value; });
     for (; it != nodes_.end() && x(*it) <= upper; ++it) {
       if (*it == from || *it == to) continue;
-      const Point& p = mesh_.points[*it];
-      const double length = distance(a, b);
-      double along = 0.0;
-      for (int d = 0; d < 3; ++d) along += (p[d] - a[d]) * (b[d] - a[d]) / (length * length);
-      along = std::clamp(along, 0.0, 1.0);
-      Point foot{};
-      for (int d = 0; d < 3; ++d) foot[d] = a[d] + along * (b[d] - a[d]);
-      if (distance(p, foot) < reach) return *it;
+      const Vector way = vector(b) - vector(a), there = vector(mesh_.points[*it]) - vector(a);
+      const double along = std::clamp(there.dot(way) / way.squaredNorm(), 0.0, 1.0);
+      if ((there - along * way).norm() < reach) return *it;
     }
     return -1;
   }

@@ -23,15 +23,25 @@ struct SectionOptions {
   bool half = false;           ///< only y >= 0
 };
 
+/// In the plane of a section, mm: y and z, or y and v.
+using SectionPoint = std::array<double, 2>;
+
 /// Quadrilaterals with their named outer edges.
 struct Section {
-  std::vector<std::array<double, 2>> points;  ///< y, v
+  std::vector<SectionPoint> points;
   std::vector<std::array<int, 4>> quads;
   struct Edge {
     std::array<int, 2> ends;
     Side side;
   };
   std::vector<Edge> edges;
+};
+
+/// Quadrilaterals of a block under the patch (first, row by row) and around it, coarser with the
+/// distance.
+struct BlockedSection {
+  Section section;
+  std::size_t block_quads = 0;
 };
 
 /// A block of equal cells under the patch, quadrilaterals that grow from there to the outside.

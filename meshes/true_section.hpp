@@ -5,7 +5,6 @@
 #pragma once
 
 #include "contact/scene/patch_geometry.hpp"
-#include "meshes/gmsh_session.hpp"
 #include "meshes/segment_mesh.hpp"
 
 #include <array>
@@ -13,9 +12,6 @@
 #include <vector>
 
 namespace rollfem::meshes {
-
-/// y and z of the patch frame, mm.
-using SectionPoint = std::array<double, 2>;
 
 /// An axle in the plane x = 0 (the trace of a yawed axle): direction, and position above y = 0.
 struct AxleTrace {
@@ -58,17 +54,9 @@ struct SectionBlock {
   int rows = 2;                          ///< even
 };
 
-/// Quadrilaterals of the block (first, row by row) and around it, coarser with the distance. Edges:
-/// `contact` on top of the block, `fixed` on the clamped line; all others are free.
-struct BlockedSection {
-  Section section;  ///< its points are y and z
-  std::size_t block_quads = 0;
-};
-/// Throws contact::InputError when gmsh fails or the block does not fit.
+/// The whole section; its points are y and z. Edges: `contact` on top of the block, `fixed` on the
+/// clamped line; all others are free. Throws contact::InputError when gmsh fails or the block does
+/// not fit.
 BlockedSection mesh_true_section(const TrueSection& outline, const SectionBlock& block);
-
-/// Meshes a closed polygon with quadrilaterals by gmsh: each of its lines becomes two edges. Edge k
-/// of the result belongs to line `line[k]`.
-PlaneMesh mesh_polygon(const std::vector<SectionPoint>& corners);
 
 }  // namespace rollfem::meshes

@@ -103,29 +103,37 @@ const std::vector<double>& CellStiffness::compute(
   return stiffness_;
 }
 
-FreeUnknowns number_free_unknowns(const dealii::DoFHandler<3>& dofs,
-                                  const dealii::AffineConstraints<double>& constraints) {
-  const auto n = dofs.n_dofs();
+FreeUnknowns number_free_unknowns(const dealii::AffineConstraints<double>& constraints,
+                                  const std::vector<Multiple>& multiples) {
+  const auto size = static_cast<int>(multiples.size());
   FreeUnknowns unknowns;
-  std::vector<int> number(n, -1);
-  for (dealii::types::global_dof_index i = 0; i < n; ++i)
-    if (!constraints.is_constrained(i)) number[i] = unknowns.count++;
-  unknowns.row_start.reserve(n + 1);
+  std::vector<int> number(multiples.size(), -1);
+  for (int i = 0; i < size; ++i)
+    if (multiples[i].of == i && multiples[i].factor != 0.0 && !constraints.is_constrained(i))
+      number[i] = unknowns.count++;
+  unknowns.row_start.reserve(multiples.size() + 1);
   unknowns.row_start.push_back(0);
-  for (dealii::types::global_dof_index i = 0; i < n; ++i) {
-    if (number[i] >= 0) {
-      unknowns.column.push_back(number[i]);
-      unknowns.weight.push_back(1.0);
-    } else {
-      // A closed AffineConstraints refers to unconstrained unknowns only.
-      for (const auto& [master, weight] : *constraints.get_constraint_entries(i)) {
-        unknowns.column.push_back(number[master]);
-        unknowns.weight.push_back(weight);
-      }
-    }
+  const auto add = [&](const Multiple& term, double weight) {
+    if (number[term.of] < 0) return;
+    unknowns.column.push_back(number[term.of]);
+    unknowns.weight.push_back(term.factor * weight);
+  };
+  for (int i = 0; i < size; ++i) {
+    if (!constraints.is_constrained(i))
+      add(multiples[i], 1.0);
+    else  // a closed AffineConstraints refers to unconstrained unknowns only
+      for (const auto& [master, weight] : *constraints.get_constraint_entries(i))
+        add(multiples[master], weight);
     unknowns.row_start.push_back(static_cast<std::int64_t>(unknowns.column.size()));
   }
   return unknowns;
+}
+
+FreeUnknowns number_free_unknowns(const dealii::DoFHandler<3>& dofs,
+                                  const dealii::AffineConstraints<double>& constraints) {
+  std::vector<Multiple> each(dofs.n_dofs());
+  for (std::size_t i = 0; i < each.size(); ++i) each[i] = {static_cast<int>(i), 1.0};
+  return number_free_unknowns(constraints, each);
 }
 
 void FreeUnknowns::condense(const Vector& b, std::vector<double>& x) const {
@@ -227,27 +235,21 @@ SymmetricMatrix make_pattern(int size, const CellUnknowns& cells) {
   return matrix;
 }
 
-/// Adds the lower triangle of a cell's condensed matrix; both row lists are sorted, so that one
-/// pass down the column finds every entry.
-void add_cell(const int* unknown, int count, const std::vector<double>& condensed,
-              SymmetricMatrix& matrix) {
-  for (int c = 0; c < count; ++c) {
-    auto place = matrix.column_start[unknown[c]];
-    for (int r = c; r < count; ++r) {
-      while (matrix.row[place] < unknown[r]) ++place;
-      matrix.value[place] += condensed[static_cast<std::size_t>(c) * count + r];
-    }
-  }
-}
-
-/// C^T K C of one cell: rows, then columns of K are distributed to the free unknowns of the cell.
-class CellCondensation {
+/// A matrix C^T K C under assembly.
+class Assembly {
  public:
-  CellCondensation(const FreeUnknowns& unknowns) : unknowns_(unknowns) {}
+  Assembly(const ElasticProblem& problem, const FreeUnknowns& unknowns)
+      : unknowns_(unknowns),
+        cells_(collect_cell_unknowns(problem.dofs, unknowns)),
+        matrix_(make_pattern(unknowns.count, cells_)) {}
+  bool takes(std::size_t cell) const { return cells_.start[cell + 1] > cells_.start[cell]; }
 
-  const std::vector<double>& condense(const std::vector<dealii::types::global_dof_index>& indices,
-                                      const int* reached, int count,
-                                      const std::vector<double>& stiffness) {
+  /// Rows, then columns of K are distributed to the free unknowns of the cell. Both row lists of
+  /// the lower triangle are sorted, so that one pass down the column finds every entry.
+  void add(std::size_t cell, const std::vector<dealii::types::global_dof_index>& indices,
+           const std::vector<double>& stiffness) {
+    const auto count = static_cast<std::size_t>(cells_.start[cell + 1] - cells_.start[cell]);
+    const int* const reached = &cells_.unknown[cells_.start[cell]];
     const std::size_t n = indices.size();
     spread_.clear();
     for (std::size_t i = 0; i < n; ++i)
@@ -259,13 +261,18 @@ class CellCondensation {
     for (const auto& entry : spread_)
       for (std::size_t j = 0; j < n; ++j)
         half_[entry.to * n + j] += entry.weight * stiffness[entry.from * n + j];
-    condensed_.assign(static_cast<std::size_t>(count) * count, 0.0);
-    for (int r = 0; r < count; ++r)
+    for (std::size_t c = 0; c < count; ++c) {
+      column_.assign(count, 0.0);
       for (const auto& entry : spread_)
-        condensed_[static_cast<std::size_t>(r) * count + entry.to] +=
-            entry.weight * half_[r * n + entry.from];
-    return condensed_;
+        column_[entry.to] += entry.weight * half_[c * n + entry.from];
+      auto place = matrix_.column_start[reached[c]];
+      for (std::size_t r = c; r < count; ++r) {
+        while (matrix_.row[place] < reached[r]) ++place;
+        matrix_.value[place] += column_[r];
+      }
+    }
   }
+  SymmetricMatrix take() { return std::move(matrix_); }
 
  private:
   struct Entry {
@@ -274,35 +281,10 @@ class CellCondensation {
     double weight;
   };
   const FreeUnknowns& unknowns_;
-  std::vector<Entry> spread_;
-  std::vector<double> half_;
-  std::vector<double> condensed_;
-};
-
-}  // namespace
-
-namespace {
-
-/// A matrix under assembly.
-class Assembly {
- public:
-  Assembly(const ElasticProblem& problem, const FreeUnknowns& unknowns)
-      : cells_(collect_cell_unknowns(problem.dofs, unknowns)),
-        condensation_(unknowns),
-        matrix_(make_pattern(unknowns.count, cells_)) {}
-  bool takes(std::size_t cell) const { return cells_.start[cell + 1] > cells_.start[cell]; }
-  void add(std::size_t cell, const std::vector<dealii::types::global_dof_index>& indices,
-           const std::vector<double>& stiffness) {
-    const int count = static_cast<int>(cells_.start[cell + 1] - cells_.start[cell]);
-    const int* const reached = &cells_.unknown[cells_.start[cell]];
-    add_cell(reached, count, condensation_.condense(indices, reached, count, stiffness), matrix_);
-  }
-  SymmetricMatrix take() { return std::move(matrix_); }
-
- private:
   CellUnknowns cells_;
-  CellCondensation condensation_;
   SymmetricMatrix matrix_;
+  std::vector<Entry> spread_;
+  std::vector<double> half_, column_;
 };
 
 }  // namespace

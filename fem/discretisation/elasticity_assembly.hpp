@@ -64,6 +64,14 @@ struct FreeUnknowns {
   /// u += C x.
   void expand_and_add(const double* x, Vector& u) const;
 };
+/// An unknown as a multiple of another one: of its mirror image, say. Free ones are their own,
+/// with the factor 1; the factor 0 fixes it to zero.
+struct Multiple {
+  int of;
+  double factor;
+};
+FreeUnknowns number_free_unknowns(const dealii::AffineConstraints<double>& constraints,
+                                  const std::vector<Multiple>& multiples);
 FreeUnknowns number_free_unknowns(const dealii::DoFHandler<3>& dofs,
                                   const dealii::AffineConstraints<double>& constraints);
 

@@ -93,23 +93,12 @@ struct CholeskyFactor::Cholmod {
     }
   }
 
-  /// `order`: elimination order, first to last.
+  /// `order`: elimination order, first to last; empty: the numbering.
   void factorise(cholmod_sparse* lower, std::vector<int> order) {
     const SerialRegions serial;
-    common.method[0].ordering = CHOLMOD_GIVEN;
-    common.postorder = 1;
-    factor = cholmod_analyze_p(lower, order.data(), nullptr, 0, &common);
-    compute(lower);
-  }
-  /// Keeps the numbering, without permutation.
-  void factorise(cholmod_sparse* lower) {
-    const SerialRegions serial;
-    common.method[0].ordering = CHOLMOD_NATURAL;
-    common.postorder = 0;
-    factor = cholmod_analyze(lower, &common);
-    compute(lower);
-  }
-  void compute(cholmod_sparse* lower) {
+    common.method[0].ordering = order.empty() ? CHOLMOD_NATURAL : CHOLMOD_GIVEN;
+    common.postorder = order.empty() ? 0 : 1;
+    factor = cholmod_analyze_p(lower, order.empty() ? nullptr : order.data(), nullptr, 0, &common);
     require(factor != nullptr);
     require(cholmod_factorize(lower, factor, &common) != 0);
   }
@@ -141,7 +130,7 @@ CholeskyFactor::CholeskyFactor(const SymmetricMatrix& matrix, FactorMessages mes
   view.dtype = CHOLMOD_DOUBLE;
   view.sorted = 1;
   view.packed = 1;
-  cholmod_->factorise(&view);
+  cholmod_->factorise(&view, {});
 }
 
 CholeskyFactor::CholeskyFactor(const std::vector<MatrixEntry>& entries, std::size_t size,

@@ -11,9 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace rollfem::fem {
 
@@ -118,12 +115,6 @@ void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm
                   contact::in_gigabytes(at.needed), contact::in_gigabytes(at.available),
                   1e-6 * (demand.unknowns_of_wheel + demand.unknowns_of_rail), cell_size,
                   demand.factorisation ? "factorisation" : "multigrid", advice));
-}
-
-void hand_back_memory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
 }
 
 }  // namespace rollfem::fem

@@ -157,32 +157,15 @@ bool constraints_have_images(const dealii::AffineConstraints<double>& constraint
 /// `parity`: 1 even, -1 odd.
 FreeUnknowns half(const dealii::AffineConstraints<double>& constraints, const MirrorImages& mirror,
                   double parity) {
-  const int size = static_cast<int>(mirror.image.size());
-  const auto sign = [&](int i) { return mirror.component[i] == 0 ? -parity : parity; };
-  FreeUnknowns unknowns;
+  std::vector<Multiple> multiples;
+  for (int i = 0; i < static_cast<int>(mirror.image.size()); ++i) {
+    const double sign = mirror.component[i] == 0 ? -parity : parity;
+    const bool vanishes = mirror.image[i] == i && sign < 0.0;
+    multiples.push_back(mirror.positive[i] ? Multiple{i, vanishes ? 0.0 : 1.0}
+                                           : Multiple{mirror.image[i], sign});
+  }
+  FreeUnknowns unknowns = number_free_unknowns(constraints, multiples);
   unknowns.cells = mirror.positive_cells;
-  std::vector<int> number(size, -1);
-  for (int i = 0; i < size; ++i) {
-    const bool vanishes = mirror.image[i] == i && sign(i) < 0.0;
-    if (mirror.positive[i] && !vanishes && !constraints.is_constrained(i))
-      number[i] = unknowns.count++;
-  }
-  unknowns.row_start.push_back(0);
-  const auto add = [&](int i, double weight) {
-    const bool here = mirror.positive[i];
-    const int column = number[here ? i : mirror.image[i]];
-    if (column < 0) return;
-    unknowns.column.push_back(column);
-    unknowns.weight.push_back(here ? weight : sign(i) * weight);
-  };
-  for (int i = 0; i < size; ++i) {
-    if (!constraints.is_constrained(i))
-      add(i, 1.0);
-    else
-      for (const auto& [master, weight] : *constraints.get_constraint_entries(i))
-        add(static_cast<int>(master), weight);
-    unknowns.row_start.push_back(static_cast<std::int64_t>(unknowns.column.size()));
-  }
   return unknowns;
 }
 

@@ -7,7 +7,6 @@
 #include "fem/linear/first_process.hpp"
 #include "fem/linear/flush_subnormals.hpp"
 #include "fem/linear/level_transfer.hpp"
-#include "fem/linear/memory.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
@@ -26,6 +25,9 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace rollfem::fem {
 
@@ -124,6 +126,14 @@ void CoarseSolver::solve(FloatVector& x, const FloatVector& b) const {
   if (!counts_.empty())
     MPI_Scatterv(gathered_.data(), counts_.data(), offsets_.data(), MPI_FLOAT, x.begin(), size,
                  MPI_FLOAT, 0, communicator_);
+}
+
+/// Returns freed memory held by the C library to the system: after a set-up it is as much as the
+/// memory in use.
+void hand_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 /// Stiffness of a level in the interface of deal.II's smoother. Compared with the own smoother that

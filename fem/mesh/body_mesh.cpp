@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace rollfem::fem {
@@ -231,23 +232,22 @@ double predicted_unknowns(const BodyOptions& given, double enough) {
   const double of_cell = 1.25 * 3.0 * std::pow(options.degree, 3);
   const double mirrored = options.half ? 2.0 : 4.0;
   double cells = 0.0;
-  ChartBox box;
-  box.lower[0] = 0.0;
+  dealii::Point<3> upper;
+  const auto next = [&](unsigned int d, double step) {
+    return std::exchange(upper[d], upper[d] + step);
+  };
   for (const double along : steps[0]) {
-    box.upper[0] = box.lower[0] + along;
-    box.lower[1] = 0.0;
+    const double x = next(0, along);
+    upper[1] = 0.0;
     for (const double across : steps[1]) {
-      box.upper[1] = box.lower[1] + across;
-      box.lower[2] = 0.0;
+      const double y = next(1, across);
+      upper[2] = 0.0;
       for (const double down : steps[2]) {
-        box.upper[2] = box.lower[2] + down;
-        cells += cells_of(options, box, depth, enough / (mirrored * of_cell));
+        const double z = next(2, down);
+        cells += cells_of(options, {{x, y, z}, upper}, depth, enough / (mirrored * of_cell));
         if (mirrored * of_cell * cells > enough) return mirrored * of_cell * cells;
-        box.lower[2] = box.upper[2];
       }
-      box.lower[1] = box.upper[1];
     }
-    box.lower[0] = box.upper[0];
   }
   return mirrored * of_cell * cells;
 }

@@ -145,21 +145,20 @@ BodyNodes::BodyNodes(const Body& body, const std::string& name) : body_(body) {
   if (body.options().half) mirror();
 }
 
-template <class Number>
-void BodyNodes::gather(const Vector& displacement, const NodalStress& stress,
-                       std::vector<std::array<Number, 3>>& u,
-                       std::vector<std::array<Number, 6>>& s) const {
-  std::vector<Number> own;
+contact::BodyValues BodyNodes::values(const Vector& displacement, const NodalStress& stress) const {
+  std::vector<float> own;
   own.reserve(9 * nodes_.size());
   for (const NodeIndex& node : nodes_)
     for (const Vector* field : {&displacement, &stress.direct, &stress.shear})
-      for (const auto unknown : node) own.push_back(static_cast<Number>((*field)(unknown)));
+      for (const auto unknown : node) own.push_back(static_cast<float>((*field)(unknown)));
   const auto processes = dealii::Utilities::MPI::gather(body_.dofs().get_communicator(), own, 0);
+  contact::BodyValues result;
+  auto& [u, s] = result;
   u.resize(mesh_.points.size());
   s.resize(mesh_.points.size());
   for (std::size_t process = 0; process < point_of_.size(); ++process)
     for (std::size_t k = 0; k < point_of_[process].size(); ++k) {
-      const Number* const v = &processes[process][9 * k];
+      const float* const v = &processes[process][9 * k];
       const int p = point_of_[process][k];
       u[p] = {v[0], v[1], v[2]};
       s[p] = {v[3], v[4], v[5], v[6], v[7], v[8]};
@@ -170,25 +169,7 @@ void BodyNodes::gather(const Vector& displacement, const NodalStress& stress,
     u[image] = {u[p][0], -u[p][1], u[p][2]};
     s[image++] = {s[p][0], s[p][1], s[p][2], -s[p][3], -s[p][4], s[p][5]};
   }
-}
-
-contact::BodyValues BodyNodes::values(const Vector& displacement, const NodalStress& stress) const {
-  contact::BodyValues result;
-  gather(displacement, stress, result.displacement, result.stress);
   return result;
-}
-
-contact::BodyField BodyNodes::field(const Vector& displacement, const NodalStress& stress) const {
-  contact::BodyField result = mesh_;
-  gather(displacement, stress, result.displacement, result.stress);
-  return result;
-}
-
-contact::BodyField body_field(const Body& body, const Vector& displacement,
-                              const std::string& name) {
-  Vector ghosted(displacement);  // copies lack ghost values, so fetch them
-  ghosted.update_ghost_values();
-  return BodyNodes(body, name).field(ghosted, StressRecovery(body).recover(ghosted));
 }
 
 }  // namespace rollfem::fem

@@ -23,15 +23,10 @@ class BodyNodes {
   /// Values at the points of mesh(); empty except on process 0. Both arguments with ghost values.
   /// Collective.
   contact::BodyValues values(const Vector& displacement, const NodalStress& stress) const;
-  /// The same with the mesh and in double precision.
-  contact::BodyField field(const Vector& displacement, const NodalStress& stress) const;
 
  private:
   struct Cells;
   Cells collect_cells();
-  template <class Number>
-  void gather(const Vector& displacement, const NodalStress& stress,
-              std::vector<std::array<Number, 3>>& u, std::vector<std::array<Number, 6>>& s) const;
   void number(const std::vector<Cells>& processes);
   void mirror();
 
@@ -43,9 +38,5 @@ class BodyNodes {
   std::vector<std::vector<int>> point_of_;
   std::vector<int> mirrored_;  ///< points whose mirror images follow all modelled ones
 };
-
-/// Mesh, displacement and recovered stress at once.
-contact::BodyField body_field(const Body& body, const Vector& displacement,
-                              const std::string& name);
 
 }  // namespace rollfem::fem

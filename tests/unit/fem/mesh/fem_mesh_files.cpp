@@ -127,6 +127,14 @@ TEST(MeshSection, HasTheAreaBetweenProfileAndFarSide) {
   }
 }
 
+TEST(MeshSection, AFlatProfileIsMeshedWithCellsOfAnySize) {
+  // With these, the next node of the block was lost to rounding.
+  auto flat = section_options(1e9, false);
+  flat.drop = [](double) { return 0.0; };
+  flat.cell_size = 1.3;
+  EXPECT_NEAR(area(meshes::mesh_section(flat)), 174.0 * 80.0, 1e-6);
+}
+
 TEST(MeshSweep, VolumesOfBlockAndSectorAreRight) {
   auto flat = section_options(1e9, false);
   flat.drop = [](double) { return 0.0; };
