@@ -17,7 +17,7 @@ using Values = std::vector<double>;
 // The condition number grows with the sixth power of the number of points smoothed together: 1e18
 // with 1000.
 using Long = long double;
-using Row = Banded<Long, 4>::Row;
+using BandRow = Banded<Long, 4>::Row;
 
 /// A row of points as a polygon, with its curvature.
 struct Polygon {
@@ -53,9 +53,9 @@ Polygon polygon_of(const PointRow& row) {
 
 /// Linear change of (curvature at k + 2) - (curvature at k + 1) with the offsets of points k to k+3
 /// along their normals.
-std::vector<Row> change_rows(const Values& step) {
+std::vector<BandRow> change_rows(const Values& step) {
   const std::size_t n = step.size() + 1;
-  std::vector<Row> rows(n - 3);
+  std::vector<BandRow> rows(n - 3);
   for (std::size_t k = 0; k + 3 < n; ++k) {
     const Long a = step[k], b = step[k + 1], c = step[k + 2];
     const Long left = 0.5L * (a + b), right = 0.5L * (b + c);
@@ -91,13 +91,14 @@ class Offsets {
   /// changes of curvature with the variance softness * scatter^2 / weight: g + R d is the sum of
   /// both. Infinite when undetermined.
   double solve(const Values& weight, double softness, double scatter) {
-    std::vector<Row> matrix = product_;
+    factor_.rows = product_;
     // Keeps the matrix from becoming numerically singular where points are dense.
     constexpr Long least = 1e-16L;
     const std::size_t n = rows_.size();
     for (std::size_t k = 0; k < n; ++k)
-      matrix[k][0] += std::max(static_cast<Long>(softness) / weight[k], least * product_[k][0]);
-    factor_ = Banded<Long, 4>(std::move(matrix));
+      factor_.rows[k][0] +=
+          std::max(static_cast<Long>(softness) / weight[k], least * product_[k][0]);
+    factor_.factorise();
     std::vector<Long> u = right_;
     factor_.solve(u);
     off_.assign(distance_.size(), 0.0L);
@@ -106,7 +107,7 @@ class Offsets {
       for (std::size_t i = 0; i < 4; ++i) off_[k + i] += rows_[k][i] * u[k];
       change_[k] = static_cast<double>(u[k] * static_cast<Long>(softness) / weight[k]);
       squares += right_[k] * u[k];
-      logarithms += std::log(factor_.rows()[k][0]);
+      logarithms += std::log(factor_.rows[k][0]);
     }
     const auto sum = static_cast<double>(squares / scatter / scatter + logarithms);
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
@@ -119,9 +120,9 @@ class Offsets {
   /// Their posterior variances given the points, over scatter^2.
   Values variances(const Values& weight, double softness) const {
     const std::size_t n = rows_.size();
-    const std::vector<Row>& factor = factor_.rows();
+    const std::vector<BandRow>& factor = factor_.rows;
     // Inverse near its diagonal (Takahashi): inverse[k][j] is at (k, k + j).
-    std::vector<Row> inverse(n + 4);
+    std::vector<BandRow> inverse(n + 4);
     Values result(n);
     for (std::size_t k = n; k-- > 0;) {
       for (std::size_t j = 3; j > 0; --j) {
@@ -142,10 +143,10 @@ class Offsets {
   }
 
  private:
-  std::vector<Row> rows_;
+  std::vector<BandRow> rows_;
   Values distance_;
-  std::vector<Row> product_;
-  Banded<Long, 4> factor_{{}};
+  std::vector<BandRow> product_;
+  Banded<Long, 4> factor_;
   std::vector<Long> right_, off_;
   Values change_;
 };

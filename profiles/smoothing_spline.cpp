@@ -37,7 +37,8 @@ class Smoother {
   /// divided differences and R the Gram matrix of hat functions, divided by w^2.
   std::array<Fit, 2> fit(const Values& y, const Values& z, double lambda) const {
     const std::size_t n = y.size();
-    std::vector<Matrix::Row> rows(n - 2);
+    Matrix matrix{std::vector<Matrix::Row>(n - 2)};
+    std::vector<Matrix::Row>& rows = matrix.rows;
     for (std::size_t k = 0; k + 2 < n; ++k) {
       const double a = 1.0 / h_[k], b = 1.0 / h_[k + 1];
       rows[k][0] = (c_[k] * h_[k] + c_[k + 1] * h_[k + 1]) / 3.0 +
@@ -47,7 +48,7 @@ class Smoother {
       rows[k + 1][1] = c_[k + 1] * h_[k + 1] / 6.0 - lambda * b * (a + 2.0 * b + d);
       if (k + 4 < n) rows[k + 2][2] = lambda * d * b;
     }
-    const Matrix matrix(std::move(rows));
+    matrix.factorise();
     return {one(matrix, y, lambda), one(matrix, z, lambda)};
   }
 

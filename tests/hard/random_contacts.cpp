@@ -15,16 +15,24 @@ using testing::RandomOutcome;
 
 constexpr unsigned seed = 20;
 
-/// Newton steps of contacts first .. first + count - 1; every one has to be solved.
-std::vector<int> steps_of(unsigned first, unsigned count, int across) {
-  RandomContacts contacts(seed);
+RandomOutcome solve(const RandomContact& contact) {
+  return testing::run_random(contact, testing::RandomStart::nested);
+}
+
+void expect_solved(const RandomContact& contact) {
+  const RandomOutcome outcome = solve(contact);
+  EXPECT_TRUE(outcome.solved) << outcome.message;
+}
+
+/// Newton steps of contacts first .. first + count - 1, sorted; every one has to be solved.
+template <class Make>
+std::vector<int> steps_of(unsigned first, unsigned count, const Make& make) {
   std::vector<int> steps;
   for (unsigned k = first; k < first + count; ++k) {
-    const RandomContact contact = contacts.contact(k, across);
-    const RandomOutcome outcome = testing::run_random(contact, testing::RandomStart::nested);
-    EXPECT_TRUE(outcome.solved) << "seed " << seed << ", contact " << k << " at " << across
-                                << " across, " << testing::name_of(contact.kind) << ": "
-                                << outcome.message;
+    const RandomContact contact = make(k);
+    const RandomOutcome outcome = solve(contact);
+    EXPECT_TRUE(outcome.solved) << "contact " << k << " at " << contact.across << " across, "
+                                << testing::name_of(contact.kind) << ": " << outcome.message;
     steps.push_back(outcome.newton_steps);
   }
   std::sort(steps.begin(), steps.end());
@@ -32,39 +40,34 @@ std::vector<int> steps_of(unsigned first, unsigned count, int across) {
 }
 
 TEST(RandomContacts, AreAllSolvedInFewSteps) {
-  const std::vector<int> coarse = steps_of(0, 240, 20);
+  RandomContacts contacts(seed);
+  const auto across = [&](int elements) {
+    return [&contacts, elements](unsigned k) { return contacts.contact(k, elements); };
+  };
+  const std::vector<int> coarse = steps_of(0, 240, across(20));
   EXPECT_LE(coarse.back(), 12);
   EXPECT_LE(coarse[coarse.size() / 2], 4);
-  const std::vector<int> middle = steps_of(240, 54, 40);
+  const std::vector<int> middle = steps_of(240, 54, across(40));
   EXPECT_LE(middle.back(), 12);
   EXPECT_LE(middle[middle.size() / 2], 4);
-  EXPECT_LE(steps_of(294, 6, 80).back(), 12);
+  EXPECT_LE(steps_of(294, 6, across(80)).back(), 12);
 }
 
 TEST(RandomContacts, FallingFrictionAndLayersAreAllSolved) {
   RandomContacts contacts(31);
   for (const bool remembers : {true, false}) {
-    std::vector<int> steps;
-    for (unsigned k = 0; k < 100; ++k) {
-      const RandomOutcome outcome = testing::run_random(contacts.falling_contact(k, 20, remembers),
-                                                        testing::RandomStart::nested);
-      EXPECT_TRUE(outcome.solved) << "contact " << k << (remembers ? ", with" : ", without")
-                                  << " memory: " << outcome.message;
-      steps.push_back(outcome.newton_steps);
-    }
-    std::sort(steps.begin(), steps.end());
+    SCOPED_TRACE(remembers ? "with memory" : "without memory");
+    const std::vector<int> steps =
+        steps_of(0, 100, [&](unsigned k) { return contacts.falling_contact(k, 20, remembers); });
     EXPECT_LE(steps[50], 4);
     EXPECT_LE(steps.back(), 100);
   }
   // Bounds that all move one way, through several hundred Newton steps.
-  const RandomOutcome shift =
-      testing::run_random(contacts.falling_contact(112, 20, false), testing::RandomStart::nested);
-  EXPECT_TRUE(shift.solved) << shift.message;
+  expect_solved(contacts.falling_contact(112, 20, false));
 }
 
 TEST(RandomContacts, WhereNoStateStaysTheMessageSaysWhatToDo) {
-  const RandomOutcome outcome = testing::run_random(
-      RandomContacts(1).falling_contact(30, 20, false), testing::RandomStart::nested);
+  const RandomOutcome outcome = solve(RandomContacts(1).falling_contact(30, 20, false));
   EXPECT_FALSE(outcome.solved);
   EXPECT_TRUE(outcome.chatters) << outcome.message;
   EXPECT_NE(outcome.message.find("no stable steady state"), std::string::npos) << outcome.message;
@@ -74,14 +77,8 @@ TEST(RandomContacts, WhereNoStateStaysTheMessageSaysWhatToDo) {
 
 TEST(RandomContacts, LayersThatYieldAreAllSolved) {
   RandomContacts contacts(41);
-  std::vector<int> steps;
-  for (unsigned k = 0; k < 200; ++k) {
-    const RandomOutcome outcome =
-        testing::run_random(contacts.yielding_contact(k, 20), testing::RandomStart::nested);
-    EXPECT_TRUE(outcome.solved) << "contact " << k << ": " << outcome.message;
-    steps.push_back(outcome.newton_steps);
-  }
-  std::sort(steps.begin(), steps.end());
+  const std::vector<int> steps =
+      steps_of(0, 200, [&](unsigned k) { return contacts.yielding_contact(k, 20); });
   EXPECT_LE(steps[100], 5);
 }
 
@@ -95,23 +92,21 @@ TEST(RandomContacts, UnlikeMaterialsUnderMuchFriction) {
   // Plain steps of more than 2/(1 + gain^2) cycle for ever here, and so did Anderson's.
   const RandomContact strong = RandomContacts(2).contact(5689, 40);
   EXPECT_GT(gain(strong), 3.0);
-  const RandomOutcome outcome = run_random(strong, testing::RandomStart::nested);
+  const RandomOutcome outcome = solve(strong);
   EXPECT_TRUE(outcome.solved) << outcome.message;
   EXPECT_LE(outcome.outer_iterations, 150);
   // Friction carries the patch out of the grid that the pressure alone needs.
   const RandomContact shifted = RandomContacts(3).contact(2667, 40);
   EXPECT_GT(gain(shifted), 1.0);
-  EXPECT_TRUE(run_random(shifted, testing::RandomStart::nested).solved);
+  expect_solved(shifted);
   // Both forces prescribed, to 1e-6 of mu F_z.
-  EXPECT_TRUE(run_random(RandomContacts(2).contact(3737, 20), testing::RandomStart::nested).solved);
+  expect_solved(RandomContacts(2).contact(3737, 20));
 }
 
 TEST(RandomContacts, NearlySlidingOnAFineGrid) {
   // The part of the preconditioner across the slip brings GMRES to a standstill here; with 80
   // elements across it does not.
-  const RandomOutcome outcome =
-      run_random(RandomContacts(2).contact(6084, 100), testing::RandomStart::nested);
-  EXPECT_TRUE(outcome.solved) << outcome.message;
+  expect_solved(RandomContacts(2).contact(6084, 100));
 }
 
 TEST(RandomContacts, AreMadeAgainFromSeedAndNumber) {

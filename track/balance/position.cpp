@@ -278,7 +278,7 @@ class Position {
   void solve(Wheel& wheel, const std::size_t* k = nullptr) const {
     for (Patch& patch : wheel.patches) {
       contact::Scene scene = halfspace::on_few_elements(patch.placed.scene, elements_across_);
-      if (k != nullptr) scene.points = {contact::LoadPoint(scene.points[*k])};
+      if (k != nullptr) scene = contact::at_point(scene, *k);
       patch.force.resize(rotation_.size());
       std::size_t at = k != nullptr ? *k : 0;
       for (const contact::PointResult& point : halfspace::run_halfspace(scene, {}).points)
