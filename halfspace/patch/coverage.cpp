@@ -5,7 +5,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/unsolved.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
-#include "halfspace/patch/near_misses.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,6 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/patch/near_misses.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "models/fem/hybrid_model.hpp"
 
 #include "contact/base/progress.hpp"
-#include "halfspace/model/refinements.hpp"
+#include "halfspace/model/model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "models/caches/correction_cache.hpp"
 #include "models/caches/correction_file.hpp"
