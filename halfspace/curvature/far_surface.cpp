@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/curvature/far_surface.hpp"
-
 #include "contact/base/lagrange.hpp"
 #include "contact/base/pi.hpp"
+#include "halfspace/curvature/curved_body.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
-#include "halfspace/elasticity/row_deflection.hpp"
+#include "halfspace/elasticity/influence.hpp"
 
 #include <algorithm>
 #include <array>
