@@ -2,7 +2,7 @@
 #include "capi/peak_pressure.hpp"
 
 #include "contact/base/pi.hpp"
-#include "halfspace/elasticity/row_deflection.hpp"
+#include "halfspace/elasticity/influence.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,6 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/elasticity/few_elements.hpp"
-#include "halfspace/elasticity/few_elements_normal.hpp"
 #include "track/search/contact_search.hpp"
 
 #include <array>

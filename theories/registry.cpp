@@ -8,7 +8,6 @@
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/model.hpp"
-#include "halfspace/model/refinements.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "theories/carter.hpp"
 #include "theories/closed_forms.hpp"

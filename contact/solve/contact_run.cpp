@@ -21,8 +21,14 @@ using Eigen::Vector2d;
 
 namespace {
 
-int count_adhesion(const std::vector<ElementState>& state) {
-  return static_cast<int>(std::count(state.begin(), state.end(), ElementState::adhesion));
+/// Adds the state of an iteration.
+void describe(ProgressEvent& event, const ContactState& state) {
+  const std::vector<ElementState>& elements = state.tangential.state;
+  event.iteration = state.iterations;
+  event.residual = state.residual;
+  event.contact_elements = state.normal.contact_elements;
+  event.adhesion_elements =
+      static_cast<int>(std::count(elements.begin(), elements.end(), ElementState::adhesion));
 }
 
 /// Stage name of a load point's solution in progress events.
@@ -155,9 +161,7 @@ void ContactRun::find_first_defect() {
   tell({}, "normal", false);
   state_ = problem_->solve_frictionless(scene_.points.front().load, options_.accuracy);
   ProgressEvent event;
-  event.iteration = state_.iterations;
-  event.residual = state_.residual;
-  event.contact_elements = state_.normal.contact_elements;
+  describe(event, state_);
   tell(event, "normal", true);
   result_.normal_seconds += watch.seconds();
   if (on_first_defect) on_first_defect(state_.defect, state_.normal.contact_elements);
@@ -209,10 +213,7 @@ OuterCallback ContactRun::each_iteration(std::size_t k) {
   return [this, k](const ContactState& state) {
     if (elasticity_->same_normal_block()) return;
     ProgressEvent event = event_of(k);
-    event.iteration = state.iterations;
-    event.residual = state.residual;
-    event.contact_elements = state.normal.contact_elements;
-    event.adhesion_elements = count_adhesion(state.tangential.state);
+    describe(event, state);
     tell(event, stage_of(scene_.problem_of(k)), false);
   };
 }
@@ -312,10 +313,7 @@ void ContactRun::solve_point(std::size_t k) {
   if (store_) store_->keep(k, point, state_);
 
   if (rolls(scene_.problem)) event.creepage = point.creepage.longitudinal;
-  event.iteration = state_.iterations;
-  event.residual = state_.residual;
-  event.contact_elements = state_.normal.contact_elements;
-  event.adhesion_elements = count_adhesion(state_.tangential.state);
+  describe(event, state_);
   if (state_.tangential.krylov_iterations > 0 && elasticity_->same_normal_block())
     event.note = fmt::format("{} Krylov iterations", state_.tangential.krylov_iterations);
   tell(event, stage, true);

@@ -29,18 +29,6 @@ bool any_force(const Scene& scene) {
                      [](const LoadPoint& point) { return point.force.any(); });
 }
 
-bool load_history(const Scene& scene) {
-  return scene.is_history() && scene.load_changes();
-}
-
-bool is_history(const Scene& scene) {
-  return scene.is_history();
-}
-
-bool any_rigid(const Scene& scene) {
-  return scene.wheel.material.rigid() || scene.rail.material.rigid();
-}
-
 bool stress_in_rigid(const Scene& scene) {
   return std::any_of(scene.subsurface.begin(), scene.subsurface.end(),
                      [&](const SubsurfaceRequest& request) {
@@ -78,11 +66,13 @@ bool beyond_half_space(const Scene& scene) {
 /// In the order in which they are named when several are requested.
 const std::vector<DemandRow>& rows() {
   static const std::vector<DemandRow> all{
-      {Demand::history, "rolling.problem", "shift or transient", is_history},
+      {Demand::history, "rolling.problem", "shift or transient",
+       [](const Scene& c) { return c.is_history(); }},
       {Demand::tangential_force, "rolling.longitudinal_force or lateral_force",
        "a prescribed tangential force", any_force},
       {Demand::load_history, "history.normal_force or approach",
-       "a load that changes from step to step", load_history},
+       "a load that changes from step to step",
+       [](const Scene& c) { return c.is_history() && c.load_changes(); }},
       {Demand::profiles, "wheel.profile and rail.profile", "true profiles",
        [](const Scene& c) { return c.has_profiles(); }},
       {Demand::extra_slip_on_profiles, "rolling.extra_slip",
@@ -99,7 +89,8 @@ const std::vector<DemandRow>& rows() {
        [](const Scene& c) { return c.geometry.quadratic.has_value(); }},
       {Demand::given_pressure, "given_pressure", "a given pressure",
        [](const Scene& c) { return c.given_pressure.has_value(); }},
-      {Demand::rigid_body, "young_modulus = inf", "a rigid body", any_rigid},
+      {Demand::rigid_body, "young_modulus = inf", "a rigid body",
+       [](const Scene& c) { return c.wheel.material.rigid() || c.rail.material.rigid(); }},
       {Demand::stress_in_rigid_body, "subsurface", "the stress in a rigid body", stress_in_rigid},
       {Demand::falling_friction, "friction.law", "friction that falls with the slip velocity",
        [](const Scene& c) { return c.friction() && c.friction()->feels_slip(); }},

@@ -2,6 +2,7 @@
 #include "contact/solve/point_motion.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/lagrange.hpp"
 
 #include <fmt/format.h>
 
@@ -121,12 +122,6 @@ TangentialField zeros(const ContactGrid& grid) {
   return {Field::Zero(grid.size()), Field::Zero(grid.size())};
 }
 
-/// Weights of the values at -1, 0, 1, 2 for Lagrange's cubic at t in [0, 1].
-std::array<double, 4> cubic_weights(double t) {
-  return {-t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
-          -(t + 1.0) * t * (t - 2.0) / 2.0, (t + 1.0) * t * (t - 1.0) / 6.0};
-}
-
 /// Curved streamlines strain the material while it rolls; the problem of the step is in mm.
 TangentialMotion step(TangentialField rigid_slip, double slip_factor) {
   return {std::move(rigid_slip), Motion::shift, slip_factor, 1.0 / slip_factor};
@@ -141,7 +136,8 @@ Field upstream(const ContactGrid& grid, const Field& values, double distance) {
   const double nearest = std::round(elements);
   const bool whole = std::abs(elements - nearest) < 1e-9 * std::max(1.0, nearest);
   const int ahead = static_cast<int>(whole ? nearest : std::floor(elements));
-  const std::array<double, 4> weights = cubic_weights(whole ? 0.0 : elements - ahead);
+  const auto weights =
+      lagrange_weights(std::array<double, 4>{-1.0, 0.0, 1.0, 2.0}, whole ? 0.0 : elements - ahead);
   Field result(grid.size());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {

@@ -7,7 +7,6 @@
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
-#include "halfspace/model/step_errors.hpp"
 
 #include <algorithm>
 #include <cmath>

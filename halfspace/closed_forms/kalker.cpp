@@ -2,6 +2,7 @@
 #include "halfspace/closed_forms/kalker.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/lagrange.hpp"
 #include "contact/base/pi.hpp"
 
 #include <fmt/format.h>
@@ -21,18 +22,6 @@ constexpr std::array<Coefficient, 4> all_coefficients{
     &KalkerCoefficients::c11, &KalkerCoefficients::c22, &KalkerCoefficients::c23,
     &KalkerCoefficients::c33};
 
-/// Lagrange weights of `nodes` at a point.
-template <std::size_t count>
-std::array<double, count> lagrange_weights(const std::array<double, count>& nodes, double place) {
-  std::array<double, count> result;
-  for (std::size_t k = 0; k < count; ++k) {
-    result[k] = 1.0;
-    for (std::size_t m = 0; m < count; ++m)
-      if (m != k) result[k] *= (place - nodes[m]) / (nodes[k] - nodes[m]);
-  }
-  return result;
-}
-
 /// a/b from 0.01 to 100: ln C over ln(a/b) by six entries, (1 - nu) C over nu by all five, since
 /// C11 and C33 of short patches grow as 1/(1 - nu).
 KalkerCoefficients from_table(double ratio, double nu) {
@@ -45,8 +34,8 @@ KalkerCoefficients from_table(double ratio, double nu) {
       above - table.begin() - used / 2, 0, static_cast<std::ptrdiff_t>(table.size() - used)));
   std::array<double, used> logarithms;
   for (std::size_t k = 0; k < used; ++k) logarithms[k] = std::log(table[first + k].ratio);
-  const auto in_ratio = lagrange_weights(logarithms, std::log(ratio));
-  const auto in_nu = lagrange_weights(kalker_table_poisson, nu);
+  const auto in_ratio = contact::lagrange_weights(logarithms, std::log(ratio));
+  const auto in_nu = contact::lagrange_weights(kalker_table_poisson, nu);
   KalkerCoefficients result;
   for (const Coefficient c : all_coefficients) {
     double logarithm = 0.0;

@@ -2,7 +2,6 @@
 #include "halfspace/curvature/curved_body.hpp"
 
 #include "contact/base/count.hpp"
-#include "halfspace/curvature/far_surface.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
 #include <algorithm>

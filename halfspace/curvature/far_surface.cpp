@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/curvature/far_surface.hpp"
-
+#include "contact/base/lagrange.hpp"
 #include "contact/base/pi.hpp"
+#include "halfspace/curvature/curved_body.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,13 +39,10 @@ std::array<double, far_nodes> nodes_between(double first, double last) {
 Eigen::MatrixXd lagrange(const std::array<double, far_nodes>& nodes, int count, double first,
                          double step) {
   Eigen::MatrixXd values(count, far_nodes);
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < far_nodes; ++k) {
-      double product = 1.0;
-      for (int l = 0; l < far_nodes; ++l)
-        if (l != k) product *= (first + i * step - nodes[l]) / (nodes[k] - nodes[l]);
-      values(i, k) = product;
-    }
+  for (int i = 0; i < count; ++i) {
+    const auto weights = contact::lagrange_weights(nodes, first + i * step);
+    values.row(i) = Eigen::Map<const Eigen::RowVectorXd>(weights.data(), far_nodes);
+  }
   return values;
 }
 

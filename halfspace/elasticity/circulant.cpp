@@ -36,39 +36,21 @@ Eigen::Index periodic_index(int offset, int p) {
   return offset < 0 ? offset + p : offset;
 }
 
-/// Parity of a kernel: how its sign changes with the offset.
-struct Odd {
-  bool x = false;
-  bool y = false;
-};
-
 /// One coefficient on the periodic plane. An odd one vanishes on the middle line of an even period,
 /// where the sign is ambiguous (no product uses those offsets).
-Field periodic_kernel(const InfluenceQuadrant& quadrant, double Influence::*part, Odd odd, int px,
-                      int py) {
+Field periodic_kernel(const InfluenceQuadrant& quadrant, double Influence::*part, bool odd_x,
+                      bool odd_y, int px, int py) {
   Field kernel(static_cast<Eigen::Index>(px) * py);
   for (int j = 0; 2 * j <= py; ++j)
     for (int i = 0; 2 * i <= px; ++i) {
-      const bool ambiguous = (odd.x && 2 * i == px) || (odd.y && 2 * j == py);
+      const bool ambiguous = (odd_x && 2 * i == px) || (odd_y && 2 * j == py);
       const double value = ambiguous ? 0.0 : quadrant.at(i, j).*part;
       for (const int sy : {1, -1})
         for (const int sx : {1, -1})
           kernel[periodic_index(sy * j, py) * px + periodic_index(sx * i, px)] =
-              (odd.x ? sx : 1) * (odd.y ? sy : 1) * value;
+              (odd_x ? sx : 1) * (odd_y ? sy : 1) * value;
     }
   return kernel;
-}
-
-enum class Part { real, imaginary };
-
-Symbol transform(const Field& kernel, int px, int py, Part part) {
-  PaddedFft::Spectrum spectrum;
-  PaddedFft(px, py, px, py).forward(kernel, spectrum);
-  Symbol symbol(spectrum.size());
-  std::transform(spectrum.begin(), spectrum.end(), symbol.begin(), [part](const Complex& value) {
-    return part == Part::real ? value.real() : value.imag();
-  });
-  return symbol;
 }
 
 }  // namespace
@@ -88,25 +70,25 @@ InfluenceQuadrant::InfluenceQuadrant(const ContactGrid& grid, const CombinedMate
   coefficients_.front().yy += material.layer;
 }
 
-Symbol normal_symbol(const InfluenceQuadrant& quadrant, int px, int py) {
-  return transform(periodic_kernel(quadrant, &Influence::nn, {}, px, py), px, py, Part::real);
+Symbol symbol_of(const InfluenceQuadrant& quadrant, double Influence::*part, int px, int py) {
+  const bool xy = part == &Influence::xy, xn = part == &Influence::xn, yn = part == &Influence::yn;
+  PaddedFft::Spectrum spectrum;
+  PaddedFft(px, py, px, py)
+      .forward(periodic_kernel(quadrant, part, xy || xn, xy || yn, px, py), spectrum);
+  Symbol symbol(spectrum.size());
+  std::transform(spectrum.begin(), spectrum.end(), symbol.begin(),
+                 [imaginary = xn || yn](const Complex& value) {
+                   return imaginary ? value.imag() : value.real();
+                 });
+  return symbol;
 }
 
-void set_tangential_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols) {
-  const auto symbol = [&](double Influence::*part, Odd odd) {
-    return transform(periodic_kernel(quadrant, part, odd, px, py), px, py, Part::real);
-  };
-  symbols.xx = symbol(&Influence::xx, {});
-  symbols.yy = symbol(&Influence::yy, {});
-  symbols.xy = symbol(&Influence::xy, {true, true});
-}
-
-void set_coupling_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols) {
-  const auto symbol = [&](double Influence::*part, Odd odd) {
-    return transform(periodic_kernel(quadrant, part, odd, px, py), px, py, Part::imaginary);
-  };
-  symbols.xn = symbol(&Influence::xn, {true, false});
-  symbols.yn = symbol(&Influence::yn, {false, true});
+Symbols tangential_symbols(const InfluenceQuadrant& quadrant, int px, int py) {
+  Symbols symbols;
+  symbols.xx = symbol_of(quadrant, &Influence::xx, px, py);
+  symbols.yy = symbol_of(quadrant, &Influence::yy, px, py);
+  symbols.xy = symbol_of(quadrant, &Influence::xy, px, py);
+  return symbols;
 }
 
 std::vector<Complex> difference_symbol(Difference difference, int px, double dx, double decay) {
@@ -122,7 +104,7 @@ std::vector<Complex> difference_symbol(Difference difference, int px, double dx,
 
 NormalCirculant::NormalCirculant(const ContactGrid& grid, const InfluenceQuadrant& quadrant)
     : fft_(grid.nx, grid.ny, circulant_size(grid)[0], circulant_size(grid)[1]),
-      inverse_(normal_symbol(quadrant, fft_.px(), fft_.py())) {
+      inverse_(symbol_of(quadrant, &Influence::nn, fft_.px(), fft_.py())) {
   // The true symbol, ~1/|k|, is positive; truncating the kernel at the period may make the smallest
   // values negative.
   const double floor =
@@ -142,8 +124,8 @@ TangentialCirculant::TangentialCirculant(const ContactGrid& grid, const Influenc
                                          Difference difference)
     : nx_(grid.nx),
       ny_(grid.ny),
-      fft_(grid.nx, grid.ny, circulant_size(grid)[0], circulant_size(grid)[1]) {
-  set_tangential_symbols(quadrant, fft_.px(), fft_.py(), symbols_);
+      fft_(grid.nx, grid.ny, circulant_size(grid)[0], circulant_size(grid)[1]),
+      symbols_(tangential_symbols(quadrant, fft_.px(), fft_.py())) {
   const double decay = difference == Difference::none ? 0.0 : decay_over_period;
   factors_ = difference_symbol(difference, fft_.px(), grid.dx, decay);
   growth_.resize(nx_);

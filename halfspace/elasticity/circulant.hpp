@@ -49,11 +49,10 @@ class InfluenceQuadrant {
 };
 
 /// Transforms of the influence coefficients laid out periodically on px by py elements: a product
-/// of spectra is exact for offsets below px/2 and py/2, the required extent of the quadrant. Three
-/// parts: pressure only, tangential tractions, and the coupling of both.
-Symbol normal_symbol(const InfluenceQuadrant& quadrant, int px, int py);
-void set_tangential_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols);
-void set_coupling_symbols(const InfluenceQuadrant& quadrant, int px, int py, Symbols& symbols);
+/// of spectra is exact for offsets below px/2 and py/2, the required extent of the quadrant.
+Symbol symbol_of(const InfluenceQuadrant& quadrant, double Influence::*part, int px, int py);
+/// xx, yy and xy.
+Symbols tangential_symbols(const InfluenceQuadrant& quadrant, int px, int py);
 
 /// Factor of D for kx = 0 .. px/2: (1 - e)/dx or (3 - 4 e + e^2)/(2 dx) with
 /// e = exp((2 pi i kx - decay)/px); `decay`: D of exp(-decay x/(px dx)) u, over that exponential.

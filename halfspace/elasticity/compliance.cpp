@@ -172,21 +172,28 @@ struct HalfspaceCompliance::Implementation {
         quadrant(g, material, std::max(fft.px(), circulant_size(g)[0]) / 2,
                  std::max(fft.py(), circulant_size(g)[1]) / 2) {}
 
-  const Symbol& normal_symbol() const {
-    if (symbols.nn.empty()) symbols.nn = halfspace::normal_symbol(quadrant, fft.px(), fft.py());
-    return symbols.nn;
+  /// That of a coefficient.
+  const Symbol& symbol(Symbol Symbols::*kept, double Influence::*part) const {
+    if ((symbols.*kept).empty()) symbols.*kept = symbol_of(quadrant, part, fft.px(), fft.py());
+    return symbols.*kept;
   }
 
+  const Symbol& normal_symbol() const { return symbol(&Symbols::nn, &Influence::nn); }
+
   const Symbols& tangential_symbols() const {
-    if (symbols.xx.empty()) set_tangential_symbols(quadrant, fft.px(), fft.py(), symbols);
+    symbol(&Symbols::xx, &Influence::xx);
+    symbol(&Symbols::yy, &Influence::yy);
+    symbol(&Symbols::xy, &Influence::xy);
     return symbols;
   }
 
   const Symbols& all_symbols() const {
     normal_symbol();
-    tangential_symbols();
-    if (couples && symbols.xn.empty()) set_coupling_symbols(quadrant, fft.px(), fft.py(), symbols);
-    return symbols;
+    if (couples) {
+      symbol(&Symbols::xn, &Influence::xn);
+      symbol(&Symbols::yn, &Influence::yn);
+    }
+    return tangential_symbols();
   }
 
   const HalfspaceTangential& tangential_operator(Difference difference) const {

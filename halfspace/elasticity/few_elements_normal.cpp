@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/elasticity/few_elements_normal.hpp"
-
 #include "contact/base/pi.hpp"
+#include "halfspace/elasticity/few_elements.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/influence_tables.hpp"
 
+#include "contact/base/lagrange.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
 #include <algorithm>
@@ -57,11 +58,8 @@ bool InfluenceTables::interpolate(double ratio, InfluenceTable& table) const {
   const double place = steps_of_two * std::log2(ratio) + most;
   if (!(place >= 0.0 && place <= 2 * most)) return false;
   const int first = std::clamp(static_cast<int>(place) - 1, 0, 2 * most - 3);
-  const double t = place - first;
-  // Of the cubic through 0, 1, 2 and 3.
-  const std::array<double, 4> part{
-      (1.0 - t) * (2.0 - t) * (3.0 - t) / 6.0, t * (2.0 - t) * (3.0 - t) / 2.0,
-      -t * (1.0 - t) * (3.0 - t) / 2.0, t * (1.0 - t) * (2.0 - t) / 6.0};
+  const auto part =
+      contact::lagrange_weights(std::array<double, 4>{0.0, 1.0, 2.0, 3.0}, place - first);
   const InfluenceTable* const at = &tables_[static_cast<std::size_t>(first)];
   table.ratio = ratio;
   table.nx = nx_;

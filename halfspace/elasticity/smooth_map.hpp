@@ -33,7 +33,7 @@ Eigen::MatrixXd polynomials(const SmoothBox& box, int degree, const contact::Fie
 /// Contribution of one body to u_wheel - u_rail under tractions on the wheel.
 struct SmoothMap {
   SmoothBox loads;   ///< of the moments
-  SmoothBox fields;  ///< of the displacement
+  SmoothBox fields;  ///< of the displacement (and stress)
   int load_degree = 0;
   int field_degree = 0;
   /// Coefficients (mm) of u_x, then u_y, then u_n, from the moments (N) of p_x, p_y, p_n. Empty:
@@ -44,17 +44,9 @@ struct SmoothMap {
 };
 
 /// Difference between one body and its half-space below the surface (stress/smooth_stress.hpp).
-struct SmoothDepthMap {
-  SmoothBox loads;     ///< of the moments
-  SmoothBox fields;    ///< of the result
+/// Its coefficients are those of the components of smooth_stress.hpp in order (mm, MPa).
+struct SmoothDepthMap : SmoothMap {
   double depth = 0.0;  ///< mm, depth of the map
-  int load_degree = 0;
-  int field_degree = 0;
-  /// Coefficients of the components of smooth_stress.hpp in order (mm, MPa), from the moments (N)
-  /// of p_x, p_y, p_n on the wheel. Empty: zero.
-  Eigen::MatrixXd coefficients;
-
-  bool empty() const { return coefficients.size() == 0; }
 };
 
 /// Maps of both bodies.

@@ -11,7 +11,6 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
-#include "halfspace/model/step_errors.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
 

@@ -43,4 +43,7 @@ contact::ModelResult run_halfspace(const contact::Scene& scene, const contact::P
 /// difference between two models. The grid of points from a file is kept.
 contact::Scene on_few_elements(contact::Scene scene, int elements_across);
 
+/// Refinement by contact elements: the grid of the case is the third of five levels.
+contact::Refinement contact_grid();
+
 }  // namespace rollfem::halfspace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/model/refinements.hpp"
-
+// Refinement levels of the half-space in a study.
 #include "contact/result/validity.hpp"
+#include "halfspace/model/model.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
-#include "halfspace/patch/near_misses.hpp"
 
 #include <fmt/format.h>
 

@@ -78,33 +78,6 @@ std::vector<Patch> patches_of(const std::vector<Scene>& scenes,
   return patches;
 }
 
-/// Force of the pressure of a scene with profiles on one grid that holds every patch up to a
-/// largest approach: one continuous function of the approach, accurate to about 0.5 % there and
-/// less accurate for a small fraction of it.
-class ForceLaw {
- public:
-  /// `largest_approach`: mm along z.
-  ForceLaw(const Patch& patch, double largest_approach);
-
-  /// Solves at an approach; `beside`: loads on the surface beside the contact.
-  void press(double approach, const std::vector<NeighbourLoad>& neighbour_loads);
-
-  double normal_force() const { return force_[1]; }   ///< N, along z; 0 without contact
-  double lateral_force() const { return force_[0]; }  ///< N, along y: nonzero on a curved surface
-
-  /// The pressure as point loads, each that of a block of elements.
-  std::vector<NeighbourLoad> point_loads() const;
-
- private:
-  contact::CombinedMaterial material_;
-  std::unique_ptr<const contact::SolvableCompliance> compliance_;
-  contact::PatchShape shape_;
-  contact::CoupledProblem problem_;
-  Field distance_;
-  Field pressure_;  ///< of the last approach
-  std::array<double, 2> force_{};
-};
-
 ContactGrid grid_over(const Overlap& overlap, const contact::ChartedGeometry& geometry) {
   const Box& box = overlap.box;
   double steepest = 0.0;
@@ -125,63 +98,82 @@ ContactGrid grid_over(const Overlap& overlap, const contact::ChartedGeometry& ge
   return {elements_of_law, ny, dx, dy, box.x_lower + 0.5 * dx, y_lower + 0.5 * dy};
 }
 
-ForceLaw::ForceLaw(const Patch& patch, double largest_approach)
-    : material_(patch.scene.material.uncoupled()) {
-  const Overlap overlap = patch.ridge.overlap(largest_approach);
-  if (overlap.regions.empty()) return;
-  const contact::ChartedGeometry geometry = halfspace_geometry(patch.scene);
-  const ContactGrid grid = grid_over(overlap, geometry);
-  compliance_ = std::make_unique<HalfspaceCompliance>(grid, material_);
-  distance_ = geometry.undeformed_distance(grid);
-  problem_.shape = geometry.shape(grid);
-  problem_.frame = contact::vertical_frame(problem_.shape, patch.up);
-  problem_.load.direction = patch.up;
-}
+/// Force of the pressure of a scene with profiles on one grid that holds every patch up to a
+/// largest approach: one continuous function of the approach, accurate to about 0.5 % there and
+/// less accurate for a small fraction of it.
+class ForceLaw {
+ public:
+  /// `largest_approach`: mm along z.
+  ForceLaw(const Patch& patch, double largest_approach)
+      : material_(patch.scene.material.uncoupled()) {
+    const Overlap overlap = patch.ridge.overlap(largest_approach);
+    if (overlap.regions.empty()) return;
+    const contact::ChartedGeometry geometry = halfspace_geometry(patch.scene);
+    const ContactGrid grid = grid_over(overlap, geometry);
+    compliance_ = std::make_unique<HalfspaceCompliance>(grid, material_);
+    distance_ = geometry.undeformed_distance(grid);
+    problem_.shape = geometry.shape(grid);
+    problem_.frame = contact::vertical_frame(problem_.shape, patch.up);
+    problem_.load.direction = patch.up;
+  }
 
-void ForceLaw::press(double approach, const std::vector<NeighbourLoad>& neighbour_loads) {
-  force_ = {};
-  if (!compliance_) return;
-  const ContactGrid& grid = compliance_->grid();
-  problem_.undeformed_distance = distance_;
-  if (!neighbour_loads.empty())
-    problem_.undeformed_distance += neighbour_displacement(neighbour_loads, material_, grid);
-  problem_.load.approach = approach;
-  const double along_z = problem_.load.direction[1];
-  const double opening =
-      problem_.frame.plane()
-          ? problem_.undeformed_distance.minCoeff()
-          : along_z *
-                problem_.undeformed_distance.cwiseProduct(problem_.frame.to_vertical).minCoeff();
-  if (!(approach > opening)) return;
-  pressure_ = contact::press_standin(compliance_->normal(), problem_, pressure_).pressure;
-  const Field none = Field::Zero(grid.size());
-  const auto force = contact::transmitted_force(grid, {none, none, pressure_}, problem_.shape);
-  force_ = {force[1], force[2]};
-}
+  /// Solves at an approach; `beside`: loads on the surface beside the contact.
+  void press(double approach, const std::vector<NeighbourLoad>& beside) {
+    force_ = {};
+    if (!compliance_) return;
+    const ContactGrid& grid = compliance_->grid();
+    problem_.undeformed_distance = distance_;
+    add_displacement(beside, material_, grid, problem_.undeformed_distance);
+    problem_.load.approach = approach;
+    const double along_z = problem_.load.direction[1];
+    const Field& distance = problem_.undeformed_distance;
+    const double opening =
+        problem_.frame.plane()
+            ? distance.minCoeff()
+            : along_z * distance.cwiseProduct(problem_.frame.to_vertical).minCoeff();
+    if (!(approach > opening)) return;
+    pressure_ = contact::press_standin(compliance_->normal(), problem_, pressure_).pressure;
+    const Field none = Field::Zero(grid.size());
+    const auto force = contact::transmitted_force(grid, {none, none, pressure_}, problem_.shape);
+    force_ = {force[1], force[2]};
+  }
 
-std::vector<NeighbourLoad> ForceLaw::point_loads() const {
-  std::vector<NeighbourLoad> loads;
-  if (!(force_[1] > 0.0)) return loads;
-  const ContactGrid& grid = compliance_->grid();
-  const auto step = [](int count, int blocks) { return (count + blocks - 1) / blocks; };
-  const int di = step(grid.nx, blocks_along), dj = step(grid.ny, blocks_across);
-  for (int j0 = 0; j0 < grid.ny; j0 += dj)
-    for (int i0 = 0; i0 < grid.nx; i0 += di) {
-      NeighbourLoad load;
-      for (int j = j0; j < std::min(j0 + dj, grid.ny); ++j)
-        for (int i = i0; i < std::min(i0 + di, grid.nx); ++i) {
-          const double force = pressure_[grid.index(i, j)] * grid.element_area();
-          load.normal += force;
-          load.x += force * grid.x(i);
-          load.y += force * grid.y(j);
-        }
-      if (!(load.normal > 0.0)) continue;
-      load.x /= load.normal;
-      load.y /= load.normal;
-      loads.push_back(load);
-    }
-  return loads;
-}
+  double normal_force() const { return force_[1]; }   ///< N, along z; 0 without contact
+  double lateral_force() const { return force_[0]; }  ///< N, along y: nonzero on a curved surface
+
+  /// The pressure as point loads, each that of a block of elements.
+  std::vector<NeighbourLoad> point_loads() const {
+    std::vector<NeighbourLoad> loads;
+    if (!(force_[1] > 0.0)) return loads;
+    const ContactGrid& grid = compliance_->grid();
+    const auto step = [](int count, int blocks) { return (count + blocks - 1) / blocks; };
+    const int di = step(grid.nx, blocks_along), dj = step(grid.ny, blocks_across);
+    for (int j0 = 0; j0 < grid.ny; j0 += dj)
+      for (int i0 = 0; i0 < grid.nx; i0 += di) {
+        NeighbourLoad load;
+        for (int j = j0; j < std::min(j0 + dj, grid.ny); ++j)
+          for (int i = i0; i < std::min(i0 + di, grid.nx); ++i) {
+            const double force = pressure_[grid.index(i, j)] * grid.element_area();
+            load.normal += force;
+            load.x += force * grid.x(i);
+            load.y += force * grid.y(j);
+          }
+        if (!(load.normal > 0.0)) continue;
+        load.x /= load.normal;
+        load.y /= load.normal;
+        loads.push_back(load);
+      }
+    return loads;
+  }
+
+ private:
+  contact::CombinedMaterial material_;
+  std::unique_ptr<const contact::SolvableCompliance> compliance_;
+  contact::CoupledProblem problem_;
+  Field distance_;
+  Field pressure_;  ///< of the last approach
+  std::array<double, 2> force_{};
+};
 
 /// The patches on grids that hold them up to a largest sinking.
 class SinkingWheel {

@@ -9,7 +9,6 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/patch/near_misses.hpp"
 
 #include <fmt/format.h>
 
@@ -55,16 +54,16 @@ double overlap_for_force(const Ridge& ridge, double A, double modulus, double fo
   return overlap;
 }
 
+/// A solution of the search.
 struct Found {
-  contact::NormalSolution normal;
-  contact::PatchSize size;
   ContactGrid grid;
-  std::vector<std::array<double, 2>> loaded;
-  double gaps = 0.0;  ///< mm
-  Box near;           ///< the patch with near misses
+  bool touches_border;
+  ExpectedPatch patch;
 
-  /// mm, unloaded rows within it.
-  double unloaded() const { return near.y_upper - near.y_lower - (size.width - gaps); }
+  /// mm, rows without pressure within the patch and its near misses.
+  double unloaded() const {
+    return patch.near.y_upper - patch.near.y_lower - patch.covered_width();
+  }
 };
 
 /// Runs of rows with pressure, the outermost ends as found below the element size.
@@ -102,28 +101,60 @@ std::array<int, 2> counts(const Box& box, double gaps, std::size_t runs) {
   return {elements_of_box, contact::count_of(std::ceil(elements_of_box * times - 1e-9), of_search)};
 }
 
+/// mm, loaded length along a line of elements of size h: the extent for a parabolic load.
+double carrying(const contact::Field& load, double h) {
+  const double sum = load.sum();
+  return sum > 0.0 ? 1.2 * h * sum * sum / load.squaredNorm() : 0.0;
+}
+
+std::array<double, 2> carrying_lengths(const ContactGrid& grid, const contact::Field& pressure) {
+  contact::Field columns = contact::Field::Zero(grid.nx), rows = contact::Field::Zero(grid.ny);
+  for (int j = 0; j < grid.ny; ++j) {
+    const auto row = pressure.segment(grid.index(0, j), grid.nx);
+    rows[j] = row.sum();
+    columns += row;
+  }
+  return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
+}
+
 /// `ridge`: null for bodies given point by point.
 Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
                const contact::NormalLoad& load) {
-  Found found;
-  found.grid = grid;
-  const HalfspaceCompliance compliance(found.grid, scene.material.uncoupled());
+  const HalfspaceCompliance compliance(grid, scene.material.uncoupled());
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::plane);
-  const contact::NormalProblem problem{geometry.undeformed_distance(found.grid), load.force,
+  const contact::NormalProblem problem{geometry.undeformed_distance(grid), load.force,
                                        load.approach};
   contact::NormalOptions options;
   options.tolerance = 1e-4;
-  found.normal = contact::solve_normal(compliance.normal(), problem, options);
-  found.size = contact::patch_size(found.grid, found.normal.pressure);
-  found.loaded = loaded_rows(found.grid, found.normal.pressure, found.size);
-  for (std::size_t k = 0; k + 1 < found.loaded.size(); ++k)
-    found.gaps += found.loaded[k + 1][0] - found.loaded[k][1];
-  const contact::PatchSize& size = found.size;
-  found.near = {size.x_lower, size.x_upper, size.y_lower, size.y_upper};
+  const contact::NormalSolution normal =
+      contact::solve_normal(compliance.normal(), problem, options);
+  const contact::Field& pressure = normal.pressure;
+  const contact::PatchSize size = contact::patch_size(grid, pressure);
+  const auto centre = [&](auto&& coordinate) {
+    return grid.sample(coordinate).dot(pressure) / pressure.sum();
+  };
+  ExpectedPatch patch;
+  patch.x_lower = size.x_lower;
+  patch.x_upper = size.x_upper;
+  patch.y_lower = size.y_lower;
+  patch.y_upper = size.y_upper;
+  patch.x_centre = centre([](double x, double) { return x; });
+  patch.y_centre = centre([](double, double y) { return y; });
+  patch.approach = normal.approach;
+  patch.max_pressure = pressure.maxCoeff();
+  patch.normal_force = normal.normal_force;
+  patch.area = size.area;
+  patch.loaded = loaded_rows(grid, pressure, size);
+  for (std::size_t k = 0; k + 1 < patch.loaded.size(); ++k)
+    patch.gaps += patch.loaded[k + 1][0] - patch.loaded[k][1];
+  patch.near = {size.x_lower, size.x_upper, size.y_lower, size.y_upper};
   if (ridge != nullptr)
-    found.near = with_near_misses(found.near, *ridge, found.normal.approach, grid,
-                                  found.normal.pressure, scene.material.contact_modulus);
-  return found;
+    patch.near = with_near_misses(patch.near, *ridge, normal.approach, grid, pressure,
+                                  scene.material.contact_modulus);
+  const auto [length, width] = carrying_lengths(grid, pressure);
+  patch.carrying_length = length;
+  patch.carrying_width = width;
+  return {grid, contact::touches_border(grid, pressure), std::move(patch)};
 }
 
 Found solve_in(const Scene& scene, const Ridge* ridge, const Box& box,
@@ -134,23 +165,6 @@ Found solve_in(const Scene& scene, const Ridge* ridge, const Box& box,
                   {n[0], n[1], dx, dy, box.x_lower + 0.5 * dx, box.y_lower + 0.5 * dy}, load);
 }
 
-/// mm, loaded length along a line of elements of size h: the extent for a parabolic load.
-double carrying(const contact::Field& load, double h) {
-  const double sum = load.sum();
-  return sum > 0.0 ? 1.2 * h * sum * sum / load.squaredNorm() : 0.0;
-}
-
-std::array<double, 2> carrying_lengths(const Found& found) {
-  const ContactGrid& grid = found.grid;
-  contact::Field columns = contact::Field::Zero(grid.nx), rows = contact::Field::Zero(grid.ny);
-  for (int j = 0; j < grid.ny; ++j) {
-    const auto row = found.normal.pressure.segment(grid.index(0, j), grid.nx);
-    rows[j] = row.sum();
-    columns += row;
-  }
-  return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
-}
-
 /// The patch and near misses, so that no small patch is lost between elements, with a box_margin.
 Box next_box(const Found& found) {
   const auto grow = [](double& lower, double& upper, double extent, double step) {
@@ -158,9 +172,9 @@ Box next_box(const Found& found) {
     lower -= margin;
     upper += margin;
   };
-  Box next = found.near;
-  grow(next.x_lower, next.x_upper, found.size.length, found.grid.dx);
-  grow(next.y_lower, next.y_upper, found.size.width, found.grid.dy);
+  Box next = found.patch.near;
+  grow(next.x_lower, next.x_upper, found.patch.length(), found.grid.dx);
+  grow(next.y_lower, next.y_upper, found.patch.width(), found.grid.dy);
   return next;
 }
 
@@ -168,9 +182,9 @@ Box next_box(const Found& found) {
 /// of the search jump from one position to the next; this lattice moves with the bodies.
 ContactGrid lattice_over(const Found& found) {
   const Box box = next_box(found);
-  const auto [length, width] = carrying_lengths(found);
-  const double dx = length / elements_of_lattice;
-  const double dy = std::max(width / elements_of_lattice, (box.y_upper - box.y_lower) / most_rows);
+  const double dx = found.patch.carrying_length / elements_of_lattice;
+  const double dy = std::max(found.patch.carrying_width / elements_of_lattice,
+                             (box.y_upper - box.y_lower) / most_rows);
   const double i = std::floor(box.x_lower / dx), j = std::floor(box.y_lower / dy);
   return {contact::count_of(std::ceil(box.x_upper / dx) - i, of_search),
           contact::count_of(std::ceil(box.y_upper / dy) - j, of_search),
@@ -181,35 +195,11 @@ ContactGrid lattice_over(const Found& found) {
 }
 
 bool fine_enough(const Found& found) {
-  return found.size.length >= fewest_across_patch * found.grid.dx &&
-         found.size.width - found.gaps >=
-             fewest_across_patch * to_resolve(found.loaded.size()) * found.grid.dy &&
-         !contact::touches_border(found.grid, found.normal.pressure);
-}
-
-ExpectedPatch summary(const Found& found) {
-  const contact::Field& pressure = found.normal.pressure;
-  const auto centre = [&](auto&& coordinate) {
-    return found.grid.sample(coordinate).dot(pressure) / pressure.sum();
-  };
-  ExpectedPatch patch;
-  patch.x_lower = found.size.x_lower;
-  patch.x_upper = found.size.x_upper;
-  patch.y_lower = found.size.y_lower;
-  patch.y_upper = found.size.y_upper;
-  patch.x_centre = centre([](double x, double) { return x; });
-  patch.y_centre = centre([](double, double y) { return y; });
-  patch.approach = found.normal.approach;
-  patch.max_pressure = pressure.maxCoeff();
-  patch.normal_force = found.normal.normal_force;
-  patch.area = found.size.area;
-  patch.loaded = found.loaded;
-  patch.gaps = found.gaps;
-  patch.near = found.near;
-  const auto [length, width] = carrying_lengths(found);
-  patch.carrying_length = length;
-  patch.carrying_width = width;
-  return patch;
+  const ExpectedPatch& patch = found.patch;
+  return patch.length() >= fewest_across_patch * found.grid.dx &&
+         patch.covered_width() >=
+             fewest_across_patch * to_resolve(patch.loaded.size()) * found.grid.dy &&
+         !found.touches_border;
 }
 
 /// For bodies given point by point: the patch on their points, then in a box around it.
@@ -223,9 +213,10 @@ ExpectedPatch patch_of_points(const Scene& scene) {
     const Box next = next_box(found);
     const Box within{std::max(next.x_lower, all.x_lower), std::min(next.x_upper, all.x_upper),
                      std::max(next.y_lower, all.y_lower), std::min(next.y_upper, all.y_upper)};
-    found = solve_in(scene, nullptr, within, load, counts(within, found.gaps, found.loaded.size()));
+    found = solve_in(scene, nullptr, within, load,
+                     counts(within, found.patch.gaps, found.patch.loaded.size()));
   }
-  return summary(found);
+  return found.patch;
 }
 
 ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDetail detail) {
@@ -247,17 +238,18 @@ ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDe
                     counts(overlap.box, overlap.gaps, overlap.regions.size()));
   };
   Found found = solve_overlap();
-  for (int round = 0; round < most_rounds && load.force && found.normal.approach > level; ++round) {
-    level = ridge.least_distance() + 1.2 * (found.normal.approach - ridge.least_distance());
+  for (int round = 0; round < most_rounds && load.force && found.patch.approach > level; ++round) {
+    level = ridge.least_distance() + 1.2 * (found.patch.approach - ridge.least_distance());
     found = solve_overlap();
   }
   for (int round = 0; round < most_rounds && !fine_enough(found); ++round) {
     const Box box = next_box(found);
-    found = solve_in(scene, &ridge, box, load, counts(box, found.unloaded(), found.loaded.size()));
+    found = solve_in(scene, &ridge, box, load,
+                     counts(box, found.unloaded(), found.patch.loaded.size()));
   }
-  check_profiles_reach(scene, found.size.y_lower, found.size.y_upper);
-  return summary(detail == SearchDetail::box ? found
-                                             : solve_on(scene, &ridge, lattice_over(found), load));
+  check_profiles_reach(scene, found.patch.y_lower, found.patch.y_upper);
+  return detail == SearchDetail::box ? found.patch
+                                     : solve_on(scene, &ridge, lattice_over(found), load).patch;
 }
 
 ExpectedPatch patch_of_ellipse(const Scene& scene) {

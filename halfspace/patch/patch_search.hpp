@@ -26,7 +26,7 @@ struct ExpectedPatch {
   /// Ranges of y with pressure, mm: the first begins at y_lower, the last ends at y_upper.
   std::vector<std::array<double, 2>> loaded;
   double gaps = 0.0;  ///< mm, of the width: unloaded rows between regions
-  Box near;           ///< mm, with the places where the bodies nearly touch (near_misses.hpp)
+  Box near;           ///< mm, with the places where the bodies nearly touch (ridge.hpp)
   /// mm, loaded extents along x and y: 6/5 (integral f)^2 / integral f^2 of the load f per mm, the
   /// axes of an ellipse under Hertz's pressure. Unlike the box, they change continuously while
   /// patches appear, join and vanish.

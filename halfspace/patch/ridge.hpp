@@ -3,6 +3,7 @@
 // by the strip model and by the search for the extent of a patch.
 #pragma once
 
+#include "contact/base/grid.hpp"
 #include "contact/scene/patch_geometry.hpp"
 
 #include <vector>
@@ -55,5 +56,19 @@ class Ridge {
   std::vector<RidgePoint> points_;
   std::vector<double> angle_;
 };
+
+// Places beside a solved patch where wheel and rail touch again or nearly do.
+
+/// Normal displacement at (x, y) by pressure elsewhere on the grid, with each element as a point
+/// load on the half-space of this contact modulus, mm.
+double displacement_beside(double x, double y, const contact::ContactGrid& grid,
+                           const contact::Field& pressure, double modulus);
+
+/// `patch`, extended to the places beside it where the gap falls again and the bodies would overlap
+/// at this approach (mm) if half-spaces were not displaced there: finite bodies may be displaced by
+/// far less than half-spaces, or the other way.
+Box with_near_misses(const Box& patch, const Ridge& ridge, double approach,
+                     const contact::ContactGrid& grid, const contact::Field& pressure,
+                     double modulus);
 
 }  // namespace rollfem::halfspace

@@ -76,15 +76,6 @@ Potentials rectangle_potentials(double x, double y, double z, double dx, double 
 /// complex (spectra).
 template <class Scalar>
 std::array<Scalar, component_count> assemble_state(const Scalar* p_x, const Scalar* p_y,
-                                                   const Scalar* p_z, double nu, double z);
-
-/// Throws contact::InputError unless the constants and the depth are possible.
-void check_half_space(double z, double shear_modulus, double poisson_ratio);
-
-// Implementation.
-
-template <class Scalar>
-std::array<Scalar, component_count> assemble_state(const Scalar* p_x, const Scalar* p_y,
                                                    const Scalar* p_z, double nu, double z) {
   const double a = 1.0 - 2.0 * nu;
   const double b = 2.0 * nu;
@@ -114,5 +105,8 @@ std::array<Scalar, component_count> assemble_state(const Scalar* p_x, const Scal
   s[s_xz] = p_x[phi_z] - p_x[z_phi_xx] - p_y[z_phi_xy] - p_z[z_phi_xz];
   return s;
 }
+
+/// Throws contact::InputError unless the constants and the depth are possible.
+void check_half_space(double z, double shear_modulus, double poisson_ratio);
 
 }  // namespace rollfem::halfspace

@@ -297,8 +297,9 @@ void find_maps(const Basis& basis, Pair& pair, const contact::BelowSurface* coor
   const Answers found = answers(basis, pair, below ? &*below : nullptr);
   map = {basis.loads, basis.fields, load_degree, field_degree, of_moments(basis, found.surface)};
   if (below)
-    map_below = {basis.loads, basis.below,     below->depth(),
-                 load_degree, below->degree(), of_moments(basis, found.below)};
+    map_below = {
+        {basis.loads, basis.below, load_degree, below->degree(), of_moments(basis, found.below)},
+        below->depth()};
 }
 
 /// Below its surface, a body that is a half-space is evaluated at the common surface, with a mesh.

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
-#include "halfspace/elasticity/row_deflection.hpp"
+#include "halfspace/elasticity/influence.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,6 @@
 #include "contact/iteration/normal.hpp"
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/elasticity/few_elements_normal.hpp"
 #include "halfspace/elasticity/influence.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 
