@@ -3,7 +3,6 @@
 #pragma once
 
 #include "contact/base/errors.hpp"
-#include "contact/case/case_edit.hpp"
 #include "contact/case/case_reader.hpp"
 
 #include <gtest/gtest.h>
