@@ -73,8 +73,8 @@ MiddleDisplacement::MiddleDisplacement(const ContactGrid& grid, const contact::M
       root_stretch_(stretch.size() == 0 ? Field(Field::Ones(grid.size()))
                                         : Field(stretch.cwiseSqrt())) {
   const InfluenceQuadrant kernel = quadrant(grid, fft_, material, lattice);
-  halfspace::set_tangential_symbols(kernel, fft_.px(), fft_.py(), symbols_);
-  symbols_.nn = halfspace::normal_symbol(kernel, fft_.px(), fft_.py());
+  symbols_ = halfspace::tangential_symbols(kernel, fft_.px(), fft_.py());
+  symbols_.nn = halfspace::symbol_of(kernel, &halfspace::Influence::nn, fft_.px(), fft_.py());
 }
 
 void MiddleDisplacement::add(const contact::SurfaceField& traction,
