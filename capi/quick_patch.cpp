@@ -130,7 +130,7 @@ halfspace::NormalBlock QuickPatch::block() const {
 
 void QuickPatch::set_forces(const double* forces) {
   rows(grid_, pressure_) =
-      rows(grid_, forces).rowwise() / (grid_.element_area() * carried_).transpose();
+      (rows(grid_, forces).rowwise() / carried_.transpose()) / grid_.element_area();
 }
 
 /// True if no unloaded row lies between loaded ones.
