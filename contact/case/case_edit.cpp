@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
 #include "contact/case/toml/toml_library.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 namespace rollfem::contact {
@@ -20,12 +22,6 @@ struct Change {
   std::string section, key, value;
   std::string line() const { return key + " = " + value; }
 };
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
 
 /// `transient` means "transient"; for keys that take text, so do `60E1` and `1:40`.
 bool is_bare_word(const std::string& value, const Key* key) {
@@ -51,12 +47,12 @@ Change read_change(const std::string& text, const ModelWords& models) {
         fmt::format("--set {}: expected KEY=VALUE; allowed: the keys of docs/case-file.md, each "
                     "with its section; do: write for instance {}",
                     printable ? text : "...", example));
-  const std::string path = trimmed(text.substr(0, equals));
+  const std::string path(trimmed(std::string_view(text).substr(0, equals)));
   const std::size_t dot = path.rfind('.');
   Change change;
   if (dot != std::string::npos) change.section = path.substr(0, dot);
   change.key = dot == std::string::npos ? path : path.substr(dot + 1);
-  change.value = trimmed(text.substr(equals + 1));
+  change.value = trimmed(std::string_view(text).substr(equals + 1));
   if (is_bare_word(change.value, find_key(change.section, change.key)))
     change.value = '"' + change.value + '"';
   const std::string header = change.section.empty() ? "" : "[" + change.section + "]\n";

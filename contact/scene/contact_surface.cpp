@@ -9,21 +9,17 @@ namespace rollfem::contact {
 
 namespace {
 
-/// A body's surface as a height z over (x, y).
-struct WheelHeight {
-  double value;
-  double slope;  ///< dz/dy at x = 0
-};
-
-WheelHeight wheel_height(const ContactSurface& surface, double x, double y) {
+/// Height z of the wheel over (x, y), with dz/dy at x = 0; without profiles.
+CurveValue wheel_height(const ContactSurface& surface, double x, double y) {
   const ProfileDrop drop = surface.wheel_drop(y);
   const double radius = surface.rolling_radius - drop.value;
-  return {drop.value + circle_drop(radius, x), drop.slope};
+  return {drop.value + circle_drop(radius, x), drop.slope, 0.0};
 }
 
-WheelHeight rail_height(const ContactSurface& surface, double y) {
+CurveValue rail_height(const ContactSurface& surface, double y) {
+  if (surface.profiles) return surface.profiles->rail().at(y);
   const ProfileDrop drop = surface.rail_drop(y);
-  return {-drop.value, -drop.slope};
+  return {-drop.value, -drop.slope, 0.0};
 }
 
 /// Distance along the normal of the common surface at y to a surface of the given height, by
@@ -36,7 +32,7 @@ double way_along_normal(const ContactSurface& surface, double y, HeightAt&& heig
   const double start = surface.height(y);
   double way = 0.0;
   for (int step = 0; step < 30; ++step) {
-    const WheelHeight height = height_at(y - climb * way / stretch);
+    const CurveValue height = height_at(y - climb * way / stretch);
     const double change =
         (height.value - (start + way / stretch)) * stretch / (1.0 + climb * height.slope);
     way += change;
@@ -119,9 +115,8 @@ ContactSurface ContactSurface::of(std::shared_ptr<const PatchGeometry> patch) {
 }
 
 double surface_drop(const ContactSurface& surface, bool wheel, double x, double y) {
-  if (surface.profiles)
-    return wheel ? surface.profiles->wheel_height(x, y) : -surface.profiles->rail().at(y).value;
   if (!wheel) return -rail_height(surface, y).value;
+  if (surface.profiles) return surface.profiles->wheel_height(x, y);
   if (!(std::abs(x) < surface.local_rolling_radius(y))) return infinity;
   return wheel_height(surface, x, y).value;
 }
@@ -146,18 +141,11 @@ PatchShape patch_shape(const ContactSurface& surface, const ContactGrid& grid) {
 }
 
 double undeformed_distance(const ContactSurface& surface, double x, double y) {
-  if (surface.profiles) {
-    const double rail = way_along_normal(surface, y, [&](double at) {
-      const CurveValue height = surface.profiles->rail().at(at);
-      return WheelHeight{height.value, height.slope};
-    });
-    return way_to_profile(surface, x, y) - rail;
-  }
-  const double wheel =
-      way_along_normal(surface, y, [&](double at) { return wheel_height(surface, x, at); });
   const double rail =
       way_along_normal(surface, y, [&](double at) { return rail_height(surface, at); });
-  return wheel - rail;
+  if (surface.profiles) return way_to_profile(surface, x, y) - rail;
+  return way_along_normal(surface, y, [&](double at) { return wheel_height(surface, x, at); }) -
+         rail;
 }
 
 }  // namespace rollfem::contact

@@ -168,9 +168,8 @@ constexpr double most_above_surface = 1.0;
 /// Whether a point is certainly outside its body: beyond z = 0, and not in a concave body.
 bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) {
   const double depth = wheel ? place[2] : -place[2];
-  const double across = wheel ? input.wheel.transverse_radius : input.rail.transverse_radius;
-  const double round_to = wheel ? input.wheel.round_to : input.rail.round_to;
-  double drop = profile_drop(across, place[1], round_to).value;
+  const Body& body = wheel ? static_cast<const Body&>(input.wheel) : input.rail;
+  double drop = profile_drop(body.transverse_radius, place[1], body.round_to).value;
   const double circle = input.wheel.rolling_radius - drop;
   if (wheel) drop += std::abs(place[0]) < circle ? circle_drop(circle, place[0]) : infinity;
   return depth < (drop < 0.0 ? drop - most_above_surface : 0.0);
