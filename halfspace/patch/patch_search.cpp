@@ -57,13 +57,14 @@ double overlap_for_force(const Ridge& ridge, double A, double modulus, double fo
 /// A solution of the search.
 struct Found {
   ContactGrid grid;
+  contact::PatchSize size;
   bool touches_border;
   ExpectedPatch patch;
 
+  /// mm, of all regions together.
+  double covered() const { return size.width - patch.gaps; }
   /// mm, rows without pressure within the patch and its near misses.
-  double unloaded() const {
-    return patch.near.y_upper - patch.near.y_lower - patch.covered_width();
-  }
+  double unloaded() const { return patch.near.y_upper - patch.near.y_lower - covered(); }
 };
 
 /// Runs of rows with pressure, the outermost ends as found below the element size.
@@ -154,7 +155,7 @@ Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
   const auto [length, width] = carrying_lengths(grid, pressure);
   patch.carrying_length = length;
   patch.carrying_width = width;
-  return {grid, contact::touches_border(grid, pressure), std::move(patch)};
+  return {grid, size, contact::touches_border(grid, pressure), std::move(patch)};
 }
 
 Found solve_in(const Scene& scene, const Ridge* ridge, const Box& box,
@@ -173,8 +174,8 @@ Box next_box(const Found& found) {
     upper += margin;
   };
   Box next = found.patch.near;
-  grow(next.x_lower, next.x_upper, found.patch.length(), found.grid.dx);
-  grow(next.y_lower, next.y_upper, found.patch.width(), found.grid.dy);
+  grow(next.x_lower, next.x_upper, found.size.length, found.grid.dx);
+  grow(next.y_lower, next.y_upper, found.size.width, found.grid.dy);
   return next;
 }
 
@@ -196,9 +197,8 @@ ContactGrid lattice_over(const Found& found) {
 
 bool fine_enough(const Found& found) {
   const ExpectedPatch& patch = found.patch;
-  return patch.length() >= fewest_across_patch * found.grid.dx &&
-         patch.covered_width() >=
-             fewest_across_patch * to_resolve(patch.loaded.size()) * found.grid.dy &&
+  return found.size.length >= fewest_across_patch * found.grid.dx &&
+         found.covered() >= fewest_across_patch * to_resolve(patch.loaded.size()) * found.grid.dy &&
          !found.touches_border;
 }
 
