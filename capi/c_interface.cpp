@@ -56,10 +56,9 @@ std::string quoted(const char* what, const char* text) {
 }
 
 const char* name_of(rollfem_law law) {
-  for (const contact::FallShape shape :
-       {contact::FallShape::none, contact::FallShape::linear, contact::FallShape::rational,
-        contact::FallShape::exponential})
-    if (static_cast<int>(shape) == static_cast<int>(law)) return word_of(shape);
+  const std::vector<contact::FallShape>& laws = contact::fall_shapes();
+  if (law >= 0 && static_cast<std::size_t>(law) < laws.size())
+    return laws[static_cast<std::size_t>(law)].word;
   throw contact::InputError(fmt::format(
       "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
       "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL; do: fill the definition with rollfem_defaults",
