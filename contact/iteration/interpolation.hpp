@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Interpolates fields from one contact grid to another: first guesses from a coarser level.
+// Interpolates fields from one contact grid to another, as first guesses from a coarser level, and
+// along a line.
 #pragma once
 
 #include "contact/base/grid.hpp"
+
+#include <array>
+#include <cstddef>
 
 namespace rollfem::contact {
 
@@ -20,5 +24,17 @@ TangentialField relative_to_bound(const TangentialField& traction, const Field& 
 TangentialField finer_tractions(const ContactGrid& coarse, const Field& pressure,
                                 const TangentialField& relative, const ContactGrid& fine,
                                 const Field& bound);
+
+/// Weights of the values at `nodes` in the value at a place, by the polynomial through them.
+template <std::size_t count>
+std::array<double, count> lagrange_weights(const std::array<double, count>& nodes, double place) {
+  std::array<double, count> weights;
+  for (std::size_t k = 0; k < count; ++k) {
+    weights[k] = 1.0;
+    for (std::size_t m = 0; m < count; ++m)
+      if (m != k) weights[k] *= (place - nodes[m]) / (nodes[k] - nodes[m]);
+  }
+  return weights;
+}
 
 }  // namespace rollfem::contact

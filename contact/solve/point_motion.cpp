@@ -2,7 +2,7 @@
 #include "contact/solve/point_motion.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/lagrange.hpp"
+#include "contact/iteration/interpolation.hpp"
 
 #include <fmt/format.h>
 

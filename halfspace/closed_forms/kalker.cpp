@@ -2,8 +2,8 @@
 #include "halfspace/closed_forms/kalker.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/base/lagrange.hpp"
 #include "contact/base/pi.hpp"
+#include "contact/iteration/interpolation.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "contact/base/lagrange.hpp"
 #include "contact/base/pi.hpp"
+#include "contact/iteration/interpolation.hpp"
 #include "halfspace/curvature/curved_body.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/influence_tables.hpp"
 
-#include "contact/base/lagrange.hpp"
+#include "contact/iteration/interpolation.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
 #include <algorithm>
