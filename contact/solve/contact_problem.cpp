@@ -78,6 +78,7 @@ ContactState ContactProblem::solve_problem(const CoupledProblem& problem, const 
     state = solve_coupled(problem, start, accuracy, each_iteration, forced);
   else
     state = solve_uncoupled(problem, start, accuracy);
+  if (!coupled() && each_iteration) each_iteration(state);
   state.tangential.slip.x *= problem.motion.slip_factor;
   state.tangential.slip.y *= problem.motion.slip_factor;
   set_gap(problem, state);

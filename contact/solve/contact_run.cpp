@@ -211,6 +211,10 @@ ContactState ContactRun::start_for(std::size_t k) {
 
 OuterCallback ContactRun::each_iteration(std::size_t k) {
   return [this, k](const ContactState& state) {
+    const auto count = [](int& most, int here) { most = std::max(most, here); };
+    count(result_.newton_steps, state.tangential.newton_steps);
+    count(result_.krylov_iterations, state.tangential.krylov_iterations);
+    count(result_.iterations, state.iterations);
     if (elasticity_->same_normal_block()) return;
     ProgressEvent event = event_of(k);
     describe(event, state);

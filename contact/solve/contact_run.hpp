@@ -57,7 +57,9 @@ struct LevelResult {
   double normal_seconds = 0.0;
   double tangential_seconds = 0.0;
   double steepness = 0.0;  ///< gain of the friction law, the largest of all load points
-  int several = 0;         ///< load points with more than one state (ContactProblem::count_states)
+  /// Of the solution that took most, those of searches and outer iterations included.
+  int newton_steps = 0, krylov_iterations = 0, iterations = 0;
+  int several = 0;  ///< load points with more than one state (ContactProblem::count_states)
   std::vector<std::string> unsolved;  ///< why load points are empty (contact/result/quantities.hpp)
 };
 

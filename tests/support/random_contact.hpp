@@ -214,23 +214,6 @@ class RandomContacts : private RandomDraws {
 /// 10 elements across; or a cold start. Steps of a history start from the previous step.
 enum class RandomStart { nested, scratch };
 
-/// Counts the effort of every load point.
-class Effort : public contact::PointStore {
- public:
-  explicit Effort(RandomOutcome& outcome, bool couples) : outcome_(outcome), couples_(couples) {}
-  bool find(std::size_t, contact::PointResult&, contact::ContactState&) override { return false; }
-  void keep(std::size_t, const contact::PointResult&, const contact::ContactState& state) override {
-    const auto count = [](int& most, int here) { most = std::max(most, here); };
-    count(outcome_.newton_steps, state.tangential.newton_steps);
-    count(outcome_.krylov_iterations, state.tangential.krylov_iterations);
-    if (couples_) count(outcome_.outer_iterations, state.iterations);
-  }
-
- private:
-  RandomOutcome& outcome_;
-  bool couples_;
-};
-
 /// Solves a contact on one grid, which grows until it holds the patch: under much friction unlike
 /// materials carry their patch to where Hertz has none. `coarser` may be null.
 inline contact::LevelResult run_level(RandomContact contact, const contact::LevelResult* coarser,
@@ -244,12 +227,16 @@ inline contact::LevelResult run_level(RandomContact contact, const contact::Leve
   constexpr int most_enlargements = 4;
   for (int k = 0; k <= most_enlargements; ++k) {
     outcome = {};
-    Effort effort(outcome, scene.material.couples());
     const contact::ContactGrid grid = contact.grid();
-    contact::ContactRun run(scene, geometry, options, silent, &effort);
+    contact::ContactRun run(scene, geometry, options, silent, nullptr);
     try {
-      if (run.solve(grid, [&] { return halfspace::halfspace_elasticity(scene, geometry, grid); }))
-        return run.take_result();
+      if (run.solve(grid, [&] { return halfspace::halfspace_elasticity(scene, geometry, grid); })) {
+        contact::LevelResult level = run.take_result();
+        outcome.newton_steps = level.newton_steps;
+        outcome.krylov_iterations = level.krylov_iterations;
+        if (scene.material.couples()) outcome.outer_iterations = level.iterations;
+        return level;
+      }
     } catch (const std::exception& error) {
       outcome.solved = false;
       outcome.chatters = dynamic_cast<const contact::NoSteadyFriction*>(&error) != nullptr;
