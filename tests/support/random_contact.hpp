@@ -255,15 +255,15 @@ inline contact::LevelResult run_level(RandomContact contact, const contact::Leve
 inline RandomOutcome run_random(const RandomContact& contact, RandomStart start) {
   std::vector<int> sizes{contact.across};
   while (start == RandomStart::nested && sizes.back() / 2 >= 10) sizes.push_back(sizes.back() / 2);
-  std::optional<contact::LevelResult> coarser;
+  std::unique_ptr<contact::LevelResult> coarser;  // none
   RandomOutcome outcome;
   for (; !sizes.empty(); sizes.pop_back()) {
     RandomContact on_grid = contact;
     on_grid.across = sizes.back();
-    contact::LevelResult level = run_level(on_grid, coarser ? &*coarser : nullptr, outcome);
+    contact::LevelResult level = run_level(on_grid, coarser.get(), outcome);
     if (!outcome.solved && !contact.material().couples()) break;
     coarser.reset();
-    if (outcome.solved) coarser = std::move(level);
+    if (outcome.solved) coarser = std::make_unique<contact::LevelResult>(std::move(level));
   }
   return outcome;
 }
