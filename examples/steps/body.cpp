@@ -15,8 +15,11 @@ int main() {
   const contact::Scene scene(contact::parse_case(R"(
     [load]
     normal_force = 50e3
+    [friction]
+    coefficient = 0.0
     [wheel]
     rolling_radius = 450.0
+    transverse_radius = inf
     [rail]
     transverse_radius = 300.0
   )",
@@ -25,7 +28,7 @@ int main() {
   std::printf("patch of %.3f by %.3f mm, p_0 = %.1f MPa, approach %.5f mm\n\n", hertz.semi_axis_x,
               hertz.semi_axis_y, hertz.max_pressure, hertz.approach);
   std::printf("elements across   largest error / approach\n");
-  double error = 1.0;
+  double error = 1.0, ratio = 1.0;
   for (const int across : {10, 20, 40, 80}) {
     const int n = across + across / 5;  // the grid is larger than the patch
     const contact::ContactGrid grid = contact::ContactGrid::centred(
@@ -38,8 +41,10 @@ int main() {
     const contact::Field exact = grid.sample([&](double x, double y) {
       return halfspace::hertz_displacement(hertz, scene.material.contact_modulus, x, y);
     });
+    const double coarser = error;
     error = (moved.n - exact).cwiseAbs().maxCoeff() / hertz.approach;
+    ratio = coarser / error;
     std::printf("%15d   %.5f\n", across, error);
   }
-  return error < 5e-4 ? 0 : 1;
+  return error < 1e-3 && ratio > 2.0 ? 0 : 1;  // better than first order
 }

@@ -22,6 +22,7 @@ int main() {
     coefficient = 0.3
     [wheel]
     rolling_radius = 450.0
+    transverse_radius = inf
     [rail]
     transverse_radius = 300.0
     [rolling]
@@ -55,6 +56,6 @@ int main() {
       scene.material.poisson_ratio, small.creepage);
   const bool as_hertz = std::abs(small.max_pressure / hertz.max_pressure - 1.0) < 2e-3;
   const bool as_kalker = std::abs(small.longitudinal_force / linear.longitudinal - 1.0) < 2e-2;
-  const bool slides = std::abs(result.points.back().traction_coefficient / 0.3 - 1.0) < 1e-6;
+  const bool slides = std::abs(result.points.back().traction_coefficient / 0.3 - 1.0) < 1e-4;
   return as_hertz && as_kalker && slides ? 0 : 1;
 }
