@@ -6,6 +6,8 @@
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/vector_memory.h>
 #include <fmt/format.h>
 #include <suitesparse/cholmod.h>
 
@@ -14,6 +16,9 @@
 #include <string>
 
 namespace {
+
+template <class Number>
+using Vector = dealii::LinearAlgebra::distributed::Vector<Number>;
 
 std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> session;
 
@@ -27,6 +32,10 @@ void start(int& argc, char**& argv) {
   char** own = call.data();
   // One thread in deal.II: the cores go to MPI processes and to the two bodies solved side by side.
   session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(count, own, 1);
+  // The end of the session empties deal.II's stores of vectors. When the process ends they must
+  // still be there: what is made first goes last.
+  dealii::GrowingVectorMemory<Vector<double>>::release_unused_memory();
+  dealii::GrowingVectorMemory<Vector<float>>::release_unused_memory();
 }
 
 void stop() {
