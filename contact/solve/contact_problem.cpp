@@ -72,13 +72,14 @@ ContactState ContactProblem::solve_problem(const CoupledProblem& problem, const 
                                            const OuterCallback& each_iteration,
                                            const ForcedSlip* forced) {
   ContactState state;
-  if (!problem.friction && problem.same_normal_block)
+  if (!problem.friction && problem.same_normal_block) {
     state = frictionless(problem);
-  else if (coupled())
+  } else if (coupled()) {
     state = solve_coupled(problem, start, accuracy, each_iteration, forced);
-  else
+  } else {
     state = solve_uncoupled(problem, start, accuracy);
-  if (!coupled() && each_iteration) each_iteration(state);
+    if (each_iteration) each_iteration(state);
+  }
   state.tangential.slip.x *= problem.motion.slip_factor;
   state.tangential.slip.y *= problem.motion.slip_factor;
   set_gap(problem, state);
