@@ -127,7 +127,7 @@ void roll(benchmark::State& state, Scheme scheme) {
 }
 
 void steady_rolling(benchmark::State& state, Scheme scheme) {
-  const contact::SingleThread single;
+  const contact::Threads alone(1);
   roll(state, scheme);
 }
 

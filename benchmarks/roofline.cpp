@@ -100,7 +100,7 @@ int main() {
   fmt::print(
       "| product of D A_tt, elements across | ms | Gflop/s | of the peak | GB/s | of the triad "
       "|\n|---|---|---|---|---|---|\n");
-  const contact::SingleThread single;
+  const contact::Threads alone(1);
   for (const int across : {40, 80, 160, 320, 640}) {
     const contact::ContactGrid grid = testing::Benchmark9().grid(across);
     const halfspace::HalfspaceCompliance compliance(grid, testing::steel());

@@ -4,10 +4,17 @@
 #include "contact/base/available_memory.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <limits>
+#include <mutex>
+#include <optional>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #include <thread>
 #include <utility>
 
@@ -15,19 +22,79 @@ namespace rollfem::contact {
 
 namespace {
 
-thread_local int single_threads = 0;
-thread_local int lent_threads = 0;
+/// oneTBB starts no more threads than the machine has cores unless it is asked to.
+struct Arena {
+  explicit Arena(int the_number) : number(the_number) {
+    constexpr auto most_threads = tbb::global_control::max_allowed_parallelism;
+    if (number < 2) return;
+    most.emplace(most_threads, std::max(static_cast<std::size_t>(number),
+                                        tbb::global_control::active_value(most_threads)));
+    tasks.emplace(number);
+  }
+  int number;
+  std::optional<tbb::global_control> most;
+  std::optional<tbb::task_arena> tasks;  ///< none: this thread alone
+};
 
-int allowed_threads() {
-  const char* wanted = std::getenv("OMP_NUM_THREADS");
-  const int number = wanted != nullptr ? std::atoi(wanted) : 0;
-  if (number > 0) return number;
-  // The first number already includes affinity.
-  return std::max(1, std::min(static_cast<int>(std::thread::hardware_concurrency()),
-                              allowed_cores("/proc", "/sys/fs/cgroup")));
+/// Of computations outside any Threads.
+Arena& whole_arena() {
+  static Arena arena(allowed_threads());
+  return arena;
 }
 
+/// The arena of this thread's computations: of the innermost Threads, or of the part that it works
+/// on; null: the whole one.
+thread_local Arena* here = nullptr;
+
+Arena& arena_here() {
+  return here != nullptr ? *here : whole_arena();
+}
+
+/// The threads that take over a part work for its arena.
+class Inside {
+ public:
+  explicit Inside(Arena& arena) : before_(std::exchange(here, &arena)) {}
+  ~Inside() { here = before_; }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+ private:
+  Arena* before_;
+};
+
+/// The exception of the smallest index so far; parts beyond it need not start.
+class FirstError {
+ public:
+  bool before(std::size_t index) const { return index_.load() < index; }
+  void take(std::size_t index) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (before(index)) return;
+    index_ = index;
+    error_ = std::current_exception();
+  }
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  std::atomic<std::size_t> index_{std::numeric_limits<std::size_t>::max()};
+  std::mutex mutex_;
+  std::exception_ptr error_;
+};
+
 }  // namespace
+
+int allowed_threads() {
+  static const int allowed = [] {
+    const char* wanted = std::getenv("OMP_NUM_THREADS");
+    const int number = wanted != nullptr ? std::atoi(wanted) : 0;
+    if (number > 0) return number;
+    // The first number already includes affinity.
+    return std::max(1, std::min(static_cast<int>(std::thread::hardware_concurrency()),
+                                allowed_cores("/proc", "/sys/fs/cgroup")));
+  }();
+  return allowed;
+}
 
 int allowed_cores(const std::string& proc, const std::string& cgroup) {
   double share = std::numeric_limits<int>::max();
@@ -46,22 +113,48 @@ int allowed_cores(const std::string& proc, const std::string& cgroup) {
 }
 
 int threads() {
-  static const int allowed = allowed_threads();
-  return single_threads > 0 ? 1 : std::max(allowed, lent_threads);
+  return arena_here().number;
 }
 
-SingleThread::SingleThread() {
-  ++single_threads;
+Threads::Threads(int number) : before_(here), arena_(std::make_shared<Arena>(std::max(1, number))) {
+  here = static_cast<Arena*>(arena_.get());
 }
 
-SingleThread::~SingleThread() {
-  --single_threads;
+Threads::~Threads() {
+  here = static_cast<Arena*>(before_);
 }
 
-LentThreads::LentThreads(int count) : before_(std::exchange(lent_threads, count)) {}
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work) {
+  if (count < 2 || threads() < 2) {
+    for (std::size_t k = 0; k < count; ++k) work(k);
+    return;
+  }
+  Arena& arena = arena_here();
+  FirstError error;
+  const auto part = [&](std::size_t k) {
+    if (error.before(k)) return;
+    const Inside inside(arena);
+    try {
+      work(k);
+    } catch (...) {
+      error.take(k);
+    }
+  };
+  // Isolated: a thread that waits for its own parts takes up no part of another computation, whose
+  // memory and time would add to this one.
+  arena.tasks->execute([&] {
+    tbb::this_task_arena::isolate(
+        [&] { tbb::parallel_for(std::size_t{0}, count, part, tbb::simple_partitioner()); });
+  });
+  error.rethrow();
+}
 
-LentThreads::~LentThreads() {
-  lent_threads = before_;
+void for_each_piece(std::ptrdiff_t size, std::ptrdiff_t piece,
+                    const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& work) {
+  for_each_index(static_cast<std::size_t>((size + piece - 1) / piece), [&](std::size_t k) {
+    const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(k) * piece;
+    work(begin, std::min(begin + piece, size));
+  });
 }
 
 }  // namespace rollfem::contact

@@ -1,57 +1,51 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Runs two halves of a computation in parallel where machine and user allow it. Nothing is summed
-// across threads: results are bitwise identical with one and two threads.
+// Parts of a computation side by side, on oneTBB. Every part is computed exactly as alone and put
+// into its own place, and nothing is summed across threads: results are the same to the last bit
+// for any number of threads.
 #pragma once
 
-#include <future>
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
-#include <utility>
 
 namespace rollfem::contact {
 
-/// Number of threads for a single solution: OMP_NUM_THREADS if set, otherwise the cores available
-/// by affinity and control groups; 1 under a SingleThread.
-int threads();
+/// Threads that this process may use: OMP_NUM_THREADS if set, otherwise the cores available by
+/// affinity and control groups.
+int allowed_threads();
 
 /// Cores that control groups allow this process, at least 1; a very large number without a limit.
 /// The folders replace /proc and /sys/fs/cgroup.
 int allowed_cores(const std::string& proc, const std::string& cgroup);
 
-/// While one exists, solutions on the thread that created it use no other thread: for callers that
-/// solve several in parallel.
-class SingleThread {
- public:
-  SingleThread();
-  ~SingleThread();
-  SingleThread(const SingleThread&) = delete;
-  SingleThread& operator=(const SingleThread&) = delete;
-};
+/// Threads that computations of this thread may use: those of the innermost Threads, or all that
+/// are allowed.
+int threads();
 
-/// While one exists, the thread that created it may use this many threads, taking over those of
-/// waiting threads.
-class LentThreads {
+/// While one exists, computations of the thread that created it use at most this many threads, and
+/// no others with 1. The threads themselves start with the first work for them.
+class Threads {
  public:
-  explicit LentThreads(int count);
-  ~LentThreads();
-  LentThreads(const LentThreads&) = delete;
-  LentThreads& operator=(const LentThreads&) = delete;
+  explicit Threads(int number);
+  ~Threads();
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
 
  private:
-  int before_;
+  void* before_;
+  std::shared_ptr<void> arena_;
 };
 
-/// Runs both, in parallel if `at_once` and threads are available. Starting a thread takes about
-/// 0.03 ms.
-template <class First, class Second>
-void both(bool at_once, First&& first, Second&& second) {
-  if (!at_once || threads() < 2) {
-    first();
-    second();
-    return;
-  }
-  auto other = std::async(std::launch::async, std::forward<Second>(second));
-  first();
-  other.get();
-}
+/// Calls work(0), ... work(count - 1), side by side where threads are available, and returns after
+/// the last. If some throw, the exception of the smallest index is thrown, as a loop would. May be
+/// nested; parts may not wait for each other. A part costs about 0.005 ms, the first 0.1 ms a
+/// thread.
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// The same for pieces [begin, end) of a range. Their number depends on `size` and `piece` alone,
+/// so that sums over a piece do not depend on the number of threads.
+void for_each_piece(std::ptrdiff_t size, std::ptrdiff_t piece,
+                    const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& work);
 
 }  // namespace rollfem::contact

@@ -99,7 +99,7 @@ void FirstProcess::lead(const std::function<void()>& work) {
   together_ = false;
   try {
     const OnCores cores(cores_of_machine_, cores_);
-    const contact::LentThreads threads(threads_of_machine_);
+    const contact::Threads threads(threads_of_machine_);
     work();
   } catch (const contact::InputError& error) {
     end(input_letter, error.what());

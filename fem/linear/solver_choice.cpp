@@ -2,6 +2,7 @@
 #include "fem/linear/solver_choice.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/multigrid.hpp"
@@ -11,10 +12,10 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <dlfcn.h>
-#include <future>
 #include <string>
 
 namespace rollfem::fem {
@@ -142,12 +143,14 @@ Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisat
     return factorisation ? make_factorisation(body->problem())
                          : make_iterative_solver(scene, *body);
   };
-  auto rail =
-      std::async(factorisation ? std::launch::async : std::launch::deferred, make, bodies[1]);
-  Solvers solvers;
-  solvers.wheel = make(bodies[0]);
-  solvers.rail = rail.get();
-  return solvers;
+  std::array<std::unique_ptr<LinearSolver>, 2> made;
+  const auto make_one = [&](std::size_t k) { made[k] = make(bodies[k]); };
+  if (factorisation) {
+    contact::for_each_index(2, make_one);
+  } else {
+    for (const std::size_t k : {0U, 1U}) make_one(k);
+  }
+  return {std::move(made[0]), std::move(made[1])};
 }
 
 int points_that_keep_bodies(const Scene& scene) {

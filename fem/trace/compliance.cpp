@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "fem/trace/compliance.hpp"
 
+#include "contact/base/threads.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/scene/geometry.hpp"
 #include "fem/trace/far_field.hpp"
 #include "fem/trace/middle_displacement.hpp"
@@ -9,7 +10,6 @@
 
 #include <array>
 #include <cmath>
-#include <future>
 #include <optional>
 
 namespace rollfem::fem {
@@ -78,9 +78,7 @@ struct FemCompliance::Implementation {
     if (solved_for && same(*solved_for, traction)) return;
     solved_for.reset();
     if (concurrent) {
-      auto rail = std::async(std::launch::async, [&] { solve_part(1, traction); });
-      solve_part(0, traction);
-      rail.get();
+      contact::for_each_index(2, [&](std::size_t k) { solve_part(static_cast<int>(k), traction); });
     } else {
       solve_part(0, traction);
       solve_part(1, traction);

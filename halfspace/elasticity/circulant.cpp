@@ -61,10 +61,15 @@ std::array<int, 2> circulant_size(const ContactGrid& grid) {
 
 InfluenceQuadrant::InfluenceQuadrant(const ContactGrid& grid, const CombinedMaterial& material,
                                      int nx, int ny)
-    : columns_(static_cast<std::size_t>(nx) + 1) {
-  coefficients_.reserve(columns_ * (static_cast<std::size_t>(ny) + 1));
-  for (int j = 0; j <= ny; ++j)
-    for (int i = 0; i <= nx; ++i) coefficients_.push_back(element_influence(grid, i, j, material));
+    : columns_(static_cast<std::size_t>(nx) + 1),
+      coefficients_(columns_ * (static_cast<std::size_t>(ny) + 1)) {
+  constexpr int values_of_a_piece = 5000;  // 0.5 ms
+  contact::for_each_piece(ny + 1, 1 + values_of_a_piece / (nx + 1), [&](auto first, auto last) {
+    for (auto j = first; j < last; ++j)
+      for (int i = 0; i <= nx; ++i)
+        coefficients_[static_cast<std::size_t>(j) * columns_ + static_cast<std::size_t>(i)] =
+            element_influence(grid, i, static_cast<int>(j), material);
+  });
   // A layer between the bodies moves an element by its own traction alone.
   coefficients_.front().xx += material.layer;
   coefficients_.front().yy += material.layer;
@@ -176,17 +181,15 @@ TangentialField TangentialCirculant::apply(const TangentialField& residual, doub
     result.y.segment(j * nx_, nx_).array() *= growth_.array();
   }
   fft_.forward(result, x_, y_);
-  const auto multiply_from = [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) {
+  const auto size = static_cast<std::ptrdiff_t>(x_.size());
+  contact::for_each_piece(size, fft_.piece(size), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
       const Complex x = x_[k];
       const Complex y = y_[k];
       x_[k] = multiply(block.xx[k], x) + multiply(block.xy[k], y);
       y_[k] = multiply(block.xy[k], x) + multiply(block.yy[k], y);
     }
-  };
-  const std::size_t size = x_.size();
-  contact::both(
-      fft_.large(), [&] { multiply_from(0, size / 2); }, [&] { multiply_from(size / 2, size); });
+  });
   fft_.backward(x_, y_, result);
   for (int j = 0; j < ny_; ++j) {
     result.x.segment(j * nx_, nx_).array() /= growth_.array();

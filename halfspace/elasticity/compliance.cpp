@@ -86,10 +86,10 @@ class HalfspaceTangential : public contact::TangentialOperator {
 
   TangentialField apply(const TangentialField& traction) const override {
     fft_.forward(traction, x_, y_);
-    const std::size_t half = factors_.size() / 2;
-    contact::both(
-        fft_.large(), [&] { multiply_columns(0, half); },
-        [&] { multiply_columns(half, factors_.size()); });
+    const auto size = static_cast<std::ptrdiff_t>(factors_.size());
+    contact::for_each_piece(size, fft_.piece(size), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      multiply_columns(static_cast<std::size_t>(first), static_cast<std::size_t>(last));
+    });
     TangentialField result;
     fft_.backward(x_, y_, result);
     return result;

@@ -83,13 +83,24 @@ void execute(const Plan& plan, const Complex* from, Complex* to) {
                    reinterpret_cast<fftw_complex*>(to));
 }
 
-/// 100 elements across, padded: 0.2 ms a transform.
-bool pays_for_a_thread(int px, int py) {
-  return (px / 2 + 1) * py >= 20000;
-}
-
 /// Rows are transformed together, two in one complex line.
 constexpr int rows_at_once = 8;
+
+/// Those rows before and after their transform.
+struct Lines {
+  PaddedFft::Spectrum from, to;
+};
+
+/// Of this thread; nothing else runs on it before they are read.
+Lines& lines_of(int px) {
+  thread_local Lines lines;
+  const std::size_t size = static_cast<std::size_t>(rows_at_once / 2) * px;
+  if (lines.from.size() < size) {
+    lines.from.resize(size);
+    lines.to.resize(size);
+  }
+  return lines;
+}
 
 /// The line a + i b of rows of n values, either of which may be missing, zeros up to its `length`.
 void pair_up(const double* a, const double* b, int n, int length, double* line) {
@@ -105,22 +116,19 @@ void pair_up(const double* a, const double* b, int n, int length, double* line) 
   std::fill(line + 2 * n, line + 2 * length, 0.0);
 }
 
-/// First line of the second of two threads; also used with one thread, so that rounding is
-/// identical.
-int middle_of(int n, bool two) {
-  return two ? std::min(n, (n / 2 + rows_at_once - 1) / rows_at_once * rows_at_once) : n;
-}
-
 /// Plans of one direction; null until needed.
 struct Direction {
-  Plan rows;
-  std::array<Plan, 2> columns;  ///< of each thread
+  Plan rows, columns, last_columns;  ///< of a piece of columns, and of a shorter last one
 
-  void have(int px, int py, int middle, int sign) {
+  void have(int px, int py, int piece, int sign) {
     if (rows) return;
+    const int rest = (px / 2 + 1) % piece;
     rows = known_plans().of(px, rows_at_once / 2, sign);
-    columns[0] = known_plans().of(py, middle, sign);
-    if (middle < px / 2 + 1) columns[1] = known_plans().of(py, px / 2 + 1 - middle, sign);
+    columns = known_plans().of(py, piece, sign);
+    if (rest > 0) last_columns = known_plans().of(py, rest, sign);
+  }
+  const Plan& of(std::ptrdiff_t count, std::ptrdiff_t piece) const {
+    return count == piece ? columns : last_columns;
   }
 };
 
@@ -133,15 +141,12 @@ int good_fft_size(int n) {
 }
 
 struct PaddedFft::Plans {
-  int middle = 0;  ///< first column of a second thread
   Direction forward, backward;
 };
 
-/// Lines of one thread, and the columns of the padded field before or after their transform.
+/// The columns of the padded field before or after their transform.
 struct PaddedFft::Work {
-  explicit Work(int px)
-      : from(static_cast<std::size_t>(rows_at_once / 2) * px, Complex()), to(from.size()) {}
-  Spectrum from, to, columns;
+  Spectrum columns;
 };
 
 PaddedFft::PaddedFft(int nx, int ny, int px, int py)
@@ -150,60 +155,64 @@ PaddedFft::PaddedFft(int nx, int ny, int px, int py)
       px_(good_fft_size(px)),
       py_(good_fft_size(py)),
       plans_(std::make_unique<Plans>()),
-      work_(std::make_unique<Work>(px_)),
-      other_(std::make_unique<Work>(px_)) {
-  plans_->middle = middle_of(frequencies_x(), large());
-}
+      work_(std::make_unique<Work>()),
+      other_(std::make_unique<Work>()) {}
 
 PaddedFft::~PaddedFft() = default;
 
-bool PaddedFft::large() const {
-  return pays_for_a_thread(px_, py_);
+std::ptrdiff_t PaddedFft::piece(std::ptrdiff_t size, std::ptrdiff_t of) const {
+  // 100 elements across, padded: 0.2 ms a transform.
+  constexpr int pays_for_threads = 20000;
+  constexpr std::ptrdiff_t most_pieces = 16;
+  if (spectrum_size() < pays_for_threads) return std::max<std::ptrdiff_t>(size, 1);
+  return ((size + most_pieces - 1) / most_pieces + of - 1) / of * of;
 }
 
 void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum) const {
-  plans_->forward.have(px_, py_, plans_->middle, FFTW_FORWARD);
-  forward(field, spectrum, *work_, large() ? other_.get() : nullptr);
+  plans_->forward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_FORWARD);
+  forward(field, spectrum, *work_);
 }
 
 void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field) const {
-  plans_->backward.have(px_, py_, plans_->middle, FFTW_BACKWARD);
-  backward(spectrum, field, *work_, large() ? other_.get() : nullptr);
+  plans_->backward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_BACKWARD);
+  backward(spectrum, field, *work_);
 }
 
 void PaddedFft::forward(const contact::TangentialField& field, Spectrum& x, Spectrum& y) const {
-  plans_->forward.have(px_, py_, plans_->middle, FFTW_FORWARD);
-  contact::both(
-      large(), [&] { forward(field.x, x, *work_, nullptr); },
-      [&] { forward(field.y, y, *other_, nullptr); });
+  plans_->forward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_FORWARD);
+  contact::for_each_piece(2, piece(2), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    if (first == 0) forward(field.x, x, *work_);
+    if (last == 2) forward(field.y, y, *other_);
+  });
 }
 
 void PaddedFft::backward(const Spectrum& x, const Spectrum& y,
                          contact::TangentialField& field) const {
-  plans_->backward.have(px_, py_, plans_->middle, FFTW_BACKWARD);
-  contact::both(
-      large(), [&] { backward(x, field.x, *work_, nullptr); },
-      [&] { backward(y, field.y, *other_, nullptr); });
+  plans_->backward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_BACKWARD);
+  contact::for_each_piece(2, piece(2), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    if (first == 0) backward(x, field.x, *work_);
+    if (last == 2) backward(y, field.y, *other_);
+  });
 }
 
 /// Two real rows a and b are the complex line z = a + i b; of the transforms A and B of both
 /// Z(k) = A(k) + i B(k), and Z(-k)* = A(k) - i B(k). They are written transposed: the columns of
 /// the padded field are then contiguous. Rows of zeros are never transformed.
-void PaddedFft::rows_forward(const contact::Field& field, int first, int last, Work& work,
+void PaddedFft::rows_forward(const contact::Field& field, std::ptrdiff_t first, std::ptrdiff_t last,
                              Spectrum& columns) const {
-  for (int j = first; j < last; j += rows_at_once) {
-    const int rows = std::min(rows_at_once, last - j);
+  Lines& lines = lines_of(px_);
+  for (std::ptrdiff_t j = first; j < last; j += rows_at_once) {
+    const int rows = static_cast<int>(std::min<std::ptrdiff_t>(rows_at_once, last - j));
     for (int row = 0; row < rows_at_once; row += 2) {
-      const double* a =
-          field.data() + static_cast<std::ptrdiff_t>(j + std::min(row, rows - 1)) * nx_;
+      const double* a = field.data() + (j + std::min(row, rows - 1)) * nx_;
       pair_up(row < rows ? a : nullptr, row + 1 < rows ? a + nx_ : nullptr, nx_, px_,
-              reinterpret_cast<double*>(work.from.data() + row / 2 * px_));
+              reinterpret_cast<double*>(lines.from.data() + row / 2 * px_));
     }
-    execute(plans_->forward.rows, work.from.data(), work.to.data());
+    execute(plans_->forward.rows, lines.from.data(), lines.to.data());
     for (int k = 0; k < frequencies_x(); ++k) {
       Complex* to = columns.data() + static_cast<std::ptrdiff_t>(k) * py_ + j;
-      const Complex* plus = work.to.data() + k;
-      const Complex* minus = work.to.data() + (k == 0 ? 0 : px_ - k);
+      const Complex* plus = lines.to.data() + k;
+      const Complex* minus = lines.to.data() + (k == 0 ? 0 : px_ - k);
       for (int row = 0; row < rows; row += 2, plus += px_, minus += px_) {
         to[row] = 0.5 * Complex(plus->real() + minus->real(), plus->imag() - minus->imag());
         to[row + 1] = 0.5 * Complex(plus->imag() + minus->imag(), minus->real() - plus->real());
@@ -213,15 +222,16 @@ void PaddedFft::rows_forward(const contact::Field& field, int first, int last, W
 }
 
 /// In real rows the imaginary parts of the first and the last frequency have no effect.
-void PaddedFft::rows_backward(const Spectrum& columns, int first, int last, Work& work,
+void PaddedFft::rows_backward(const Spectrum& columns, std::ptrdiff_t first, std::ptrdiff_t last,
                               contact::Field& field) const {
+  Lines& lines = lines_of(px_);
   const double scale = 1.0 / (static_cast<double>(px_) * py_);
-  for (int j = first; j < last; j += rows_at_once) {
-    const int rows = std::min(rows_at_once, last - j);
+  for (std::ptrdiff_t j = first; j < last; j += rows_at_once) {
+    const int rows = static_cast<int>(std::min<std::ptrdiff_t>(rows_at_once, last - j));
     for (int k = 0; k < frequencies_x(); ++k) {
       const Complex* from = columns.data() + static_cast<std::ptrdiff_t>(k) * py_ + j;
-      Complex* plus = work.from.data() + k;
-      Complex* minus = work.from.data() + px_ - k;
+      Complex* plus = lines.from.data() + k;
+      Complex* minus = lines.from.data() + px_ - k;
       const bool real = k == 0 || 2 * k == px_;
       for (int row = 0; row < rows; row += 2, plus += px_, minus += px_) {
         const Complex a = from[row], b = from[row + 1];
@@ -230,10 +240,10 @@ void PaddedFft::rows_backward(const Spectrum& columns, int first, int last, Work
         if (!real) *minus = Complex(a.real() + b.imag(), b.real() - a.imag());
       }
     }
-    execute(plans_->backward.rows, work.from.data(), work.to.data());
+    execute(plans_->backward.rows, lines.from.data(), lines.to.data());
     for (int row = 0; row < rows; row += 2) {
-      const double* from = reinterpret_cast<double*>(work.to.data() + row / 2 * px_);
-      double* a = field.data() + static_cast<std::ptrdiff_t>(j + row) * nx_;
+      const double* from = reinterpret_cast<double*>(lines.to.data() + row / 2 * px_);
+      double* a = field.data() + (j + row) * nx_;
       double* b = row + 1 < rows ? a + nx_ : nullptr;
       for (int i = 0; i < nx_; ++i) a[i] = scale * from[2 * i];
       for (int i = 0; b != nullptr && i < nx_; ++i) b[i] = scale * from[2 * i + 1];
@@ -241,48 +251,32 @@ void PaddedFft::rows_backward(const Spectrum& columns, int first, int last, Work
   }
 }
 
-void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum, Work& work,
-                        Work* second) const {
+void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum, Work& work) const {
   spectrum.resize(static_cast<std::size_t>(spectrum_size()));
   work.columns.resize(spectrum.size());
-  const int middle = middle_of(ny_, second != nullptr);
-  contact::both(
-      second != nullptr, [&] { rows_forward(field, 0, middle, work, work.columns); },
-      [&] {
-        if (middle < ny_) rows_forward(field, middle, ny_, *second, work.columns);
-      });
-  const auto columns = [&](int first, int last, const Plan& plan) {
-    if (first == last) return;
-    const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(first) * py_;
+  contact::for_each_piece(ny_, piece(ny_, rows_at_once), [&](std::ptrdiff_t first, auto last) {
+    rows_forward(field, first, last, work.columns);
+  });
+  const std::ptrdiff_t some = piece(frequencies_x());
+  contact::for_each_piece(frequencies_x(), some, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
     for (std::ptrdiff_t k = first; k < last; ++k)
       std::fill(work.columns.data() + k * py_ + ny_, work.columns.data() + (k + 1) * py_, 0.0);
-    execute(plan, work.columns.data() + begin, spectrum.data() + begin);
-  };
-  const std::array<Plan, 2>& plans = plans_->forward.columns;
-  contact::both(
-      second != nullptr, [&] { columns(0, plans_->middle, plans[0]); },
-      [&] { columns(plans_->middle, frequencies_x(), plans[1]); });
+    execute(plans_->forward.of(last - first, some), work.columns.data() + first * py_,
+            spectrum.data() + first * py_);
+  });
 }
 
-void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field, Work& work,
-                         Work* second) const {
+void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field, Work& work) const {
   work.columns.resize(static_cast<std::size_t>(spectrum_size()));
   field.resize(static_cast<Eigen::Index>(nx_) * ny_);
-  const auto columns = [&](int first, int last, const Plan& plan) {
-    if (first == last) return;
-    const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(first) * py_;
-    execute(plan, spectrum.data() + begin, work.columns.data() + begin);
-  };
-  const std::array<Plan, 2>& plans = plans_->backward.columns;
-  contact::both(
-      second != nullptr, [&] { columns(0, plans_->middle, plans[0]); },
-      [&] { columns(plans_->middle, frequencies_x(), plans[1]); });
-  const int middle = middle_of(ny_, second != nullptr);
-  contact::both(
-      second != nullptr, [&] { rows_backward(work.columns, 0, middle, work, field); },
-      [&] {
-        if (middle < ny_) rows_backward(work.columns, middle, ny_, *second, field);
-      });
+  const std::ptrdiff_t some = piece(frequencies_x());
+  contact::for_each_piece(frequencies_x(), some, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    execute(plans_->backward.of(last - first, some), spectrum.data() + first * py_,
+            work.columns.data() + first * py_);
+  });
+  contact::for_each_piece(ny_, piece(ny_, rows_at_once), [&](std::ptrdiff_t first, auto last) {
+    rows_backward(work.columns, first, last, field);
+  });
 }
 
 }  // namespace rollfem::halfspace

@@ -9,6 +9,7 @@
 #include <boost/align/aligned_allocator.hpp>
 
 #include <complex>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -19,8 +20,8 @@ int good_fft_size(int n);
 
 /// Transforms between a field of nx by ny values and the spectrum of the padded field. The
 /// transform of a real field is stored for the frequencies kx = 0 .. px/2, index kx * py + ky.
-/// forward() and backward() are const but share work space: one thread at a time per object. Large
-/// transforms take a second thread.
+/// forward() and backward() are const but share work space: one caller at a time per object. Large
+/// transforms are cut into pieces for several threads.
 class PaddedFft {
  public:
   /// Aligned for FFTW, so that spectra are transformed without copies.
@@ -42,21 +43,22 @@ class PaddedFft {
   /// The nx by ny window of the inverse transform, normalised.
   void backward(const Spectrum& spectrum, contact::Field& field) const;
 
-  /// Both components, in parallel if they are large.
+  /// Both components, side by side if they are large.
   void forward(const contact::TangentialField& field, Spectrum& x, Spectrum& y) const;
   void backward(const Spectrum& x, const Spectrum& y, contact::TangentialField& field) const;
 
-  /// Whether a transform is long enough to benefit from a second thread.
-  bool large() const;
+  /// The pieces in which work on `size` things should go to threads, `of` at a time at least: all
+  /// at once where a transform is too short for that. Depends on the sizes alone.
+  std::ptrdiff_t piece(std::ptrdiff_t size, std::ptrdiff_t of = 1) const;
 
  private:
   struct Plans;
   struct Work;
-  void forward(const contact::Field& field, Spectrum& spectrum, Work& work, Work* second) const;
-  void backward(const Spectrum& spectrum, contact::Field& field, Work& work, Work* second) const;
-  void rows_forward(const contact::Field& field, int first, int last, Work& work,
+  void forward(const contact::Field& field, Spectrum& spectrum, Work& work) const;
+  void backward(const Spectrum& spectrum, contact::Field& field, Work& work) const;
+  void rows_forward(const contact::Field& field, std::ptrdiff_t first, std::ptrdiff_t last,
                     Spectrum& columns) const;
-  void rows_backward(const Spectrum& columns, int first, int last, Work& work,
+  void rows_backward(const Spectrum& columns, std::ptrdiff_t first, std::ptrdiff_t last,
                      contact::Field& field) const;
 
   int nx_;
@@ -64,7 +66,7 @@ class PaddedFft {
   int px_;
   int py_;
   std::unique_ptr<Plans> plans_;
-  std::unique_ptr<Work> work_, other_;
+  std::unique_ptr<Work> work_, other_;  ///< of each component
 };
 
 }  // namespace rollfem::halfspace

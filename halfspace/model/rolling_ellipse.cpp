@@ -148,7 +148,7 @@ std::vector<EllipseForces> roll_ellipse(const EllipseShape& shape,
                                         const EllipseAccuracy& accuracy) {
   check(shape, creepages, accuracy);
   if (creepages.empty()) return {};
-  const contact::SingleThread single;
+  const contact::Threads alone(1);
   try {
     return all_levels(shape, scaled_scene(shape, creepages), accuracy);
   } catch (const contact::SolveError& error) {

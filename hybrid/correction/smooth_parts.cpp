@@ -2,6 +2,7 @@
 #include "hybrid/correction/smooth_parts.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/scene/below_surface.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/factorisation.hpp"
@@ -20,7 +21,6 @@
 
 #include <array>
 #include <cmath>
-#include <future>
 #include <optional>
 
 namespace rollfem::fem {
@@ -361,14 +361,13 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   if (bodies.rail) rail.emplace(scene, boxes, layout, *bodies.rail);
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
   const contact::BelowSurface in_wheel(geometry, true), in_rail(geometry, false);
-  auto other = std::async(std::launch::async, [&] {
-    if (wheel)
+  contact::for_each_index(2, [&](std::size_t body) {
+    if (body == 0 && wheel)
       find_maps(basis, *wheel, parts.stresses ? &in_wheel : nullptr, parts.wheel,
                 parts.wheel_below);
+    if (body == 1 && rail)
+      find_maps(basis, *rail, parts.stresses ? &in_rail : nullptr, parts.rail, parts.rail_below);
   });
-  if (rail)
-    find_maps(basis, *rail, parts.stresses ? &in_rail : nullptr, parts.rail, parts.rail_below);
-  other.get();
   for (const Body* body : bodies.both())
     if (body != nullptr) parts.unknowns += static_cast<long>(body->unknowns());
   parts.notes = bodies.notes;

@@ -9,11 +9,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <ctime>
 #include <functional>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <random>
@@ -114,32 +112,16 @@ void solve_parts(const TableParts& table, const contact::Progress& progress,
     }
   }
   contact::report(progress, event);
-  std::atomic<std::size_t> next{0};
   std::mutex telling;
-  // Each thread takes one part after another until none is left.
-  const auto work = [&] {
-    try {
-      const contact::SingleThread single;
-      for (std::size_t n = next++; n < missing.size(); n = next++) {
-        std::vector<TablePoint> points = table.solve(parts[missing[n]]);
-        const std::lock_guard<std::mutex> one_at_a_time(telling);
-        add(missing[n], points);
-        contact::Record record;
-        exchange(record, points);
-        kept.keep(name_of(missing[n]), record.bytes());
-        contact::report(progress, event);
-      }
-    } catch (...) {
-      next = missing.size();  // no thread starts another part
-      throw;
-    }
-  };
-  const std::size_t threads = std::min(static_cast<std::size_t>(contact::threads()),
-                                       std::max<std::size_t>(missing.size(), 1));
-  std::vector<std::future<void>> running;
-  for (std::size_t t = 1; t < threads; ++t) running.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& other : running) other.get();
+  contact::for_each_index(missing.size(), [&](std::size_t n) {
+    std::vector<TablePoint> points = table.solve(parts[missing[n]]);
+    const std::lock_guard<std::mutex> one_at_a_time(telling);
+    add(missing[n], points);
+    contact::Record record;
+    exchange(record, points);
+    kept.keep(name_of(missing[n]), record.bytes());
+    contact::report(progress, event);
+  });
   event.finished = true;
   contact::report(progress, event);
 }
@@ -362,7 +344,7 @@ void forecast(const CreepTable& table, const TableSource& source, int check_poin
       creepages_of(table, {of_a_place / 2, std::min(of_a_place / 2 + sample, of_a_place)});
   const std::clock_t begin = std::clock();  // CPU time: other programs would spoil a short sample
   {
-    const contact::SingleThread single;
+    const contact::Threads alone(1);
     static_cast<void>(source.at_node(places / 2, creepages));
   }
   const double of_a_point = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC /
