@@ -140,11 +140,16 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
       error.take(k);
     }
   };
+  // All threads treat subnormal numbers as this one does.
+  tbb::task_group_context context(
+      tbb::task_group_context::bound,
+      tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
   // Isolated: a thread that waits for its own parts takes up no part of another computation, whose
   // memory and time would add to this one.
   arena.tasks->execute([&] {
-    tbb::this_task_arena::isolate(
-        [&] { tbb::parallel_for(std::size_t{0}, count, part, tbb::simple_partitioner()); });
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(std::size_t{0}, count, part, tbb::simple_partitioner(), context);
+    });
   });
   error.rethrow();
 }

@@ -146,7 +146,7 @@ ElasticityOperator<Number>::ElasticityOperator(LocalCells&& cells) : ElasticityO
 template <typename Number>
 typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_group(
     const LocalCells& cells, const std::vector<std::size_t>& chosen,
-    const dealii::AlignedVector<double>& one_matrix) {
+    const dealii::AlignedVector<double>& one_matrix) const {
   const std::size_t points = nodes_of_cell(cells);
   Group group;
   group.nodes = pack<Number, unsigned int>(cells.nodes, points, chosen);
@@ -163,7 +163,7 @@ typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_grou
 
 template <typename Number>
 typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_group(
-    LocalCells&& cells) {
+    LocalCells&& cells) const {
   if constexpr (std::is_same_v<Number, double>) {
     const std::size_t points = nodes_of_cell(cells);
     Group group;
@@ -181,14 +181,28 @@ typename ElasticityOperator<Number>::Group ElasticityOperator<Number>::make_grou
 
 /// Replaces local node numbers by the kernel's indices, and sets the remaining pointers.
 template <typename Number>
-void ElasticityOperator<Number>::refer(Group& group, std::size_t cells) {
-  for (unsigned int& node : group.nodes) node *= entries_per_node;
+void ElasticityOperator<Number>::refer(Group& group, std::size_t cells) const {
   group.cells = cells;
   group.batches.count = (cells + lanes<Number> - 1) / lanes<Number>;
+  group.pieces = ColouredPieces(group.nodes.data(), lanes<Number> * cell_nodes_,
+                                group.batches.count, dofs_->nodes());
+  for (unsigned int& node : group.nodes) node *= entries_per_node;
   group.batches.nodes = group.nodes.data();
   group.batches.geometry = group.geometry.data();
   group.batches.flow = group.flow.empty() ? nullptr : group.flow.data();
   group.batches.dilatation = group.dilatation.empty() ? nullptr : group.dilatation.data();
+}
+
+template <typename Number>
+CellBatches<Number> ElasticityOperator<Number>::Group::part(std::size_t first,
+                                                            std::size_t end) const {
+  CellBatches<Number> some = batches;
+  some.count = end - first;
+  some.nodes += first * (nodes.size() / batches.count);
+  some.geometry += first * (geometry.size() / batches.count);
+  if (some.flow != nullptr) some.flow += first * (flow.size() / batches.count);
+  if (some.dilatation != nullptr) some.dilatation += first * (dilatation.size() / batches.count);
+  return some;
 }
 
 template <typename Number>
@@ -226,9 +240,14 @@ template <typename Number>
 void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x, const Work& before,
                                        const Work& after) const {
   load(x, before);
-  result_.fill(Number(0));
+  for_each_part(dofs_->nodes(), [&](std::size_t first, std::size_t end) {
+    std::fill(result_.begin() + entries_per_node * first, result_.begin() + entries_per_node * end,
+              Number(0));
+  });
   for (const Group& group : groups_) {
-    kernel_.add_product(group.batches, material_, source_.data(), result_.data());
+    group.pieces.for_each([&](std::size_t first, std::size_t end) {
+      kernel_.add_product(group.part(first, end), material_, source_.data(), result_.data());
+    });
     products_so_far += group.cells;
   }
   contract(*dofs_, dofs_->hanging.size(), dofs_->fixed.size(), result_.data());

@@ -3,6 +3,7 @@
 // boundary conditions included, on the locally owned part of the unknowns of every process.
 #pragma once
 
+#include "fem/discretisation/coloured_pieces.hpp"
 #include "fem/discretisation/elastic_problem.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 #include "fem/discretisation/local_dofs.hpp"
@@ -88,18 +89,22 @@ class ElasticityOperator {
     int dof;              ///< dof of the cell that depends on it
     double weight;
   };
-  /// Cells of one kernel call.
+  /// Cells of one kind.
   struct Group {
     std::size_t cells = 0;
     dealii::AlignedVector<unsigned int> nodes;
     dealii::AlignedVector<Number> geometry, flow, dilatation;
     CellBatches<Number> batches;
+    ColouredPieces pieces;  ///< of batches
+
+    /// The batches [first, end).
+    CellBatches<Number> part(std::size_t first, std::size_t end) const;
   };
   explicit ElasticityOperator(const LocalCells* cells);
-  static Group make_group(const LocalCells& cells, const std::vector<std::size_t>& chosen,
-                          const dealii::AlignedVector<double>& one_matrix);
-  static Group make_group(LocalCells&& cells);
-  static void refer(Group& group, std::size_t cells);
+  Group make_group(const LocalCells& cells, const std::vector<std::size_t>& chosen,
+                   const dealii::AlignedVector<double>& one_matrix) const;
+  Group make_group(LocalCells&& cells) const;
+  void refer(Group& group, std::size_t cells) const;
   template <typename F>
   void for_each_cell(const F& f) const;
   void load(const VectorType& x, const Work& before) const;

@@ -3,6 +3,7 @@
 // vectors with three, and hanging nodes.
 #pragma once
 
+#include "contact/base/threads.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 #include "fem/discretisation/local_dofs.hpp"
 
@@ -68,11 +69,16 @@ void contract(const LocalDofs& dofs, std::size_t hanging, std::size_t fixed, Num
   for (std::size_t i = 0; i < fixed; ++i) entries[entry(dofs.fixed[i])] = 0;
 }
 
-/// Consecutive blocks of nodes, small enough to stay in the fastest cache for the next operation.
+/// Consecutive blocks of nodes, small enough to stay in the fastest cache for the next operation;
+/// sixteen of them follow each other on one thread.
 template <typename F>
 void for_each_part(std::size_t nodes, const F& f) {
-  constexpr std::size_t part = 512;
-  for (std::size_t first = 0; first < nodes; first += part) f(first, std::min(first + part, nodes));
+  constexpr std::ptrdiff_t part = 512, of_a_thread = 16 * part;
+  const auto some = [&](std::ptrdiff_t first, std::ptrdiff_t end) {
+    for (; first < end; first += part)
+      f(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(first + part, end)));
+  };
+  contact::for_each_piece(static_cast<std::ptrdiff_t>(nodes), of_a_thread, some);
 }
 
 /// The unconstrained dofs on which each dof of a cell depends.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/level_transfer.hpp"
 
+#include "fem/discretisation/coloured_pieces.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/coarse_cells.hpp"
 
@@ -139,6 +140,7 @@ class CellTransfer : public LevelTransfer {
   Children<degree> children_;
   Indices coarse_;                    ///< [refined cell][node][component]
   Indices fine_;                      ///< the same for its children's nodes; none: not owned
+  ColouredPieces cells_;              ///< of `coarse_`
   std::vector<Same> same_;            ///< unknowns of cells common to both levels
   std::vector<ConstrainedRow> rows_;  ///< of the coarse level
   std::vector<ConstraintTerm> terms_;
@@ -158,6 +160,9 @@ CellTransfer<degree>::CellTransfer(const ElasticProblem& fine, const ElasticProb
   coarse_.shrink_to_fit();
   fine_.shrink_to_fit();
   same_.shrink_to_fit();
+  cells_ =
+      ColouredPieces(coarse_.data(), 3 * coarse_nodes, coarse_.size() / (3 * coarse_nodes),
+                     whole_.locally_owned_size() + whole_.get_partitioner()->n_ghost_indices());
 }
 
 template <int degree>
@@ -246,18 +251,21 @@ void CellTransfer<degree>::prolongate_and_add(FloatVector& fine, const FloatVect
     whole[row.row] = static_cast<float>(value);
   }
   float* const to = fine.begin();
-  std::array<float, coarse_nodes * lanes> cell{};
-  std::array<float, fine_nodes * lanes> inside;
-  const unsigned int* from = coarse_.data();
-  for (const unsigned int* unknown = fine_.data(); unknown != fine_.data() + fine_.size();
-       unknown += 3 * fine_nodes, from += 3 * coarse_nodes) {
-    for (int node = 0; node < coarse_nodes; ++node)
-      for (int c = 0; c < 3; ++c) cell[node * lanes + c] = whole[from[3 * node + c]];
-    children_.prolongate(cell.data(), inside.data());
-    for (int node = 0; node < fine_nodes; ++node)
-      for (int c = 0; c < 3; ++c)
-        if (unknown[3 * node + c] != none) to[unknown[3 * node + c]] += inside[node * lanes + c];
-  }
+  // Every unknown of the fine level belongs to one cell.
+  cells_.for_each([&](std::size_t first, std::size_t end) {
+    std::array<float, coarse_nodes * lanes> cell{};
+    std::array<float, fine_nodes * lanes> inside;
+    for (std::size_t k = first; k < end; ++k) {
+      const unsigned int* const from = coarse_.data() + 3 * coarse_nodes * k;
+      const unsigned int* const unknown = fine_.data() + 3 * fine_nodes * k;
+      for (int node = 0; node < coarse_nodes; ++node)
+        for (int c = 0; c < 3; ++c) cell[node * lanes + c] = whole[from[3 * node + c]];
+      children_.prolongate(cell.data(), inside.data());
+      for (int node = 0; node < fine_nodes; ++node)
+        for (int c = 0; c < 3; ++c)
+          if (unknown[3 * node + c] != none) to[unknown[3 * node + c]] += inside[node * lanes + c];
+    }
+  });
   for (const Same& same : same_) to[same.fine] += whole[same.coarse];
 }
 
@@ -266,18 +274,21 @@ void CellTransfer<degree>::restrict_and_add(FloatVector& coarse, const FloatVect
   whole_ = 0.0F;
   float* const whole = whole_.begin();
   const float* const of = fine.begin();
-  std::array<float, coarse_nodes * lanes> cell;
-  std::array<float, fine_nodes * lanes> inside{};
-  const unsigned int* to = coarse_.data();
-  for (const unsigned int* unknown = fine_.data(); unknown != fine_.data() + fine_.size();
-       unknown += 3 * fine_nodes, to += 3 * coarse_nodes) {
-    for (int node = 0; node < fine_nodes; ++node)
-      for (int c = 0; c < 3; ++c)
-        inside[node * lanes + c] = unknown[3 * node + c] == none ? 0.0F : of[unknown[3 * node + c]];
-    children_.restrict(inside.data(), cell.data());
-    for (int node = 0; node < coarse_nodes; ++node)
-      for (int c = 0; c < 3; ++c) whole[to[3 * node + c]] += cell[node * lanes + c];
-  }
+  cells_.for_each([&](std::size_t first, std::size_t end) {
+    std::array<float, coarse_nodes * lanes> cell;
+    std::array<float, fine_nodes * lanes> inside{};
+    for (std::size_t k = first; k < end; ++k) {
+      const unsigned int* const to = coarse_.data() + 3 * coarse_nodes * k;
+      const unsigned int* const unknown = fine_.data() + 3 * fine_nodes * k;
+      for (int node = 0; node < fine_nodes; ++node)
+        for (int c = 0; c < 3; ++c)
+          inside[node * lanes + c] =
+              unknown[3 * node + c] == none ? 0.0F : of[unknown[3 * node + c]];
+      children_.restrict(inside.data(), cell.data());
+      for (int node = 0; node < coarse_nodes; ++node)
+        for (int c = 0; c < 3; ++c) whole[to[3 * node + c]] += cell[node * lanes + c];
+    }
+  });
   for (const Same& same : same_) whole[same.coarse] += of[same.fine];
   for (const ConstrainedRow& row : rows_) {
     const double value = whole[row.row];

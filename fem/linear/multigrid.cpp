@@ -308,8 +308,13 @@ void Multigrid::cycle(std::size_t level) const {
   FloatVector& right = level > 1 ? levels_[level - 2]->right : coarse_right_;
   const FloatVector& correction = level > 1 ? levels_[level - 2]->solution : coarse_solution_;
   fine.smoother.vmult(fine.solution, fine.right);
-  fine.matrix.stiffness.vmult(fine.residual, fine.solution);
-  fine.residual.sadd(-1.0F, 1.0F, fine.right);
+  float* const residual = fine.residual.begin();
+  const float* const given = fine.right.begin();
+  fine.matrix.stiffness.vmult(
+      fine.residual, fine.solution, [](unsigned int, unsigned int) {},
+      [&](unsigned int begin, unsigned int end) {
+        for (unsigned int i = begin; i < end; ++i) residual[i] = given[i] - residual[i];
+      });
   right = 0;
   fine.to_coarser->restrict_and_add(right, fine.residual);
   cycle(level - 1);

@@ -2,6 +2,7 @@
 #include "models/solving/solving.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
@@ -13,7 +14,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
+#include <optional>
 #include <utility>
 
 namespace rollfem::modelling {
@@ -140,18 +144,58 @@ void miss(const std::string& name, const std::exception& error, bool failed, con
   solved.missing.push_back({name, error.what(), failed});
 }
 
+/// What one model found on one scene.
+struct Outcome {
+  std::optional<contact::ModelResult> result;
+  std::exception_ptr error;
+};
+
+/// Outcomes scene by scene, models by name. Models that run on one thread are solved side by side,
+/// and beside them those that use all threads, one after the other. Without Solving::go_on what
+/// follows a failure may have no outcome.
+std::vector<Outcome> outcomes_of(const std::vector<std::string>& able, const Scenes& scenes,
+                                 const Solving& how) {
+  std::vector<Outcome> outcomes(scenes.list.size() * able.size());
+  std::atomic<std::size_t> failed{outcomes.size()};
+  const auto solve_one = [&](std::size_t k) {
+    if (!how.go_on && k > failed) return;
+    try {
+      outcomes[k].result =
+          solve_scene(able[k % able.size()], scenes.list[k / able.size()], scenes.notes, how);
+    } catch (...) {
+      outcomes[k].error = std::current_exception();
+      for (std::size_t first = failed; k < first && !failed.compare_exchange_weak(first, k);) {
+      }
+    }
+  };
+  std::vector<std::size_t> on_all_threads, alone;
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    const bool parallel = how.models->at(able[k % able.size()]).parallel;
+    if (parallel || how.first) (parallel ? on_all_threads : alone).push_back(k);
+  }
+  contact::for_each_index(1 + alone.size(), [&](std::size_t n) {
+    if (n > 0) return solve_one(alone[n - 1]);
+    for (const std::size_t k : on_all_threads) solve_one(k);
+  });
+  return outcomes;
+}
+
 /// Models by name, scene by scene; one that fails is left out of the later scenes.
-void solve_named(std::vector<std::string> able, const Scenes& scenes, const Solving& how,
+void solve_named(const std::vector<std::string>& able, const Scenes& scenes, const Solving& how,
                  Solved& solved) {
-  for (const contact::Scene& scene : scenes.list)
-    for (const std::string& name : std::vector<std::string>(able)) {
-      if (!how.models->at(name).parallel && !how.first) continue;
+  std::vector<Outcome> outcomes = outcomes_of(able, scenes, how);
+  std::vector<bool> left_out(able.size(), false);
+  for (std::size_t s = 0; s < scenes.list.size(); ++s)
+    for (std::size_t m = 0; m < able.size(); ++m) {
+      Outcome& outcome = outcomes[s * able.size() + m];
+      if (left_out[m]) continue;
       const auto leave_out = [&](const std::exception& error, bool failed) {
-        miss(name, error, failed, how, solved);
-        able.erase(std::find(able.begin(), able.end(), name));
+        miss(able[m], error, failed, how, solved);
+        left_out[m] = true;
       };
       try {
-        solved.results.push_back(solve_scene(name, scene, scenes.notes, how));
+        if (outcome.error) std::rethrow_exception(outcome.error);
+        if (outcome.result) solved.results.push_back(*std::move(outcome.result));
       } catch (contact::PartlySolved& partly) {
         if (how.go_on)
           leave_out(partly, true);
@@ -233,7 +277,7 @@ std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& h
   if (any_choice(*how.models, able))
     advice = solve_chosen(able.front(), scenes, how, solved);
   else
-    solve_named(std::move(able), scenes, how, solved);
+    solve_named(able, scenes, how, solved);
   track::check_results(record.input, solved.results);
   record.models = std::move(solved.results);
   record.pairs = std::move(scenes.pairs);

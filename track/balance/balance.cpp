@@ -2,6 +2,7 @@
 #include "track/balance/balance.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/result/record.hpp"
 #include "track/balance/flange_bending.hpp"
 #include "track/balance/position.hpp"
@@ -138,15 +139,24 @@ std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
   return scenes;
 }
 
+/// One position.
+struct Balanced {
+  std::vector<PlacedScene> here;
+  std::vector<contact::Scene> patches;
+  std::vector<std::string> notes;
+};
+
 }  // namespace
 
 std::vector<WheelRailContact> place_wheels(const Case& input, const SearchScene& scene) {
+  std::vector<std::vector<WheelRailContact>> at(input.wheelset.positions());
+  contact::for_each_index(at.size(), [&](std::size_t k) {
+    const int position = static_cast<int>(k) + 1;
+    at[k] = at_position(input, position, [&] { return find_contacts(input, scene, position); });
+  });
   std::vector<WheelRailContact> all;
-  for (int position = 1; position <= static_cast<int>(input.wheelset.positions()); ++position) {
-    auto contacts =
-        at_position(input, position, [&] { return find_contacts(input, scene, position); });
-    std::move(contacts.begin(), contacts.end(), std::back_inserter(all));
-  }
+  for (std::vector<WheelRailContact>& here : at)
+    std::move(here.begin(), here.end(), std::back_inserter(all));
   return all;
 }
 
@@ -179,18 +189,24 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
   contact::ProgressEvent event;
   event.model = "wheelset";
   event.stage = "balance";
-  for (int position = 1; position <= count; ++position) {
-    if (!share.holds(static_cast<std::size_t>(position) - 1)) continue;
-    event.note = fmt::format("position {} of {}", position, count);
-    contact::report(progress, event);
-    std::vector<PlacedScene> here;
+  std::vector<Balanced> positions(static_cast<std::size_t>(count));
+  contact::for_each_index(positions.size(), [&](std::size_t k) {
+    if (!share.holds(k)) return;
+    const int position = static_cast<int>(k) + 1;
+    contact::ProgressEvent begins = event;
+    begins.note = fmt::format("position {} of {}", position, count);
+    contact::report(progress, begins);
+    Balanced& at = positions[k];
     for (const PlacedScene& scene : placed.scenes)
-      if (scene.contact.place.position == position) here.push_back(scene);
-    std::vector<contact::Scene> patches = kept_or_balanced(input, position, here, kept);
-    for (std::string& note : bending_notes(input, patches)) result.notes.push_back(std::move(note));
-    for (contact::Scene& patch : patches)
+      if (scene.contact.place.position == position) at.here.push_back(scene);
+    at.patches = kept_or_balanced(input, position, at.here, kept);
+    at.notes = bending_notes(input, at.patches);
+  });
+  for (Balanced& at : positions) {
+    std::move(at.notes.begin(), at.notes.end(), std::back_inserter(result.notes));
+    for (contact::Scene& patch : at.patches)
       if (asked_for(input, patch.place->left)) result.scenes.push_back(std::move(patch));
-    for (const PlacedScene& scene : here)
+    for (const PlacedScene& scene : at.here)
       if (asked_for(input, scene)) result.placed.push_back(scene);
   }
   event.finished = true;

@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/result/refinement.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
@@ -66,7 +67,7 @@ class Position {
   }
 
   std::vector<contact::Scene> balanced() {
-    for (Wheel& wheel : wheels_) share(wheel, false);
+    share_all(false);
     for (Wheel& wheel : wheels_) turn(wheel);
     if (needs_forces()) settle();
     for (Wheel& wheel : wheels_) ask_for_vertical_forces(wheel);
@@ -92,18 +93,24 @@ class Position {
     constexpr int most_rounds = 30;
     for (int round = 0; round < most_rounds; ++round) {
       if (free_ == FreeRolling::torque) find_rotation(0, wheels_.size());
-      for (std::size_t w = 0; w < wheels_.size(); ++w) {
-        if (free_ == FreeRolling::force) find_rotation(w, w + 1);
-        if (free_ == FreeRolling::none) solve(wheels_[w]);
-      }
-      double change = 0.0;
-      for (Wheel& wheel : wheels_)
-        if (shares(wheel)) change = std::max(change, share(wheel, true));
+      if (free_ == FreeRolling::force)
+        for (std::size_t w = 0; w < wheels_.size(); ++w) find_rotation(w, w + 1);
+      if (free_ == FreeRolling::none) solve(0, wheels_.size());
+      const double change = share_all(true);
       if (change < load_tolerance) return;
     }
     throw contact::SolveError(
         fmt::format("the normal forces under {:g} N and friction do not converge in {} iterations",
                     *input_.load.vertical_force, most_rounds));
+  }
+
+  /// Of all wheels; their largest change.
+  double share_all(bool friction) {
+    std::vector<double> changes(wheels_.size(), 0.0);
+    contact::for_each_index(wheels_.size(), [&](std::size_t w) {
+      if (!friction || shares(wheels_[w])) changes[w] = share(wheels_[w], friction);
+    });
+    return *std::max_element(changes.begin(), changes.end());
   }
 
   /// Normal forces of a wheel's patches under its load; returns their largest change relative to
@@ -274,9 +281,14 @@ class Position {
     for (Patch& patch : wheel.patches) set_rotation_changes(patch.placed, input_, rotation_);
   }
 
-  /// Tangential forces by the half-space on a coarse grid at one load point; null: at all.
-  void solve(Wheel& wheel, const std::size_t* k = nullptr) const {
-    for (Patch& patch : wheel.patches) {
+  /// Tangential forces of the wheels from one to another, by the half-space on a coarse grid at one
+  /// load point; null: at all.
+  void solve(std::size_t from, std::size_t to, const std::size_t* k = nullptr) {
+    std::vector<Patch*> patches;
+    for (std::size_t w = from; w < to; ++w)
+      for (Patch& patch : wheels_[w].patches) patches.push_back(&patch);
+    contact::for_each_index(patches.size(), [&](std::size_t i) {
+      Patch& patch = *patches[i];
       contact::Scene scene = halfspace::on_few_elements(patch.placed.scene, elements_across_);
       if (k != nullptr) scene = contact::at_point(scene, *k);
       patch.force.resize(rotation_.size());
@@ -284,7 +296,7 @@ class Position {
       for (const contact::PointResult& point : halfspace::run_halfspace(scene, {}).points)
         patch.force[at++] = {point.longitudinal_force, point.lateral_force, point.normal_force,
                              point.spin_moment};
-    }
+    });
   }
 
   /// To vanish: the moment about the axle, or F_x of a wheel as one.
@@ -307,11 +319,9 @@ class Position {
       const auto torque_at = [&](double rotation) {
         rotation_[k] = rotation;
         double sum = 0.0;
-        for (std::size_t w = from; w < to; ++w) {
-          turn(wheels_[w]);
-          solve(wheels_[w], &k);
-          sum += torque(wheels_[w], k);
-        }
+        for (std::size_t w = from; w < to; ++w) turn(wheels_[w]);
+        solve(from, to, &k);
+        for (std::size_t w = from; w < to; ++w) sum += torque(wheels_[w], k);
         return std::abs(sum) <= small ? 0.0 : sum;
       };
       const double start = rotation_[k], at_start = torque_at(start);
@@ -380,16 +390,19 @@ void add_creepage_errors(const std::vector<contact::Scene>& coarse,
 
 std::vector<contact::Scene> balanced_position(const Case& input,
                                               const std::vector<PlacedScene>& scenes) {
-  auto balanced = Position(input, scenes, elements_of_balance).balanced();
   const bool rolls = input.friction_coefficient > 0.0 &&
                      input.rolling.problem == contact::Problem::steady &&
                      input.wheelset.free_rolling != FreeRolling::none;
-  if (!rolls) return balanced;
-  for (contact::Scene& scene : balanced) scene.turns_freely = true;
-  try {
-    add_creepage_errors(Position(input, scenes, elements_of_balance / 2).balanced(), balanced);
-  } catch (const contact::SolveError&) {  // no bars then
-  }
+  std::vector<contact::Scene> balanced, coarse;
+  contact::for_each_index(rolls ? 2 : 1, [&](std::size_t k) {
+    if (k == 0) balanced = Position(input, scenes, elements_of_balance).balanced();
+    try {
+      if (k == 1) coarse = Position(input, scenes, elements_of_balance / 2).balanced();
+    } catch (const contact::SolveError&) {  // no bars then
+    }
+  });
+  for (contact::Scene& scene : balanced) scene.turns_freely = rolls;
+  if (!coarse.empty()) add_creepage_errors(coarse, balanced);
   return balanced;
 }
 

@@ -2,6 +2,7 @@
 #include "track/motion/placed_scenes.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "profiles/profiles.hpp"
@@ -177,17 +178,20 @@ void set_rotation_changes(PlacedScene& placed, const Case& input,
 
 std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene,
                                      const SearchOptions& options) {
-  std::vector<PlacedScene> scenes;
-  for (std::size_t k = 0; k < input.wheelset.positions(); ++k) {
+  std::vector<std::vector<PlacedScene>> at(input.wheelset.positions());
+  contact::for_each_index(at.size(), [&](std::size_t k) {
     std::vector<PlacedScene> left, right;
     for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
       if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
         (contact.place.left ? left : right).push_back(make_scene(input, std::move(contact)));
     for (std::vector<PlacedScene>* wheel : {&left, &right}) {
       stand_under_load(input, *wheel);
-      std::move(wheel->begin(), wheel->end(), std::back_inserter(scenes));
+      std::move(wheel->begin(), wheel->end(), std::back_inserter(at[k]));
     }
-  }
+  });
+  std::vector<PlacedScene> scenes;
+  for (std::vector<PlacedScene>& here : at)
+    std::move(here.begin(), here.end(), std::back_inserter(scenes));
   return scenes;
 }
 
