@@ -141,6 +141,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
         add_wheelset, add_check, add_new_case, add_convert, add_report, add_cache, add_docs})
     add(program, call);
   add_quiet_flags(program);
+  add_threads_option(program, call);
   std::vector<std::string> words = arguments(argc, argv);
   check_command(program, words);
   std::reverse(words.begin(), words.end());  // the order CLI11 expects

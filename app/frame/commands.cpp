@@ -61,6 +61,20 @@ void add_quiet_flags(CLI::App& program) {
   }
 }
 
+void add_threads_option(CLI::App& program, Call& call) {
+  constexpr int most = 1024;
+  const auto use = [&call](int number) { call.threads.emplace(number); };
+  for (const char* name :
+       {"run", "compare", "study", "bench", "table", "stress", "mesh", "wheelset", "check"})
+    program.get_subcommand(name)
+        ->add_option_function<int>("--threads", use,
+                                   "threads that compute; default: all cores that affinity, "
+                                   "control groups and OMP_NUM_THREADS allow. Results are the same "
+                                   "for any number")
+        ->check(CLI::Range(1, most))
+        ->type_name("N");
+}
+
 std::string footer_with_models(const std::string& example, const contact::ModelRegistry& models) {
   std::string text = "example: " + example + "\n\nmodels:\n";
   for (const contact::ModelInfo& model : models.all())

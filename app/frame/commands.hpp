@@ -3,12 +3,14 @@
 // here is what calls and options of several commands have in common.
 #pragma once
 
+#include "contact/base/threads.hpp"
 #include "contact/case/case.hpp"
 #include "contact/solve/model.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,8 @@ struct Call {
   std::string command;  ///< the whole call, for provenance
   int argc = 0;         ///< of main, for MPI
   char** argv = nullptr;
-  bool undrawn = false;  ///< a report or figure that was wanted
+  bool undrawn = false;                          ///< a report or figure that was wanted
+  std::optional<contact::Threads> threads = {};  ///< those of --threads
 };
 
 /// The request of a command that writes a folder, most often on a case file.
@@ -48,6 +51,9 @@ void add_json_flag(CLI::App& command, bool& json);
 /// Adds `--model` under `names`; `rest` ends its help text, after the names of all models.
 void add_model_option(CLI::App& command, const std::string& names, std::vector<std::string>& models,
                       const Call& call, const std::string& rest);
+
+/// Adds `--threads N` to every command that computes.
+void add_threads_option(CLI::App& program, Call& call);
 
 /// Adds `--quiet` to every command without it, except those that print nothing but a file.
 void add_quiet_flags(CLI::App& program);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Collects the data of the matrix-free operator from deal.II: local numbers, constraints, geometry.
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 
@@ -11,6 +12,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -191,50 +193,67 @@ std::shared_ptr<const LocalDofs> make_local_dofs(
   return result;
 }
 
-/// Kernel data at the quadrature points of one cell.
-void add_points(const ElasticProblem& problem, const dealii::FEValues<3>& values,
-                DilatationSpace& space, LocalCells& cells) {
+/// Kernel data at the quadrature points of a cell, whose points begin with number `point`.
+void set_points(const ElasticProblem& problem, const dealii::FEValues<3>& values,
+                DilatationSpace& space, std::size_t point, LocalCells& cells) {
   const bool flows = has_inertia(problem), projected = projects_dilatation(problem);
   if (projected) space.reinit(values.get_quadrature_points(), values.get_JxW_values());
   for (const auto q : values.quadrature_point_indices()) {
     const double root = std::sqrt(values.JxW(q));
     const auto& inverse = values.inverse_jacobian(q);
+    const std::size_t at = point + q;
     for (unsigned int e = 0; e < 3; ++e)
-      for (unsigned int d = 0; d < 3; ++d) cells.geometry.push_back(root * inverse[e][d]);
+      for (unsigned int d = 0; d < 3; ++d)
+        cells.geometry[9 * at + 3 * e + d] = root * inverse[e][d];
     if (flows) {
       const auto velocity = problem.motion.at(values.quadrature_point(q));
       const double scale = root * std::sqrt(problem.material.density);
       for (unsigned int e = 0; e < 3; ++e)
-        cells.flow.push_back(scale * (velocity * dealii::Tensor<1, 3>(inverse[e])));
+        cells.flow[3 * at + e] = scale * (velocity * dealii::Tensor<1, 3>(inverse[e]));
     }
     if (projected) {
       const auto functions = space.values(values.quadrature_point(q));
-      for (int k = 0; k < space.size(); ++k) cells.dilatation.push_back(root * functions[k]);
+      const auto size = static_cast<std::size_t>(space.size());
+      for (std::size_t k = 0; k < size; ++k)
+        cells.dilatation[size * at + k] = root * functions[static_cast<int>(k)];
     }
   }
 }
 
 void add_geometry(const ElasticProblem& problem, LocalCells& cells) {
   const auto& dofs = problem.dofs;
-  dealii::FEValues<3> values(problem.mapping, dofs.get_fe(),
-                             dealii::QGauss<3>(dofs.get_fe().degree + 1),
-                             dealii::update_inverse_jacobians | dealii::update_JxW_values |
-                                 dealii::update_quadrature_points);
-  DilatationSpace space(cells.degree);
-  // Large enough for whole batches of the widest kernel.
-  constexpr std::size_t widest = 16;
-  const std::size_t room = (cells.count + widest) * values.n_quadrature_points;
-  cells.geometry.reserve(9 * room);
-  if (has_inertia(problem)) cells.flow.reserve(3 * room);
-  if (projects_dilatation(problem)) cells.dilatation.reserve(space.size() * room);
-  bool valid = true;
-  for (const auto& cell : dofs.active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    values.reinit(cell);
-    const auto& weights = values.get_JxW_values();
-    valid = valid && std::all_of(weights.begin(), weights.end(), [](double w) { return w > 0; });
-    if (valid) add_points(problem, values, space, cells);
-  }
+  const dealii::QGauss<3> quadrature(dofs.get_fe().degree + 1);
+  const int functions = DilatationSpace::size_of_degree(cells.degree);
+  const auto make_room = [&](dealii::AlignedVector<double>& data, int values_of_a_point) {
+    // Large enough for whole batches of the widest kernel.
+    constexpr std::size_t widest = 16;
+    const std::size_t of_a_cell = values_of_a_point * quadrature.size();
+    data.reserve((cells.count + widest) * of_a_cell);
+    data.resize_fast(cells.count * of_a_cell);
+  };
+  make_room(cells.geometry, 9);
+  if (has_inertia(problem)) make_room(cells.flow, 3);
+  if (projects_dilatation(problem)) make_room(cells.dilatation, functions);
+  std::vector<dealii::DoFHandler<3>::active_cell_iterator> owned;
+  for (const auto& cell : dofs.active_cell_iterators())
+    if (cell->is_locally_owned()) owned.push_back(cell);
+  std::atomic<bool> valid{true};
+  constexpr std::ptrdiff_t worth_a_thread = 500;
+  const auto size = static_cast<std::ptrdiff_t>(owned.size());
+  contact::for_each_piece(size, worth_a_thread, [&](std::ptrdiff_t first, std::ptrdiff_t end) {
+    dealii::FEValues<3> values(problem.mapping, dofs.get_fe(), quadrature,
+                               dealii::update_inverse_jacobians | dealii::update_JxW_values |
+                                   dealii::update_quadrature_points);
+    DilatationSpace space(cells.degree);
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
+      values.reinit(owned[k]);
+      const auto& weights = values.get_JxW_values();
+      if (std::any_of(weights.begin(), weights.end(), [](double w) { return !(w > 0); }))
+        valid = false;
+      else
+        set_points(problem, values, space, k * quadrature.size(), cells);
+    }
+  });
   // All processes throw or none does.
   if (dealii::Utilities::MPI::min(valid ? 1 : 0, dofs.get_communicator()) == 0)
     throw contact::InputError("the mesh has a cell that is inside out: refine or smooth it");

@@ -2,13 +2,17 @@
 #include "halfspace/stress/subsurface.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/stress/subsurface_sum.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace rollfem::halfspace {
 
@@ -78,18 +82,28 @@ bool fft_is_cheaper(const LocalProblem& problem, const contact::ContactGrid& poi
   return 5.0 * offsets < static_cast<double>(points.size()) * static_cast<double>(loaded_elements);
 }
 
+/// On several threads where the sums are long.
+void for_each_point(const DirectSum& sum, std::size_t count,
+                    const std::function<void(std::size_t)>& work) {
+  constexpr long corners_of_a_piece = 10000;  // 1 ms
+  const std::ptrdiff_t piece = 1 + corners_of_a_piece / std::max(1L, sum.elements());
+  contact::for_each_piece(static_cast<std::ptrdiff_t>(count), piece, [&](auto first, auto end) {
+    for (auto k = first; k < end; ++k) work(static_cast<std::size_t>(k));
+  });
+}
+
 }  // namespace
 
 std::vector<SubsurfaceState> subsurface_at(const LoadedBody& body,
                                            const std::vector<SubsurfacePoint>& points) {
   const LocalProblem problem = local_problem(body);
   const DirectSum sum(problem);
-  std::vector<SubsurfaceState> states;
-  states.reserve(points.size());
-  for (const SubsurfacePoint& point : points) {
+  for (const SubsurfacePoint& point : points)
     check_half_space(point.depth, problem.shear_modulus, problem.poisson_ratio);
-    states.push_back(global_state(sum.at(point.x, point.y, point.depth), mirror(body)));
-  }
+  std::vector<SubsurfaceState> states(points.size());
+  for_each_point(sum, points.size(), [&](std::size_t k) {
+    states[k] = global_state(sum.at(points[k].x, points[k].y, points[k].depth), mirror(body));
+  });
   return states;
 }
 
@@ -115,15 +129,16 @@ std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
   if (by_fft) convolution.emplace(problem, points);
   std::vector<SubsurfaceLayer> layers;
   for (const double depth : depths) {
-    layers.push_back({depth, {}});
-    const auto add = [&](const LocalState& local) {
-      layers.back().states.push_back(global_state(local, mirror(body)));
-    };
-    if (convolution)
-      for (const LocalState& local : convolution->at(depth)) add(local);
-    else
-      for (int k = 0; k < points.size(); ++k)
-        add(sum.at(points.x(k % points.nx), points.y(k / points.nx), depth));
+    std::vector<SubsurfaceState> states(static_cast<std::size_t>(points.size()));
+    std::vector<LocalState> local;
+    if (convolution) local = convolution->at(depth);
+    for_each_point(sum, states.size(), [&](std::size_t n) {
+      const int k = static_cast<int>(n);
+      states[n] = global_state(
+          convolution ? local[n] : sum.at(points.x(k % points.nx), points.y(k / points.nx), depth),
+          mirror(body));
+    });
+    layers.push_back({depth, std::move(states)});
   }
   return layers;
 }

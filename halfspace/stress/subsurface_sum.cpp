@@ -2,6 +2,7 @@
 #include "halfspace/stress/subsurface_sum.hpp"
 
 #include "contact/base/pi.hpp"
+#include "contact/base/threads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -121,13 +122,19 @@ std::vector<Potentials> LayerConvolution::corners(double z) const {
   const int columns = grid.nx + points_.nx;
   const int rows = grid.ny + points_.ny;
   std::vector<Potentials> table(static_cast<std::size_t>(columns) * rows);
-  for (int j = 0; j < rows; ++j)
+  constexpr int corners_of_a_piece = 10000;  // 1 ms
+  const auto row = [&](std::ptrdiff_t j) {
     for (int i = 0; i < columns; ++i) {
       const double x = points_.x_first - grid.x_first + (i - grid.nx + 0.5) * grid.dx;
-      const double y = points_.y_first - grid.y_first + (j - grid.ny + 0.5) * grid.dy;
+      const double y =
+          points_.y_first - grid.y_first + (static_cast<double>(j) - grid.ny + 0.5) * grid.dy;
       table[static_cast<std::size_t>(j) * columns + i] =
           corner_potentials(x / length, y / length, z / length);
     }
+  };
+  contact::for_each_piece(rows, 1 + corners_of_a_piece / columns, [&](auto first, auto end) {
+    for (auto j = first; j < end; ++j) row(j);
+  });
   return table;
 }
 
@@ -163,7 +170,7 @@ std::vector<LocalState> LayerConvolution::at(double z) const {
   std::array<PaddedFft::Spectrum, component_count> spectra;
   for (PaddedFft::Spectrum& spectrum : spectra) spectrum.resize(frequencies);
   using ComplexPotentials = Eigen::Array<Complex, potential_count, 1>;
-  for (std::size_t f = 0; f < frequencies; ++f) {
+  const auto add = [&](std::size_t f) {
     ComplexPotentials source;
     for (int potential = 0; potential < potential_count; ++potential)
       source[potential] = kernels_[static_cast<std::size_t>(potential)][f];
@@ -173,7 +180,11 @@ std::vector<LocalState> LayerConvolution::at(double z) const {
     const std::array<Complex, component_count> state =
         assemble_state(p_x.data(), p_y.data(), p_z.data(), problem_.poisson_ratio, z);
     for (std::size_t c = 0; c < component_count; ++c) spectra[c][f] = state[c];
-  }
+  };
+  const auto size = static_cast<std::ptrdiff_t>(frequencies);
+  contact::for_each_piece(size, points_fft_.piece(size), [&](auto first, auto end) {
+    for (auto f = first; f < end; ++f) add(static_cast<std::size_t>(f));
+  });
   std::vector<LocalState> states(static_cast<std::size_t>(points_.size()));
   contact::Field field;
   for (std::size_t c = 0; c < component_count; ++c) {
