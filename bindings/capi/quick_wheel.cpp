@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "capi/quick_wheel.hpp"
+#include "bindings/capi/quick_wheel.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/result/validity.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/python/bindings.hpp"
 #include "contact/base/errors.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profiles.hpp"
-#include "python/bindings.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/rigid_touch.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "capi/peak_pressure.hpp"
+#include "bindings/capi/peak_pressure.hpp"
 
 #include "contact/base/pi.hpp"
 #include "halfspace/elasticity/influence.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/python/bindings.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "python/bindings.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -3,7 +3,7 @@
 // a few milliseconds and reused memory. This solver handles nearly all calls of rollfem.h.
 #pragma once
 
-#include "capi/quick_patch.hpp"
+#include "bindings/capi/quick_patch.hpp"
 #include "contact/iteration/bound_constrained_cg.hpp"
 
 #include <array>

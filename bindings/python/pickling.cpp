@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Results as bytes and back, for the processes of a pool: bit for bit, by the records of
 // checkpoints.
+#include "bindings/python/bindings.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
 #include "models/program/provenance.hpp"
-#include "python/bindings.hpp"
 
 #include <cstring>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Implements rollfem.h: structures and units of the caller, exceptions as status and text.
-#include "capi/guarded.hpp"
-#include "capi/wheel_rail_pair.hpp"
+#include "bindings/capi/guarded.hpp"
+#include "bindings/capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/case/case.hpp"
 #include "contact/case/case_reader.hpp"

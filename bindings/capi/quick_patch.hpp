@@ -3,7 +3,7 @@
 // problem of quick_wheel.hpp.
 #pragma once
 
-#include "capi/peak_pressure.hpp"
+#include "bindings/capi/peak_pressure.hpp"
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/result.hpp"

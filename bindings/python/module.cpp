@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem._core: the C++ base of the Python package rollfem/. Cases and results are opaque here;
 // solving lets other Python threads run and checks for Ctrl-C at every iteration.
+#include "bindings/python/caller.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "python/caller.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "capi/wheel_rail_pair.hpp"
+#include "bindings/capi/wheel_rail_pair.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/result/validity.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Derivatives of the forces on a wheel by its state (WheelRailPair::linearise).
-#include "capi/wheel_rail_pair.hpp"
+#include "bindings/capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
 #include "track/motion/wheelset_motion.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Studies, comparisons and stresses as the files that their commands write, and auto's forecast.
+#include "bindings/python/caller.hpp"
 #include "models/registry.hpp"
 #include "models/solving/expected_choice.hpp"
 #include "models/stress/stored_stress.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/output.hpp"
-#include "python/caller.hpp"
 
 #include <map>
 #include <pybind11/stl.h>

@@ -3,7 +3,7 @@
 // a Python function, whose exceptions end the call.
 #pragma once
 
-#include "python/bindings.hpp"
+#include "bindings/python/bindings.hpp"
 
 #include <optional>
 #include <utility>

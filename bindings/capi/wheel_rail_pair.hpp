@@ -4,7 +4,7 @@
 // the track, y to the right, z down.
 #pragma once
 
-#include "capi/quick_wheel.hpp"
+#include "bindings/capi/quick_wheel.hpp"
 #include "contact/case/case.hpp"
 #include "track/motion/placed_scenes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "python/caller.hpp"
+#include "bindings/python/caller.hpp"
 
 #include <cstdlib>
 #include <dlfcn.h>

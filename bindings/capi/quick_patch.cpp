@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "capi/quick_patch.hpp"
+#include "bindings/capi/quick_patch.hpp"
 
 #include "contact/iteration/leading_edge.hpp"
 #include "contact/solve/load_sharing.hpp"
