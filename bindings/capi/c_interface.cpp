@@ -43,16 +43,10 @@ const char* name_of(rollfem_side side) {
       static_cast<int>(side)));
 }
 
-/// Any text as a TOML string.
-std::string quoted(const char* what, const char* text) {
-  if (text == nullptr || *text == '\0')
+std::string profile_of(const char* what, const char* name) {
+  if (name == nullptr || *name == '\0')
     throw contact::InputError(fmt::format("{} is not given; do: name a profile", what));
-  std::string found = "\"";
-  for (const char* c = text; *c != '\0'; ++c) {
-    if (*c == '"' || *c == '\\') found += '\\';
-    found += *c;
-  }
-  return found + '"';
+  return name;
 }
 
 const char* name_of(rollfem_law law) {
@@ -65,49 +59,43 @@ const char* name_of(rollfem_law law) {
       static_cast<int>(law)));
 }
 
-/// The sections of friction and of the layer; members that are 0 are not given.
-std::string friction_text(const rollfem_definition& definition, const Units& units) {
-  std::string text = fmt::format("[friction]\ncoefficient = {}\nlaw = \"{}\"\n",
-                                 definition.friction_coefficient, name_of(definition.friction_law));
-  const auto add = [&text](const char* key, double value) {
-    if (value != 0.0) text += fmt::format("{} = {}\n", key, value);
-  };
-  add("kinetic_coefficient", definition.kinetic_coefficient);
-  add("half_velocity", definition.half_velocity * units.length);
-  add("second_part", definition.second_part);
-  add("second_half_velocity", definition.second_half_velocity * units.length);
-  add("memory_distance", definition.memory_distance * units.length);
-  add("memory_velocity", definition.memory_velocity * units.length);
-  if (definition.friction_law != ROLLFEM_CONSTANT) text += "[rolling]\nspeed = 1.0\n";
-  if (definition.layer_thickness != 0.0 || definition.layer_shear_modulus != 0.0 ||
-      definition.layer_yield_stress != 0.0 || definition.layer_hardening != 0.0)
-    text += "[layer]\n";
-  add("thickness", definition.layer_thickness * units.length);
-  add("shear_modulus", definition.layer_shear_modulus * units.stress());
-  add("yield_stress", definition.layer_yield_stress * units.stress());
-  add("hardening", definition.layer_hardening * units.stress() / units.length);
-  return text;
-}
-
 /// The definition as a case, which passes the checks of case files.
-contact::Case case_of(const rollfem_definition& definition) {
-  const Units units = units_of(definition.units);
+contact::Case case_of(const rollfem_definition& given) {
+  const Units units = units_of(given.units);
   const double length = units.length, stress = units.stress();
-  const std::string text = fmt::format(
-      "models = [\"halfspace\"]\n[load]\nvertical_force = 1.0\n{}"
-      "[wheel]\nrolling_radius = {}\nprofile = {}\nyoung_modulus = {}\npoisson_ratio = {}\n"
-      "[rail]\nprofile = {}\nyoung_modulus = {}\npoisson_ratio = {}\n"
-      "[track]\ngauge = {}\ngauge_height = {}\ninclination = {}\n"
-      "[wheelset]\nside = \"{}\"\nflange_back_distance = {}\nflange_back_position = {}\n"
-      "[contact_grid]\nelements_across = {}\n",
-      friction_text(definition, units), definition.rolling_radius * length,
-      quoted("wheel_profile", definition.wheel_profile), definition.wheel_young_modulus * stress,
-      definition.wheel_poisson_ratio, quoted("rail_profile", definition.rail_profile),
-      definition.rail_young_modulus * stress, definition.rail_poisson_ratio,
-      definition.gauge * length, definition.gauge_height * length, definition.inclination,
-      name_of(definition.side), definition.flange_back_distance * length,
-      definition.flange_back_position * length, definition.elements_across);
-  return contact::parse_case(text, "pair");
+  contact::NamedValues values{
+      {"load.vertical_force", 1.0},  // until a state gives its load
+      {"friction.coefficient", given.friction_coefficient},
+      {"friction.law", name_of(given.friction_law)},
+      {"wheel.rolling_radius", given.rolling_radius * length},
+      {"wheel.profile", profile_of("wheel_profile", given.wheel_profile)},
+      {"wheel.young_modulus", given.wheel_young_modulus * stress},
+      {"wheel.poisson_ratio", given.wheel_poisson_ratio},
+      {"rail.profile", profile_of("rail_profile", given.rail_profile)},
+      {"rail.young_modulus", given.rail_young_modulus * stress},
+      {"rail.poisson_ratio", given.rail_poisson_ratio},
+      {"track.gauge", given.gauge * length},
+      {"track.gauge_height", given.gauge_height * length},
+      {"track.inclination", given.inclination},
+      {"wheelset.side", name_of(given.side)},
+      {"wheelset.flange_back_distance", given.flange_back_distance * length},
+      {"wheelset.flange_back_position", given.flange_back_position * length},
+      {"contact_grid.elements_across", static_cast<double>(given.elements_across)}};
+  const auto unless_zero = [&values](const char* key, double value) {
+    if (value != 0.0) values.emplace_back(key, value);
+  };
+  unless_zero("friction.kinetic_coefficient", given.kinetic_coefficient);
+  unless_zero("friction.half_velocity", given.half_velocity * length);
+  unless_zero("friction.second_part", given.second_part);
+  unless_zero("friction.second_half_velocity", given.second_half_velocity * length);
+  unless_zero("friction.memory_distance", given.memory_distance * length);
+  unless_zero("friction.memory_velocity", given.memory_velocity * length);
+  unless_zero("rolling.speed", given.friction_law == ROLLFEM_CONSTANT ? 0.0 : 1.0);
+  unless_zero("layer.thickness", given.layer_thickness * length);
+  unless_zero("layer.shear_modulus", given.layer_shear_modulus * stress);
+  unless_zero("layer.yield_stress", given.layer_yield_stress * stress);
+  unless_zero("layer.hardening", given.layer_hardening * stress / length);
+  return contact::make_case(values, "pair");
 }
 
 /// In mm and N.

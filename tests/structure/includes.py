@@ -52,7 +52,7 @@ ALLOWED = {
 }
 # Rooms of a module, each of which may include those before it.
 ROOMS = {
-    "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature"],
+    "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature", ""],
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance"],
