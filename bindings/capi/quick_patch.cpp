@@ -204,27 +204,11 @@ void QuickPatch::forget_neighbours() {
 void QuickPatch::add_neighbour(const QuickPatch& neighbour,
                                const contact::CombinedMaterial& material) {
   const ContactGrid& there = neighbour.grid_;
-  const double area = there.element_area();
-  loads_.assign(loads_across * loads_across, {});
-  for (const Eigen::Index k : neighbour.rolling_.grid_indices()) {
-    const auto i = static_cast<int>(k % there.nx), j = static_cast<int>(k / there.nx);
-    contact::NeighbourLoad& load = loads_[static_cast<std::size_t>(
-        j * loads_across / there.ny * loads_across + i * loads_across / there.nx)];
-    const double normal = area * neighbour.pressure_[k];
-    load.normal += normal;
-    load.longitudinal += area * neighbour.traction_.x[k];
-    load.lateral += area * neighbour.traction_.y[k];
-    load.x += normal * there.x(i);
-    load.y += normal * there.y(j);
-  }
-  loads_.erase(std::remove_if(loads_.begin(), loads_.end(),
-                              [](const auto& load) { return !(load.normal > 0.0); }),
-               loads_.end());
-  for (contact::NeighbourLoad& load : loads_) {
-    load.x /= load.normal;
-    load.y /= load.normal;
+  constexpr double blocks = loads_across;
+  halfspace::lump(there, neighbour.pressure_, neighbour.traction_, there.nx / blocks,
+                  there.ny / blocks, loads_);
+  for (contact::NeighbourLoad& load : loads_)
     halfspace::place_beside(contact().place, neighbour.contact().place, load);
-  }
   halfspace::add_slip(loads_, material, grid_, motion_.rigid_slip);
   for (contact::NeighbourLoad& load : loads_) load.normal = 0.0;
   moved_.setZero(grid_.size());
