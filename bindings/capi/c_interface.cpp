@@ -166,6 +166,30 @@ struct rollfem_table {
   CreepTableReader reader;
 };
 
+namespace {
+
+/// `derivatives`: null without.
+rollfem_status solved(const rollfem_pair* pair, const rollfem_state* state, rollfem_result* result,
+                      Given<rollfem_derivatives>* derivatives, char* message, size_t size) {
+  Given<rollfem_result> place(result);
+  return guarded(
+      [&] {
+        const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
+        place.check("result", "a place for the result");
+        if (derivatives != nullptr)
+          derivatives->check("derivatives", "a place for the derivatives");
+        const rollfem_state at =
+            state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
+        WheelDerivatives found;
+        place.give(
+            result_of(derivatives ? of.pair.linearise(at, found) : of.pair.solve(at), of.units));
+        if (derivatives != nullptr) derivatives->give(derivatives_of(found, at.given, of.units));
+      },
+      message, size);
+}
+
+}  // namespace
+
 extern "C" {
 
 void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
@@ -193,35 +217,14 @@ rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message
 
 rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* state,
                              rollfem_result* result, char* message, size_t size) {
-  Given<rollfem_result> place(result);
-  return guarded(
-      [&] {
-        const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
-        place.check("result", "a place for the result");
-        const rollfem_state at =
-            state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
-        place.give(result_of(of.pair.solve(at), of.units));
-      },
-      message, size);
+  return solved(pair, state, result, nullptr, message, size);
 }
 
 rollfem_status rollfem_linearise(const rollfem_pair* pair, const rollfem_state* state,
                                  rollfem_result* result, rollfem_derivatives* derivatives,
                                  char* message, size_t size) {
-  Given<rollfem_result> place(result);
-  Given<rollfem_derivatives> place_of_derivatives(derivatives);
-  return guarded(
-      [&] {
-        const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
-        place.check("result", "a place for the result");
-        place_of_derivatives.check("derivatives", "a place for the derivatives");
-        const rollfem_state at =
-            state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
-        WheelDerivatives found;
-        place.give(result_of(of.pair.linearise(at, found), of.units));
-        place_of_derivatives.give(derivatives_of(found, at.given, of.units));
-      },
-      message, size);
+  Given<rollfem_derivatives> place(derivatives);
+  return solved(pair, state, result, &place, message, size);
 }
 
 void rollfem_destroy(rollfem_pair* pair) {

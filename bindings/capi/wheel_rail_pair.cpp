@@ -184,23 +184,6 @@ rollfem_result apart(const track::WheelsetPose& pose, double sinking) {
   return wheel;
 }
 
-/// Derivatives of the creepages by the motion, in which they are linear.
-Eigen::Matrix3d by_motion(const track::WheelRailContact& contact, const track::Motion& motion) {
-  const auto creepage_at = [&](const track::Motion& at) {
-    const contact::Creepage found = track::creepage_of(contact, at);
-    return Eigen::Vector3d(found.longitudinal, found.lateral, found.spin);
-  };
-  Eigen::Matrix3d by;
-  Eigen::Index k = 0;
-  for (double track::Motion::*part :
-       {&track::Motion::rotation, &track::Motion::lateral_velocity, &track::Motion::yaw_velocity}) {
-    track::Motion moved = motion;
-    moved.*part += 1.0;
-    by.col(k++) = creepage_at(moved) - creepage_at(motion);
-  }
-  return by;
-}
-
 /// Surfaces tried in this order: a patch that reaches into another contact of the wheel forms one
 /// conformal contact with it, which no plane can represent.
 constexpr contact::SurfaceForm surfaces[] = {contact::SurfaceForm::automatic,
@@ -296,7 +279,7 @@ QuickOutcome WheelRailPair::solve_quickly(Workspace& workspace, const rollfem_st
     QuickContact one;
     one.contact = &contact;
     one.creepage = track::creepage_of(contact, motion);
-    if (workspace.linearises) one.by_motion = by_motion(contact, motion);
+    if (workspace.linearises) one.by_motion = track::creepage_by_motion(contact);
     one.geometry.surface = contact::ContactSurface::of(
         std::make_shared<const contact::PatchGeometry>(std::move(contact.geometry)));
     if (input.halfspace.surface == contact::SurfaceForm::automatic)
