@@ -57,7 +57,6 @@ struct ContactConditions {
   /// second order and tractions do not zigzag from row to row. false: the same difference
   /// everywhere.
   bool fit_leading_edge = true;
-  bool same_normal_block = true;  ///< Elasticity
   /// The stand-in with the coupling of unlike materials; null: like materials, or the elasticity
   /// itself.
   const Compliance* coupled_standin = nullptr;
