@@ -55,10 +55,10 @@ std::string quoted(const char* what, const char* text) {
   return found + '"';
 }
 
-const char* name_of(rollfem_law law) {
+const contact::FallShape& shape_of(rollfem_law law) {
   const std::vector<contact::FallShape>& laws = contact::fall_shapes();
   if (law >= 0 && static_cast<std::size_t>(law) < laws.size())
-    return laws[static_cast<std::size_t>(law)].word;
+    return laws[static_cast<std::size_t>(law)];
   throw contact::InputError(fmt::format(
       "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
       "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL; do: fill the definition with rollfem_defaults",
@@ -67,8 +67,9 @@ const char* name_of(rollfem_law law) {
 
 /// The sections of friction and of the layer; members that are 0 are not given.
 std::string friction_text(const rollfem_definition& definition, const Units& units) {
+  const contact::FallShape& shape = shape_of(definition.friction_law);
   std::string text = fmt::format("[friction]\ncoefficient = {}\nlaw = \"{}\"\n",
-                                 definition.friction_coefficient, name_of(definition.friction_law));
+                                 definition.friction_coefficient, shape.word);
   const auto add = [&text](const char* key, double value) {
     if (value != 0.0) text += fmt::format("{} = {}\n", key, value);
   };
@@ -78,6 +79,15 @@ std::string friction_text(const rollfem_definition& definition, const Units& uni
   add("second_half_velocity", definition.second_half_velocity * units.length);
   add("memory_distance", definition.memory_distance * units.length);
   add("memory_velocity", definition.memory_velocity * units.length);
+  for (std::size_t k = 0; k < shape.constants.size(); ++k) {
+    const double value = definition.law_constants[k];
+    if (shape.constants[k].name != nullptr)
+      add(shape.constants[k].name, value);
+    else if (value != 0.0)
+      throw contact::InputError(fmt::format(
+          "law_constants[{}] = {:g}: the law {} has no such constant; allowed: 0; do: write 0", k,
+          value, shape.word));
+  }
   if (definition.friction_law != ROLLFEM_CONSTANT) text += "[rolling]\nspeed = 1.0\n";
   if (definition.layer_thickness != 0.0 || definition.layer_shear_modulus != 0.0 ||
       definition.layer_yield_stress != 0.0 || definition.layer_hardening != 0.0)
@@ -188,7 +198,8 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
     place.give({0, units, ROLLFEM_LEFT, "S1002", "60E1", 460.0 * mm, 1435.0 * mm, 14.0 * mm,
                 1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12,
                 // friction is constant, and there is no layer
-                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT, 0.0, 0.0});
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT, 0.0, 0.0, 0.0, 0.0, 0.0,
+                0.0});
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {

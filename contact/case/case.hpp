@@ -58,8 +58,10 @@ struct FrictionFall {
   double second_half_velocity = 1.0;          ///< s_h2, mm/s
   std::optional<double> polach_a;             ///< mu_kin/mu, in place of mu_kin
   std::optional<double> polach_b;             ///< s/m, in place of s_h1
-  double memory_distance = 0.0;               ///< d_c, mm; 0: mu follows the slip at once
-  double memory_velocity = 1.0;               ///< s_0, mm/s
+  /// Of FallShape::constants; where not given, their default.
+  std::array<std::optional<double>, FallShape::most_constants> constants{};
+  double memory_distance = 0.0;  ///< d_c, mm; 0: mu follows the slip at once
+  double memory_velocity = 1.0;  ///< s_0, mm/s
   FrictionBranch branch = FrictionBranch::sticking;
 };
 
