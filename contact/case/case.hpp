@@ -163,15 +163,19 @@ struct Rolling {
   double slip_speed() const { return problem == Problem::shift ? 1.0 : speed; }
 };
 
-/// Data specific to one step of the problems `shift` and `transient`. Shifts are rigid
-/// displacements of the wheel relative to the rail during this step, not since the beginning.
-struct HistoryStep {
+/// Motion of one step of the problems `shift` and `transient`. Shifts are rigid displacements of
+/// the wheel relative to the rail during this step, not since the beginning.
+struct StepMotion {
+  double longitudinal_shift = 0.0;  ///< mm, problem shift
+  double lateral_shift = 0.0;       ///< mm, problem shift
+  double spin_shift = 0.0;          ///< rad, rotation about the normal, problem shift
+  double step_length = 0.0;         ///< mm rolled in this step, problem transient
+};
+
+/// A step with its load.
+struct HistoryStep : StepMotion {
   std::optional<double> normal_force;  ///< N; neither: that of the whole case
   std::optional<double> approach;      ///< mm
-  double longitudinal_shift = 0.0;     ///< mm, problem shift
-  double lateral_shift = 0.0;          ///< mm, problem shift
-  double spin_shift = 0.0;             ///< rad, rotation about the normal, problem shift
-  double step_length = 0.0;            ///< mm rolled in this step, problem transient
 };
 
 /// Undeformed distance instead of the radii; at most one of the two.

@@ -347,8 +347,8 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   add_energies(point);
   if (scene_.has_profiles()) {
     const PatchSize size = patch_size(result_.grid, state_.normal.pressure);
-    point.patch_x_middle = 0.5 * (size.x_lower + size.x_upper);
-    point.patch_y_middle = 0.5 * (size.y_lower + size.y_upper);
+    point.patch_x_middle = size.x_middle();
+    point.patch_y_middle = size.y_middle();
   }
   point.approach = state_.normal.approach;
   point.iterations = state_.iterations;

@@ -74,7 +74,7 @@ struct CoupledProblem : ContactConditions {
   /// Whether friction carries a part of the prescribed force.
   bool shares_load() const {
     return load.force && given_pressure.size() == 0 &&
-           (shape.climb.size() != 0 || load.direction[0] != 0.0);
+           (shape.climb.size() != 0 || load.is_tilted());
   }
 };
 
