@@ -108,10 +108,7 @@ ContactState ContactProblem::solve_for_force(const NormalLoad& load, const Motio
   const ForceLaw law = [&](const Eigen::Vector2d& at) {
     state = solve(load, motion(at), &state, accuracy, each_iteration);
     iterations += state.iterations;
-    const auto force = transmitted_force(grid(), state.traction(), conditions_.shape);
-    return TransmittedForce{
-        {force[0], force[1]},
-        mean_coefficient(conditions_.friction, grid(), state.normal.pressure) * force[2]};
+    return transmitted_by(grid(), conditions_, state);
   };
   state.unknowns = find_creepage(law, wanted, search).creepage;
   state.iterations = iterations;
