@@ -119,9 +119,7 @@ Scene at_largest_load(const Scene& scene) {
 /// Friction changes the pressure of unlike materials, and on a tilted plane it carries a part of
 /// the load.
 bool friction_moves_pressure(const Scene& scene) {
-  return scene.material.couples() ||
-         std::any_of(scene.points.begin(), scene.points.end(),
-                     [](const auto& point) { return point.load.direction[0] != 0.0; });
+  return scene.material.couples() || scene.shares_load();
 }
 
 Scene rough_scene(const Scene& scene, bool with_friction, std::size_t points) {

@@ -49,10 +49,10 @@ std::string profile_of(const char* what, const char* name) {
   return name;
 }
 
-const char* name_of(rollfem_law law) {
+const contact::FallShape& shape_of(rollfem_law law) {
   const std::vector<contact::FallShape>& laws = contact::fall_shapes();
   if (law >= 0 && static_cast<std::size_t>(law) < laws.size())
-    return laws[static_cast<std::size_t>(law)].word;
+    return laws[static_cast<std::size_t>(law)];
   throw contact::InputError(fmt::format(
       "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
       "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL; do: fill the definition with rollfem_defaults",
@@ -66,7 +66,7 @@ contact::Case case_of(const rollfem_definition& given) {
   contact::NamedValues values{
       {"load.vertical_force", 1.0},  // until a state gives its load
       {"friction.coefficient", given.friction_coefficient},
-      {"friction.law", name_of(given.friction_law)},
+      {"friction.law", shape_of(given.friction_law).word},
       {"wheel.rolling_radius", given.rolling_radius * length},
       {"wheel.profile", profile_of("wheel_profile", given.wheel_profile)},
       {"wheel.young_modulus", given.wheel_young_modulus * stress},
@@ -81,8 +81,8 @@ contact::Case case_of(const rollfem_definition& given) {
       {"wheelset.flange_back_distance", given.flange_back_distance * length},
       {"wheelset.flange_back_position", given.flange_back_position * length},
       {"contact_grid.elements_across", static_cast<double>(given.elements_across)}};
-  const auto unless_zero = [&values](const char* key, double value) {
-    if (value != 0.0) values.emplace_back(key, value);
+  const auto unless_zero = [&values](std::string key, double value) {
+    if (value != 0.0) values.emplace_back(std::move(key), value);
   };
   unless_zero("friction.kinetic_coefficient", given.kinetic_coefficient);
   unless_zero("friction.half_velocity", given.half_velocity * length);
@@ -90,6 +90,16 @@ contact::Case case_of(const rollfem_definition& given) {
   unless_zero("friction.second_half_velocity", given.second_half_velocity * length);
   unless_zero("friction.memory_distance", given.memory_distance * length);
   unless_zero("friction.memory_velocity", given.memory_velocity * length);
+  const contact::FallShape& shape = shape_of(given.friction_law);
+  for (std::size_t k = 0; k < shape.constants.size(); ++k) {
+    const double value = given.law_constants[k];
+    if (shape.constants[k].name != nullptr)
+      unless_zero(fmt::format("friction.{}", shape.constants[k].name), value);
+    else if (value != 0.0)
+      throw contact::InputError(fmt::format(
+          "law_constants[{}] = {:g}: the law {} has no such constant; allowed: 0; do: write 0", k,
+          value, shape.word));
+  }
   unless_zero("rolling.speed", given.friction_law == ROLLFEM_CONSTANT ? 0.0 : 1.0);
   unless_zero("layer.thickness", given.layer_thickness * length);
   unless_zero("layer.shear_modulus", given.layer_shear_modulus * stress);
@@ -200,7 +210,8 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
     place.give({0, units, ROLLFEM_LEFT, "S1002", "60E1", 460.0 * mm, 1435.0 * mm, 14.0 * mm,
                 1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12,
                 // friction is constant, and there is no layer
-                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT, 0.0, 0.0});
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT, 0.0, 0.0, 0.0, 0.0, 0.0,
+                0.0});
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {

@@ -36,15 +36,15 @@ class PeakPressure {
 
  private:
   /// Rows across the patch: displacement of their middles under pressures in MPa.
-  struct Rows {
+  struct Rows : contact::NormalMap {
     Eigen::MatrixXd influence;
     contact::Field distance;
     contact::BoundConstrainedCg solver;
 
-    void apply(const contact::Field& pressure, contact::Field& displacement) const {
+    void apply(const contact::Field& pressure, contact::Field& displacement) const override {
       displacement.noalias() = influence * pressure;
     }
-    void precondition(const contact::Field& residual, contact::Field& result) const {
+    void precondition(const contact::Field& residual, contact::Field& result) const override {
       result = residual;
     }
   };

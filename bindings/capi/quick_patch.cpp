@@ -98,9 +98,7 @@ bool QuickPatch::lay_on_patch() {
   const double dx = patch.length / (tables_.nx() - 2 * margin);
   const double dy = patch.width / (tables_.ny() - 2 * margin);
   if (!(dx > 0.0 && dy > 0.0)) return false;
-  if (!place_grid(dx, dy, 0.5 * (patch.x_lower + patch.x_upper),
-                  0.5 * (patch.y_lower + patch.y_upper)))
-    return false;
+  if (!place_grid(dx, dy, patch.x_middle(), patch.y_middle())) return false;
   geometry_->rigid_slip(given_->creepage, grid_, own_slip_);
   motion_.rigid_slip = own_slip_;
   return true;

@@ -136,7 +136,7 @@ bool QuickWheel::adjust_boxes() {
       constexpr double room = 0.3;
       patch->box = {(1.0 + 2.0 * room) * size.length,
                     {size.y_lower - room * size.width, size.y_upper + room * size.width},
-                    0.5 * (size.x_lower + size.x_upper)};
+                    size.x_middle()};
       any = true;
     }
   }

@@ -40,8 +40,13 @@ std::string prescribed_forces(const contact::Case& input) {
 void write_friction_law(hid_t group, const contact::Case& input) {
   const contact::Friction law = contact::friction_of(input);
   if (!law || !law->feels_slip()) return;
+  using contact::FallShape;
+  const FallShape& shape = input.friction_fall.shape;
   const double speed = input.rolling.slip_speed();
-  write_attribute(group, "law", std::string(word_of(input.friction_fall.shape)));
+  write_attribute(group, "law", std::string(word_of(shape)));
+  for (std::size_t k = 0; k < FallShape::most_constants; ++k)
+    if (const FallShape::Constant& own = shape.constants[k]; own.name != nullptr)
+      write_attribute(group, own.name, input.friction_fall.constants[k].value_or(own.otherwise));
   write_attribute(group, "speed", speed);
   write_attribute(group, "memory_distance", input.friction_fall.memory_distance);
   constexpr int per_decade = 30;
