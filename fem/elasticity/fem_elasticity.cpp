@@ -4,7 +4,6 @@
 #include "contact/base/progress.hpp"
 #include "contact/result/record.hpp"
 #include "fem/discretisation/case_bodies.hpp"
-#include "fem/linear/factorisation.hpp"
 #include "fem/linear/memory.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/stress/stress_output.hpp"
@@ -188,28 +187,13 @@ void LevelElasticity::tell(contact::ProgressEvent event, const std::string& stag
 void LevelElasticity::make_meshes() {
   tell({}, "mesh");
   bodies_ = make_bodies(scene_, layout_.bodies, MPI_COMM_WORLD);
-  std::array<long, 2> unknowns{};
-  bool algebraic = false;
-  double coarse_factors = 0.0;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Body* body = bodies_.both()[k];
-    if (body == nullptr) continue;
-    unknowns[k] = static_cast<long>(body->unknowns());
-    algebraic = algebraic || takes_algebraic(scene_, *body);
-    const bool given = k == 0 ? !scene_.wheel.mesh.empty() : !scene_.rail.mesh.empty();
-    if (given || has_true_sections(scene_))
-      coarse_factors += predicted_factor_bytes(coarse_unknowns(*body));
-  }
-  result_.unknowns = unknowns[0] + unknowns[1];
-  MemoryDemand demand =
-      memory_demand(static_cast<double>(unknowns[0]), static_cast<double>(unknowns[1]),
-                    layout_.bodies, options_.body_fields ? points_that_keep_bodies(scene_) : 0);
-  demand.algebraic = algebraic;
-  demand.coarse_factors = coarse_factors;
-  demand.factorisation = factorisation_ = takes_factorisation(scene_, demand);
+  const MemoryDemand demand =
+      memory_demand(scene_, layout_.bodies, bodies_.both(), options_.body_fields);
+  factorisation_ = demand.factorisation;
+  result_.unknowns = static_cast<long>(demand.unknowns[0] + demand.unknowns[1]);
   contact::ProgressEvent event;
-  event.note = fmt::format("wheel {} + rail {} unknowns, {}", unknowns[0], unknowns[1],
-                           memory_note(demand, MPI_COMM_WORLD));
+  event.note = fmt::format("wheel {:.0f} + rail {:.0f} unknowns, {}", demand.unknowns[0],
+                           demand.unknowns[1], memory_note(demand, MPI_COMM_WORLD));
   tell(event, "mesh", true);
   refuse_beyond_memory(demand, layout_.bodies.cell_size, MPI_COMM_WORLD);
 }
@@ -221,11 +205,11 @@ void LevelElasticity::make_compliance() {
                                              default_cell_size(scene_), options_.body_fields);
   result_.bodies = stresses_->bodies();
   compliance_ = std::make_unique<FemCompliance>(
-      FemCompliance::Part{bodies_.wheel.get(), solvers_.wheel.get()},
-      FemCompliance::Part{bodies_.rail.get(), solvers_.rail.get()}, scene_.geometry.surface,
+      FemCompliance::Part{bodies_.wheel.get(), solvers_[0].get()},
+      FemCompliance::Part{bodies_.rail.get(), solvers_[1].get()}, scene_.geometry.surface,
       layout_.grid, far_boundary_of(scene_));
   contact::ProgressEvent event;
-  event.note = (solvers_.wheel ? solvers_.wheel : solvers_.rail)->description();
+  event.note = (solvers_[0] ? solvers_[0] : solvers_[1])->description();
   tell(event, "linear solvers", true);
   if (scene_.feels_inertia() && bodies_.wheel) spin_wheel();
   add_notes(scene_, geometry_, layout_, bodies_, event.note, result_.notes);
@@ -239,7 +223,7 @@ void LevelElasticity::make_compliance() {
 }
 
 void LevelElasticity::spin_wheel() {
-  expansion_ = wheel_expansion(*bodies_.wheel, *solvers_.wheel, geometry_.geometry().surface,
+  expansion_ = wheel_expansion(*bodies_.wheel, *solvers_[0], geometry_.geometry().surface,
                                layout_.grid, scene_.upwind_order);
   result_.notes.push_back(
       fmt::format("rolling at {:.4g} mm/s: inertia of wheel and rail; rotation expands the wheel "

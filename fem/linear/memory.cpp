@@ -63,13 +63,13 @@ double per_unknown(const MemoryDemand& demand) {
 }  // namespace
 
 double predicted_bytes(const MemoryDemand& demand) {
-  const double unknowns = demand.unknowns_of_wheel + demand.unknowns_of_rail;
+  const double unknowns = demand.unknowns[0] + demand.unknowns[1];
   double shared = mesh_per_unknown * unknowns;
   // The matrix beside the factors is covered by the overestimate of the factors: the total was 3 to
   // 15 % below the prediction for cells of 1.88 to 0.47 mm, for half and whole bodies.
   if (demand.factorisation)
-    shared += predicted_factor_bytes(demand.unknowns_of_wheel) +
-              predicted_factor_bytes(demand.unknowns_of_rail);
+    shared +=
+        predicted_factor_bytes(demand.unknowns[0]) + predicted_factor_bytes(demand.unknowns[1]);
   else
     shared += per_unknown(demand) * unknowns;
   double bytes = program + shared / demand.processes;
@@ -96,24 +96,21 @@ void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm
   const Balance at = balance(demand, communicator);
   if (at.needed <= at.available) return;
   std::string advice = fmt::format("a [fem] cell_size larger than {:.4g} mm", cell_size);
-  if (demand.factorisation) {
-    MemoryDemand other = demand;
-    other.factorisation = false;
-    advice += fmt::format(", [fem] linear_solver = \"multigrid\" (about {})",
+  const auto advise = [&](const char* key, const char* word, const MemoryDemand& other) {
+    advice += fmt::format(", {} = \"{}\" (about {})", key, word,
                           contact::in_gigabytes(at.processes * predicted_bytes(other)));
-  }
-  if (demand.body_fields > 0) {
-    MemoryDemand other = demand;
-    other.body_fields = demand.body_fields > 1 ? 1 : 0;
-    advice += fmt::format(", [output] body_fields = \"{}\" (about {})",
-                          other.body_fields > 0 ? "last" : "none",
-                          contact::in_gigabytes(at.processes * predicted_bytes(other)));
-  }
+  };
+  MemoryDemand iterative = demand, fewer = demand;
+  iterative.factorisation = false;
+  fewer.body_fields = demand.body_fields > 1 ? 1 : 0;
+  if (demand.factorisation) advise("[fem] linear_solver", "multigrid", iterative);
+  if (demand.body_fields > 0)
+    advise("[output] body_fields", fewer.body_fields > 0 ? "last" : "none", fewer);
   throw contact::SolveError(
       fmt::format("this run needs about {} and {} are available: about {:.3g} million unknowns in "
                   "cells of {:.4g} mm, by {}; do: use {}, or mpirun over several machines",
                   contact::in_gigabytes(at.needed), contact::in_gigabytes(at.available),
-                  1e-6 * (demand.unknowns_of_wheel + demand.unknowns_of_rail), cell_size,
+                  1e-6 * (demand.unknowns[0] + demand.unknowns[1]), cell_size,
                   demand.factorisation ? "factorisation" : "multigrid", advice));
 }
 
