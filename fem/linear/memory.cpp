@@ -10,13 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rollfem::fem {
 
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 // Bytes, measured as largest resident memory.
 constexpr double program = 0.23e9;          ///< libraries, MPI, the contact problem
@@ -45,13 +42,11 @@ Balance balance(const MemoryDemand& demand, MPI_Comm communicator) {
   here.available = dealii::Utilities::MPI::min(contact::available_bytes(), machine);
   MPI_Comm_free(&machine);
   if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1) return here;
-  const double spare = here.available - here.needed;
-  const double least = dealii::Utilities::MPI::min(spare, communicator);
-  // Machines are compared by their shortage.
-  const double tight = spare == least ? 1.0 : 0.0;
-  here.needed = dealii::Utilities::MPI::max(tight * here.needed, communicator);
-  here.available =
-      dealii::Utilities::MPI::min(tight > 0.0 ? here.available : unlimited, communicator);
+  const auto machines = dealii::Utilities::MPI::all_gather(
+      communicator, std::array{here.available - here.needed, here.needed});
+  const auto [spare, needed] = *std::min_element(machines.begin(), machines.end());
+  here.needed = needed;
+  here.available = needed + spare;
   return here;
 }
 
