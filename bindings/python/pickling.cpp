@@ -6,8 +6,6 @@
 #include "contact/result/record.hpp"
 #include "models/program/provenance.hpp"
 
-#include <cstring>
-
 namespace rollfem::python {
 
 namespace {
@@ -23,46 +21,22 @@ void list(Record& record, std::vector<Entry>& entries, const Each& each) {
   for (Entry& entry : entries) each(entry);
 }
 
-/// Members one after the other, without pointers.
-template <class Plain>
-void plain(Record& record, Plain& value) {
-  static_assert(std::is_trivially_copyable_v<Plain>);
-  std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
-  record.value(bytes);
-  std::memcpy(&value, bytes.data(), std::min(bytes.size(), sizeof value));
-}
-
-void exchange(Record& record, postprocess::Provenance& made) {
-  record.values(made.version, made.commit, made.host, made.started, made.command, made.processes,
-                made.labels);
-}
-
 void exchange(Record& record, ModelResult& model) {
-  record.values(model.name, model.label, model.seconds, model.unknowns, model.contact_elements);
-  plain(record, model.grid);
-  list(record, model.points, [&](PointResult& point) { record.value(point); });
-  record.value(model.bodies);
-  list(record, model.notes, [&](std::string& note) { record.value(note); });
-  record.values(model.model_error_source, model.choice, model.shortfall);
-  bool placed = model.place.has_value();
-  record.value(placed);
-  if (!placed) return;
-  if (!model.place) model.place.emplace();
-  plain(record, *model.place);
+  record.values(model.name, model.label, model.seconds, model.unknowns, model.contact_elements,
+                model.grid, model.points, model.bodies, model.notes, model.model_error_source,
+                model.choice, model.shortfall, model.place);
 }
 
 /// All but the case.
 void exchange(Record& record, Result& result) {
-  exchange(record, result.provenance);
-  record.value(result.verdict);
+  postprocess::Provenance& made = result.provenance;
+  record.values(made.version, made.commit, made.host, made.started, made.command, made.processes,
+                made.labels, result.verdict);
   list(record, result.models, [&](ModelResult& model) { exchange(record, model); });
   list(record, result.pairs, [&](postprocess::PlacedPair& pair) {
-    record.values(pair.left, pair.position);
-    for (auto* outline : {&pair.rail, &pair.wheel})
-      list(record, *outline, [&](std::array<double, 2>& point) { plain(record, point); });
+    record.values(pair.left, pair.position, pair.rail, pair.wheel);
   });
-  list(record, result.wheelset, [&](auto& position) { plain(record, position); });
-  list(record, result.rigid_row, [&](auto& position) { plain(record, position); });
+  record.values(result.wheelset, result.rigid_row);
 }
 
 std::string program() {

@@ -306,7 +306,7 @@ TEST(PlasticLayer, IsKeptInCheckpoints) {
   state.tangential.coefficient = Field::LinSpaced(4, 0.1, 0.4);
   state.tangential.plastic = Field::LinSpaced(4, 1.0, 2.0);
   PointResult point;
-  contact::read_point(contact::point_record({}, state), point, read);
+  contact::Record(contact::record_of(point, state)).values(point, read);
   EXPECT_EQ(read.tangential.coefficient, state.tangential.coefficient);
   EXPECT_EQ(read.tangential.plastic, state.tangential.plastic);
 }
