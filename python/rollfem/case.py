@@ -118,22 +118,13 @@ class Case(InFile):
 
     A case never changes; `with_` makes another.
 
-    Parameters
-    ----------
-    source : str, os.PathLike, dict or Case, optional
-        A case file, or the sections of one.
-    **sections
-        Sections as dicts, or single keys as in `with_`. They replace those of `source`; None removes a key.
+    Args:
+        source: A case file, or the sections of one.
+        **sections: Sections as dicts, or single keys as in `with_`. They replace those of `source`; None removes a key.
+    Raises:
+        FileError: The case file cannot be read.
+        InputError: A key or value is wrong.
 
-    Raises
-    ------
-    FileError
-        If the case file cannot be read.
-    InputError
-        If a key or value is wrong.
-
-    Examples
-    --------
     >>> case = rollfem.Case("cases/thesis_a.toml", load={"normal_force": 60e3})
     """
 
@@ -185,26 +176,13 @@ class Case(InFile):
         The wheel gets the rolling radius and a flat tread, the rail the transverse radius that follow from Hertz's
         theory (Johnson, Contact Mechanics, 1985, equations 4.25).
 
-        Parameters
-        ----------
-        semi_axis_x, semi_axis_y : float
-            Along rolling and across, mm.
-        normal_force : float
-            N.
-        **sections
-            As of `Case`; materials are taken from there.
+        Args:
+            semi_axis_x, semi_axis_y: Along rolling and across, mm.
+            normal_force: The load, N.
+            **sections: As of `Case`; materials are taken from there.
+        Raises:
+            InputError: A semi-axis or the force is not positive, or a key is wrong.
 
-        Returns
-        -------
-        Case
-
-        Raises
-        ------
-        InputError
-            If a semi-axis or the force is not positive, or a key is wrong.
-
-        Examples
-        --------
         >>> case = rollfem.Case.from_ellipse(3.8, 10.9, 50e3, friction={"coefficient": 0.5})
         """
         if not all(math.isfinite(value) and value > 0 for value in (semi_axis_x, semi_axis_y, normal_force)):
@@ -228,25 +206,13 @@ class Case(InFile):
     def with_(self, changes: Mapping[str, Any] | None = None, /, **keys: Any) -> "Case":
         """Another case with changed keys.
 
-        Parameters
-        ----------
-        changes : dict, optional
-            {"friction.coefficient": 0.3}; a key without its section where it fits one only (keys of [history] and
-            [table] where the case has these): {"spin": 1e-4}; or whole sections.
-        **keys
-            The same with __ in place of the dot: friction__coefficient=0.3. A key set to None is removed.
+        Args:
+            changes: {"friction.coefficient": 0.3}; a key without its section where it fits one only (keys of [history]
+                and [table] where the case has these): {"spin": 1e-4}; or whole sections.
+            **keys: The same with __ in place of the dot: friction__coefficient=0.3. A key set to None is removed.
+        Raises:
+            InputError: A key or value is wrong.
 
-        Returns
-        -------
-        Case
-
-        Raises
-        ------
-        InputError
-            If a key or value is wrong.
-
-        Examples
-        --------
         >>> wet = case.with_(friction__coefficient=0.2, spin=None)
         """
         if changes is not None and not isinstance(changes, dict):
@@ -303,13 +269,9 @@ class Case(InFile):
     def describe(self) -> str:
         """Every key as it was understood.
 
-        Returns
-        -------
-        str
+        Returns:
             Value, unit and whether it is the default, as `rollfem check` prints it.
 
-        Examples
-        --------
         >>> print(case.describe())
         """
         return self.core.describe()
@@ -332,3 +294,7 @@ class Case(InFile):
     def __repr__(self) -> str:
         count = self.load_points
         return f"<rollfem.Case {self.title or self._file or 'without a title'!r}: {count} load point{'s' * (count > 1)}>"
+
+
+#: What stands for a case in calls: a case file, a dict of sections, or a case.
+CaseLike = str | os.PathLike[str] | dict[str, Any] | Case

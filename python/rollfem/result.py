@@ -2,34 +2,29 @@
 """The results of a case."""
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from . import _core, plot
 from .case import Case
-from .frames import Written, html_table
+from .frames import Written, documented, html_table
 from .model import HEADS, SHOWN, ModelResult, count
 from .point import Point
 
 
+@documented
 class Result(Written):
     """A case and the results of its models: result["halfspace"], or result.models in the order of the run, with true
-    profiles one for each patch of each wheel and position.
+    profiles one for each patch of each wheel and position."""
 
-    Attributes
-    ----------
-    case : Case
-    models : list of ModelResult
-    missing : list of tuple
-        (model, reason, whether it failed) of the models without a result, in comparisons.
-    provenance : dict
-        version, commit, ... of results that were read.
-    folder : str
-        Of results that were read.
-    verdict : str
-        Which contacts miss the accuracy, by how much, and what would help; empty if none does.
-    """
+    case: Annotated[Case, "what was solved"]
+    models: Annotated[list[ModelResult], "in the order of the run"]
+    missing: Annotated[list[tuple[str, str, bool]], "model, reason, whether it failed, of the models without a result, in "
+                       "comparisons"]
+    provenance: Annotated[dict[str, Any], "version, commit, ... of results that were read"]
+    folder: Annotated[str, "of results that were read"]
+    verdict: Annotated[str, "which contacts miss the accuracy, by how much, and what would help; empty if none does"]
 
     first_figure = "creep_curve"
 
@@ -81,14 +76,10 @@ class Result(Written):
     def columns(self) -> dict[str, np.ndarray]:
         """All numbers over models and load points.
 
-        Returns
-        -------
-        dict
-            {name: array} with the columns model, key and point_index (from 0, as result[...].points has them; `point`
-            of files counts from 1), with true profiles those of the place, then the quantities and their bars.
+        Returns:
+            Arrays by name: model, key and point_index (from 0, as result[...].points has them; `point` of files counts from
+            1), with true profiles those of the place, then the quantities and their bars.
 
-        Examples
-        --------
         >>> result.columns()["point_index"]
         """
         parts = [model.columns() for model in self.models]
