@@ -4,6 +4,7 @@ import copy
 import json
 import math
 import numbers
+import operator
 import os
 import re
 import tomllib
@@ -111,6 +112,11 @@ def merged(data: dict[str, Any], changes: Mapping[str, Any], call: str = "") -> 
     refuse_unused(asked, data, call)
     _merge(data, asked, removing=True)
     return data
+
+
+def _forwarded(name: str, doc: str) -> Any:
+    """An attribute that is one of another's, which cannot be set."""
+    return property(operator.attrgetter(name), doc=doc)
 
 
 class Case(InFile):
@@ -241,30 +247,11 @@ class Case(InFile):
         """All keys as a dict of sections; a copy."""
         return copy.deepcopy(self._data)
 
-    @property
-    def file(self) -> str:
-        """The case file, or "" for a case made in Python."""
-        return self._file
-
-    @property
-    def title(self) -> str:
-        """As the case has it."""
-        return str(self._read.title)
-
-    @property
-    def text(self) -> str:
-        """The case as TOML."""
-        return str(self._read.text)
-
-    @property
-    def models(self) -> list[str]:
-        """Names of the models that the case requests."""
-        return list(self.core.models)
-
-    @property
-    def load_points(self) -> int:
-        """Number of load points of every scene."""
-        return self.core.load_points
+    file: str = _forwarded("_file", 'The case file, or "" for a case made in Python.')
+    title: str = _forwarded("_read.title", "As the case has it.")
+    text: str = _forwarded("_read.text", "The case as TOML.")
+    models: list[str] = _forwarded("core.models", "Names of the models that the case requests.")
+    load_points: int = _forwarded("core.load_points", "Number of load points of every scene.")
 
     def describe(self) -> str:
         """Every key as it was understood.

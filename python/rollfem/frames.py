@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What results, tables and cases have in common: data frames and labelled arrays for other libraries, tables of a notebook,
 folders and files, figures of the report."""
+import importlib
 import inspect
 import os
 import tempfile
@@ -33,6 +34,15 @@ def documented(kind: Kind) -> Kind:
     return kind
 
 
+def package(name: str, user: str, otherwise: str = "") -> Any:
+    """A package that not everybody has, for a user that "needs" it."""
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        name = name.split(".")[0]
+        raise ImportError(f"{user} {name}; do: apt install python3-{name}{otherwise}") from error
+
+
 class Tabular:
     """What has columns of numbers."""
 
@@ -50,11 +60,7 @@ class Tabular:
 
         >>> result.to_dataframe().groupby("model").max_pressure.mean()
         """
-        try:
-            import pandas
-        except ImportError as error:
-            raise ImportError("to_dataframe needs pandas; do: apt install python3-pandas, or take columns(), which has "
-                              "the same in numpy arrays") from error
+        pandas = package("pandas", "to_dataframe needs", ", or take columns(), which has the same in numpy arrays")
         return pandas.DataFrame(self.columns())
 
 
@@ -84,10 +90,7 @@ class Gridded(Tabular):
         >>> sweep.to_xarray().traction_coefficient.plot()
         >>> table.to_xarray().longitudinal_force.isel(spin=2, lateral=0).plot()
         """
-        try:
-            import xarray
-        except ImportError as error:
-            raise ImportError("to_xarray needs xarray; do: apt install python3-xarray") from error
+        xarray = package("xarray", "to_xarray needs")
         values, coordinates, attributes = self._labelled(*which, **named)
         return xarray.Dataset(dict(values), coords=dict(coordinates), attrs=dict(attributes))
 

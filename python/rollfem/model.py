@@ -9,7 +9,7 @@ from rollfem_figures.results import ModelRecord
 from . import plot
 from .frames import Gridded, Labelled, documented, html_table
 from .names import known
-from .point import FIELDS, QUANTITIES, Point, array_of, attribute, text_of
+from .point import FIELDS, QUANTITIES, Point, array_of, attributes, columns_of, text_of
 
 #: What tables of notebooks show.
 SHOWN = ("longitudinal_creepage", "lateral_creepage", "spin", "normal_force", "traction_coefficient", "max_pressure")
@@ -114,13 +114,7 @@ class ModelResult(Gridded, ModelRecord):
 
         >>> result["halfspace"].columns()["max_pressure_bar"]
         """
-        found = {}
-        for name in QUANTITIES:
-            if any(point.scalars.get(name) is not None for point in self.points):
-                found[name] = self.values(name)
-                if any(point.bar(name) is not None for point in self.points):
-                    found[f"{name}_bar"] = self.bars(name)
-        return found
+        return columns_of(self.values, self.bars)
 
     def _labelled(self) -> Labelled:
         values: dict[str, tuple[Sequence[str], Any, dict[str, str]]] = {}
@@ -148,11 +142,6 @@ class ModelResult(Gridded, ModelRecord):
         return html_table(repr(self), HEADS, ([self.values(name)[k] for name in SHOWN] for k in range(len(self))))
 
 
-def _document() -> None:
-    """Makes quantities documented attributes."""
-    for name in QUANTITIES:
-        if name != "seconds":  # of a model those of its stages
-            setattr(ModelResult, name, attribute(ModelResult.values, name, f"Over load points. {text_of(name)}"))
-
-
-_document()
+# The seconds of a model are those of its stages.
+attributes(ModelResult, ModelResult.values,
+           {name: f"Over load points. {text_of(name)}" for name in QUANTITIES if name != "seconds"})

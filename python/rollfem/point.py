@@ -3,7 +3,7 @@
 
 Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx], x the rolling direction.
 """
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -82,6 +82,18 @@ class Point(PointRecord):
                 f"-F_x/F_z = {self.traction_coefficient:.4g}>")
 
 
+def columns_of(values: Callable[[str], np.ndarray], bars: Callable[[str], np.ndarray],
+               beside: Collection[str] = ()) -> dict[str, np.ndarray]:
+    """The quantities that there are `beside` others, with NAME_bar where there are bars."""
+    found = {}
+    for name in QUANTITIES:
+        if name not in beside and not np.isnan(numbers := values(name)).all():
+            found[name] = numbers.ravel()
+            if not np.isnan(uncertain := bars(name)).all():
+                found[f"{name}_bar"] = uncertain.ravel()
+    return found
+
+
 def array_of(points: Sequence[Point], name: str) -> np.ndarray:
     known(name, QUANTITIES)
     values = [point.scalars.get(name) for point in points]
@@ -116,19 +128,16 @@ def text_of(name: str) -> str:
     return f"{quantity.title}{symbol} [{quantity.unit}]: {quantity.meaning}"
 
 
-def attribute(get: Callable[[Any, str], Any], name: str, doc: str) -> property:
-    """A documented attribute that get(self, name) looks up."""
-    return property(lambda self: get(self, name), doc=doc)
+def attributes(kind: type, get: Callable[[Any, str], Any], texts: Mapping[str, str]) -> None:
+    """Documented attributes of a class, by their names, that get(self, name) looks up."""
+    def looked_up(name: str) -> property:
+        return property(lambda self: get(self, name), doc=texts[name])
+
+    for name in texts:
+        setattr(kind, name, looked_up(name))
 
 
-def _document() -> None:
-    """Makes quantities and fields documented attributes."""
-    for name in QUANTITIES:
-        setattr(Point, name, attribute(lambda self, name: self.scalars.get(name), name, text_of(name)))
-    for name, field in FIELDS.items():
-        sign = f"; {field.sign}" if field.sign else ""
-        setattr(Point, name, attribute(lambda self, name: self.fields.get(name), name,
-                                       f"[ny, nx], {field.unit}: {field.description}{sign}"))
-
-
-_document()
+attributes(Point, lambda self, name: self.scalars.get(name), {name: text_of(name) for name in QUANTITIES})
+attributes(Point, lambda self, name: self.fields.get(name),
+           {name: f"[ny, nx], {field.unit}: {field.description}{'; ' * bool(field.sign)}{field.sign}"
+            for name, field in FIELDS.items()})

@@ -7,9 +7,10 @@ import os
 import re
 import tempfile
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from html import escape
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 import numpy as np
 from rollfem_figures.reader import read_stress
@@ -63,6 +64,9 @@ class Files(Written):
         return f"<p>{escape(repr(self))}</p><pre>{escape(self.text)}</pre>"
 
 
+Made = TypeVar("Made", bound=Files)
+
+
 def _column(texts: list[str]) -> np.ndarray:
     try:
         return np.array([float(text or "nan") for text in texts])
@@ -70,9 +74,15 @@ def _column(texts: list[str]) -> np.ndarray:
         return np.array(texts)
 
 
-def _in_python(error: _core.InputError) -> _core.InputError:
-    """A message of the command, whose options are keywords here."""
-    return type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error)))
+def _made(kind: type[Made], command: "Callable[[], _core.Written]") -> Made:
+    """What a command makes, with its warnings; its options are keywords here, in its messages too."""
+    try:
+        contents, text, said = command()
+    except _core.InputError as error:
+        raise type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error))) from None
+    for warning in said:
+        warnings.warn(warning, stacklevel=3)
+    return kind(contents, text)
 
 
 class Study(Files):
@@ -108,15 +118,8 @@ def study(case: CaseLike, /, *, model: str | None = None, models: Models = None,
     if not hasattr(levels, "__index__") or abs(levels) >= 2**31:
         raise _core.InputError(f"study: levels = {levels!r}: allowed: a whole number")
     names = names_of(model, models)
-    try:
-        contents, text, said = _core.study(checked(case).core, names, listed("vary", vary), together, levels,
-                                           listed("reference", reference),
-                                           progress)
-    except _core.InputError as error:
-        raise _in_python(error) from None
-    for warning in said:
-        warnings.warn(warning, stacklevel=2)
-    return Study(contents, text)
+    core, references = checked(case).core, listed("reference", reference)
+    return _made(Study, lambda: _core.study(core, names, listed("vary", vary), together, levels, references, progress))
 
 
 @documented
@@ -230,18 +233,6 @@ def stress(result: Result | str | os.PathLike[str], /, *, places: Mapping[str, A
             with open(file, "w", encoding="utf-8") as out:
                 out.write("\n".join(toml_lines({"subsurface": places})))
 
-        def found_in(folder: str) -> tuple[dict[str, str], str, list[str]]:
-            return _core.stress(folder, names_of(model, models), patch, points, file, depth_profile, depth,
-                                yield_shear_stress, yield_strength)
-
-        try:
-            if isinstance(result, Result):
-                with result._stored() as folder:
-                    contents, text, said = found_in(folder)
-            else:
-                contents, text, said = found_in(os.fspath(result))
-        except _core.InputError as error:
-            raise _in_python(error) from None
-    for warning in said:
-        warnings.warn(warning, stacklevel=2)
-    return Stress(contents, text)
+        with result._stored() if isinstance(result, Result) else nullcontext(os.fspath(result)) as folder:
+            return _made(Stress, lambda: _core.stress(folder, names_of(model, models), patch, points, file, depth_profile,
+                                                      depth, yield_shear_stress, yield_strength))

@@ -13,7 +13,7 @@ from .case import Case, CaseLike, nested
 from .frames import Labelled, OverAxes, documented, html_table
 from .names import CREEPAGES, known, refuse_unused
 from .patches import bar_of, whole
-from .point import QUANTITIES, Point
+from .point import QUANTITIES, Point, columns_of
 from .result import Result
 from .solving import Models, Told, names_of, solve
 
@@ -143,14 +143,8 @@ class Sweep(OverAxes):
 
         >>> sweep.columns()["spin"]
         """
-        found = self._places()
-        for name in QUANTITIES:
-            values, bars = self.values(name, model).ravel(), self.bars(name, model).ravel()
-            if not np.isnan(values).all() and name not in found:
-                found[name] = values
-                if not np.isnan(bars).all():
-                    found[f"{name}_bar"] = bars
-        return found
+        axes = self._places()
+        return {**axes, **columns_of(lambda name: self.values(name, model), lambda name: self.bars(name, model), axes)}
 
     def _labelled(self, model: str | None = None) -> Labelled:
         return self._over_axes(self.columns(model), lambda name: str(QUANTITIES[name.removesuffix("_bar")].unit),

@@ -109,7 +109,7 @@ class Table(Written, OverAxes):
             if len(self.axes[first]) != 1:
                 raise ValueError(f"this table has several values of {first}; do: name {first}")
             place = self.axes[first][0]
-        return self._ask(self._core.scaled, place, _or_only(load), _or_only(speed), longitudinal, lateral, spin)
+        return self._forces(self._core.scaled, place, load, speed, longitudinal, lateral, spin)
 
     def forces(self, *, semi_axis_x: ArrayLike | None = None, semi_axis_y: ArrayLike | None = None,
                shear_modulus: ArrayLike | None = None, lateral_shift: ArrayLike | None = None,
@@ -149,11 +149,10 @@ class Table(Written, OverAxes):
             raise TypeError(f"this table is over {self._first}: it needs {', '.join(needed)}; "
                             f"do: {'give ' + ', '.join(missing) if missing else 'leave out ' + ', '.join(wrong)}")
         if self.wheels is None:
-            return self._ask(self._core.physical, *needed.values(), _or_only(speed), *creepages)
+            return self._forces(self._core.physical, *needed.values(), speed, *creepages)
         if friction_bound is None:
             friction_bound = self.friction_coefficient * self.wheel_at(needed["lateral_shift"], load)["normal_force"]
-        return self._ask(self._core.of_wheel, *needed.values(), _or_only(load), _or_only(speed), friction_bound,
-                         *creepages)
+        return self._forces(self._core.of_wheel, *needed.values(), load, speed, friction_bound, *creepages)
 
     def wheel_at(self, lateral_shift: ArrayLike, load: ArrayLike | None = None) -> dict[str, Any]:
         """The contact of the wheel at any shift.
@@ -168,15 +167,13 @@ class Table(Written, OverAxes):
 
         >>> wheel.wheel_at(1.3)["contact_angle"]
         """
-        shifts, loads = np.broadcast_arrays(np.asarray(lateral_shift, dtype=float), np.asarray(_or_only(load), dtype=float))
-        found = self._core.wheels_at(np.ascontiguousarray(shifts).ravel(), np.ascontiguousarray(loads).ravel())
-        return {name: np.array(values).reshape(shifts.shape)[()] for name, values in found.items()}
+        found, shape = _ask(self._core.wheels_at, lateral_shift, load)
+        return {name: np.array(values).reshape(shape)[()] for name, values in found.items()}
 
     @staticmethod
-    def _ask(function: Callable[..., Any], *arguments: Any) -> "TableForces":
-        arrays = np.broadcast_arrays(*(np.asarray(argument, dtype=float) for argument in arguments))
-        found = np.array(function(*(np.ascontiguousarray(array).ravel() for array in arrays)))
-        return TableForces(*(column.reshape(arrays[0].shape)[()] for column in found))
+    def _forces(function: Callable[..., Any], *arguments: ArrayLike | None) -> "TableForces":
+        found, shape = _ask(function, *arguments)
+        return TableForces(*(np.array(column).reshape(shape)[()] for column in found))
 
     def columns(self) -> dict[str, np.ndarray]:
         """All points.
@@ -210,9 +207,10 @@ def _unpickled(contents: bytes) -> Table:
         return Table(folder)
 
 
-def _or_only(value: ArrayLike | None) -> ArrayLike:
-    """0: the only value of an axis."""
-    return 0.0 if value is None else value
+def _ask(function: Callable[..., Any], *arguments: ArrayLike | None) -> tuple[Any, tuple[int, ...]]:
+    """What the library says to arrays of numbers, and their common shape; None: 0, the only value of an axis."""
+    arrays = np.broadcast_arrays(*(np.asarray(0.0 if each is None else each, dtype=float) for each in arguments))
+    return function(*(array.ravel() for array in arrays)), arrays[0].shape
 
 
 @documented
