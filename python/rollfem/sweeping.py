@@ -179,10 +179,9 @@ class Sweep(OverAxes):
 
 def _lists(case: Case, without: Sequence[str] = ()) -> dict[str, list[Any]]:
     """What the case lists over its load points, {"rolling.spin": [...]}, less some creepages."""
-    found = {f"rolling.{name}": values for name, values in case.data.get("rolling", {}).items()
-             if isinstance(values, list) and name not in without}
-    turns = case.data.get("wheelset", {}).get("rotation_change")
-    return {**found, **({"wheelset.rotation_change": turns} if isinstance(turns, list) else {})}
+    found = {f"rolling.{name}": values for name, values in case.data.get("rolling", {}).items()}
+    found["wheelset.rotation_change"] = case.data.get("wheelset", {}).get("rotation_change")
+    return {key: values for key, values in found.items() if isinstance(values, list) and key not in without}
 
 
 def _solve_into(sweep: Sweep, case: Case, indices: Sequence[Index], how: Mapping[str, Any], skip: bool) -> None:
@@ -233,25 +232,24 @@ def sweep(case: CaseLike, axes: Mapping[str, Any] | None = None, /, *, model: st
              for name, values in {**(axes or {}), **keys}.items()}
     if not asked or not all(asked.values()):
         raise InputError("a sweep needs at least one key and its values, as in spin=[0.0, 1e-4]")
-    names = list(asked)
-    key = {name: _key(case, name, values[0]) for name, values in asked.items()}
-    if len(set(key.values())) < len(names):
-        raise InputError(f"{', '.join(names)}: two of these are the same key; do: give it once")
-    inner = [name for name in names if _separate(case) and key[name] in {f"rolling.{each}" for each in CREEPAGES}]
-    outer = [name for name in names if name not in inner]
-    first = case.with_({key[name]: asked[name][0] for name in outer}) if outer else case
-    own_lists, own_count, own_axis = _own_points(first, [key[name].split(".")[1] for name in inner])
-    found = Sweep({**{name: np.array(values) for name, values in asked.items()}, **own_axis})
+    values = {_key(case, name, given[0]): given for name, given in asked.items()}
+    if len(values) < len(asked):
+        raise InputError(f"{', '.join(asked)}: two of these are the same key; do: give it once")
+    inner = [key for key in values if _separate(case) and key in {f"rolling.{each}" for each in CREEPAGES}]
+    outer = [key for key in values if key not in inner]
+    first = case.with_({key: values[key][0] for key in outer}) if outer else case
+    own_lists, own_count, own_axis = _own_points(first, inner)
+    found = Sweep({**{name: np.array(given) for name, given in asked.items()}, **own_axis})
     how = {"models": names_of(model, models) or None}
     count, done = math.prod(found.shape), 0
-    for fixed in itertools.product(*(range(len(asked[name])) for name in outer)):
-        at = case.with_({key[name]: asked[name][k] for name, k in zip(outer, fixed)}) if outer else case
-        combinations = list(itertools.product(*(range(len(asked[name])) for name in inner), range(own_count)))
-        for begin in range(0, len(combinations), MOST_POINTS if inner else len(combinations)):
-            part = combinations[begin:begin + MOST_POINTS] if inner else combinations
-            lists = {key[name]: [asked[name][c[k]] for c in part] for k, name in enumerate(inner)}
-            lists.update((name, [values[c[-1]] for c in part]) for name, values in own_lists.items())
-            indices = [tuple(_in_order(names, outer, fixed, inner, c)) + (c[-1:] if own_axis else ()) for c in part]
+    for fixed in _combinations(values, outer):
+        at = case.with_({key: values[key][k] for key, k in fixed.items()}) if outer else case
+        points = [(numbers, own) for numbers in _combinations(values, inner) for own in range(own_count)]
+        most = MOST_POINTS if inner else len(points)
+        for part in (points[begin:begin + most] for begin in range(0, len(points), most)):
+            lists = {key: [values[key][numbers[key]] for numbers, _ in part] for key in inner}
+            lists.update((key, [listed[own] for _, own in part]) for key, listed in own_lists.items())
+            indices = [tuple({**fixed, **numbers}[key] for key in values) + (own,) * len(own_axis) for numbers, own in part]
             told = None if progress is None else _of_sweep(progress, done, count)
             _solve_into(found, at.with_(lists) if inner else at, indices, {**how, "progress": told}, skip_failures)
             done += len(part)
@@ -267,10 +265,10 @@ def _of_sweep(progress: Callable[[Progress], object], done: int, count: int) -> 
     return tell
 
 
-def _in_order(names: Sequence[str], outer: Sequence[str], fixed: Index, inner: Sequence[str], c: Index) -> Iterator[int]:
-    """The index of a combination, in the order of the keys."""
-    numbers = {**dict(zip(outer, fixed)), **dict(zip(inner, c))}
-    return (numbers[name] for name in names)
+def _combinations(values: Mapping[str, Sequence[Any]], keys: Sequence[str]) -> Iterator[dict[str, int]]:
+    """Every combination of the values of some keys, by their numbers."""
+    for numbers in itertools.product(*(range(len(values[key])) for key in keys)):
+        yield dict(zip(keys, numbers))
 
 
 def _own_points(case: Case, swept: Sequence[str]) -> tuple[dict[str, list[Any]], int, dict[str, np.ndarray]]:
