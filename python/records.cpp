@@ -144,7 +144,9 @@ py::object place_of(const std::optional<contact::ContactPlace>& place) {
   py::dict found;
   found["wheel"] = place->left ? "left" : "right";
   for (const postprocess::PlaceScalar& one : postprocess::place_scalars())
-    std::visit([&](auto member) { found[one.name] = (*place).*member; }, one.member);
+    found[one.name] = one.value(*place);
+  for (const char* count : {"position", "patch", "patches"})
+    found[count] = py::int_(static_cast<int>(found[count].cast<double>()));
   return found;
 }
 

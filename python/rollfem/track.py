@@ -105,7 +105,7 @@ class Profile(Tabular, InFile):
     """A profile of wheel or rail as one curve: y towards the field side, z down, both in mm.
 
     Args:
-        source: A file (two columns, .prw, .prr, .whl, .ban, .mpt) or a built-in profile ("S1002").
+        source: A file (two columns, or a format of docs/profiles.md) or a built-in profile ("S1002").
         body: "wheel" or "rail"; otherwise the ending of the file or the built-in profile says it.
         **mend: Keys of [wheel_profile] or [rail_profile] of a case (docs/profiles.md): smoothing=0.01, shift=[-70, 0],
             flip=True, unit="inch", ...
