@@ -28,13 +28,8 @@ def _key(name: str) -> str:
 
 def _value(value: Any, where: str) -> str:
     """A value as TOML."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, numbers.Integral):
-        return str(int(value))
-    if isinstance(value, numbers.Real):
-        value = float(value)
-        return repr(value) if math.isfinite(value) else "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
+    if isinstance(value, numbers.Real):  # true, 5, 1e-05, nan, -inf
+        return str(value if isinstance(value, bool) else int(value) if isinstance(value, numbers.Integral) else float(value)).lower()
     if isinstance(value, (str, os.PathLike)):
         return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007F")
     if isinstance(value, (list, tuple, range)):

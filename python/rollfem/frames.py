@@ -46,9 +46,11 @@ def package(name: str, user: str, otherwise: str = "") -> Any:
 class Tabular:
     """What has columns of numbers."""
 
+    _columns: Iterable[str] = ()  # the attributes that are columns
+
     def columns(self) -> dict[str, np.ndarray]:
         """{name: array}, all of one length."""
-        raise NotImplementedError
+        return {name: getattr(self, name) for name in self._columns}
 
     def to_dataframe(self) -> Any:
         """`columns()` as a data frame.

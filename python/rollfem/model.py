@@ -63,7 +63,8 @@ class ModelResult(Gridded, ModelRecord):
 
         >>> result["halfspace"].values("longitudinal_force")
         """
-        return array_of(self.points, name)
+        known(name, QUANTITIES)
+        return array_of(point.scalars.get(name) for point in self.points)
 
     def bars(self, name: str) -> np.ndarray:
         """Error bars of a quantity over the load points.
@@ -77,7 +78,7 @@ class ModelResult(Gridded, ModelRecord):
 
         >>> result["halfspace"].bars("longitudinal_force")
         """
-        return np.array([np.nan if point.bar(name) is None else point.bar(name) for point in self.points])
+        return array_of(point.bar(name) for point in self.points)
 
     def middle(self, field: str, axis: str = "x", point: int = 0) -> tuple[np.ndarray, np.ndarray]:
         """A field along the middle line of the patch.

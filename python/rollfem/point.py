@@ -3,7 +3,7 @@
 
 Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx], x the rolling direction.
 """
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -94,10 +94,9 @@ def columns_of(values: Callable[[str], np.ndarray], bars: Callable[[str], np.nda
     return found
 
 
-def array_of(points: Sequence[Point], name: str) -> np.ndarray:
-    known(name, QUANTITIES)
-    values = [point.scalars.get(name) for point in points]
-    return np.array([np.nan if value is None else value for value in values])
+def array_of(numbers: Iterable[float | None]) -> np.ndarray:
+    """nan for None."""
+    return np.array([np.nan if number is None else number for number in numbers])
 
 
 def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:

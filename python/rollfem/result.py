@@ -82,18 +82,12 @@ class Result(Written):
 
         >>> result.columns()["point_index"]
         """
-        parts = [model.columns() for model in self.models]
-        names = dict.fromkeys(name for part in parts for name in part)
-        found = {"model": np.repeat([m.name for m in self.models], [len(m) for m in self.models]),
-                 "key": np.repeat([m.key for m in self.models], [len(m) for m in self.models]),
-                 "point_index": np.concatenate([np.arange(len(m)) for m in self.models])}
-        if any(model.place for model in self.models):
-            for name in dict.fromkeys(name for m in self.models for name in m.place or {}):
-                found[name] = np.repeat([(m.place or {}).get(name) for m in self.models], [len(m) for m in self.models])
-        for name in names:
-            found[name] = np.concatenate([part.get(name, np.full(len(m), np.nan))
-                                          for part, m in zip(parts, self.models)])
-        return found
+        parts: list[dict[str, Any]] = [
+            {"model": model.name, "key": model.key, "point_index": np.arange(len(model)), **(model.place or {}),
+             **model.columns()} for model in self.models]
+        return {name: np.concatenate([np.broadcast_to(part.get(name, np.nan), len(model))
+                                      for part, model in zip(parts, self.models)])
+                for name in dict.fromkeys(name for part in parts for name in part)}
 
     def _store(self, folder: str, report: bool) -> str:
         if self._core is None:

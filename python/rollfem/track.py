@@ -31,12 +31,8 @@ class Wheelset(Tabular):
     wave_length: Annotated[np.ndarray, "mm", "of the free wheelset; nan where it does not oscillate"]
 
     def __init__(self, title: str, columns: dict[str, np.ndarray]) -> None:
-        self.title = title
+        self.title, self._columns = title, tuple(columns)
         self.__dict__.update(columns)
-
-    def columns(self) -> dict[str, np.ndarray]:
-        """{name: array} of the attributes, one entry for each shift."""
-        return {name: getattr(self, name) for name in notes(Wheelset)}
 
     def figure(self) -> Any:
         """The figure of `rollfem wheelset`: radii, angles, conicity, wavelength.
@@ -130,6 +126,7 @@ class Profile(Tabular, InFile):
     joints: Annotated[list[float], "y in mm where the radius jumps"]
     points: Annotated[int, "of a file, after mending"]
     smoothing: Annotated[dict[str, float] | None, "scatter of the points of a file, rms and largest distance from the curve, mm"]
+    _columns = ("s", "y", "z", "angle", "curvature")
     kind: Annotated[str, '"built in", "arcs", "polynomial", "file" or "radius"']
 
     def __init__(self, source: str | os.PathLike[str], body: str | None = None, **mend: Any) -> None:
@@ -167,10 +164,6 @@ class Profile(Tabular, InFile):
     def _take(self, body: str, name: str, case: Case) -> None:
         self.body, self.name = body, name
         self.__dict__.update(_core.profile(case.core, body == "wheel"))
-
-    def columns(self) -> dict[str, np.ndarray]:
-        """{name: array} of s, y, z, angle and curvature."""
-        return {name: getattr(self, name) for name in ("s", "y", "z", "angle", "curvature")}
 
     def _text_in(self, folder: str) -> str:
         columns, text = self.columns(), io.StringIO()
