@@ -49,7 +49,13 @@ class Tabular:
     _columns: Iterable[str] = ()  # the attributes that are columns
 
     def columns(self) -> dict[str, np.ndarray]:
-        """{name: array}, all of one length."""
+        """All rows.
+
+        Returns:
+            Arrays by name, one entry for each row.
+
+        >>> rollfem.wheelset("cases/manchester_A22.toml").columns()["conicity_wave"]
+        """
         return {name: getattr(self, name) for name in self._columns}
 
     def to_dataframe(self) -> Any:

@@ -387,8 +387,7 @@ class Shown(unittest.TestCase):
                 yield name, thing
             if inspect.isclass(thing) and name not in short:
                 for each, method in inspect.getmembers(thing, inspect.isfunction):
-                    if not each.startswith(("_", "of", "plot")) and (each, name) not in (
-                            ("columns", "Wheelset"), ("columns", "Profile")) and method.__doc__:
+                    if not each.startswith(("_", "of", "plot")) and method.__doc__:
                         yield f"{name}.{each}", method
 
 
