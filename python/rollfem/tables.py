@@ -183,9 +183,8 @@ class Table(Written, OverAxes):
 
         >>> table.columns()["longitudinal_force"]
         """
-        names = ["longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar"]
-        names += ["force_along_normal"] * (self.force_along_normal is not None)
-        return {**self._places(), **{name: getattr(self, name).ravel() for name in names}}
+        return {**self._places(), **{name: values.ravel() for name in notes(TableForces)
+                                     if (values := getattr(self, name)) is not None}}
 
     def _labelled(self) -> Labelled:
         return self._over_axes(self.columns(), lambda name: "1", {"title": self.title})
