@@ -16,12 +16,9 @@ import warnings
 import numpy as np
 
 import rollfem
+from module import PROGRAM, ROOT, SMALL
 
-ROOT, PROGRAM = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 CASES = ROOT / "cases"
-SMALL = {"load": {"normal_force": 50e3}, "friction": {"coefficient": 0.5},
-         "wheel": {"rolling_radius": 400.0, "transverse_radius": math.inf}, "rail": {"transverse_radius": 400.0},
-         "contact_grid": {"elements_across": 12}}
 
 
 def run(*arguments):
