@@ -4,6 +4,7 @@
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
 
+#include <algorithm>
 #include <map>
 #include <pybind11/stl.h>
 #include <string>
@@ -20,19 +21,23 @@ using tables::CreepTableReader;
 using tables::TableForces;
 using Column = std::vector<double>;
 
-/// Columns F_x, F_y, M_z, both bars and the force along the normal.
-template <class Ask>
-std::vector<Column> columns_of(std::size_t count, const Ask& ask) {
-  std::vector<Column> found(6, Column(count));
-  const py::gil_scoped_release free;
-  for (std::size_t k = 0; k < count; ++k) {
-    const TableForces forces = ask(k);
-    for (std::size_t q = 0; q < 3; ++q) found[q][k] = forces.forces[q];
-    found[3][k] = forces.force_bar;
-    found[4][k] = forces.moment_bar;
-    found[5][k] = forces.along_normal;
-  }
-  return found;
+/// The table's answers to every row of columns of numbers, as columns F_x, F_y, M_z, both bars and
+/// the force along the normal.
+template <class... Number>
+auto over_rows(TableForces (*ask)(const CreepTableReader&, Number...)) {
+  return [ask](const CreepTableReader& reader, const std::vector<Number>&... columns) {
+    const std::size_t count = std::min({columns.size()...});
+    std::vector<Column> found(6, Column(count));
+    const py::gil_scoped_release free;
+    for (std::size_t k = 0; k < count; ++k) {
+      const TableForces forces = ask(reader, columns[k]...);
+      for (std::size_t q = 0; q < 3; ++q) found[q][k] = forces.forces[q];
+      found[3][k] = forces.force_bar;
+      found[4][k] = forces.moment_bar;
+      found[5][k] = forces.along_normal;
+    }
+    return found;
+  };
 }
 
 /// The errors between the points of the grid.
@@ -111,31 +116,21 @@ void define_tables(py::module_& module) {
           [](const std::string& path) { return CreepTableReader(tables::read_table(path)); }))
       .def("contents", &contents_of)
       .def("files", &files_of)
-      .def("scaled",
-           [](const CreepTableReader& reader, const Column& place, const Column& load,
-              const Column& speed, const Column& xi, const Column& eta, const Column& phi) {
-             return columns_of(place.size(), [&](std::size_t k) {
-               return reader.at({place[k], load[k], speed[k]}, {xi[k], eta[k], phi[k]});
-             });
-           })
       .def("wheels_at", &wheels_at)
+      .def("scaled", over_rows(+[](const CreepTableReader& reader, double place, double load,
+                                   double speed, double xi, double eta, double phi) {
+             return reader.at({place, load, speed}, {xi, eta, phi});
+           }))
       .def("of_wheel",
-           [](const CreepTableReader& reader, const Column& shift, const Column& load,
-              const Column& speed, const Column& bound, const Column& xi, const Column& eta,
-              const Column& phi) {
-             return columns_of(shift.size(), [&](std::size_t k) {
-               return reader.of_wheel({shift[k], load[k], speed[k]}, bound[k],
-                                      {xi[k], eta[k], phi[k]});
-             });
-           })
-      .def("physical", [](const CreepTableReader& reader, const Column& a, const Column& b,
-                          const Column& modulus, const Column& bound, const Column& speed,
-                          const Column& xi, const Column& eta, const Column& phi) {
-        return columns_of(a.size(), [&](std::size_t k) {
-          return reader.physical(a[k], b[k], modulus[k], bound[k], {xi[k], eta[k], phi[k]},
-                                 speed[k]);
-        });
-      });
+           over_rows(+[](const CreepTableReader& reader, double shift, double load, double speed,
+                         double bound, double xi, double eta, double phi) {
+             return reader.of_wheel({shift, load, speed}, bound, {xi, eta, phi});
+           }))
+      .def("physical",
+           over_rows(+[](const CreepTableReader& reader, double a, double b, double modulus,
+                         double bound, double speed, double xi, double eta, double phi) {
+             return reader.physical(a, b, modulus, bound, {xi, eta, phi}, speed);
+           }));
 }
 
 }  // namespace rollfem::python

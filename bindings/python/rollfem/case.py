@@ -4,6 +4,7 @@ import copy
 import json
 import math
 import numbers
+import operator
 import os
 import re
 import tomllib
@@ -27,13 +28,8 @@ def _key(name: str) -> str:
 
 def _value(value: Any, where: str) -> str:
     """A value as TOML."""
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, numbers.Integral):
-        return str(int(value))
-    if isinstance(value, numbers.Real):
-        value = float(value)
-        return repr(value) if math.isfinite(value) else "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
+    if isinstance(value, numbers.Real):  # true, 5, 1e-05, nan, -inf
+        return str(value if isinstance(value, bool) else int(value) if isinstance(value, numbers.Integral) else float(value)).lower()
     if isinstance(value, (str, os.PathLike)):
         return json.dumps(os.fspath(value), ensure_ascii=False).replace("\x7f", "\\u007F")
     if isinstance(value, (list, tuple, range)):
@@ -113,27 +109,23 @@ def merged(data: dict[str, Any], changes: Mapping[str, Any], call: str = "") -> 
     return data
 
 
+def _forwarded(name: str, doc: str) -> Any:
+    """An attribute that is one of another's, which cannot be set."""
+    return property(operator.attrgetter(name), doc=doc)
+
+
 class Case(InFile):
     """A problem to solve: the sections and keys of a case file (docs/case-file.md), with the same checks.
 
     A case never changes; `with_` makes another.
 
-    Parameters
-    ----------
-    source : str, os.PathLike, dict or Case, optional
-        A case file, or the sections of one.
-    **sections
-        Sections as dicts, or single keys as in `with_`. They replace those of `source`; None removes a key.
+    Args:
+        source: A case file, or the sections of one.
+        **sections: Sections as dicts, or single keys as in `with_`. They replace those of `source`; None removes a key.
+    Raises:
+        FileError: The case file cannot be read.
+        InputError: A key or value is wrong.
 
-    Raises
-    ------
-    FileError
-        If the case file cannot be read.
-    InputError
-        If a key or value is wrong.
-
-    Examples
-    --------
     >>> case = rollfem.Case("cases/thesis_a.toml", load={"normal_force": 60e3})
     """
 
@@ -185,26 +177,13 @@ class Case(InFile):
         The wheel gets the rolling radius and a flat tread, the rail the transverse radius that follow from Hertz's
         theory (Johnson, Contact Mechanics, 1985, equations 4.25).
 
-        Parameters
-        ----------
-        semi_axis_x, semi_axis_y : float
-            Along rolling and across, mm.
-        normal_force : float
-            N.
-        **sections
-            As of `Case`; materials are taken from there.
+        Args:
+            semi_axis_x, semi_axis_y: Along rolling and across, mm.
+            normal_force: The load, N.
+            **sections: As of `Case`; materials are taken from there.
+        Raises:
+            InputError: A semi-axis or the force is not positive, or a key is wrong.
 
-        Returns
-        -------
-        Case
-
-        Raises
-        ------
-        InputError
-            If a semi-axis or the force is not positive, or a key is wrong.
-
-        Examples
-        --------
         >>> case = rollfem.Case.from_ellipse(3.8, 10.9, 50e3, friction={"coefficient": 0.5})
         """
         if not all(math.isfinite(value) and value > 0 for value in (semi_axis_x, semi_axis_y, normal_force)):
@@ -228,25 +207,13 @@ class Case(InFile):
     def with_(self, changes: Mapping[str, Any] | None = None, /, **keys: Any) -> "Case":
         """Another case with changed keys.
 
-        Parameters
-        ----------
-        changes : dict, optional
-            {"friction.coefficient": 0.3}; a key without its section where it fits one only (keys of [history] and
-            [table] where the case has these): {"spin": 1e-4}; or whole sections.
-        **keys
-            The same with __ in place of the dot: friction__coefficient=0.3. A key set to None is removed.
+        Args:
+            changes: {"friction.coefficient": 0.3}; a key without its section where it fits one only (keys of [history]
+                and [table] where the case has these): {"spin": 1e-4}; or whole sections.
+            **keys: The same with __ in place of the dot: friction__coefficient=0.3. A key set to None is removed.
+        Raises:
+            InputError: A key or value is wrong.
 
-        Returns
-        -------
-        Case
-
-        Raises
-        ------
-        InputError
-            If a key or value is wrong.
-
-        Examples
-        --------
         >>> wet = case.with_(friction__coefficient=0.2, spin=None)
         """
         if changes is not None and not isinstance(changes, dict):
@@ -275,41 +242,18 @@ class Case(InFile):
         """All keys as a dict of sections; a copy."""
         return copy.deepcopy(self._data)
 
-    @property
-    def file(self) -> str:
-        """The case file, or "" for a case made in Python."""
-        return self._file
-
-    @property
-    def title(self) -> str:
-        """As the case has it."""
-        return str(self._read.title)
-
-    @property
-    def text(self) -> str:
-        """The case as TOML."""
-        return str(self._read.text)
-
-    @property
-    def models(self) -> list[str]:
-        """Names of the models that the case requests."""
-        return list(self.core.models)
-
-    @property
-    def load_points(self) -> int:
-        """Number of load points of every scene."""
-        return self.core.load_points
+    file: str = _forwarded("_file", 'The case file, or "" for a case made in Python.')
+    title: str = _forwarded("_read.title", "As the case has it.")
+    text: str = _forwarded("_read.text", "The case as TOML.")
+    models: list[str] = _forwarded("core.models", "Names of the models that the case requests.")
+    load_points: int = _forwarded("core.load_points", "Number of load points of every scene.")
 
     def describe(self) -> str:
         """Every key as it was understood.
 
-        Returns
-        -------
-        str
+        Returns:
             Value, unit and whether it is the default, as `rollfem check` prints it.
 
-        Examples
-        --------
         >>> print(case.describe())
         """
         return self.core.describe()
@@ -332,3 +276,7 @@ class Case(InFile):
     def __repr__(self) -> str:
         count = self.load_points
         return f"<rollfem.Case {self.title or self._file or 'without a title'!r}: {count} load point{'s' * (count > 1)}>"
+
+
+#: What stands for a case in calls: a case file, a dict of sections, or a case.
+CaseLike = str | os.PathLike[str] | dict[str, Any] | Case

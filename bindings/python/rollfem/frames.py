@@ -1,46 +1,74 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What results, tables and cases have in common: data frames and labelled arrays for other libraries, tables of a notebook,
 folders and files, figures of the report."""
+import importlib
+import inspect
 import os
 import tempfile
+import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
-from typing import Any
+from typing import Annotated, Any, TypeVar, get_origin
 
 import numpy as np
 
 from . import _core
 
+Kind = TypeVar("Kind", bound=type)
+
+
+def notes(kind: type) -> dict[str, Any]:
+    """The fields of a class that say what they are: `x: Annotated[float, "mm"]`."""
+    return {name: hint for name, hint in inspect.get_annotations(kind).items() if get_origin(hint) is Annotated}
+
+
+def documented(kind: Kind) -> Kind:
+    """Lists the fields of a class in its docstring, as what they are annotated with."""
+    rows = []
+    for name, hint in notes(kind).items():
+        of_type = "" if hint.__origin__ is Any else f" ({inspect.formatannotation(hint.__origin__)})"
+        rows.append(textwrap.fill(f"{name}{of_type}: {'; '.join(hint.__metadata__)}", 116, initial_indent=4 * " ",
+                                  subsequent_indent=8 * " ", break_on_hyphens=False))
+    kind.__doc__ = "\n".join([inspect.cleandoc(kind.__doc__ or ""), "", "Attributes:", *rows])
+    return kind
+
+
+def package(name: str, user: str, otherwise: str = "") -> Any:
+    """A package that not everybody has, for a user that "needs" it."""
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        name = name.split(".")[0]
+        raise ImportError(f"{user} {name}; do: apt install python3-{name}{otherwise}") from error
+
 
 class Tabular:
     """What has columns of numbers."""
 
+    _columns: Iterable[str] = ()  # the attributes that are columns
+
     def columns(self) -> dict[str, np.ndarray]:
-        """{name: array}, all of one length."""
-        raise NotImplementedError
+        """All rows.
+
+        Returns:
+            Arrays by name, one entry for each row.
+
+        >>> rollfem.wheelset("cases/manchester_A22.toml").columns()["conicity_wave"]
+        """
+        return {name: getattr(self, name) for name in self._columns}
 
     def to_dataframe(self) -> Any:
         """`columns()` as a data frame.
 
-        Returns
-        -------
-        pandas.DataFrame
+        Returns:
+            pandas.DataFrame: One row for each entry of the columns.
+        Raises:
+            ImportError: Without pandas.
 
-        Raises
-        ------
-        ImportError
-            Without pandas.
-
-        Examples
-        --------
         >>> result.to_dataframe().groupby("model").max_pressure.mean()
         """
-        try:
-            import pandas
-        except ImportError as error:
-            raise ImportError("to_dataframe needs pandas; do: apt install python3-pandas, or take columns(), which has "
-                              "the same in numpy arrays") from error
+        pandas = package("pandas", "to_dataframe needs", ", or take columns(), which has the same in numpy arrays")
         return pandas.DataFrame(self.columns())
 
 
@@ -57,32 +85,20 @@ class Gridded(Tabular):
     def to_xarray(self, *which: Any, **named: Any) -> Any:
         """All numbers (and fields) with their axes and units.
 
-        Parameters
-        ----------
-        *which, **named
-            As of `columns`.
+        Args:
+            *which: As of `columns`.
+            **named: As of `columns`.
+        Returns:
+            xarray.Dataset: Of a ModelResult: numbers over point_index (from 0), fields over point_index, y and x (mm);
+                fields of load points that do not keep them are nan. Of a Sweep or Table: over its axes.
+        Raises:
+            ImportError: Without xarray.
 
-        Returns
-        -------
-        xarray.Dataset
-            Of a ModelResult: numbers over point_index (from 0), fields over point_index, y and x (mm); fields of load
-            points that do not keep them are nan. Of a Sweep or Table: over its axes.
-
-        Raises
-        ------
-        ImportError
-            Without xarray.
-
-        Examples
-        --------
         >>> result["halfspace"].to_xarray().pressure.sel(x=0.0, method="nearest")
         >>> sweep.to_xarray().traction_coefficient.plot()
         >>> table.to_xarray().longitudinal_force.isel(spin=2, lateral=0).plot()
         """
-        try:
-            import xarray
-        except ImportError as error:
-            raise ImportError("to_xarray needs xarray; do: apt install python3-xarray") from error
+        xarray = package("xarray", "to_xarray needs")
         values, coordinates, attributes = self._labelled(*which, **named)
         return xarray.Dataset(dict(values), coords=dict(coordinates), attrs=dict(attributes))
 
@@ -132,30 +148,18 @@ class Written(Tabular):
     def figure(self, name: str | None = None) -> Any:
         """A figure of the report.
 
-        Parameters
-        ----------
-        name : str, optional
-            Of its file in figures/, without .svg: of a result "creep_curve" (the default), "path_x", "outlines",
-            "oblique_px_halfspace", ...; with several patches "s1_path_x", "wheelset", "positions", ...; of a table
-            "table_curves" (the default), "table_surfaces", "table_ratios", "table_shifts", "table_wheels",
-            "table_errors"; of a study "error_unknowns", ...
+        Args:
+            name: Of its file in figures/, without .svg: of a result "creep_curve" (the default), "path_x", "outlines",
+                "oblique_px_halfspace", ...; with several patches "s1_path_x", "wheelset", "positions", ...; of a table
+                "table_curves" (the default), "table_surfaces", "table_ratios", "table_shifts", "table_wheels",
+                "table_errors"; of a study "error_unknowns", ...
+        Returns:
+            Figure: Notebooks show it; `figure.save("curve.svg")` writes it.
+        Raises:
+            KeyError: There is no such figure; the message names those there are.
+            ValueError: There is no data for it.
+            ImportError: Without h5py.
 
-        Returns
-        -------
-        Figure
-            Notebooks show it; `figure.save("curve.svg")` writes it.
-
-        Raises
-        ------
-        KeyError
-            If there is no such figure; the message names those there are.
-        ValueError
-            If there is no data for it.
-        ImportError
-            Without h5py.
-
-        Examples
-        --------
         >>> result.figure("path_x")
         >>> rollfem.study("cases/thesis_a.toml").figure("error_unknowns")
         """
@@ -172,27 +176,15 @@ class Written(Tabular):
     def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
         """Writes the folder that the command writes (`rollfem run`, `table`, `study`, ...), whole or not at all.
 
-        Parameters
-        ----------
-        folder : str or os.PathLike
-            An earlier result in it is replaced.
-        report : bool
-            Also draws figures and the page, which takes some seconds.
-
-        Returns
-        -------
-        str or os.PathLike
+        Args:
+            folder: An earlier result in it is replaced.
+            report: Also draws figures and the page, which takes some seconds.
+        Returns:
             The folder.
+        Raises:
+            FileError: It cannot be written.
+            InputError: This is a Result that was read.
 
-        Raises
-        ------
-        FileError
-            If it cannot be written.
-        InputError
-            If this is a Result that was read.
-
-        Examples
-        --------
         >>> result.write("results/crowned", report=True)
         >>> rollfem.table("cases/thesis_a.toml").write("results/thesis_a_table")
         """
@@ -212,23 +204,13 @@ class InFile:
         """Writes a file that can be read again: a case, whose paths are changed to lead from its folder, or the curve of a
         profile (s, y, z in mm, angle in degrees, curvature in 1/mm).
 
-        Parameters
-        ----------
-        file : str or os.PathLike
-            Its name; that of a profile ends in .csv.
-
-        Returns
-        -------
-        str or os.PathLike
+        Args:
+            file: Its name; that of a profile ends in .csv.
+        Returns:
             The same name.
+        Raises:
+            FileError: The file cannot be written.
 
-        Raises
-        ------
-        FileError
-            If the file cannot be written.
-
-        Examples
-        --------
         >>> rollfem.solve(case.write("heavy.toml"))
         >>> rollfem.Profile("worn.whl", smoothing=0.01).write("mended.csv")
         """

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results of one model on one patch."""
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from rollfem_figures.results import ModelRecord
 
 from . import plot
-from .frames import Gridded, Labelled, html_table
+from .frames import Gridded, Labelled, documented, html_table
 from .names import known
-from .point import FIELDS, QUANTITIES, Point, array_of, attribute, text_of
+from .point import FIELDS, QUANTITIES, Point, array_of, attributes, columns_of, text_of
 
 #: What tables of notebooks show.
 SHOWN = ("longitudinal_creepage", "lateral_creepage", "spin", "normal_force", "traction_coefficient", "max_pressure")
@@ -21,47 +21,31 @@ def count(things: Sequence[Any], word: str) -> str:
     return f"{len(things)} {word}{'' if len(things) == 1 else 's'}"
 
 
+@documented
 class ModelResult(Gridded, ModelRecord):
     """Results of one model on one patch: its load points on its contact grid.
 
     Every quantity is an array over the load points: model.traction_coefficient; nan where the model does not give it.
-
-    Attributes
-    ----------
-    points : list of Point
-        The load points; also model[k], and iteration.
-    x, y : numpy.ndarray
-        Centres of the contact elements, mm; dx, dy: their size, mm.
-    name, label, key : str
-        Of the model; for figures; with wheel, position and patch for true profiles.
-    place : dict or None
-        wheel, position, patch, patches (from 1), y_track (mm), contact_angle (rad), ... for true profiles.
-    seconds : dict
-        {stage: s}.
-    unknowns, contact_elements : int
-    notes : list of str
-        What a reader must know.
-    choice, shortfall, model_error_source : str
-        Why `auto` chose it; what was requested and not reached; how model errors were estimated.
     """
 
-    name: str
-    label: str
-    key: str
-    seconds: dict[str, float]
-    unknowns: int
-    contact_elements: int
-    notes: list[str]
-    choice: str
-    shortfall: str
-    model_error_source: str
-    dx: float
-    dy: float
-    x: np.ndarray
-    y: np.ndarray
-    place: dict[str, Any] | None
+    points: Annotated[list[Point], "the load points; also model[k], and iteration"]
+    x: Annotated[np.ndarray, "centres of the contact elements along rolling, mm"]
+    y: Annotated[np.ndarray, "across, mm"]
+    dx: Annotated[float, "size of the elements, mm"]
+    dy: Annotated[float, "mm"]
+    name: Annotated[str, "of the model"]
+    label: Annotated[str, "for figures"]
+    key: Annotated[str, "the name, for true profiles with wheel, position and patch"]
+    place: Annotated[dict[str, Any] | None, "for true profiles wheel, position, patch, patches (from 1), y_track (mm), "
+                     "contact_angle (rad), ..."]
+    seconds: Annotated[dict[str, float], "by stage, s"]
+    unknowns: Annotated[int, "size of the system of equations"]
+    contact_elements: Annotated[int, "elements in contact"]
+    notes: Annotated[list[str], "what a reader must know"]
+    choice: Annotated[str, "why `auto` chose it"]
+    shortfall: Annotated[str, "what was requested and not reached"]
+    model_error_source: Annotated[str, "how model errors were estimated"]
 
-    points: list[Point]
     of_point = Point
 
     if TYPE_CHECKING:
@@ -70,75 +54,44 @@ class ModelResult(Gridded, ModelRecord):
     def values(self, name: str) -> np.ndarray:
         """A quantity over the load points.
 
-        Parameters
-        ----------
-        name : str
-            One of rollfem.QUANTITIES.
+        Args:
+            name: One of rollfem.QUANTITIES.
+        Returns:
+            In the unit of the quantity; nan where it is not given.
+        Raises:
+            KeyError: There is no such quantity.
 
-        Returns
-        -------
-        numpy.ndarray
-            nan where it is not given.
-
-        Raises
-        ------
-        KeyError
-            If there is no such quantity.
-
-        Examples
-        --------
         >>> result["halfspace"].values("longitudinal_force")
         """
-        return array_of(self.points, name)
+        known(name, QUANTITIES)
+        return array_of(point.scalars.get(name) for point in self.points)
 
     def bars(self, name: str) -> np.ndarray:
         """Error bars of a quantity over the load points.
 
-        Parameters
-        ----------
-        name : str
-            One of rollfem.QUANTITIES.
-
-        Returns
-        -------
-        numpy.ndarray
+        Args:
+            name: One of rollfem.QUANTITIES.
+        Returns:
             In the unit of the quantity; nan where there are none.
+        Raises:
+            KeyError: There is no such quantity.
 
-        Raises
-        ------
-        KeyError
-            If there is no such quantity.
-
-        Examples
-        --------
         >>> result["halfspace"].bars("longitudinal_force")
         """
-        return np.array([np.nan if point.bar(name) is None else point.bar(name) for point in self.points])
+        return array_of(point.bar(name) for point in self.points)
 
     def middle(self, field: str, axis: str = "x", point: int = 0) -> tuple[np.ndarray, np.ndarray]:
         """A field along the middle line of the patch.
 
-        Parameters
-        ----------
-        field : str
-            One of rollfem.FIELDS.
-        axis : str
-            "x": the line y = 0, "y": the line x = 0; the mean of two lines that are equally near.
-        point : int
-            Load point, from 0.
+        Args:
+            field: One of rollfem.FIELDS.
+            axis: "x": the line y = 0, "y": the line x = 0; the mean of two lines that are equally near.
+            point: Load point, from 0.
+        Returns:
+            The places along the line, mm, and the values, in the unit of the field.
+        Raises:
+            KeyError: There is no such field or axis, or the model does not give the field.
 
-        Returns
-        -------
-        place, values : numpy.ndarray
-            mm, and in the unit of the field.
-
-        Raises
-        ------
-        KeyError
-            If there is no such field or axis, or the model does not give the field.
-
-        Examples
-        --------
         >>> x, traction = result["halfspace"].middle("traction_x")
         """
         values = self.points[point].fields[known(field, FIELDS, "a field")]
@@ -157,22 +110,12 @@ class ModelResult(Gridded, ModelRecord):
     def columns(self) -> dict[str, np.ndarray]:
         """All numbers over the load points.
 
-        Returns
-        -------
-        dict
-            {name: array} of the quantities that the model gives, with NAME_bar beside those that have error bars.
+        Returns:
+            Arrays by name of the quantities that the model gives, with NAME_bar beside those that have error bars.
 
-        Examples
-        --------
         >>> result["halfspace"].columns()["max_pressure_bar"]
         """
-        found = {}
-        for name in QUANTITIES:
-            if any(point.scalars.get(name) is not None for point in self.points):
-                found[name] = self.values(name)
-                if any(point.bar(name) is not None for point in self.points):
-                    found[f"{name}_bar"] = self.bars(name)
-        return found
+        return columns_of(self.values, self.bars)
 
     def _labelled(self) -> Labelled:
         values: dict[str, tuple[Sequence[str], Any, dict[str, str]]] = {}
@@ -200,11 +143,6 @@ class ModelResult(Gridded, ModelRecord):
         return html_table(repr(self), HEADS, ([self.values(name)[k] for name in SHOWN] for k in range(len(self))))
 
 
-def _document() -> None:
-    """Makes quantities documented attributes."""
-    for name in QUANTITIES:
-        if name != "seconds":  # of a model those of its stages
-            setattr(ModelResult, name, attribute(ModelResult.values, name, f"Over load points. {text_of(name)}"))
-
-
-_document()
+# The seconds of a model are those of its stages.
+attributes(ModelResult, ModelResult.values,
+           {name: f"Over load points. {text_of(name)}" for name in QUANTITIES if name != "seconds"})

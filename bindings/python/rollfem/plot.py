@@ -4,17 +4,14 @@ from typing import Any
 
 import numpy as np
 
+from .frames import package
 from .names import known, with_unit
 
 
 def _axes(ax: Any, x: str, y: str) -> Any:
     """The axes to draw on, with their labels."""
     if ax is None:
-        try:
-            from matplotlib import pyplot
-        except ImportError as error:
-            raise ImportError("figures need matplotlib; do: apt install python3-matplotlib") from error
-        ax = pyplot.subplots(layout="constrained")[1]
+        ax = package("matplotlib.pyplot", "figures need").subplots(layout="constrained")[1]
     ax.set_xlabel(x)
     ax.set_ylabel(y)
     return ax
@@ -29,12 +26,16 @@ def _edges(centres: Any, size: float) -> Any:
     return np.append(centres - 0.5 * size, centres[-1] + 0.5 * size)
 
 
+def _curve(ax: Any, x: Any, values: Any, bars: Any, **style: Any) -> None:
+    """Numbers with their error bars, where there are any."""
+    bars = np.nan_to_num(bars)
+    ax.errorbar(x, values, bars if bars.any() else None, **{"marker": "o", "markersize": 4, "capsize": 2, **style})
+
+
 def creep_curve(model: Any, x: str = "longitudinal_creepage", y: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
     """One quantity over another, by their names, with error bars where there are any."""
     ax = _axes(ax, _describe(x), _describe(y))
-    bars = model.bars(y)
-    style = {"marker": "o", "markersize": 4, "capsize": 2, "label": model.label or model.name, **style}
-    ax.errorbar(model.values(x), model.values(y), None if np.isnan(bars).all() else np.nan_to_num(bars), **style)
+    _curve(ax, model.values(x), model.values(y), model.bars(y), **{"label": model.label or model.name, **style})
     return ax
 
 
@@ -96,18 +97,17 @@ def path(model: Any, axis: str = "x", point: int = 0, ax: Any = None) -> Any:
 def surface(sweep: Any, quantity: str = "traction_coefficient", ax: Any = None, **style: Any) -> Any:
     """A quantity with its error bars over the first axis of a sweep, a curve for each value of the second, if there is
     one."""
-    values, bars = sweep.values(quantity), np.nan_to_num(sweep.bars(quantity))
-    style = {"marker": "o", "markersize": 4, "capsize": 2, **style}
+    values, bars = sweep.values(quantity), sweep.bars(quantity)
     names = list(sweep.axes)
     if values.ndim > 2:
         raise ValueError(f"a sweep over {values.ndim} keys does not fit one figure; do: plot slices of sweep.values({quantity!r})")
     ax = _axes(ax, with_unit(names[0]), _describe(quantity))
     first = np.asarray(sweep.axes[names[0]])
     if values.ndim == 1:
-        ax.errorbar(first, values, bars if bars.any() else None, **style)
+        _curve(ax, first, values, bars, **style)
     else:
         for k, other in enumerate(sweep.axes[names[1]]):
-            ax.errorbar(first, values[:, k], bars[:, k] if bars.any() else None, **{"label": f"{names[1]} {other:g}", **style})
+            _curve(ax, first, values[:, k], bars[:, k], **{"label": f"{names[1]} {other:g}", **style})
         ax.legend()
     return ax
 

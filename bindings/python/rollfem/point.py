@@ -3,15 +3,16 @@
 
 Units mm, N, MPa, s, rad. Arrays over the contact grid are [ny, nx], x the rolling direction.
 """
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 from rollfem_figures.results import PointRecord, Quantity
 
 from . import _core
+from .frames import documented
 from .names import known
 
 
@@ -28,43 +29,26 @@ QUANTITIES = {name: Quantity(*row) for name, row in _core.quantities().items()}
 FIELDS = {name: Field(*row) for name, row in _core.fields().items()}
 
 
+@documented
 class Point(PointRecord):
     """One load point of one model: every quantity and every field by its name.
 
     point.max_pressure is a number, None where the model does not give it or the load point has no solution; point.pressure
     an array [ny, nx], None where the model has none. Bars are absolute, in the unit of the quantity.
-
-    Attributes
-    ----------
-    error_estimate : dict
-        {quantity: uncertainty left by grid and solver}.
-    no_bar : dict
-        {quantity: why it has none}.
-    model_error : dict
-        {quantity: what the model neglects, on any grid}.
-    richardson : dict
-        {quantity: value extrapolated to elements of size 0}.
-    subsurface : list of dict
-        For every [[subsurface.*]]: kind, body, points [n, 3] (mm), displacement [n, 3] (mm), stress [n, 6] (MPa: xx, yy,
-        zz, xy, yz, xz).
-    stress_maxima : list of dict
-        body, measure, value (MPa), place (mm).
-    bodies : dict
-        {"wheel": ..., "rail": ...} with points, cells, displacement and stress, for finite elements only.
-    place : dict or None
-        The place of the patch, as of its ModelResult.
     """
 
-    scalars: dict[str, Any]
-    fields: dict[str, np.ndarray]
-    error_estimate: dict[str, float]
-    no_bar: dict[str, str]
-    model_error: dict[str, float]
-    richardson: dict[str, float]
-    subsurface: list[dict[str, Any]]
-    stress_maxima: list[dict[str, Any]]
-    bodies: Mapping[str, dict[str, np.ndarray]]
-    place: dict[str, Any] | None
+    scalars: Annotated[dict[str, Any], "the quantities that the model gives"]
+    fields: Annotated[dict[str, np.ndarray], "the fields that it gives"]
+    error_estimate: Annotated[dict[str, float], "by quantity: uncertainty left by grid and solver"]
+    no_bar: Annotated[dict[str, str], "by quantity: why it has none"]
+    model_error: Annotated[dict[str, float], "by quantity: what the model neglects, on any grid"]
+    richardson: Annotated[dict[str, float], "by quantity: value extrapolated to elements of size 0"]
+    subsurface: Annotated[list[dict[str, Any]], "for every [[subsurface.*]]: kind, body, points [n, 3] (mm), displacement "
+                          "[n, 3] (mm), stress [n, 6] (MPa: xx, yy, zz, xy, yz, xz)"]
+    stress_maxima: Annotated[list[dict[str, Any]], "body, measure, value (MPa), place (mm)"]
+    bodies: Annotated[Mapping[str, dict[str, np.ndarray]], "wheel and rail with points, cells, displacement and stress, for "
+                      "finite elements only"]
+    place: Annotated[dict[str, Any] | None, "of the patch, as of its ModelResult"]
     lateral_force_track: float | None
 
     if TYPE_CHECKING:
@@ -78,23 +62,13 @@ class Point(PointRecord):
     def bar(self, name: str) -> float | None:
         """The error bar of a quantity.
 
-        Parameters
-        ----------
-        name : str
-            One of rollfem.QUANTITIES.
-
-        Returns
-        -------
-        float or None
+        Args:
+            name: One of rollfem.QUANTITIES.
+        Returns:
             In the unit of the quantity; None where it has none.
+        Raises:
+            KeyError: There is no such quantity.
 
-        Raises
-        ------
-        KeyError
-            If there is no such quantity.
-
-        Examples
-        --------
         >>> result.points[0].bar("max_pressure")
         """
         return self.error_estimate.get(known(name, QUANTITIES))
@@ -108,34 +82,35 @@ class Point(PointRecord):
                 f"-F_x/F_z = {self.traction_coefficient:.4g}>")
 
 
-def array_of(points: Sequence[Point], name: str) -> np.ndarray:
-    known(name, QUANTITIES)
-    values = [point.scalars.get(name) for point in points]
-    return np.array([np.nan if value is None else value for value in values])
+def columns_of(values: Callable[[str], np.ndarray], bars: Callable[[str], np.ndarray],
+               beside: Collection[str] = ()) -> dict[str, np.ndarray]:
+    """The quantities that there are `beside` others, with NAME_bar where there are bars."""
+    found = {}
+    for name in QUANTITIES:
+        if name not in beside and not np.isnan(numbers := values(name)).all():
+            found[name] = numbers.ravel()
+            if not np.isnan(uncertain := bars(name)).all():
+                found[f"{name}_bar"] = uncertain.ravel()
+    return found
+
+
+def array_of(numbers: Iterable[float | None]) -> np.ndarray:
+    """nan for None."""
+    return np.array([np.nan if number is None else number for number in numbers])
 
 
 def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:
     """Scalars of stresses.
 
-    Parameters
-    ----------
-    stress : array_like, [..., 6]
-        MPa: xx, yy, zz, xy, yz, xz, as point.subsurface and point.bodies have them.
+    Args:
+        stress: [..., 6], MPa: xx, yy, zz, xy, yz, xz, as point.subsurface and point.bodies have them.
+    Returns:
+        Arrays by name, MPa, tension positive. hydrostatic: (xx + yy + zz) / 3; von_mises, tresca: equivalent uniaxial
+        stresses, the latter the difference of the outer principal stresses; orthogonal_shear: sqrt(xz^2 + yz^2), on the
+        plane parallel to the surface; principal [..., 3]: principal stresses, the largest first.
+    Raises:
+        ValueError: The last axis does not have length six.
 
-    Returns
-    -------
-    dict
-        Arrays, MPa, tension positive. hydrostatic: (xx + yy + zz) / 3; von_mises, tresca: equivalent uniaxial stresses, the
-        latter the difference of the outer principal stresses; orthogonal_shear: sqrt(xz^2 + yz^2), on the plane parallel
-        to the surface; principal [..., 3]: principal stresses, the largest first.
-
-    Raises
-    ------
-    ValueError
-        If the last axis does not have length six.
-
-    Examples
-    --------
     >>> rollfem.stress_measures(point.subsurface[0]["stress"])["von_mises"].max()
     """
     try:
@@ -152,19 +127,16 @@ def text_of(name: str) -> str:
     return f"{quantity.title}{symbol} [{quantity.unit}]: {quantity.meaning}"
 
 
-def attribute(get: Callable[[Any, str], Any], name: str, doc: str) -> property:
-    """A documented attribute that get(self, name) looks up."""
-    return property(lambda self: get(self, name), doc=doc)
+def attributes(kind: type, get: Callable[[Any, str], Any], texts: Mapping[str, str]) -> None:
+    """Documented attributes of a class, by their names, that get(self, name) looks up."""
+    def looked_up(name: str) -> property:
+        return property(lambda self: get(self, name), doc=texts[name])
+
+    for name in texts:
+        setattr(kind, name, looked_up(name))
 
 
-def _document() -> None:
-    """Makes quantities and fields documented attributes."""
-    for name in QUANTITIES:
-        setattr(Point, name, attribute(lambda self, name: self.scalars.get(name), name, text_of(name)))
-    for name, field in FIELDS.items():
-        sign = f"; {field.sign}" if field.sign else ""
-        setattr(Point, name, attribute(lambda self, name: self.fields.get(name), name,
-                                       f"[ny, nx], {field.unit}: {field.description}{sign}"))
-
-
-_document()
+attributes(Point, lambda self, name: self.scalars.get(name), {name: text_of(name) for name in QUANTITIES})
+attributes(Point, lambda self, name: self.fields.get(name),
+           {name: f"[ny, nx], {field.unit}: {field.description}{'; ' * bool(field.sign)}{field.sign}"
+            for name, field in FIELDS.items()})

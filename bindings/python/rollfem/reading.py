@@ -25,25 +25,15 @@ def _text(folder: str, name: str) -> str:
 def read(path: str | os.PathLike[str]) -> Any:
     """Whatever rollfem has written to a folder.
 
-    Parameters
-    ----------
-    path : str or os.PathLike
-        The folder of `rollfem run`, `table`, `study`, `compare` or `stress`, or of `write` of what is returned here; or its
-        results.h5, table.h5, study.json, compare.json, stress.json.
+    Args:
+        path: The folder of `rollfem run`, `table`, `study`, `compare` or `stress`, or of `write` of what is returned
+            here; or its results.h5, table.h5, study.json, compare.json, stress.json.
+    Returns:
+        A Result, Table, Study, Comparison or Stress.
+    Raises:
+        FileError: There is nothing of this kind, or it is damaged.
+        ImportError: Without h5py.
 
-    Returns
-    -------
-    Result, Table, Study, Comparison or Stress
-
-    Raises
-    ------
-    FileError
-        If there is nothing of this kind, or it is damaged.
-    ImportError
-        Without h5py.
-
-    Examples
-    --------
     >>> rollfem.read("results/thesis_a")["halfspace"].max_pressure
     """
     name = os.fspath(path)

@@ -2,34 +2,29 @@
 """The results of a case."""
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from . import _core, plot
 from .case import Case
-from .frames import Written, html_table
+from .frames import Written, documented, html_table
 from .model import HEADS, SHOWN, ModelResult, count
 from .point import Point
 
 
+@documented
 class Result(Written):
     """A case and the results of its models: result["halfspace"], or result.models in the order of the run, with true
-    profiles one for each patch of each wheel and position.
+    profiles one for each patch of each wheel and position."""
 
-    Attributes
-    ----------
-    case : Case
-    models : list of ModelResult
-    missing : list of tuple
-        (model, reason, whether it failed) of the models without a result, in comparisons.
-    provenance : dict
-        version, commit, ... of results that were read.
-    folder : str
-        Of results that were read.
-    verdict : str
-        Which contacts miss the accuracy, by how much, and what would help; empty if none does.
-    """
+    case: Annotated[Case, "what was solved"]
+    models: Annotated[list[ModelResult], "in the order of the run"]
+    missing: Annotated[list[tuple[str, str, bool]], "model, reason, whether it failed, of the models without a result, in "
+                       "comparisons"]
+    provenance: Annotated[dict[str, Any], "version, commit, ... of results that were read"]
+    folder: Annotated[str, "of results that were read"]
+    verdict: Annotated[str, "which contacts miss the accuracy, by how much, and what would help; empty if none does"]
 
     first_figure = "creep_curve"
 
@@ -81,28 +76,18 @@ class Result(Written):
     def columns(self) -> dict[str, np.ndarray]:
         """All numbers over models and load points.
 
-        Returns
-        -------
-        dict
-            {name: array} with the columns model, key and point_index (from 0, as result[...].points has them; `point`
-            of files counts from 1), with true profiles those of the place, then the quantities and their bars.
+        Returns:
+            Arrays by name: model, key and point_index (from 0, as result[...].points has them; `point` of files counts from
+            1), with true profiles those of the place, then the quantities and their bars.
 
-        Examples
-        --------
         >>> result.columns()["point_index"]
         """
-        parts = [model.columns() for model in self.models]
-        names = dict.fromkeys(name for part in parts for name in part)
-        found = {"model": np.repeat([m.name for m in self.models], [len(m) for m in self.models]),
-                 "key": np.repeat([m.key for m in self.models], [len(m) for m in self.models]),
-                 "point_index": np.concatenate([np.arange(len(m)) for m in self.models])}
-        if any(model.place for model in self.models):
-            for name in dict.fromkeys(name for m in self.models for name in m.place or {}):
-                found[name] = np.repeat([(m.place or {}).get(name) for m in self.models], [len(m) for m in self.models])
-        for name in names:
-            found[name] = np.concatenate([part.get(name, np.full(len(m), np.nan))
-                                          for part, m in zip(parts, self.models)])
-        return found
+        parts: list[dict[str, Any]] = [
+            {"model": model.name, "key": model.key, "point_index": np.arange(len(model)), **(model.place or {}),
+             **model.columns()} for model in self.models]
+        return {name: np.concatenate([np.broadcast_to(part.get(name, np.nan), len(model))
+                                      for part, model in zip(parts, self.models)])
+                for name in dict.fromkeys(name for part in parts for name in part)}
 
     def _store(self, folder: str, report: bool) -> str:
         if self._core is None:

@@ -7,39 +7,35 @@ import os
 import re
 import tempfile
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from html import escape
-from typing import Any
+from typing import Annotated, Any, TypeVar
 
 import numpy as np
 from rollfem_figures.reader import read_stress
 
 from . import _core
-from .case import Case, toml_lines
-from .frames import Written
+from .case import Case, CaseLike, toml_lines
+from .frames import Written, documented
 from .result import Result
-from .solving import Told, checked, names_of
+from .solving import Models, Told, checked, names_of
 
 
+@documented
 class Files(Written):
-    """What a command writes.
+    """What a command writes."""
 
-    Attributes
-    ----------
-    contents : dict
-        Files by their names.
-    text : str
-        What the command prints.
-    data : dict
-        The JSON file (docs/commands.md).
-    """
+    contents: Annotated[dict[str, str], "files by their names"]
+    text: Annotated[str, "what the command prints"]
+    data: Annotated[dict[str, Any], "the JSON file (docs/commands.md)"]
 
     table = ""  # its CSV file
     json = ""
 
     def __init__(self, contents: Mapping[str, str], text: str = "", folder: str = "") -> None:
         self.contents, self.folder = dict(contents), folder
-        self.data: dict[str, Any] = json.loads(contents[self.json])
+        self.data = json.loads(contents[self.json])
         self.text = text or str(self.data.get("verdict", ""))
 
     @property
@@ -50,13 +46,9 @@ class Files(Written):
     def columns(self) -> dict[str, np.ndarray]:
         """The CSV file.
 
-        Returns
-        -------
-        dict
-            {column: array} with the names of the file; numbers, nan where there is none, or words.
+        Returns:
+            Arrays by the names of its columns; numbers, nan where there is none, or words.
 
-        Examples
-        --------
         >>> rollfem.study("cases/thesis_a.toml").columns()["order [-]"]
         """
         rows = list(csv.reader(io.StringIO(self.contents[self.table])))
@@ -72,6 +64,9 @@ class Files(Written):
         return f"<p>{escape(repr(self))}</p><pre>{escape(self.text)}</pre>"
 
 
+Made = TypeVar("Made", bound=Files)
+
+
 def _column(texts: list[str]) -> np.ndarray:
     try:
         return np.array([float(text or "nan") for text in texts])
@@ -79,9 +74,15 @@ def _column(texts: list[str]) -> np.ndarray:
         return np.array(texts)
 
 
-def _in_python(error: _core.InputError) -> _core.InputError:
-    """A message of the command, whose options are keywords here."""
-    return type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error)))
+def _made(kind: type[Made], command: "Callable[[], _core.Written]") -> Made:
+    """What a command makes, with its warnings; its options are keywords here, in its messages too."""
+    try:
+        contents, text, said = command()
+    except _core.InputError as error:
+        raise type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error))) from None
+    for warning in said:
+        warnings.warn(warning, stacklevel=3)
+    return kind(contents, text)
 
 
 class Study(Files):
@@ -91,39 +92,21 @@ class Study(Files):
     table, json = "study.csv", "study.json"
 
 
-def study(case: Any, /, *, model: str | None = None, models: Any = None, vary: str | Sequence[str] = (),
+def study(case: CaseLike, /, *, model: str | None = None, models: Models = None, vary: str | Sequence[str] = (),
           together: bool = False, levels: int = 0, reference: str | Sequence[str] = (), progress: Told = None) -> Study:
     """Solves a case on successively finer grids, cells, degrees or domains.
 
-    Parameters
-    ----------
-    case : str, os.PathLike, dict or Case
-    model, models : str or list of str, optional
-        Otherwise the half-space; "all": every model that can take the case.
-    vary : str or list of str
-        "grid", "cell", "degree", "domain"; otherwise as the model has it.
-    together : bool
-        Refine all of `vary` at once instead of one at a time.
-    levels : int
-        2 to 8; 0: as the model has it.
-    reference : str or list of str
-        "exact", "finest", "extrapolated" or "QUANTITY=VALUE".
-    progress : callable, optional
-        As of `solve`.
+    Args:
+        case, progress: As of `solve`.
+        model, models: Otherwise the half-space; "all": every model that can take the case.
+        vary: "grid", "cell", "degree", "domain"; otherwise as the model has it.
+        together: Refine all of `vary` at once instead of one at a time.
+        levels: 2 to 8; 0: as the model has it.
+        reference: "exact", "finest", "extrapolated" or "QUANTITY=VALUE".
+    Raises:
+        InputError: The case or the call is wrong.
+        SolveError: No level was solved; levels that fail beside others are a warning.
 
-    Returns
-    -------
-    Study
-
-    Raises
-    ------
-    InputError
-        If the case or the call is wrong.
-    SolveError
-        If no level was solved; levels that fail beside others are a warning.
-
-    Examples
-    --------
     >>> print(rollfem.study("cases/thesis_a.toml", levels=3).text)
     """
     def listed(name: str, words: str | Sequence[str]) -> list[str]:
@@ -135,25 +118,15 @@ def study(case: Any, /, *, model: str | None = None, models: Any = None, vary: s
     if not hasattr(levels, "__index__") or abs(levels) >= 2**31:
         raise _core.InputError(f"study: levels = {levels!r}: allowed: a whole number")
     names = names_of(model, models)
-    try:
-        contents, text, said = _core.study(checked(case).core, names, listed("vary", vary), together, levels,
-                                           listed("reference", reference),
-                                           progress)
-    except _core.InputError as error:
-        raise _in_python(error) from None
-    for warning in said:
-        warnings.warn(warning, stacklevel=2)
-    return Study(contents, text)
+    core, references = checked(case).core, listed("reference", reference)
+    return _made(Study, lambda: _core.study(core, names, listed("vary", vary), together, levels, references, progress))
 
 
+@documented
 class Comparison(Files):
-    """Models side by side, each difference beside what error bars allow.
+    """Models side by side, each difference beside what error bars allow."""
 
-    Attributes
-    ----------
-    results : dict
-        {name of the case: Result}; Result.missing names the models without one, and why.
-    """
+    results: Annotated[dict[str, Result], "by the name of the case; Result.missing names the models without one, and why"]
 
     table, json = "compare.csv", "compare.json"
 
@@ -172,33 +145,20 @@ class Comparison(Files):
         return f"<rollfem.Comparison of {', '.join(self.results)}>"
 
 
-def compare(cases: Any, /, *, models: Any = None, reference: str = "", progress: Told = None) -> Comparison:
+def compare(cases: CaseLike | Sequence[CaseLike], /, *, models: Models = None, reference: str = "",
+            progress: Told = None) -> Comparison:
     """Solves cases with several models, and lays their numbers side by side.
 
     A model that cannot take a case, or fails, is listed in the `missing` of its result.
 
-    Parameters
-    ----------
-    cases : case, list of cases or dict of cases
-        Each a str, os.PathLike, dict or Case; a dict gives them names.
-    models : list of str, optional
-        Otherwise those of `rollfem compare`.
-    reference : str
-        The model that the others are compared with; otherwise the best there is.
-    progress : callable, optional
-        As of `solve`.
+    Args:
+        cases: One or several; a dict {name: case} gives them names.
+        models: Otherwise those of `rollfem compare`.
+        reference: The model that the others are compared with; otherwise the best there is.
+        progress: As of `solve`.
+    Raises:
+        InputError: A case or the call is wrong.
 
-    Returns
-    -------
-    Comparison
-
-    Raises
-    ------
-    InputError
-        If a case or the call is wrong.
-
-    Examples
-    --------
     >>> print(rollfem.compare("cases/thesis_a.toml", models=["fastsim", "halfspace"]).text)
     """
     names = names_of(None, models) or _core.compared_models()
@@ -213,7 +173,7 @@ def compare(cases: Any, /, *, models: Any = None, reference: str = "", progress:
     return Comparison(contents, text, results=results)
 
 
-def _named(cases: Any) -> list[tuple[str, Any]]:
+def _named(cases: CaseLike | Sequence[CaseLike]) -> list[tuple[str, Any]]:
     """(name, case) of what a call was given: a dict whose values are sections is one case."""
     if isinstance(cases, dict) and all(isinstance(each, (str, os.PathLike, Case)) for each in cases.values()):
         return list(cases.items())
@@ -226,15 +186,12 @@ def _named(cases: Any) -> list[tuple[str, Any]]:
     return found
 
 
+@documented
 class Stress(Files):
-    """Stresses below the surface at load points of a stored result.
+    """Stresses below the surface at load points of a stored result."""
 
-    Attributes
-    ----------
-    models : list
-        One for each model and load point, with `sets`: name, kind, body, shape and columns of arrays (x, y, z in mm; xx,
-        ..., von_mises, tresca, ... in MPa), and `largest`.
-    """
+    models: Annotated[list[Any], "one for each model and load point, with `sets`: name, kind, body, shape and columns of "
+                      "arrays (x, y, z in mm; xx, ..., von_mises, tresca, ... in MPa), and `largest`"]
 
     table = "stress.csv"
     json = drawn_from = "stress.json"
@@ -243,48 +200,29 @@ class Stress(Files):
         super().__init__(contents, text, folder)
         with tempfile.TemporaryDirectory() as here:
             _core.write_files(here, self.contents)
-            self.models: list[Any] = read_stress(here).models
+            self.models = read_stress(here).models
 
 
-def stress(result: Any, /, *, places: Mapping[str, Any] | str | os.PathLike[str] | None = None, model: str | None = None,
-           models: Any = None, patch: str = "", point_index: int | Sequence[int] = (),
+def stress(result: Result | str | os.PathLike[str], /, *, places: Mapping[str, Any] | str | os.PathLike[str] | None = None,
+           model: str | None = None, models: Models = None, patch: str = "", point_index: int | Sequence[int] = (),
            depth_profile: bool = False, depth: float | None = None, yield_shear_stress: float | None = None,
            yield_strength: float | None = None) -> Stress:
     """Stress and displacement below the surface, without solving again.
 
-    Parameters
-    ----------
-    result : Result, str or os.PathLike
-        A result, or the folder of a stored one.
-    places : dict, str or os.PathLike, optional
-        {"line": [{"body": "rail", "from": [0, 0, 0], "to": [0, 0, -10], "points": 50}]}, with the keys of
-        [[subsurface.*]] of a case, or a file that holds these; otherwise depth profiles under the patch.
-    model, models : str or list of str, optional
-        Otherwise those with stress.
-    patch : str
-        "left,1,1": side, position and patch, with true profiles; otherwise the first.
-    point_index : int or list of int
-        Load points, from 0; otherwise the last.
-    depth_profile : bool
-        Depth profiles also where places are given.
-    depth : float, optional
-        mm, of depth profiles; otherwise three times the smaller semi-axis.
-    yield_shear_stress, yield_strength : float, optional
-        MPa; one of them, for the shakedown map.
+    Args:
+        result: A result, or the folder of a stored one.
+        places: {"line": [{"body": "rail", "from": [0, 0, 0], "to": [0, 0, -10], "points": 50}]}, with the keys of
+            [[subsurface.*]] of a case, or a file that holds these; otherwise depth profiles under the patch.
+        model, models: Otherwise those with stress.
+        patch: "left,1,1": side, position and patch, with true profiles; otherwise the first.
+        point_index: Load points, from 0; otherwise the last.
+        depth_profile: Depth profiles also where places are given.
+        depth: mm, of depth profiles; otherwise three times the smaller semi-axis.
+        yield_shear_stress, yield_strength: MPa; one of them, for the shakedown map.
+    Raises:
+        FileError: The result cannot be read.
+        InputError: What is asked for is not stored.
 
-    Returns
-    -------
-    Stress
-
-    Raises
-    ------
-    FileError
-        If the result cannot be read.
-    InputError
-        If what is asked for is not stored.
-
-    Examples
-    --------
     >>> below = rollfem.stress("results/thesis_a", yield_strength=520.0)
     >>> below.models[0].sets[0]["von_mises"].max()
     """
@@ -295,18 +233,6 @@ def stress(result: Any, /, *, places: Mapping[str, Any] | str | os.PathLike[str]
             with open(file, "w", encoding="utf-8") as out:
                 out.write("\n".join(toml_lines({"subsurface": places})))
 
-        def found_in(folder: str) -> tuple[dict[str, str], str, list[str]]:
-            return _core.stress(folder, names_of(model, models), patch, points, file, depth_profile, depth,
-                                yield_shear_stress, yield_strength)
-
-        try:
-            if isinstance(result, Result):
-                with result._stored() as folder:
-                    contents, text, said = found_in(folder)
-            else:
-                contents, text, said = found_in(os.fspath(result))
-        except _core.InputError as error:
-            raise _in_python(error) from None
-    for warning in said:
-        warnings.warn(warning, stacklevel=2)
-    return Stress(contents, text)
+        with result._stored() if isinstance(result, Result) else nullcontext(os.fspath(result)) as folder:
+            return _made(Stress, lambda: _core.stress(folder, names_of(model, models), patch, points, file, depth_profile,
+                                                      depth, yield_shear_stress, yield_strength))

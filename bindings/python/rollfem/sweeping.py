@@ -3,25 +3,26 @@
 import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from . import plot
 from ._core import InputError, Progress, SolveError
-from .case import Case, nested
-from .frames import Labelled, OverAxes, html_table
+from .case import Case, CaseLike, nested
+from .frames import Labelled, OverAxes, documented, html_table
 from .names import CREEPAGES, known, refuse_unused
 from .patches import bar_of, whole
-from .point import QUANTITIES, Point
+from .point import QUANTITIES, Point, columns_of
 from .result import Result
-from .solving import Told, names_of, solve
+from .solving import Models, Told, names_of, solve
 
 NAMES = ("lateral_force_track", *QUANTITIES)
 MOST_POINTS = 1000  # of a list in a case
 Index = tuple[int, ...]
 
 
+@documented
 class Sweep(OverAxes):
     """Results over a grid of values: sweep.traction_coefficient, or sweep.values("...") of a model, is an array with one
     axis for each key, in their order; nan where there is no solution.
@@ -31,23 +32,18 @@ class Sweep(OverAxes):
     traction_coefficient is -sum F_x / sum F_n, largest values are those of all, forces in the patches' own frames
     (lateral_force, lateral_pressure, spin_moment) nan, and all else is of the most loaded patch. `patches` has each by
     itself.
-
-    Attributes
-    ----------
-    axes : dict
-        {key: values}; load points that the case itself lists are the last axis: a creepage, or point_index (from 0).
-    results : list of Result
-        Behind the numbers.
-    failures : dict
-        {index: why} with skip_failures.
     """
+
+    axes: Annotated[dict[str, np.ndarray], "the values of each key; load points that the case itself lists are the last axis: "
+                    "a creepage, or point_index (from 0)"]
+    results: Annotated[list[Result], "behind the numbers"]
+    failures: Annotated[dict[Index, str], "why there is no solution, with skip_failures"]
 
     def __init__(self, axes: dict[str, np.ndarray], results: Sequence[Result] = (), indices: Sequence[Sequence[Index]] = (),
                  failures: Mapping[Index, str] | None = None) -> None:
         """`indices`: of the load points of every result."""
         self.axes = axes
-        self.results: list[Result] = []
-        self.failures: dict[Index, str] = dict(failures or {})
+        self.results, self.failures = [], dict(failures or {})
         self._patches: dict[str, np.ndarray] = {}
         self._indices: list[Sequence[Index]] = []
         for result, at in zip(results, indices):
@@ -59,23 +55,15 @@ class Sweep(OverAxes):
     def patches(self, model: str | None = None) -> np.ndarray:
         """The load points of every patch.
 
-        Parameters
-        ----------
-        model : str, optional
-            Which of several; with true profiles and both wheels "halfspace_left", say.
+        Args:
+            model: Which of several; with true profiles and both wheels "halfspace_left", say.
+        Returns:
+            Lists of Point over the grid, the most loaded patch first; Point.place says where each is. Empty lists where
+            there is no solution.
+        Raises:
+            KeyError: There is no such model.
+            ValueError: There are several, and none is named.
 
-        Returns
-        -------
-        numpy.ndarray of list of Point
-            The most loaded patch first; Point.place says where each is. Empty lists where there is no solution.
-
-        Raises
-        ------
-        KeyError, ValueError
-            If there is no such model, or several and none is named.
-
-        Examples
-        --------
         >>> [point.normal_force for point in sweep.patches()[0]]
         """
         if model is None:
@@ -89,18 +77,11 @@ class Sweep(OverAxes):
     def points(self, model: str | None = None) -> np.ndarray:
         """The load points of the most loaded patches.
 
-        Parameters
-        ----------
-        model : str, optional
-            As of `patches`.
+        Args:
+            model: As of `patches`.
+        Returns:
+            A Point at every place of the grid, None where there is no solution.
 
-        Returns
-        -------
-        numpy.ndarray of Point
-            None where there is no solution.
-
-        Examples
-        --------
         >>> sweep.points()[0].pressure
         """
         return self._map(model, lambda patches: patches[0] if patches else None, object)
@@ -108,24 +89,14 @@ class Sweep(OverAxes):
     def values(self, name: str, model: str | None = None) -> np.ndarray:
         """A quantity over the grid.
 
-        Parameters
-        ----------
-        name : str
-            One of rollfem.QUANTITIES, or "lateral_force_track": on the wheel along y of the track (to the right), N.
-        model : str, optional
-            As of `patches`.
+        Args:
+            name: One of rollfem.QUANTITIES, or "lateral_force_track": on the wheel along y of the track (to the right), N.
+            model: As of `patches`.
+        Returns:
+            In the unit of the quantity; nan where there is none.
+        Raises:
+            KeyError: There is no such quantity or model.
 
-        Returns
-        -------
-        numpy.ndarray
-
-        Raises
-        ------
-        KeyError
-            If there is no such quantity or model.
-
-        Examples
-        --------
         >>> sweep.values("longitudinal_force", model="fastsim")
         """
         if known(name, NAMES) == "lateral_force_track":
@@ -136,23 +107,13 @@ class Sweep(OverAxes):
     def bars(self, name: str, model: str | None = None) -> np.ndarray:
         """Error bars of a quantity over the grid; of a sum, the sum of the bars.
 
-        Parameters
-        ----------
-        name, model : str
-            As of `values`.
-
-        Returns
-        -------
-        numpy.ndarray
+        Args:
+            name, model: As of `values`.
+        Returns:
             In the unit of the quantity; nan where there are none.
+        Raises:
+            KeyError: There is no such quantity or model.
 
-        Raises
-        ------
-        KeyError
-            If there is no such quantity or model.
-
-        Examples
-        --------
         >>> sweep.bars("longitudinal_force")
         """
         known(name, NAMES)
@@ -175,28 +136,15 @@ class Sweep(OverAxes):
     def columns(self, model: str | None = None) -> dict[str, np.ndarray]:
         """All numbers over the combinations.
 
-        Parameters
-        ----------
-        model : str, optional
-            As of `patches`.
+        Args:
+            model: As of `patches`.
+        Returns:
+            Arrays by name: a column for each key, then the quantities, with NAME_bar beside those that have error bars.
 
-        Returns
-        -------
-        dict
-            {name: array}: a column for each key, then the quantities, with NAME_bar beside those that have error bars.
-
-        Examples
-        --------
         >>> sweep.columns()["spin"]
         """
-        found = self._places()
-        for name in QUANTITIES:
-            values, bars = self.values(name, model).ravel(), self.bars(name, model).ravel()
-            if not np.isnan(values).all() and name not in found:
-                found[name] = values
-                if not np.isnan(bars).all():
-                    found[f"{name}_bar"] = bars
-        return found
+        axes = self._places()
+        return {**axes, **columns_of(lambda name: self.values(name, model), lambda name: self.bars(name, model), axes)}
 
     def _labelled(self, model: str | None = None) -> Labelled:
         return self._over_axes(self.columns(model), lambda name: str(QUANTITIES[name.removesuffix("_bar")].unit),
@@ -231,10 +179,9 @@ class Sweep(OverAxes):
 
 def _lists(case: Case, without: Sequence[str] = ()) -> dict[str, list[Any]]:
     """What the case lists over its load points, {"rolling.spin": [...]}, less some creepages."""
-    found = {f"rolling.{name}": values for name, values in case.data.get("rolling", {}).items()
-             if isinstance(values, list) and name not in without}
-    turns = case.data.get("wheelset", {}).get("rotation_change")
-    return {**found, **({"wheelset.rotation_change": turns} if isinstance(turns, list) else {})}
+    found = {f"rolling.{name}": values for name, values in case.data.get("rolling", {}).items()}
+    found["wheelset.rotation_change"] = case.data.get("wheelset", {}).get("rotation_change")
+    return {key: values for key, values in found.items() if isinstance(values, list) and key not in without}
 
 
 def _solve_into(sweep: Sweep, case: Case, indices: Sequence[Index], how: Mapping[str, Any], skip: bool) -> None:
@@ -259,40 +206,23 @@ def _separate(case: Case) -> bool:
     return case.data.get("rolling", {}).get("problem", "steady") in ("steady", "frictionless")
 
 
-def sweep(case: Any, axes: Mapping[str, Any] | None = None, /, *, model: str | None = None, models: Any = None,
+def sweep(case: CaseLike, axes: Mapping[str, Any] | None = None, /, *, model: str | None = None, models: Models = None,
           progress: Told = None, skip_failures: bool = False, **keys: Any) -> Sweep:
     """Solves a case at every combination of values.
 
     Creepages are load points of one solution, which costs least; all other keys take a solution for each combination.
     Load points that the case lists itself are the last axis.
 
-    Parameters
-    ----------
-    case : str, os.PathLike, dict or Case
-    axes : dict, optional
-        {"friction.coefficient": [0.3, 0.5]}.
-    model, models
-        As of `solve`.
-    progress : callable, optional
-        As of `solve`; point and points count the combinations.
-    skip_failures : bool
-        Combinations without a solution are nan and listed in `failures`; otherwise the first raises.
-    **keys
-        Keys and their values as of `Case.with_`: longitudinal_creepage=[...], friction__coefficient=[0.3, 0.5].
+    Args:
+        axes: {"friction.coefficient": [0.3, 0.5]}.
+        case, model, models: As of `solve`.
+        progress: As of `solve`; point and points count the combinations.
+        skip_failures: Combinations without a solution are nan and listed in `failures`; otherwise the first raises.
+        **keys: Keys and their values as of `Case.with_`: longitudinal_creepage=[...], friction__coefficient=[0.3, 0.5].
+    Raises:
+        InputError: A key or value is wrong.
+        SolveError: A combination has no solution.
 
-    Returns
-    -------
-    Sweep
-
-    Raises
-    ------
-    InputError
-        If a key or value is wrong.
-    SolveError
-        If a combination has no solution.
-
-    Examples
-    --------
     >>> sweep = rollfem.sweep(case, longitudinal_creepage=[0.0, 0.001], spin=[0.0, 1e-4])
     >>> sweep.traction_coefficient.shape
     (2, 2)
@@ -302,25 +232,24 @@ def sweep(case: Any, axes: Mapping[str, Any] | None = None, /, *, model: str | N
              for name, values in {**(axes or {}), **keys}.items()}
     if not asked or not all(asked.values()):
         raise InputError("a sweep needs at least one key and its values, as in spin=[0.0, 1e-4]")
-    names = list(asked)
-    key = {name: _key(case, name, values[0]) for name, values in asked.items()}
-    if len(set(key.values())) < len(names):
-        raise InputError(f"{', '.join(names)}: two of these are the same key; do: give it once")
-    inner = [name for name in names if _separate(case) and key[name] in {f"rolling.{each}" for each in CREEPAGES}]
-    outer = [name for name in names if name not in inner]
-    first = case.with_({key[name]: asked[name][0] for name in outer}) if outer else case
-    own_lists, own_count, own_axis = _own_points(first, [key[name].split(".")[1] for name in inner])
-    found = Sweep({**{name: np.array(values) for name, values in asked.items()}, **own_axis})
+    values = {_key(case, name, given[0]): given for name, given in asked.items()}
+    if len(values) < len(asked):
+        raise InputError(f"{', '.join(asked)}: two of these are the same key; do: give it once")
+    inner = [key for key in values if _separate(case) and key in {f"rolling.{each}" for each in CREEPAGES}]
+    outer = [key for key in values if key not in inner]
+    first = case.with_({key: values[key][0] for key in outer}) if outer else case
+    own_lists, own_count, own_axis = _own_points(first, inner)
+    found = Sweep({**{name: np.array(given) for name, given in asked.items()}, **own_axis})
     how = {"models": names_of(model, models) or None}
     count, done = math.prod(found.shape), 0
-    for fixed in itertools.product(*(range(len(asked[name])) for name in outer)):
-        at = case.with_({key[name]: asked[name][k] for name, k in zip(outer, fixed)}) if outer else case
-        combinations = list(itertools.product(*(range(len(asked[name])) for name in inner), range(own_count)))
-        for begin in range(0, len(combinations), MOST_POINTS if inner else len(combinations)):
-            part = combinations[begin:begin + MOST_POINTS] if inner else combinations
-            lists = {key[name]: [asked[name][c[k]] for c in part] for k, name in enumerate(inner)}
-            lists.update((name, [values[c[-1]] for c in part]) for name, values in own_lists.items())
-            indices = [tuple(_in_order(names, outer, fixed, inner, c)) + (c[-1:] if own_axis else ()) for c in part]
+    for fixed in _combinations(values, outer):
+        at = case.with_({key: values[key][k] for key, k in fixed.items()}) if outer else case
+        points = [(numbers, own) for numbers in _combinations(values, inner) for own in range(own_count)]
+        most = MOST_POINTS if inner else len(points)
+        for part in (points[begin:begin + most] for begin in range(0, len(points), most)):
+            lists = {key: [values[key][numbers[key]] for numbers, _ in part] for key in inner}
+            lists.update((key, [listed[own] for _, own in part]) for key, listed in own_lists.items())
+            indices = [tuple({**fixed, **numbers}[key] for key in values) + (own,) * len(own_axis) for numbers, own in part]
             told = None if progress is None else _of_sweep(progress, done, count)
             _solve_into(found, at.with_(lists) if inner else at, indices, {**how, "progress": told}, skip_failures)
             done += len(part)
@@ -336,10 +265,10 @@ def _of_sweep(progress: Callable[[Progress], object], done: int, count: int) -> 
     return tell
 
 
-def _in_order(names: Sequence[str], outer: Sequence[str], fixed: Index, inner: Sequence[str], c: Index) -> Iterator[int]:
-    """The index of a combination, in the order of the keys."""
-    numbers = {**dict(zip(outer, fixed)), **dict(zip(inner, c))}
-    return (numbers[name] for name in names)
+def _combinations(values: Mapping[str, Sequence[Any]], keys: Sequence[str]) -> Iterator[dict[str, int]]:
+    """Every combination of the values of some keys, by their numbers."""
+    for numbers in itertools.product(*(range(len(values[key])) for key in keys)):
+        yield dict(zip(keys, numbers))
 
 
 def _own_points(case: Case, swept: Sequence[str]) -> tuple[dict[str, list[Any]], int, dict[str, np.ndarray]]:

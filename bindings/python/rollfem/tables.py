@@ -3,57 +3,51 @@
 import os
 import tempfile
 from collections.abc import Callable
-from typing import Any
+from dataclasses import dataclass
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from .frames import Labelled, OverAxes, Written, html_table
+from .case import CaseLike
+from .frames import Labelled, OverAxes, Written, documented, html_table, notes
 from .solving import Told, checked
 
 
+@documented
 class Table(Written, OverAxes):
     """A table of creep forces, with interpolation between its points (docs/tables.md).
 
-    Parameters
-    ----------
-    path : str or os.PathLike
-        The folder that `rollfem table` or `write` has written, or its table.h5.
+    Args:
+        path: The folder that `rollfem table` or `write` has written, or its table.h5.
+    Raises:
+        FileError: The file is no table.
 
-    Attributes
-    ----------
-    axes : dict
-        {"load" (N) and "speed" (mm/s) if they have several values, "axis_ratio" or "lateral_shift" (mm),
-        "longitudinal", "lateral", "spin": values}; creepages are scaled.
-    longitudinal_force, lateral_force : numpy.ndarray
-        Over mu F_n, over these axes.
-    spin_moment : numpy.ndarray
-        Over mu F_n sqrt(a b).
-    force_bar, moment_bar : numpy.ndarray
-        Error bars.
-    interpolation : dict
-        Errors at random points between those of the grid.
-    wheels : dict or None
-        Of a table over lateral shifts {name: array over loads, if several, and shifts}: contact_angle, rolling_radius, normal_force, ...
-    force_along_normal : numpy.ndarray or None
-        Of a table over lateral shifts, over mu F_n.
-    only_for : str
-        The falling friction, its speeds, or the layer that the table holds for alone, as for its loads; "" for any
-        constant friction.
-
-    Raises
-    ------
-    FileError
-        For a file that is no table.
-
-    Examples
-    --------
     >>> table = rollfem.Table("results/thesis_a_table")
     >>> force = table.forces(semi_axis_x=4.1, semi_axis_y=9.4, shear_modulus=80769.0, friction_bound=27.5e3,
     ...                      longitudinal_creepage=[0.001, 0.002], spin=1e-4)
     >>> force.longitudinal_force, force.force_bar              # N
     """
+
+    title: Annotated[str, "of the case"]
+    case_text: Annotated[str, "the case file"]
+    axes: Annotated[dict[str, np.ndarray], 'values of "load" (N) and "speed" (mm/s) if they have several, "axis_ratio" or '
+                    '"lateral_shift" (mm), "longitudinal", "lateral", "spin"; creepages are scaled']
+    longitudinal_force: Annotated[np.ndarray, "over mu F_n, over these axes"]
+    lateral_force: Annotated[np.ndarray, "over mu F_n"]
+    spin_moment: Annotated[np.ndarray, "over mu F_n sqrt(a b)"]
+    force_bar: Annotated[np.ndarray, "error bar of the force vector"]
+    moment_bar: Annotated[np.ndarray, "error bar of the moment"]
+    interpolation: Annotated[dict[str, float], "errors at random points between those of the grid"]
+    wheels: Annotated[dict[str, np.ndarray] | None, "of a table over lateral shifts contact_angle, rolling_radius, "
+                      "normal_force, ...: arrays over loads, if several, and shifts"]
+    force_along_normal: Annotated[np.ndarray | None, "of a table over lateral shifts, over mu F_n"]
+    only_for: Annotated[str, 'the falling friction, its speeds, or the layer that the table holds for alone, as for its '
+                        'loads; "" for any constant friction']
+    poisson_ratio: Annotated[float, "of both bodies"]
+    shear_modulus: Annotated[float, "combined, MPa; nan where the table holds for any"]
+    friction_coefficient: Annotated[float, "nan where the table holds for any"]
 
     first_figure = "table_curves"
 
@@ -70,26 +64,22 @@ class Table(Written, OverAxes):
     def _take(self, core: _core.CreepTable) -> None:
         self._core = core
         found = self._core.contents()
-        self.title: str = found["title"]
-        self.case_text: str = found["case_text"]
-        self.poisson_ratio: float = found["poisson_ratio"]
-        self.axes: dict[str, np.ndarray] = {name: np.array(values) for name, values in found["axes"]}
-        self._first = "lateral_shift" if found["over_shifts"] else "axis_ratio"
-        self.interpolation: dict[str, float] = found["interpolation"]
+        for name in ("title", "case_text", "poisson_ratio", "interpolation", "only_for"):
+            setattr(self, name, found[name])
+        self.axes = {name: np.array(values) for name, values in found["axes"]}
+        over_shifts = found["over_shifts"]
+        self._first = "lateral_shift" if over_shifts else "axis_ratio"
         forces = np.array(found["forces"]).reshape(*self.shape, 3)
         bars = np.array(found["bars"]).reshape(*self.shape, 2)
         self.longitudinal_force, self.lateral_force, self.spin_moment = np.moveaxis(forces, -1, 0)
         self.force_bar, self.moment_bar = np.moveaxis(bars, -1, 0)
-        self.wheels: dict[str, np.ndarray] | None = None
-        self.force_along_normal: np.ndarray | None = None
-        self.shear_modulus = self.friction_coefficient = np.nan
-        self.only_for: str = found["only_for"]
-        if found["over_shifts"]:
+        self.wheels = self.force_along_normal = None
+        if over_shifts:
             of_wheels = tuple(len(self.axes[name]) for name in ("load", self._first) if name in self.axes)
             self.wheels = {name: np.array(values).reshape(of_wheels) for name, values in found["wheels"].items()}
             self.force_along_normal = np.array(found["along_normal"]).reshape(self.shape)
-        if found["over_shifts"] or self.only_for:
-            self.shear_modulus, self.friction_coefficient = found["shear_modulus"], found["friction_coefficient"]
+        for name in ("shear_modulus", "friction_coefficient"):
+            setattr(self, name, found[name] if over_shifts or self.only_for else np.nan)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (self._core.files()["table.h5"],)
@@ -99,28 +89,14 @@ class Table(Written, OverAxes):
                load: ArrayLike | None = None, speed: ArrayLike | None = None) -> "TableForces":
         """Forces over mu F_n, the moment over mu F_n sqrt(a b).
 
-        Parameters
-        ----------
-        longitudinal, lateral, spin : array_like
-            Scaled creepages xi', eta', phi' (docs/tables.md).
-        axis_ratio, lateral_shift : array_like, optional
-            The one that the table is over (mm); otherwise its only value.
-        load, speed : array_like, optional
-            N and mm/s of the axes; otherwise their only values.
+        Args:
+            longitudinal, lateral, spin: Scaled creepages xi', eta', phi' (docs/tables.md), -.
+            axis_ratio, lateral_shift: The one that the table is over (-, mm); otherwise its only value.
+            load, speed: N and mm/s of the axes; otherwise their only values.
+        Raises:
+            InputError: A ratio, shift, load or speed is outside of the table.
+            ValueError: The table has several ratios or shifts and none is given.
 
-        Returns
-        -------
-        TableForces
-
-        Raises
-        ------
-        InputError
-            For a ratio, shift, load or speed outside of the table.
-        ValueError
-            If the table has several ratios or shifts and none is given.
-
-        Examples
-        --------
         >>> table.scaled(longitudinal=0.5, axis_ratio=2.0).longitudinal_force
         """
         first = self._first
@@ -133,7 +109,7 @@ class Table(Written, OverAxes):
             if len(self.axes[first]) != 1:
                 raise ValueError(f"this table has several values of {first}; do: name {first}")
             place = self.axes[first][0]
-        return self._ask(self._core.scaled, place, _or_only(load), _or_only(speed), longitudinal, lateral, spin)
+        return self._forces(self._core.scaled, place, load, speed, longitudinal, lateral, spin)
 
     def forces(self, *, semi_axis_x: ArrayLike | None = None, semi_axis_y: ArrayLike | None = None,
                shear_modulus: ArrayLike | None = None, lateral_shift: ArrayLike | None = None,
@@ -142,36 +118,21 @@ class Table(Written, OverAxes):
                lateral_creepage: ArrayLike = 0.0, spin: ArrayLike = 0.0) -> "TableForces":
         """Forces of friction on the wheel.
 
-        Parameters
-        ----------
-        semi_axis_x, semi_axis_y, shear_modulus : array_like
-            Of an ellipse: along rolling and across; combined, 1/G = (1/G1 + 1/G2)/2; in consistent units (mm, N, MPa or
-            m, N, Pa; with `only_for` mm, N, MPa).
-        lateral_shift : array_like
-            Of the wheelset, mm, for a table over shifts.
-        load : array_like
-            N, of a table over shifts that has several. That of an ellipse follows from friction_bound.
-        speed : array_like
-            mm/s, of a table that has several.
-        friction_bound : array_like
-            mu F_n; of a wheel that of all contacts, N, otherwise that of the table; no other with `only_for`.
-        longitudinal_creepage, lateral_creepage, spin : array_like
-            Of the ellipse, or of the main contact, the most loaded one, in whose frame the forces are. Between two
-            shifts where contact jumps the nearer one is taken, and the bars hold all by which they differ.
+        Args:
+            semi_axis_x, semi_axis_y, shear_modulus: Of an ellipse: along rolling and across; combined, 1/G = (1/G1 +
+                1/G2)/2; in consistent units (mm, N, MPa or m, N, Pa; with `only_for` mm, N, MPa).
+            lateral_shift: Of the wheelset, mm, for a table over shifts.
+            load: N, of a table over shifts that has several. That of an ellipse follows from friction_bound.
+            speed: mm/s, of a table that has several.
+            friction_bound: mu F_n; of a wheel that of all contacts, N, otherwise that of the table; no other with
+                `only_for`.
+            longitudinal_creepage, lateral_creepage, spin: Of the ellipse, or of the main contact, the most loaded one, in
+                whose frame the forces are (-, -, 1/mm). Between two shifts where contact jumps the nearer one is taken, and
+                the bars hold all by which they differ.
+        Raises:
+            InputError: Values are outside of the table; with `only_for` also creepages beyond its end.
+            TypeError: What the table needs is missing, or what it does not know is given.
 
-        Returns
-        -------
-        TableForces
-
-        Raises
-        ------
-        InputError
-            For values outside of the table; with `only_for` also for creepages beyond its end.
-        TypeError
-            If what the table needs is missing, or what it does not know is given.
-
-        Examples
-        --------
         >>> wheel = rollfem.Table("results/s1002_uic60_left_table")
         >>> wheel.forces(lateral_shift=1.3, longitudinal_creepage=[0.001, 0.002]).longitudinal_force
         """
@@ -188,61 +149,42 @@ class Table(Written, OverAxes):
             raise TypeError(f"this table is over {self._first}: it needs {', '.join(needed)}; "
                             f"do: {'give ' + ', '.join(missing) if missing else 'leave out ' + ', '.join(wrong)}")
         if self.wheels is None:
-            return self._ask(self._core.physical, *needed.values(), _or_only(speed), *creepages)
+            return self._forces(self._core.physical, *needed.values(), speed, *creepages)
         if friction_bound is None:
             friction_bound = self.friction_coefficient * self.wheel_at(needed["lateral_shift"], load)["normal_force"]
-        return self._ask(self._core.of_wheel, *needed.values(), _or_only(load), _or_only(speed), friction_bound,
-                         *creepages)
+        return self._forces(self._core.of_wheel, *needed.values(), load, speed, friction_bound, *creepages)
 
     def wheel_at(self, lateral_shift: ArrayLike, load: ArrayLike | None = None) -> dict[str, Any]:
         """The contact of the wheel at any shift.
 
-        Parameters
-        ----------
-        lateral_shift : array_like
-            mm.
-        load : array_like
-            N, of a table that has several.
+        Args:
+            lateral_shift: mm.
+            load: N, of a table that has several.
+        Returns:
+            Numbers or arrays by name as `wheels`; jump_after: 1 where contact jumps there.
+        Raises:
+            InputError: For a table over ratios of axes.
 
-        Returns
-        -------
-        dict
-            {name: number or array} as `wheels`; jump_after: 1 where contact jumps there.
-
-        Raises
-        ------
-        InputError
-            For a table over ratios of axes.
-
-        Examples
-        --------
         >>> wheel.wheel_at(1.3)["contact_angle"]
         """
-        shifts, loads = np.broadcast_arrays(np.asarray(lateral_shift, dtype=float), np.asarray(_or_only(load), dtype=float))
-        found = self._core.wheels_at(np.ascontiguousarray(shifts).ravel(), np.ascontiguousarray(loads).ravel())
-        return {name: np.array(values).reshape(shifts.shape)[()] for name, values in found.items()}
+        found, shape = _ask(self._core.wheels_at, lateral_shift, load)
+        return {name: np.array(values).reshape(shape)[()] for name, values in found.items()}
 
     @staticmethod
-    def _ask(function: Callable[..., Any], *arguments: Any) -> "TableForces":
-        arrays = np.broadcast_arrays(*(np.asarray(argument, dtype=float) for argument in arguments))
-        found = np.array(function(*(np.ascontiguousarray(array).ravel() for array in arrays)))
-        return TableForces(*(column.reshape(arrays[0].shape)[()] for column in found))
+    def _forces(function: Callable[..., Any], *arguments: ArrayLike | None) -> "TableForces":
+        found, shape = _ask(function, *arguments)
+        return TableForces(*(np.array(column).reshape(shape)[()] for column in found))
 
     def columns(self) -> dict[str, np.ndarray]:
         """All points.
 
-        Returns
-        -------
-        dict
-            {name: array}, one entry for each point.
+        Returns:
+            Arrays by name, one entry for each point.
 
-        Examples
-        --------
         >>> table.columns()["longitudinal_force"]
         """
-        names = ["longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar"]
-        names += ["force_along_normal"] * (self.force_along_normal is not None)
-        return {**self._places(), **{name: getattr(self, name).ravel() for name in names}}
+        return {**self._places(), **{name: values.ravel() for name in notes(TableForces)
+                                     if (values := getattr(self, name)) is not None}}
 
     def _labelled(self) -> Labelled:
         return self._over_axes(self.columns(), lambda name: "1", {"title": self.title})
@@ -264,60 +206,42 @@ def _unpickled(contents: bytes) -> Table:
         return Table(folder)
 
 
-def _or_only(value: ArrayLike | None) -> ArrayLike:
-    """0: the only value of an axis."""
-    return 0.0 if value is None else value
+def _ask(function: Callable[..., Any], *arguments: ArrayLike | None) -> tuple[Any, tuple[int, ...]]:
+    """What the library says to arrays of numbers, and their common shape; None: 0, the only value of an axis."""
+    arrays = np.broadcast_arrays(*(np.asarray(0.0 if each is None else each, dtype=float) for each in arguments))
+    return function(*(array.ravel() for array in arrays)), arrays[0].shape
 
 
+@documented
+@dataclass(eq=False, slots=True)
 class TableForces:
-    """What a table says: longitudinal_force, lateral_force, spin_moment, and the bars force_bar (of the force vector)
-    and moment_bar, which hold the bars of the grid around the point and what 95 of 100 points at random were off by
-    interpolation; force_along_normal, 0 of an ellipse. Numbers or arrays."""
+    """What a table says: numbers or arrays. The bars hold those of the grid around the point and what 95 of 100 points at
+    random were off by interpolation."""
 
-    __slots__ = ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar", "force_along_normal")
-
-    longitudinal_force: Any
-    lateral_force: Any
-    spin_moment: Any
-    force_bar: Any
-    moment_bar: Any
-    force_along_normal: Any
-
-    def __init__(self, *values: Any) -> None:
-        for name, value in zip(self.__slots__, values):
-            setattr(self, name, value)
+    longitudinal_force: Annotated[Any, "on the wheel along rolling"]
+    lateral_force: Annotated[Any, "across"]
+    spin_moment: Annotated[Any, "about the normal"]
+    force_bar: Annotated[Any, "error bar of the force vector"]
+    moment_bar: Annotated[Any, "error bar of the moment"]
+    force_along_normal: Annotated[Any, "along the main normal; 0 of an ellipse"]
 
     def __repr__(self) -> str:
         with np.printoptions(threshold=6, edgeitems=2, precision=6):
-            return f"<rollfem.TableForces {', '.join(f'{name}={getattr(self, name)}' for name in self.__slots__)}>"
+            return f"<rollfem.TableForces {', '.join(f'{name}={getattr(self, name)}' for name in notes(TableForces))}>"
 
 
-def table(case: Any, /, *, progress: Told = None, **sections: Any) -> Table:
-    """Fills a table of creep forces on all cores, as `rollfem table` does.
+def table(case: CaseLike, /, *, progress: Told = None, **sections: Any) -> Table:
+    """Fills a table of creep forces on all cores, as `rollfem table` does; `write` stores it.
 
-    Parameters
-    ----------
-    case : str, os.PathLike, dict or Case
-        Its section [table] says over what.
-    progress : callable, optional
-        Called with a rollfem.Progress (point of points) after every part; an exception raised by it ends the table.
-    **sections
-        Keys that replace those of the case, as of `Case`.
+    Args:
+        case: Its section [table] says over what.
+        progress: Called with a rollfem.Progress (point of points) after every part; an exception raised by it ends the
+            table.
+        **sections: Keys that replace those of the case, as of `Case`.
+    Raises:
+        InputError: The case is wrong.
+        SolveError: A point has no solution.
 
-    Returns
-    -------
-    Table
-        `write` stores it.
-
-    Raises
-    ------
-    InputError
-        If the case is wrong.
-    SolveError
-        If a point has no solution.
-
-    Examples
-    --------
     >>> table = rollfem.table("cases/thesis_a.toml", table={"axis_ratio": [0.5, 1.0, 2.0]})
     """
     return Table.of(_core.fill_table(checked(case, sections, "table").core, progress))
