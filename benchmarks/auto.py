@@ -10,10 +10,8 @@ that meets the accuracy.
 Existing runs are reused, including those of benchmarks/model_error.py in the same folder.
 """
 
-import argparse
 import re
 import subprocess
-from pathlib import Path
 
 import scene_sets
 from model_error import friction_of, whole_of
@@ -105,15 +103,12 @@ def table_line(percent, rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
-    parser.add_argument("--seed", type=int, default=1)
+    parser = scene_sets.parser(__doc__)
     parser.add_argument("--randoms", type=int, default=40, help="number of random scenes beside the 20 fixed ones")
     parser.add_argument("--every", type=int, default=1, help="use only every n-th of them")
     parser.add_argument("--across", type=int, default=80, help="elements across of the fine hybrid")
     parser.add_argument("--percent", type=float, nargs="+", default=[5.0, 1.0, 0.2])
     parser.add_argument("--rows", action="store_true", help="show every scene instead of only those that miss")
-    parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
     scene_sets.prepare(options.output)
     lines = []

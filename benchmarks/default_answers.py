@@ -10,7 +10,6 @@ Existing runs are reused. --truth also solves every scene by the hybrid (or, if 
 elements across, and counts answers within their accuracy or their own error estimate.
 """
 
-import argparse
 import json
 import os
 import re
@@ -150,14 +149,11 @@ def predictions(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
+    parser = scene_sets.parser(__doc__)
     parser.add_argument("--measured", type=Path, help="folder of measured pairs; skipped without it")
-    parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--every", type=int, default=1, help="use only every n-th of them")
     parser.add_argument("--truth", action="store_true", help="compare with the finest solution")
     parser.add_argument("--limit", type=float, default=120.0, help="s for each run")
-    parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
     scene_sets.prepare(options.output)
     rows, near = [], []

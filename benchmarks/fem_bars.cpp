@@ -87,11 +87,11 @@ void add_hybrid(contact::Case input, testing::BarSamples& samples) {
   };
   const contact::PointResult point =
       run(across, [](const contact::Scene& scene, const contact::Progress& progress) {
-        return fem::find_smooth_parts(scene, progress);
+        return hybrid::find_smooth_parts(scene, progress);
       });
   const contact::PointResult fine =
       run(4 * across, [&](const contact::Scene& scene, const contact::Progress& progress) {
-        return fem::find_smooth_parts_with(finer_cells, scene, progress);
+        return hybrid::find_smooth_parts_with(finer_cells, scene, progress);
       });
   testing::add_samples(point, fine, input.friction_coefficient, samples);
 }

@@ -9,10 +9,8 @@ A difference counts if it exceeds both error bars and 1e-6 of the reference of p
 value, mu F_z, mu, mu F_z sqrt(ab). Existing runs are reused.
 """
 
-import argparse
 import math
 import statistics
-from pathlib import Path
 
 import scene_sets
 
@@ -122,15 +120,12 @@ def print_worst(rows, count):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
-    parser.add_argument("--seed", type=int, default=1)
+    parser = scene_sets.parser(__doc__)
     parser.add_argument("--randoms", type=int, default=40, help="number of random scenes beside the 20 fixed ones")
     parser.add_argument("--across", type=int, default=80)
     parser.add_argument("--theories", action="store_true", help="theories against the half-space")
     parser.add_argument("--least", type=float, default=0.0, help="percent; ignore smaller differences")
     parser.add_argument("--worst", type=int, default=0, help="number of wrong estimates to show")
-    parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
     scene_sets.prepare(options.output)
     rows = []

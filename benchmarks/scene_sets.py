@@ -2,6 +2,7 @@
 """Scenes for statistical benchmarks: cases a to f at two loads, patches of true profiles and random curved bodies from
 a seed; and runs of a program on them, stored in files and reused."""
 
+import argparse
 import json
 import math
 import os
@@ -138,6 +139,15 @@ fields = false
 def scenes(seed, randoms):
     """The 20 fixed scenes and a number of random ones."""
     return [*thesis_scenes(), *profile_scenes(), *(random_scene(seed, number) for number in range(randoms))]
+
+
+def parser(description):
+    """The options of every benchmark on scenes."""
+    options = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--program", required=True, help="the program rollfem, built with finite elements")
+    options.add_argument("--seed", type=int, default=1)
+    options.add_argument("-o", "--output", type=Path, required=True)
+    return options
 
 
 def prepare(folder):

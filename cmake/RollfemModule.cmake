@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # One call makes a folder a module: rollfem_module(contact DEPENDS ... LIBRARIES ...) builds all its
 # .cpp files into librollfem_contact.so and exports it as rollfem::contact. Headers that are installed:
-# interface/public_headers.txt.
+# bindings/interface/public_headers.txt.
 function(rollfem_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
     -Woverloaded-virtual $<$<BOOL:${ROLLFEM_WERROR}>:-Werror>)

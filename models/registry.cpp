@@ -2,6 +2,7 @@
 #include "models/registry.hpp"
 
 #include "contact/base/errors.hpp"
+#include "halfspace/registry.hpp"
 #include "models/fem/fem_models.hpp"
 #include "models/solving/auto_model.hpp"
 #include "theories/registry.hpp"
@@ -19,6 +20,7 @@ ModelRegistry built_in_models() {
   ModelRegistry models;
   models.add(auto_model());
   for (const ModelInfo& model : theories::models().all()) models.add(model);
+  models.add(halfspace::models().at("halfspace"));
   models.add(hybrid_model());
   models.add(fem_model());
   return models;

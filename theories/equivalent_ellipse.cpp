@@ -141,7 +141,7 @@ EquivalentEllipse equivalent_ellipse(const Scene& scene) {
   EquivalentEllipse ellipse;
   ellipse.patch = halfspace::PatchSearch(scene).patch();
   const halfspace::ExpectedPatch& patch = ellipse.patch;
-  const double aspect = patch.length() / patch.covered_width();
+  const double aspect = patch.length / patch.covered_width();
   ellipse.semi_axis_x = std::sqrt(patch.area / pi * aspect);
   ellipse.semi_axis_y = std::sqrt(patch.area / pi / aspect);
   Scene& local = ellipse.scene;
@@ -187,13 +187,13 @@ void return_to_patch_frame(const Scene& scene, const EquivalentEllipse& ellipse,
       "true profiles: the theory is solved on the ellipse of the same area and ratio of extents as "
       "the half-space patch, semi-axes {:.4g} and {:.4g} mm about its centre of pressure ({:.3g}, "
       "{:.3g}) mm; the half-space patch is {:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
-      ellipse.semi_axis_x, ellipse.semi_axis_y, x, y, patch.length(), patch.width(),
+      ellipse.semi_axis_x, ellipse.semi_axis_y, x, y, patch.length, patch.width,
       patch.max_pressure));
   if (patch.gaps > 0.0)
     result.notes.push_back(
         fmt::format("the contact consists of several patches with {:.4g} mm of its {:.4g} mm "
                     "between them: one ellipse represents all; halfspace and strip resolve each",
-                    patch.gaps, patch.width()));
+                    patch.gaps, patch.width));
 }
 
 }  // namespace
@@ -223,15 +223,15 @@ ModelResult run_hertz_of_patch(const Scene& scene, const contact::Progress& prog
       "fields are sampled at element centres";
   const halfspace::ExpectedPatch patch = halfspace::PatchSearch(scene).patch();
   const auto differs = [](double a, double b) { return std::abs(a / b - 1.0) > worth_a_note; };
-  if (differs(2.0 * hertz.semi_axis_x, patch.length()) ||
-      differs(2.0 * hertz.semi_axis_y, patch.width()) ||
+  if (differs(2.0 * hertz.semi_axis_x, patch.length) ||
+      differs(2.0 * hertz.semi_axis_y, patch.width) ||
       differs(hertz.max_pressure, patch.max_pressure))
     result.notes.push_back(
         fmt::format("the profiles do not form an ellipse: Hertz uses the curvatures at the contact "
                     "point (A = {:.4g}, B = {:.4g} /mm) and finds {:.4g} by {:.4g} mm with p0 = "
                     "{:.4g} MPa; the half-space finds {:.4g} by {:.4g} mm with p0 = {:.4g} MPa",
                     curvatures.A, curvatures.B, 2.0 * hertz.semi_axis_x, 2.0 * hertz.semi_axis_y,
-                    hertz.max_pressure, patch.length(), patch.width(), patch.max_pressure));
+                    hertz.max_pressure, patch.length, patch.width, patch.max_pressure));
   return result;
 }
 
@@ -262,7 +262,7 @@ ModelResult run_tilted_load(const contact::Model& model, const Scene& scene,
                             const contact::Progress& progress) {
   constexpr double carried_to = 1e-9;  // of the load, across and upwards
   const contact::NormalLoad& wanted = scene.points.front().load;
-  if (!wanted.force || wanted.direction[0] == 0.0) return model(scene, progress);
+  if (!wanted.force || !wanted.is_tilted()) return model(scene, progress);
   Scene single = scene;
   ModelResult result;
   const auto [across, upwards] = wanted.direction;
@@ -290,10 +290,7 @@ ModelResult run_tilted_load(const contact::Model& model, const Scene& scene,
 
 ModelResult run_each_load(const contact::Model& model, const Scene& scene,
                           const contact::Progress& progress) {
-  const bool tilted =
-      std::any_of(scene.points.begin(), scene.points.end(),
-                  [](const contact::LoadPoint& point) { return point.load.direction[0] != 0.0; });
-  if (!tilted && !scene.load_changes()) return model(scene, progress);
+  if (!scene.shares_load() && !scene.load_changes()) return model(scene, progress);
   if (scene.points.size() == 1) return run_tilted_load(model, scene, progress);
   Scene single = scene;
   const ContactGrid area = scene.has_profiles() ? area_around(scene, equivalent_ellipse(scene))

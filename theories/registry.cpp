@@ -5,8 +5,6 @@
 
 #include "contact/result/bars.hpp"
 #include "contact/result/quantities.hpp"
-#include "halfspace/curvature/curvature_error.hpp"
-#include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "theories/carter.hpp"
@@ -62,14 +60,6 @@ Refinement refined_strips() {
 
 /// Slip below this value changes no force of a theory.
 constexpr double smallest_slip_worth_a_note = 1e-7;
-
-ModelResult run_halfspace_with_model_error(const Scene& scene, const Progress& progress,
-                                           contact::Checkpoint* checkpoint) {
-  if (scene.options.halfspace.model_error) halfspace::check_bodies_known(scene);
-  ModelResult result = halfspace::run_halfspace(scene, progress, checkpoint);
-  if (scene.options.halfspace.model_error) halfspace::add_model_error(scene, progress, result);
-  return result;
-}
 
 /// Effects that a theory neglects.
 struct Leaves {
@@ -129,9 +119,7 @@ Scene at_largest_load(const Scene& scene) {
 /// Friction changes the pressure of unlike materials, and on a tilted plane it carries a part of
 /// the load.
 bool friction_moves_pressure(const Scene& scene) {
-  return scene.material.couples() ||
-         std::any_of(scene.points.begin(), scene.points.end(),
-                     [](const auto& point) { return point.load.direction[0] != 0.0; });
+  return scene.material.couples() || scene.shares_load();
 }
 
 Scene rough_scene(const Scene& scene, bool with_friction, std::size_t points) {
@@ -305,19 +293,6 @@ contact::ModelRegistry make_models() {
   contact::ModelRegistry models;
   add_closed_forms(models);
   add_theories_of_strips(models);
-  ModelInfo halfspace{"halfspace", "half-space",
-                      "Kalker's problem for elastic half-spaces, solved on a grid"};
-  halfspace.takes = contact::all_demands_but(
-      {Demand::inertia, Demand::beyond_half_space, Demand::stress_of_line});
-  halfspace.run = run_halfspace_with_model_error;
-  halfspace.refinements = {halfspace::contact_grid()};
-  halfspace.no_model_error =
-      "not requested: halfspace.model_error = true estimates the error of the half-space "
-      "assumption";
-  halfspace.choosable = contact::Choosable::half_spaces;
-  halfspace.measures_others = halfspace.has_stress = halfspace.in_compare = halfspace.joins_planes =
-      true;
-  models.add(halfspace);
   return models;
 }
 

@@ -29,7 +29,7 @@ StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
   const double lower = overlap.y_lower;
   const double upper = overlap.y_upper;
   const int count =
-      std::max(4, contact::count_of(std::round(strips * (upper - lower) / expected.width()),
+      std::max(4, contact::count_of(std::round(strips * (upper - lower) / expected.width),
                                     "strips (strip.strips)"));
   StripProfile profile;
   profile.width = (upper - lower) / count;

@@ -90,7 +90,7 @@ def call(command, folder, limit=LIMIT):
         resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, check=False,
-                              timeout=max(limit, WAITING), preexec_fn=bound)
+                              timeout=WAITING + 10 * limit, preexec_fn=bound)
     except subprocess.TimeoutExpired:
         return None, ""
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):

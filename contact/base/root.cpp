@@ -28,10 +28,11 @@ Function finite(const Function& f, const char* what) {
   };
 }
 
-/// Zero between two arguments with values of opposite signs.
-double between(const Function& f, double a, double at_a, double b, double at_b, double tolerance,
-               const char* what) {
-  if (b < a) return between(f, b, at_b, a, at_a, tolerance, what);
+}  // namespace
+
+double root_between(const Function& f, double a, double at_a, double b, double at_b,
+                    double tolerance, const char* what) {
+  if (b < a) return root_between(f, b, at_b, a, at_a, tolerance, what);
   const auto close = [tolerance](double lower, double upper) {
     constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
     return upper - lower <=
@@ -46,8 +47,6 @@ double between(const Function& f, double a, double at_a, double b, double at_b, 
   return 0.5 * (bracket.first + bracket.second);
 }
 
-}  // namespace
-
 double bracketed_root(const Function& f, double a, double b, double tolerance, const char* what) {
   const Function value = finite(f, what);
   if (b < a) std::swap(a, b);
@@ -58,7 +57,7 @@ double bracketed_root(const Function& f, double a, double b, double tolerance, c
   if ((at_a < 0.0) == (at_b < 0.0))
     throw SolveError(fmt::format("{}: no change of sign between {:.9g} and {:.9g}: {:.3g}, {:.3g}",
                                  what, a, b, at_a, at_b));
-  return between(value, a, at_a, b, at_b, tolerance, what);
+  return root_between(value, a, at_a, b, at_b, tolerance, what);
 }
 
 std::optional<double> root_from(const Function& f, double start, double at_start, double next,
@@ -70,7 +69,7 @@ std::optional<double> root_from(const Function& f, double start, double at_start
     const double at_next = value(next);
     if (at_next == 0.0) return next;
     if ((at_start < 0.0) != (at_next < 0.0))
-      return between(value, start, at_start, next, at_next, tolerance, what);
+      return root_between(value, start, at_start, next, at_next, tolerance, what);
     start = next;
     at_start = at_next;
     next += growth * step;

@@ -16,6 +16,10 @@ namespace rollfem::contact {
 double bracketed_root(const std::function<double(double)>& f, double a, double b, double tolerance,
                       const char* what);
 
+/// The same where the values at both ends are known and of opposite signs.
+double root_between(const std::function<double(double)>& f, double a, double at_a, double b,
+                    double at_b, double tolerance, const char* what);
+
 /// Zero of `f` on the side of `next` from `start`, where its value is known: in steps that grow,
 /// the first one to `next`, until the sign changes, then as bracketed_root. Empty when the sign has
 /// not changed before the size of the argument exceeds `largest`.

@@ -58,8 +58,10 @@ struct FrictionFall {
   double second_half_velocity = 1.0;          ///< s_h2, mm/s
   std::optional<double> polach_a;             ///< mu_kin/mu, in place of mu_kin
   std::optional<double> polach_b;             ///< s/m, in place of s_h1
-  double memory_distance = 0.0;               ///< d_c, mm; 0: mu follows the slip at once
-  double memory_velocity = 1.0;               ///< s_0, mm/s
+  /// Of FallShape::constants; where not given, their default.
+  std::array<std::optional<double>, FallShape::most_constants> constants{};
+  double memory_distance = 0.0;  ///< d_c, mm; 0: mu follows the slip at once
+  double memory_velocity = 1.0;  ///< s_0, mm/s
   FrictionBranch branch = FrictionBranch::sticking;
 };
 
@@ -161,15 +163,19 @@ struct Rolling {
   double slip_speed() const { return problem == Problem::shift ? 1.0 : speed; }
 };
 
-/// Data specific to one step of the problems `shift` and `transient`. Shifts are rigid
-/// displacements of the wheel relative to the rail during this step, not since the beginning.
-struct HistoryStep {
+/// Motion of one step of the problems `shift` and `transient`. Shifts are rigid displacements of
+/// the wheel relative to the rail during this step, not since the beginning.
+struct StepMotion {
+  double longitudinal_shift = 0.0;  ///< mm, problem shift
+  double lateral_shift = 0.0;       ///< mm, problem shift
+  double spin_shift = 0.0;          ///< rad, rotation about the normal, problem shift
+  double step_length = 0.0;         ///< mm rolled in this step, problem transient
+};
+
+/// A step with its load.
+struct HistoryStep : StepMotion {
   std::optional<double> normal_force;  ///< N; neither: that of the whole case
   std::optional<double> approach;      ///< mm
-  double longitudinal_shift = 0.0;     ///< mm, problem shift
-  double lateral_shift = 0.0;          ///< mm, problem shift
-  double spin_shift = 0.0;             ///< rad, rotation about the normal, problem shift
-  double step_length = 0.0;            ///< mm rolled in this step, problem transient
 };
 
 /// Undeformed distance instead of the radii; at most one of the two.

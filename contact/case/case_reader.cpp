@@ -5,10 +5,12 @@
 #include "contact/case/checks/case_checks.hpp"
 #include "contact/case/lattice.hpp"
 #include "contact/case/toml/toml_reader.hpp"
+#include "contact/case/toml/toml_source.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace rollfem::contact {
 
@@ -44,6 +46,25 @@ void read_files(const GivenCase& given, Case& input) {
   }
 }
 
+/// The case of keys that have passed their own checks.
+Case case_of(const GivenCase& given, const std::vector<std::string>& models_by_default) {
+  check_together(given);
+  Case input = default_case();
+  input.models = models_by_default;
+  set_values(input, given.values);
+  for (const GivenEntry& entry : given.entries) {
+    begin_entry(input, entry.section);
+    set_values(input, entry.values);
+  }
+  input.file = given.file;
+  if (input.title.empty()) input.title = std::filesystem::path(given.file).stem().string();
+  complete(given, input);
+  check_geometry(given, input);
+  check_values(given, input);
+  read_files(given, input);
+  return input;
+}
+
 }  // namespace
 
 Case parse_case(const std::string& text, const std::string& name, const ModelWords& models) {
@@ -51,23 +72,21 @@ Case parse_case(const std::string& text, const std::string& name, const ModelWor
     fail_file(name, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     fail_file(name, "is empty", "fill it in; `rollfem new-case` prints a template");
-  const GivenCase given = read_toml(text, name, models.known);
-  check_together(given);
-  Case input = default_case();
-  input.models = models.by_default;
-  set_values(input, given.values);
-  for (const GivenEntry& entry : given.entries) {
-    begin_entry(input, entry.section);
-    set_values(input, entry.values);
-  }
-  input.file = name;
+  Case input = case_of(read_toml(text, name, models.known), models.by_default);
   input.text = text;
-  if (input.title.empty()) input.title = std::filesystem::path(name).stem().string();
-  complete(given, input);
-  check_geometry(given, input);
-  check_values(given, input);
-  read_files(given, input);
   return input;
+}
+
+Case make_case(const NamedValues& values, const std::string& name) {
+  GivenCase given;
+  given.file = name;
+  for (const auto& [path, value] : values) {
+    const std::size_t dot = path.find('.');
+    const Key* key = find_key(path.substr(0, dot), path.substr(dot + 1));
+    if (key == nullptr) throw std::logic_error(path + " is not a key of a case");
+    given.values[key] = checked_value(name, *key, value);
+  }
+  return case_of(given, {});
 }
 
 Case read_case(const std::string& path, const ModelWords& models,

@@ -6,6 +6,8 @@
 #include "contact/case/case.hpp"
 
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace rollfem::contact {
@@ -23,6 +25,13 @@ Case read_case(const std::string& path, const ModelWords& models = {},
 
 /// The same from text; messages use `name` for the file.
 Case parse_case(const std::string& text, const std::string& name, const ModelWords& models = {});
+
+/// A number or text for each "section.key".
+using NamedValues = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+
+/// A case of values, without text, that passes the same checks. Throws std::logic_error for unknown
+/// keys.
+Case make_case(const NamedValues& values, const std::string& name);
 
 /// The subsurface points of a file with [[subsurface.*]] as in a case file; everything else is
 /// ignored. Throws InputError like read_case.

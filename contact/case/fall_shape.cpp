@@ -6,20 +6,22 @@
 
 namespace rollfem::contact {
 
-const FallShape FallShape::none{"constant", [](std::size_t, double) { return Left{1.0, 0.0}; }};
+const FallShape FallShape::none{"constant", [](std::size_t, double, const Constants&) {
+                                  return Left{1.0, 0.0};
+                                }};
 
-const FallShape FallShape::linear{"linear", [](std::size_t, double s) {
+const FallShape FallShape::linear{"linear", [](std::size_t, double s, const Constants&) {
                                     return s < 2.0 ? Left{1.0 - 0.5 * s, -0.5} : Left{};
                                   }};
 
 const FallShape FallShape::rational{
-    "rational", [](std::size_t i, double s) {
+    "rational", [](std::size_t i, double s, const Constants&) {
       const double left = i == 0 ? 1.0 / (1.0 + s) : 1.0 / (1.0 + s * s);
       return Left{left, i == 0 ? -left * left : -2.0 * s * left * left};
     }};
 
 const FallShape FallShape::exponential{"exponential",
-                                       [](std::size_t, double s) {
+                                       [](std::size_t, double s, const Constants&) {
                                          const double rate = std::log(2.0);
                                          const double left = std::exp(-rate * s);
                                          return Left{left, -rate * left};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The laws by which friction falls with the velocity s of the slip: mu_kin + mu_1 f_1(s) + mu_2
-// f_2(s). A law is its word and its f_i, which are 1 at rest and 1/2 at s_hi; keys, checks, results
-// and conversions take the laws from here.
+// f_2(s). A law is its word, its f_i, which are 1 at rest and 1/2 at s_hi, and the constants that
+// it alone has; keys, checks, results and conversions take them from here.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,18 @@
 namespace rollfem::contact {
 
 struct FallShape {
+  static constexpr std::size_t most_constants = 4;
+  using Constants = std::array<double, most_constants>;
+  /// A constant of this law alone, for both f_i. It is a pure number, because f_i is a function of
+  /// s / s_hi, and a key of [friction], named as no other.
+  struct Constant {
+    const char* name = nullptr;  ///< null: none
+    const char* symbol = "";
+    double lower = 0.0, upper = 0.0;
+    double otherwise = 0.0;  ///< without the key
+    const char* sentence = "";
+  };
+
   /// f_i and its derivative by s / s_hi.
   struct Left {
     double value = 0.0;
@@ -18,9 +31,10 @@ struct FallShape {
   };
 
   const char* word = "";  ///< in case files and results
-  Left (*left)(std::size_t i, double s_over_half) = nullptr;
+  Left (*left)(std::size_t i, double s_over_half, const Constants& own) = nullptr;
   /// Its numbers may be given as Polach's A and B, which are of f_i = exp(-B s).
   bool polach = false;
+  std::array<Constant, most_constants> constants{};
 
   static const FallShape none;         ///< Coulomb's law
   static const FallShape linear;       ///< max(0, 1 - s/(2 s_hi))

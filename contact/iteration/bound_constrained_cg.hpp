@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients on the contact set C = {p > 0}, releasing elements whose pressure would turn
-// negative and adding those that penetrate, in memory reused from one problem to the next. The
-// operator has apply(pressure, displacement) and precondition(residual, result), which set their
-// second field.
+// negative and adding those that penetrate, in memory reused from one problem to the next.
 #pragma once
 
 #include "contact/base/errors.hpp"
@@ -24,16 +22,14 @@ class BoundConstrainedCg {
   };
 
   /// With a prescribed sum of all pressures. `start` may be empty. Throws SolveError.
-  template <class Operator>
-  Effort solve_sum(const Operator& compliance, const Field& distance, double sum,
+  Effort solve_sum(const NormalMap& compliance, const Field& distance, double sum,
                    const NormalOptions& options, const Field& start) {
     given_approach_.reset();
     pressure_sum_ = sum;
     return solve(compliance, distance, options, start);
   }
 
-  template <class Operator>
-  Effort solve_approach(const Operator& compliance, const Field& distance, double approach,
+  Effort solve_approach(const NormalMap& compliance, const Field& distance, double approach,
                         const NormalOptions& options, const Field& start) {
     given_approach_ = approach;
     return solve(compliance, distance, options, start);
@@ -48,8 +44,7 @@ class BoundConstrainedCg {
  private:
   using Mask = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
-  template <class Operator>
-  Effort solve(const Operator& compliance, const Field& distance, const NormalOptions& options,
+  Effort solve(const NormalMap& compliance, const Field& distance, const NormalOptions& options,
                const Field& start) {
     initialise(compliance, distance, start);
     for (int iteration = 0; iteration <= options.max_iterations; ++iteration) {
@@ -64,8 +59,7 @@ class BoundConstrainedCg {
                     violation(), options.max_iterations, options.tolerance));
   }
 
-  template <class Operator>
-  void initialise(const Operator& compliance, const Field& distance, const Field& start) {
+  void initialise(const NormalMap& compliance, const Field& distance, const Field& start) {
     smallest_distance_ = distance.minCoeff();
     old_product_ = 0.0;
     changed_ = true;
@@ -81,8 +75,7 @@ class BoundConstrainedCg {
 
   /// A pressure proportional to the overlap of the bodies, estimated from the scale of the
   /// operator: only an active set of the right size is needed.
-  template <class Operator>
-  void guess(const Operator& compliance, const Field& distance) {
+  void guess(const NormalMap& compliance, const Field& distance) {
     const double overlap = given_approach_ ? *given_approach_ - smallest_distance_
                                            : overlap_of_sum(compliance, distance);
     // Half the overlap, because a rounded body touches over half the area of its overlap.
@@ -95,8 +88,7 @@ class BoundConstrainedCg {
 
   /// Smallest overlap whose elements carry the force with the stiffness of as many elements loaded
   /// together, found by doubling.
-  template <class Operator>
-  double overlap_of_sum(const Operator& compliance, const Field& distance) {
+  double overlap_of_sum(const NormalMap& compliance, const Field& distance) {
     Eigen::Index lowest = 0;
     distance.minCoeff(&lowest);
     p_.setZero(distance.size());
@@ -149,8 +141,7 @@ class BoundConstrainedCg {
 
   /// Preconditioned residual on C. At given force it must keep the sum of pressures: the multiplier
   /// is that of M 1, kept as long as C stays the same.
-  template <class Operator>
-  void precondition(const Operator& compliance) {
+  void precondition(const NormalMap& compliance) {
     compliance.precondition(residual_, z_);
     restrict_to_contact(z_);
     if (!force_given()) return;
@@ -163,8 +154,7 @@ class BoundConstrainedCg {
     z_ -= (z_.sum() / response_of_one_.sum()) * response_of_one_;
   }
 
-  template <class Operator>
-  void step(const Operator& compliance) {
+  void step(const NormalMap& compliance) {
     take_in_penetrating_elements();
     residual_ = -gap_;
     restrict_to_contact(residual_);
@@ -195,8 +185,7 @@ class BoundConstrainedCg {
       }
   }
 
-  template <class Operator>
-  void advance(const Operator& compliance, double length) {
+  void advance(const NormalMap& compliance, double length) {
     p_ += length * direction_;
     if (!(contact_ && p_.array() <= 0.0).any()) {
       displacement_ += length * response_;

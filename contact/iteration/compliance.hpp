@@ -25,14 +25,19 @@ class Compliance {
 };
 
 /// The normal block A_nn with an approximate inverse for conjugate gradients.
-class NormalOperator {
+class NormalMap {
  public:
-  virtual ~NormalOperator() = default;
-  virtual const ContactGrid& grid() const = 0;
+  virtual ~NormalMap() = default;
   /// u_n = A_nn p_n.
-  virtual Field apply(const Field& pressure) const = 0;
+  virtual void apply(const Field& pressure, Field& displacement) const = 0;
   /// Symmetric positive definite approximation of A_nn^-1.
-  virtual Field precondition(const Field& residual) const = 0;
+  virtual void precondition(const Field& residual, Field& result) const = 0;
+};
+
+/// The same on a contact grid.
+class NormalOperator : public NormalMap {
+ public:
+  virtual const ContactGrid& grid() const = 0;
 };
 
 /// A tangential operator T that gives slip (steady rolling: T = D A_tt, dimensionless per MPa) or

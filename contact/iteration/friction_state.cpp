@@ -2,7 +2,6 @@
 #include "contact/iteration/friction_state.hpp"
 
 #include "contact/iteration/leading_edge.hpp"
-#include "contact/iteration/yielding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +23,23 @@ Decay decay(double t) {
 }
 
 }  // namespace
+
+PlasticDisplacement yielding(const Plasticity& layer, const YieldStep& step) {
+  const double stress = layer.yield_stress + layer.hardening * step.before;
+  if (step.friction <= stress) return {step.before};
+  double part = 1.0, part_by_stress = 0.0;
+  if (step.friction_ahead < stress) {
+    const double rise =
+        (step.friction - step.friction_ahead) * (step.friction + step.friction_ahead);
+    part = (step.friction - stress) * (step.friction + stress) / rise;
+    part_by_stress = -2.0 * stress / rise;
+  }
+  const double own = step.way * part * (1.0 - 0.5 * part);
+  const double ahead = step.way * 0.5 * part * part;
+  const double by_part = step.way * ((1.0 - part) * step.slip + part * step.slip_ahead);
+  return {step.before + own * step.slip + ahead * step.slip_ahead, own, ahead,
+          1.0 + by_part * part_by_stress * layer.hardening};
+}
 
 void FrictionState::begin(const FrictionProblem& problem, const std::vector<Index>& places,
                           double r) {

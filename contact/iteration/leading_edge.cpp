@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/iteration/leading_edge.hpp"
 
+#include "contact/base/root.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -177,13 +179,10 @@ Field leading_edges(const ContactGrid& grid, const Field& pressure) {
 /// and 3/2 q_{n+1} - 1/2 q_n = s dx/c behind it: p_n tends to (n + 3/2 (q_1 - 1)) s dx/c, which is
 /// to be (n - 1/2 + e) s dx/c with the edge e beyond the border.
 double layer_weight(double weight) {
-  double lower = -farthest, upper = farthest;  // leading_weight falls
-  constexpr int halvings = 40;
-  for (int k = 0; k < halvings; ++k) {
-    const double middle = 0.5 * (lower + upper);
-    (leading_weight(middle) > weight ? lower : upper) = middle;
-  }
-  return 1.5 / (1.0 + lower) - 1.0;
+  const auto too_heavy = [weight](double edge) { return leading_weight(edge) - weight; };
+  const double edge =
+      bracketed_root(too_heavy, -farthest, farthest, 0.0, "weight of the leading element");
+  return 1.5 / (1.0 + edge) - 1.0;
 }
 
 TangentialField fitted_difference(const ContactGrid& grid, const TangentialField& displacement,

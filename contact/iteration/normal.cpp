@@ -39,17 +39,6 @@ void check_problem(const NormalOperator& compliance, const NormalProblem& proble
                     *problem.approach, smallest));
 }
 
-/// Adapter of a normal block for the iteration.
-struct Applied {
-  const NormalOperator& block;
-  void apply(const Field& pressure, Field& displacement) const {
-    displacement = block.apply(pressure);
-  }
-  void precondition(const Field& residual, Field& result) const {
-    result = block.precondition(residual);
-  }
-};
-
 }  // namespace
 
 NormalSolution solve_normal(const NormalOperator& compliance, const NormalProblem& problem,
@@ -57,12 +46,11 @@ NormalSolution solve_normal(const NormalOperator& compliance, const NormalProble
   check_problem(compliance, problem, start);
   const double area = compliance.grid().element_area();
   BoundConstrainedCg iteration;
-  const Applied applied{compliance};
   NormalSolution result;
   const auto [iterations, residual] =
-      problem.approach ? iteration.solve_approach(applied, problem.undeformed_distance,
+      problem.approach ? iteration.solve_approach(compliance, problem.undeformed_distance,
                                                   *problem.approach, options, start)
-                       : iteration.solve_sum(applied, problem.undeformed_distance,
+                       : iteration.solve_sum(compliance, problem.undeformed_distance,
                                              *problem.normal_force / area, options, start);
   result.pressure = iteration.pressure();
   result.gap = iteration.gap();

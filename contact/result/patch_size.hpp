@@ -17,6 +17,9 @@ struct PatchSize {
   double length_unsure = 0.0, width_unsure = 0.0;
   /// Ends of the patch, mm; of the outermost ones where it falls into several regions.
   double x_lower = 0.0, x_upper = 0.0, y_lower = 0.0, y_upper = 0.0;
+
+  double x_middle() const { return 0.5 * (x_lower + x_upper); }
+  double y_middle() const { return 0.5 * (y_lower + y_upper); }
 };
 
 /// The edge along every row and column of elements follows from p^2 of the last three elements,

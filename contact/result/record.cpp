@@ -35,14 +35,6 @@ void Record::value(bool& truth) {
   truth = byte != 0;
 }
 
-void Record::value(std::optional<double>& number) {
-  bool there = number.has_value();
-  value(there);
-  double content = number.value_or(0.0);
-  if (there) value(content);
-  if (reading_) number = there ? std::optional<double>(content) : std::nullopt;
-}
-
 void Record::value(std::string& text) {
   text.resize(length(text.size(), 1));
   raw(text.data(), text.size());

@@ -46,21 +46,28 @@ class Record {
   template <class Entry>
   void value(std::map<std::string, Entry>& entries) {
     std::size_t count = length(entries.size(), 1);
-    if (!reading_) {
-      for (auto& [name, entry] : entries) {
-        std::string copy = name;
-        values(copy, entry);
+    if (!reading_)
+      for (auto& [name, entry] : entries) values(const_cast<std::string&>(name), entry);
+    else
+      for (entries.clear(); count > 0; --count) {
+        std::string name;
+        value(name);
+        value(entries[name]);
       }
-      return;
-    }
-    for (entries.clear(); count > 0; --count) {
-      std::string name;
-      value(name);
-      value(entries[name]);
-    }
+  }
+  template <class Entry>
+  void value(std::optional<Entry>& entry) {
+    bool there = entry.has_value();
+    value(there);
+    if (there != entry.has_value()) there ? void(entry.emplace()) : entry.reset();
+    if (entry) value(*entry);
+  }
+  /// A type with a function exchange(Record&, Type&) in its namespace.
+  template <class Type, std::enable_if_t<!std::is_trivially_copyable_v<Type>, int> = 0>
+  auto value(Type& whole) -> decltype(exchange(*this, whole)) {
+    exchange(*this, whole);
   }
   void value(bool& truth);
-  void value(std::optional<double>& number);
   void value(std::string& text);
   void value(Field& field);
   void value(TangentialField& field) { values(field.x, field.y); }
@@ -93,6 +100,14 @@ class Record {
   std::size_t position_ = 0;
   bool reading_ = false;
 };
+
+/// The bytes of some values in a row.
+template <class... Values>
+std::string record_of(const Values&... all) {
+  Record record;
+  record.values(const_cast<Values&>(all)...);  // only reading changes them
+  return record.bytes();
+}
 
 /// 64-bit FNV-1a, to detect a damaged or foreign record; no protection against malice.
 unsigned long long checksum(std::string_view bytes, unsigned long long begin = 0xcbf29ce484222325U);

@@ -57,14 +57,10 @@ double BelowSurface::arc_of(double y) const {
 }
 
 Vector3 BelowSurface::turned_direction(const Vector3& v, double angle) const {
-  const double along_x = v[0];
   const double radial = dot(v, down_);
-  const double axial = dot(v, axle_.direction);
-  const double x = along_x * std::cos(angle) + radial * std::sin(angle);
-  const double down = radial * std::cos(angle) - along_x * std::sin(angle);
-  Vector3 result{x, 0.0, 0.0};
-  for (std::size_t d = 1; d < 3; ++d) result[d] = axial * axle_.direction[d] + down * down_[d];
-  return result;
+  const double x = v[0] * std::cos(angle) + radial * std::sin(angle);
+  const double change = radial * (std::cos(angle) - 1.0) - v[0] * std::sin(angle);
+  return {x, v[1] + change * down_[1], v[2] + change * down_[2]};
 }
 
 Vector3 BelowSurface::turned_about_axle(const Vector3& in_section, double angle) const {

@@ -12,7 +12,7 @@ FrictionLaw::Coefficient FallingFriction::at(double slip) const {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const auto& [size, half_slip] = parts_[i];
     if (size == 0.0) continue;
-    const FallShape::Left left = shape_.left(i, slip / half_slip);
+    const FallShape::Left left = shape_.left(i, slip / half_slip, own_);
     sum.value += size * left.value;
     sum.by_slip += size * left.slope / half_slip;
   }
@@ -28,13 +28,17 @@ namespace {
 /// What a law has at one place.
 struct LawNumbers {
   double rest = 0.0, kinetic = 0.0, half_velocity = 0.0, second = 0.0, second_half_velocity = 0.0;
+  FallShape::Constants own{};
 };
 
-LawNumbers numbers_of(double mu, const FrictionFall& fall) {
+/// The kind of law is that of the case.
+LawNumbers numbers_of(const FallShape& shape, double mu, const FrictionFall& fall) {
   LawNumbers made{mu, fall.kinetic_coefficient.value_or(mu), fall.half_velocity.value_or(infinity),
                   fall.second_part, fall.second_half_velocity};
   if (fall.polach_a) made.kinetic = *fall.polach_a * mu;
   if (fall.polach_b) made.half_velocity = 1e3 * std::log(2.0) / *fall.polach_b;  // B is in s/m
+  for (std::size_t k = 0; k < made.own.size(); ++k)
+    made.own[k] = fall.constants[k].value_or(shape.constants[k].otherwise);
   return made;
 }
 
@@ -50,44 +54,52 @@ std::shared_ptr<FrictionLaw> law_of(const Case& input, const LawNumbers& at) {
       std::array<FallingFriction::Part, 2>{
           {{at.rest - at.kinetic - at.second, at.half_velocity / speed},
            {at.second, at.second_half_velocity / speed}}},
-      memory);
+      memory, at.own);
 }
 
 /// The numbers at a place: linear between the points, constant outside. Equal ones stay as they
 /// are to the last bit.
-LawNumbers numbers_at(const std::vector<double>& places,
-                      const std::vector<FrictionVariation::Point>& points, double place) {
-  const auto of = [&](std::size_t k) { return numbers_of(points[k].coefficient, points[k].fall); };
+LawNumbers numbers_at(const Case& input, const std::vector<double>& places, double place) {
+  const auto of = [&](std::size_t k) {
+    const FrictionVariation::Point& point = input.friction_variation.points[k];
+    return numbers_of(input.friction_fall.shape, point.coefficient, point.fall);
+  };
   const auto after = std::upper_bound(places.begin(), places.end(), place);
   if (after == places.begin()) return of(0);
   const auto k = static_cast<std::size_t>(after - places.begin());
   if (after == places.end()) return of(k - 1);
-  const LawNumbers from = of(k - 1), to = of(k);
+  LawNumbers made = of(k - 1);
+  const LawNumbers to = of(k);
   const double part = (place - places[k - 1]) / (places[k] - places[k - 1]);
-  const auto between = [part](double a, double b) { return a == b ? a : a + part * (b - a); };
-  return {between(from.rest, to.rest), between(from.kinetic, to.kinetic),
-          between(from.half_velocity, to.half_velocity), between(from.second, to.second),
-          between(from.second_half_velocity, to.second_half_velocity)};
+  const auto move = [part](double& a, double b) { a = a == b ? a : a + part * (b - a); };
+  for (double LawNumbers::*number :
+       {&LawNumbers::rest, &LawNumbers::kinetic, &LawNumbers::half_velocity, &LawNumbers::second,
+        &LawNumbers::second_half_velocity})
+    move(made.*number, to.*number);
+  for (std::size_t i = 0; i < made.own.size(); ++i) move(made.own[i], to.own[i]);
+  return made;
 }
 
 std::shared_ptr<FrictionLaw> without_layer(const Case& input, std::size_t position,
                                            const std::function<double(double y)>& inclination) {
-  const double mu = input.friction_coefficient;
+  const FallShape& shape = input.friction_fall.shape;
   const auto& [points, inclinations, track_positions, lateral] = input.friction_variation;
-  if (points.empty()) return law_of(input, numbers_of(mu, input.friction_fall));
+  if (points.empty())
+    return law_of(input, numbers_of(shape, input.friction_coefficient, input.friction_fall));
   if (!track_positions.empty())
     return law_of(input,
-                  numbers_at(track_positions, points, input.wheelset.track_position.at(position)));
+                  numbers_at(input, track_positions, input.wheelset.track_position.at(position)));
   const auto most =
       std::max_element(points.begin(), points.end(),
                        [](const auto& a, const auto& b) { return a.coefficient < b.coefficient; });
   return std::make_shared<VaryingFriction>(
-      law_of(input, numbers_of(most->coefficient, most->fall)), [input, inclination](double y) {
+      law_of(input, numbers_of(shape, most->coefficient, most->fall)),
+      [input, inclination](double y) {
         const FrictionVariation& over = input.friction_variation;
         if (over.inclination.empty())
-          return law_of(input, numbers_at(over.lateral_position, over.points, y));
+          return law_of(input, numbers_at(input, over.lateral_position, y));
         const double place = inclination ? inclination(y) : 0.0;
-        return law_of(input, numbers_at(over.inclination, over.points, place));
+        return law_of(input, numbers_at(input, over.inclination, place));
       });
 }
 

@@ -84,8 +84,8 @@ class FallingFriction : public FrictionLaw {
   };
 
   FallingFriction(FallShape shape, double kinetic, const std::array<Part, 2>& parts,
-                  std::optional<FrictionMemory> memory = {})
-      : shape_(shape), kinetic_(kinetic), parts_(parts), memory_(memory) {}
+                  std::optional<FrictionMemory> memory = {}, const FallShape::Constants& own = {})
+      : shape_(shape), kinetic_(kinetic), parts_(parts), memory_(memory), own_(own) {}
 
   Coefficient at(double slip) const override;
   bool feels_slip() const override { return true; }
@@ -96,6 +96,7 @@ class FallingFriction : public FrictionLaw {
   double kinetic_;
   std::array<Part, 2> parts_;
   std::optional<FrictionMemory> memory_;
+  FallShape::Constants own_;
 };
 
 /// A law for every row of elements.

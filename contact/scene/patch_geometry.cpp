@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -49,38 +50,35 @@ Height height_of(const HeightCurve& wheel_radius, const Axle& axle, double x, do
 
 HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_lower,
                     double y_upper) {
-  std::vector<std::array<double, 3>> down, up;  // y, z, slope
-  constexpr std::size_t usual_knots = 2048;
-  for (auto* knots : {&down, &up}) knots->reserve(usual_knots);
-  const auto walk = [&](double end, std::vector<std::array<double, 3>>& knots) {
+  std::vector<double> y_of, z_of, slope_of;
+  constexpr std::size_t usual_knots = 4096;
+  for (auto* list : {&y_of, &z_of, &slope_of}) list->reserve(usual_knots);
+  const auto walk = [&](double end) {
     const double direction = end > 0.0 ? 1.0 : -1.0;
     double y = 0.0, z = 0.0;
     while (direction * y <= direction * end) {
       const Height height = height_of(wheel_radius, axle, 0.0, y, z);
       if (!height.found || std::abs(height.slope) > steepest) return;
       if (!wheel_radius.contains(axle_place(axle, {0.0, y, height.value}).axial)) return;
-      knots.push_back({y, height.value, height.slope});
+      y_of.push_back(y);
+      z_of.push_back(height.value);
+      slope_of.push_back(height.slope);
       const double step = direction * knot_distance / std::sqrt(1.0 + height.slope * height.slope);
       y += step;
       z = height.value + height.slope * step;
     }
   };
-  walk(y_lower, down);
-  walk(y_upper, up);
-  std::vector<double> y, z, slope;
-  for (auto* list : {&y, &z, &slope}) list->reserve(down.size() + up.size());
-  const auto add = [&](const std::array<double, 3>& knot) {
-    y.push_back(knot[0]);
-    z.push_back(knot[1]);
-    slope.push_back(knot[2]);
-  };
-  for (auto knot = down.rbegin(); knot != down.rend(); ++knot) add(*knot);
-  for (std::size_t k = down.empty() ? 0 : 1; k < up.size(); ++k) add(up[k]);
-  if (y.size() < 2)
+  walk(y_lower);
+  for (auto* list : {&y_of, &z_of, &slope_of}) {
+    std::reverse(list->begin(), list->end());
+    if (!list->empty()) list->pop_back();  // y = 0, where the next walk begins
+  }
+  walk(y_upper);
+  if (y_of.size() < 2)
     throw InputError(
         "wheel.rolling_radius: the wheel has no surface at the contact reference point; allowed: a "
         "radius much larger than the heights of the profile; do: give it in mm");
-  return {std::move(y), std::move(z), std::move(slope)};
+  return {std::move(y_of), std::move(z_of), std::move(slope_of)};
 }
 
 }  // namespace

@@ -33,10 +33,7 @@ LoadPoint load_point(const Case& input, std::size_t k) {
     point.load.force = step.normal_force;
     point.load.approach = step.approach;
   }
-  point.longitudinal_shift = step.longitudinal_shift;
-  point.lateral_shift = step.lateral_shift;
-  point.spin_shift = step.spin_shift;
-  point.step_length = step.step_length;
+  static_cast<StepMotion&>(point) = step;
   return without_unknowns(point);
 }
 
@@ -71,6 +68,11 @@ bool Scene::load_changes() const {
   return std::any_of(points.begin(), points.end(), [this](const LoadPoint& point) {
     return !(point.load == points.front().load);
   });
+}
+
+bool Scene::shares_load() const {
+  return std::any_of(points.begin(), points.end(),
+                     [](const LoadPoint& point) { return point.load.is_tilted(); });
 }
 
 bool Scene::is_symmetric() const {

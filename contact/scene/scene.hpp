@@ -21,24 +21,19 @@ struct NormalLoad {
   /// friction then carries a part of the force.
   std::array<double, 2> direction{0.0, 1.0};
 
+  bool is_tilted() const { return direction[0] != 0.0; }
   bool operator==(const NormalLoad& other) const {
     return force == other.force && approach == other.approach && direction == other.direction;
   }
 };
 
 /// One point of a creep curve, or one step of a history.
-struct LoadPoint {
+struct LoadPoint : StepMotion {
   NormalLoad load;
   Creepage creepage;      ///< 0 in a direction whose force is prescribed
   PrescribedForce force;  ///< instead of creepages (shifts)
   /// Absolute errors of creepages found by a wheelset's balance.
   std::optional<Creepage> creepage_error;
-  // Rigid displacements of the wheel relative to the rail during this step, not since the
-  // beginning.
-  double longitudinal_shift = 0.0;  ///< mm, Problem::shift
-  double lateral_shift = 0.0;       ///< mm, Problem::shift
-  double spin_shift = 0.0;          ///< rad, Problem::shift
-  double step_length = 0.0;         ///< mm rolled in this step, Problem::transient
 };
 
 /// A point load of another contact of the same wheel, acting on the wheel along the axes of that
@@ -100,6 +95,8 @@ struct Scene {
   bool feels_inertia() const { return options.fem.inertia && speed > 0.0; }
   /// Whether the load points differ in their loads.
   bool load_changes() const;
+  /// Friction on a tilted plane carries a part of the load.
+  bool shares_load() const;
   /// Subsurface points.
   bool asks_for_stress() const { return !subsurface.empty() || output.stress_maxima; }
   /// Whether y = 0 is a symmetry plane: bodies with radii, and no lateral driving of the material.

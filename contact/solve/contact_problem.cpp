@@ -72,7 +72,7 @@ ContactState ContactProblem::solve_problem(const CoupledProblem& problem, const 
                                            const OuterCallback& each_iteration,
                                            const ForcedSlip* forced) {
   ContactState state;
-  if (!problem.friction && problem.same_normal_block) {
+  if (!problem.friction && same_normal_block()) {
     state = frictionless(problem);
   } else if (coupled()) {
     state = solve_coupled(problem, start, accuracy, each_iteration, forced);
@@ -97,7 +97,7 @@ ContactState ContactProblem::solve_for_force(const NormalLoad& load, const Motio
                                              const ForceSearch& search, const ContactState& start,
                                              const ContactAccuracy& accuracy,
                                              const OuterCallback& each_iteration) {
-  if (coupled() && !conditions_.same_normal_block) {
+  if (coupled() && !same_normal_block()) {
     const ForcedSlip forced{wanted, search,
                             [&](const Eigen::Vector2d& at) { return motion(at).rigid_slip; }};
     return solve_problem(problem_of(load, motion(search.start)), &start, accuracy, each_iteration,
@@ -108,10 +108,7 @@ ContactState ContactProblem::solve_for_force(const NormalLoad& load, const Motio
   const ForceLaw law = [&](const Eigen::Vector2d& at) {
     state = solve(load, motion(at), &state, accuracy, each_iteration);
     iterations += state.iterations;
-    const auto force = transmitted_force(grid(), state.traction(), conditions_.shape);
-    return TransmittedForce{
-        {force[0], force[1]},
-        mean_coefficient(conditions_.friction, grid(), state.normal.pressure) * force[2]};
+    return transmitted_by(grid(), conditions_, state);
   };
   state.unknowns = find_creepage(law, wanted, search).creepage;
   state.iterations = iterations;
@@ -172,7 +169,7 @@ ContactState ContactProblem::solve_uncoupled(const CoupledProblem& problem,
 
 Preconditioner ContactProblem::preconditioner(Motion motion, const Field& pressure) {
   const UpwindOrder order = conditions_.upwind_order;
-  if (!conditions_.same_normal_block && fitted(motion))
+  if (!same_normal_block() && fitted(motion))
     return refitted(standin_, order, conditions_.coupled_standin);
   return {standin_, standin_.normal(), tangential_operator(motion, pressure), order, motion};
 }
@@ -181,7 +178,7 @@ ContactState ContactProblem::solve_coupled(const CoupledProblem& problem, const 
                                            const ContactAccuracy& accuracy,
                                            const OuterCallback& each_iteration,
                                            const ForcedSlip* forced) {
-  const bool same_normal = problem.same_normal_block;
+  const bool same_normal = same_normal_block();
   ContactState state = contact::solve_coupled(
       whole_,
       preconditioner(problem.motion.motion, same_normal ? press(problem.load).pressure : Field()),

@@ -76,6 +76,8 @@ class ContactProblem {
   /// Fits second-order rolling to the leading edge of this pressure if the conditions request it.
   const TangentialOperator& tangential_operator(Motion motion, const Field& pressure);
   bool fitted(Motion motion) const;
+  /// The stand-in has the normal block of the whole elasticity, as for unlike half-spaces.
+  bool same_normal_block() const { return !coupled() || &whole_ == conditions_.coupled_standin; }
   Preconditioner preconditioner(Motion motion, const Field& pressure);
 
   const Compliance& whole_;

@@ -106,7 +106,7 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   bool taking_up = store_ != nullptr;
   for (std::size_t k = 0; k < scene_.points.size(); ++k) {
     // Also at restored load points, so that numbers stay the same to the last bit.
-    if (elasticity_->same_normal_block()) {
+    if (elasticity_->is_halfspace()) {
       if (!problem_) prepare();
       if (!press(k)) return false;
       if (k == 0) warn_if_steep();
@@ -144,13 +144,12 @@ void ContactRun::prepare() {
   conditions.upwind_order = scene_.upwind_order;
   conditions.shape = shape_;
   conditions.fit_leading_edge = scene_.leading_edge == LeadingEdge::fitted;
-  conditions.same_normal_block = elasticity_->same_normal_block();
   conditions.coupled_standin = elasticity_->coupled_standin();
   problem_ = std::make_unique<ContactProblem>(elasticity_->compliance(), elasticity_->standin(),
                                               std::move(conditions));
   motion_->set_extra(elasticity_->extra_slip());
   result_.setup_seconds += setup.seconds();
-  if (!elasticity_->same_normal_block() && result_.points.empty()) find_first_defect();
+  if (!elasticity_->is_halfspace() && result_.points.empty()) find_first_defect();
 }
 
 /// The frictionless solution: start of the first load point.
@@ -205,7 +204,7 @@ ContactState ContactRun::start_for(std::size_t k) {
       finer_tractions(coarser->grid, coarser->pressure, coarser->relative_traction[k], result_.grid,
                       traction_bound(friction_, result_.grid, start.normal.pressure));
   // The defect of these tractions, not from another load point.
-  if (elasticity_->same_normal_block()) start.defect = {};
+  if (elasticity_->is_halfspace()) start.defect = {};
   return start;
 }
 
@@ -215,7 +214,7 @@ OuterCallback ContactRun::each_iteration(std::size_t k) {
     count(result_.newton_steps, state.tangential.newton_steps);
     count(result_.krylov_iterations, state.tangential.krylov_iterations);
     count(result_.iterations, state.iterations);
-    if (elasticity_->same_normal_block()) return;
+    if (elasticity_->is_halfspace()) return;
     ProgressEvent event = event_of(k);
     describe(event, state);
     tell(event, stage_of(scene_.problem_of(k)), false);
@@ -300,7 +299,7 @@ void ContactRun::solve_point(std::size_t k) {
   const Stopwatch watch;
   const char* stage = stage_of(scene_.problem_of(k));
   ProgressEvent event = event_of(k);
-  if (elasticity_->same_normal_block()) {
+  if (elasticity_->is_halfspace()) {
     event.contact_elements = problem_->press(scene_.points[k].load).contact_elements;
     tell(event, stage, false);
   }
@@ -318,7 +317,7 @@ void ContactRun::solve_point(std::size_t k) {
 
   if (rolls(scene_.problem)) event.creepage = point.creepage.longitudinal;
   describe(event, state_);
-  if (state_.tangential.krylov_iterations > 0 && elasticity_->same_normal_block())
+  if (state_.tangential.krylov_iterations > 0 && elasticity_->is_halfspace())
     event.note = fmt::format("{} Krylov iterations", state_.tangential.krylov_iterations);
   tell(event, stage, true);
   result_.contact_elements = state_.normal.contact_elements;
@@ -348,8 +347,8 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   add_energies(point);
   if (scene_.has_profiles()) {
     const PatchSize size = patch_size(result_.grid, state_.normal.pressure);
-    point.patch_x_middle = 0.5 * (size.x_lower + size.x_upper);
-    point.patch_y_middle = 0.5 * (size.y_lower + size.y_upper);
+    point.patch_x_middle = size.x_middle();
+    point.patch_y_middle = size.y_middle();
   }
   point.approach = state_.normal.approach;
   point.iterations = state_.iterations;

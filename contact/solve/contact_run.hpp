@@ -21,9 +21,9 @@ namespace rollfem::contact {
 class Elasticity {
  public:
   virtual ~Elasticity() = default;
-  /// The stand-in has the normal block of the whole elasticity, as for unlike half-spaces, and is
-  /// cheap: pressure without friction needs only the stand-in and locates the leading edge.
-  virtual bool same_normal_block() const { return false; }
+  /// Cheap, as half-spaces are, also unlike ones: the pressure without friction, by the stand-in
+  /// alone, is found before every load point and locates the leading edge.
+  virtual bool is_halfspace() const { return false; }
   /// Expensive preparation (meshes and solvers) before the members below are called. Skipped by a
   /// run that restores all its load points.
   virtual void prepare() {}

@@ -132,12 +132,7 @@ void solve_standin_with(const Preconditioner& preconditioner, const Response& de
   const ForceLaw law = [&](const Eigen::Vector2d& unknowns) {
     problem.motion.rigid_slip = forced->rigid_slip(unknowns);
     solve_standin(preconditioner, problem, defect, std::min(tolerance, search.tolerance), solution);
-    const auto force =
-        transmitted_force(preconditioner.whole.grid(), tractions(solution), problem.shape);
-    return TransmittedForce{
-        {force[0], force[1]},
-        mean_coefficient(problem.friction, preconditioner.whole.grid(), solution.normal.pressure) *
-            force[2]};
+    return transmitted_by(preconditioner.whole.grid(), problem, solution);
   };
   solution.unknowns = search.start = find_creepage(law, forced->wanted, search).creepage;
 }
@@ -205,6 +200,13 @@ class OuterSteps {
 };
 
 }  // namespace
+
+TransmittedForce transmitted_by(const ContactGrid& grid, const ContactConditions& conditions,
+                                const ContactState& state) {
+  const auto force = transmitted_force(grid, state.traction(), conditions.shape);
+  return {{force[0], force[1]},
+          mean_coefficient(conditions.friction, grid, state.normal.pressure) * force[2]};
+}
 
 ContactState solve_coupled(const Compliance& compliance, const Preconditioner& preconditioner,
                            const CoupledProblem& given, const OuterOptions& options,

@@ -32,6 +32,10 @@ struct ForcedSlip {
   std::function<TangentialField(const Eigen::Vector2d& unknowns)> rigid_slip;
 };
 
+/// F_x, F_y and mu F_z of a state.
+TransmittedForce transmitted_by(const ContactGrid& grid, const ContactConditions& conditions,
+                                const ContactState& state);
+
 using OuterCallback = std::function<void(const ContactState&)>;
 
 /// Throws SolveError when the outer iteration does not converge, UnfitGrid when it does not because

@@ -2,6 +2,7 @@
 #include "contact/solve/prescribed_force.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/root.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -89,16 +90,11 @@ class BracketedSearch {
       : law_(law), k_(component), wanted_(wanted), all_(all), search_(search), at_(search.start) {}
 
   FoundCreepage run() {
-    double c = at_[k_];
-    for (;;) {
-      if (evaluated(c)) return law_.found();
-      if (low_ && high_)
-        c = between();
-      else if (passed_peak())
-        return climb();
-      else
-        c = beyond();
+    for (double c = at_[k_]; !evaluated(c); c = beyond()) {
+      if (low_ && high_) return between();
+      if (passed_peak()) return climb();
     }
+    return law_.found();
   }
 
  private:
@@ -120,9 +116,6 @@ class BracketedSearch {
     before_ = last_;
     last_ = Sample{c, g, got.force[k_] / got.bound};
     (g < 0.0 ? low_ : high_) = last_;
-    weight_low_ = weight_high_ = 1.0;
-    // Illinois: an end retained for the second time gets half weight, so that it moves, too.
-    if (before_ && (before_->g < 0.0) == (g < 0.0)) (g < 0.0 ? weight_high_ : weight_low_) = 0.5;
     return false;
   }
 
@@ -177,9 +170,7 @@ class BracketedSearch {
     high_.reset();
     if (evaluated(0.0)) return law_.found();
     (enough.g < 0.0 ? low_ : high_) = enough;
-    while (!evaluated(between())) {
-    }
-    return law_.found();
+    return between();
   }
 
   /// Without a bracket: a secant step where it makes progress, growing steps where the force does
@@ -199,20 +190,15 @@ class BracketedSearch {
     return last_->c + direction * step;
   }
 
-  double between() {
-    const double width = high_->c - low_->c;
-    const double low = weight_low_ * low_->g;
-    const double high = weight_high_ * high_->g;
-    if (std::abs(width) <= 4e-16 * std::max(std::abs(low_->c), std::abs(high_->c)))
-      fail(all_, fmt::format("the force jumps past it at creepage {:.6g}", low_->c));
-    // A bisection whenever three secant steps have not reduced the bracket to an eighth.
-    if (++secants_ % 4 == 0) {
-      const bool slow = std::abs(width) > 0.125 * std::abs(last_width_);
-      last_width_ = width;
-      if (slow) return low_->c + 0.5 * width;
-    }
-    const double part = low / (low - high);
-    return low_->c + std::clamp(part, 1e-6, 1.0 - 1e-6) * width;
+  FoundCreepage between() {
+    bool met = false;
+    const auto g = [&](double c) {
+      met = evaluated(c);
+      return met ? 0.0 : last_->g;
+    };
+    const double c = root_between(g, low_->c, low_->g, high_->c, high_->g, 0.0, "prescribed force");
+    if (!met) fail(all_, fmt::format("the force jumps past it at creepage {:.6g}", c));
+    return law_.found();
   }
 
   Counted& law_;
@@ -224,10 +210,6 @@ class BracketedSearch {
   double unit_ = 0.0;
   double bound_ = 0.0;  ///< of the last force, N
   std::optional<Sample> low_, high_, last_, before_;
-  double weight_low_ = 1.0;
-  double weight_high_ = 1.0;
-  int secants_ = 0;
-  double last_width_ = infinity;
 };
 
 Vector2d stretched(const Vector2d& relative_force) {

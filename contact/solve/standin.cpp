@@ -18,11 +18,13 @@ class CarriedNormal : public NormalOperator {
   CarriedNormal(const NormalOperator& plane, const Field& carried)
       : plane_(plane), carried_(carried) {}
   const ContactGrid& grid() const override { return plane_.grid(); }
-  Field apply(const Field& q) const override {
-    return plane_.apply(q.cwiseQuotient(carried_)).cwiseQuotient(carried_);
+  void apply(const Field& q, Field& displacement) const override {
+    plane_.apply(q.cwiseQuotient(carried_), displacement);
+    displacement.array() /= carried_.array();
   }
-  Field precondition(const Field& residual) const override {
-    return plane_.precondition(residual.cwiseProduct(carried_)).cwiseProduct(carried_);
+  void precondition(const Field& residual, Field& result) const override {
+    plane_.precondition(residual.cwiseProduct(carried_), result);
+    result.array() *= carried_.array();
   }
 
  private:

@@ -57,7 +57,6 @@ struct ContactConditions {
   /// second order and tractions do not zigzag from row to row. false: the same difference
   /// everywhere.
   bool fit_leading_edge = true;
-  bool same_normal_block = true;  ///< Elasticity
   /// The stand-in with the coupling of unlike materials; null: like materials, or the elasticity
   /// itself.
   const Compliance* coupled_standin = nullptr;
@@ -75,7 +74,7 @@ struct CoupledProblem : ContactConditions {
   /// Whether friction carries a part of the prescribed force.
   bool shares_load() const {
     return load.force && given_pressure.size() == 0 &&
-           (shape.climb.size() != 0 || load.direction[0] != 0.0);
+           (shape.climb.size() != 0 || load.is_tilted());
   }
 };
 

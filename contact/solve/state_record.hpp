@@ -24,19 +24,6 @@ inline void exchange(Record& record, ContactState& state) {
   record.values(state.displacement, state.defect, state.iterations, state.residual);
 }
 
-inline std::string point_record(PointResult point, ContactState state) {
-  Record record;
-  record.value(point);
-  exchange(record, state);
-  return record.bytes();
-}
-
-inline void read_point(const std::string& bytes, PointResult& point, ContactState& state) {
-  Record record(bytes);
-  record.value(point);
-  exchange(record, state);
-}
-
 /// The load points of one grid in a checkpoint, each with the state from which the next one starts.
 class PointStore {
  public:
@@ -47,11 +34,11 @@ class PointStore {
   bool find(std::size_t k, PointResult& point, ContactState& state) {
     if (!usable_) return false;
     const std::optional<std::string> bytes = checkpoint_.find(name(k));
-    if (bytes) read_point(*bytes, point, state);
+    if (bytes) Record(*bytes).values(point, state);
     return bytes.has_value();
   }
   void keep(std::size_t k, const PointResult& point, const ContactState& state) {
-    checkpoint_.keep(name(k), point_record(point, state));
+    checkpoint_.keep(name(k), record_of(point, state));
   }
 
  private:

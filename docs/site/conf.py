@@ -24,13 +24,14 @@ html_show_sourcelink = False
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(build / "python"))
 autodoc_member_order = "bysource"
-autodoc_typehints = "none"
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented_params"
 
 breathe_projects = {"rollfem": str(build / "docs" / "doxygen" / "xml")}
 breathe_default_project = "rollfem"
 breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
 
-headers = ["capi/rollfem/rollfem.h", "interface/rollfem/rollfem.hpp", "contact/case/case.hpp",
+headers = ["bindings/capi/rollfem/rollfem.h", "bindings/interface/rollfem/rollfem.hpp", "contact/case/case.hpp",
            "contact/result/result.hpp", "contact/base/progress.hpp", "postprocess/write/output.hpp"]
 (build / "docs" / "doxygen").mkdir(parents=True, exist_ok=True)
 subprocess.run(["doxygen", "-"], check=True, cwd=root, text=True, input=f"""
@@ -48,18 +49,19 @@ FILTER_PATTERNS = *.h="sed -e 's|^\\( *\\)/\\*|\\1/**|' -e 's|\\([^ ] *\\)/\\* |
 
 
 def as_written(app, what, name, thing, options, lines):
-    """What a docstring sets in columns or indents, before its sections of parameters, stays as it stands."""
-    heads = [i for i, line in enumerate(lines) if re.fullmatch("-{3,}", line)]
-    sections = lines[heads[0] - 1:] if heads else []
-    paragraphs = "\n".join(lines[:heads[0] - 1] if heads else lines).split("\n\n")
+    """What a docstring sets in columns or indents, but for its sections and examples, stays as it stands."""
+    paragraphs = "\n".join(lines).split("\n\n")
     lines.clear()
     for paragraph in paragraphs:
         rows = paragraph.split("\n")
-        if any(row.startswith(" ") or "  " in row for row in rows):
+        if re.fullmatch(r"\w+:", rows[0]):  # a section
+            lines += [row.replace("|", "\\|") for row in rows] + [""]
+        elif rows[0].startswith(">>> "):
+            lines += rows + [""]
+        elif any(row.startswith(" ") or "  " in row for row in rows):
             lines += ["::", "", *("    " + row for row in rows), ""]
         else:
             lines += [re.sub(r"([*|])", r"\\\1", row) for row in rows] + [""]
-    lines += [row.replace("|", "\\|") for row in sections]
 
 
 def setup(app):

@@ -17,6 +17,8 @@ struct CaseBodies {
   std::vector<std::string> notes;  ///< on rigid bodies and meshes not of the family `structured`
 
   BodyPair both() const { return {wheel.get(), rail.get()}; }
+  /// Whether half of each body is modelled.
+  bool half() const { return (!wheel || wheel->options().half) && (!rail || rail->options().half); }
 };
 
 /// Requested bodies.

@@ -4,7 +4,6 @@
 #include "contact/base/progress.hpp"
 #include "contact/result/record.hpp"
 #include "fem/discretisation/case_bodies.hpp"
-#include "fem/linear/factorisation.hpp"
 #include "fem/linear/memory.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/stress/stress_output.hpp"
@@ -17,6 +16,7 @@
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -38,23 +38,41 @@ struct Task {
   long number = 0;
   double normal_force = 0.0;
 
-  void exchange(contact::Record& record) {
-    int code = static_cast<int>(action);
-    record.values(code, traction, number, normal_force);
-    action = static_cast<Action>(code);
-  }
-  FirstProcess::Order order() {
-    contact::Record record;
-    exchange(record);
-    return record.bytes();
+  FirstProcess::Order order() const {
+    return contact::record_of(action, traction, number, normal_force);
   }
 };
+
+void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
+               const RunLayout& layout, const CaseBodies& bodies, const std::string& solver,
+               std::vector<std::string>& notes) {
+  notes.push_back(far_boundary_note(scene, bodies.reach));
+  if (!bodies.notes.empty()) notes.push_back(fmt::format("{}", fmt::join(bodies.notes, "\n")));
+  const double steepest = geometry.shape(layout.grid).climb.cwiseAbs().maxCoeff();
+  if (steepest > 0.05)
+    notes.push_back(fmt::format(
+        "the patch is curved (slope {:.2g} at the edge of the grid): tractions, slip and gap are "
+        "along the local normal and tangents, y is the lateral coordinate, forces are along x, y, "
+        "z",
+        steepest));
+  if (scene.has_profiles()) {
+    const double yaw = std::asin(scene.geometry.surface.profiles->axle().direction[0]);
+    if (std::abs(yaw) > 1e-9)
+      notes.push_back(
+          fmt::format("the wheel is yawed by {:.3g} mrad: undeformed distance and slip include "
+                      "this; its finite-element body is revolved about the axle without yaw",
+                      1e3 * yaw));
+  }
+  if (bodies.half()) notes.push_back("half of each body is modelled: y = 0 is a symmetry plane");
+  notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
+                              layout.bodies.cell_size, layout.bodies.degree, solver));
+}
 
 class LevelElasticity : public FemElasticity {
  public:
   LevelElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
                   const RunLayout& layout, const LevelOptions& options,
-                  const contact::Progress& progress, FirstProcess& first, LevelStart& start,
+                  const contact::Progress& progress, FirstProcess& first,
                   contact::ModelResult& result)
       : scene_(scene),
         geometry_(geometry),
@@ -62,7 +80,6 @@ class LevelElasticity : public FemElasticity {
         options_(options),
         progress_(progress),
         first_(first),
-        start_(start),
         result_(result) {}
 
   void obey(const FirstProcess::Order& order) override;
@@ -124,7 +141,6 @@ class LevelElasticity : public FemElasticity {
   const LevelOptions& options_;
   const contact::Progress& progress_;
   FirstProcess& first_;
-  LevelStart& start_;
   contact::ModelResult& result_;
   CaseBodies bodies_;
   bool factorisation_ = false;
@@ -139,8 +155,7 @@ class LevelElasticity : public FemElasticity {
 
 void LevelElasticity::obey(const FirstProcess::Order& order) {
   Task task;
-  contact::Record record(order);
-  task.exchange(record);
+  contact::Record(order).values(task.action, task.traction, task.number, task.normal_force);
   if (task.action == Action::prepare) make_bodies_and_solvers();
   if (task.action == Action::respond) compliance_->respond(task.traction);
   if (task.action != Action::complete) return;
@@ -151,6 +166,7 @@ void LevelElasticity::obey(const FirstProcess::Order& order) {
 }
 
 void LevelElasticity::make_bodies_and_solvers() {
+  result_.notes.clear();  // of an earlier run that is resumed
   const Stopwatch mesh_watch;
   make_meshes();
   result_.seconds["mesh"] = mesh_watch.seconds();
@@ -171,32 +187,13 @@ void LevelElasticity::tell(contact::ProgressEvent event, const std::string& stag
 void LevelElasticity::make_meshes() {
   tell({}, "mesh");
   bodies_ = make_bodies(scene_, layout_.bodies, MPI_COMM_WORLD);
-  start_.reach = bodies_.reach;
-  start_.notes = fmt::format("{}", fmt::join(bodies_.notes, "\n"));
-  std::array<long, 2> unknowns{};
-  bool algebraic = false;
-  double coarse_factors = 0.0;
-  start_.half = true;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Body* body = bodies_.both()[k];
-    if (body == nullptr) continue;
-    unknowns[k] = static_cast<long>(body->unknowns());
-    start_.half = start_.half && body->options().half;
-    algebraic = algebraic || takes_algebraic(scene_, *body);
-    const bool given = k == 0 ? !scene_.wheel.mesh.empty() : !scene_.rail.mesh.empty();
-    if (given || has_true_sections(scene_))
-      coarse_factors += predicted_factor_bytes(coarse_unknowns(*body));
-  }
-  start_.unknowns = unknowns[0] + unknowns[1];
-  MemoryDemand demand =
-      memory_demand(static_cast<double>(unknowns[0]), static_cast<double>(unknowns[1]),
-                    layout_.bodies, options_.body_fields ? points_that_keep_bodies(scene_) : 0);
-  demand.algebraic = algebraic;
-  demand.coarse_factors = coarse_factors;
-  demand.factorisation = factorisation_ = takes_factorisation(scene_, demand);
+  const MemoryDemand demand =
+      memory_demand(scene_, layout_.bodies, bodies_.both(), options_.body_fields);
+  factorisation_ = demand.factorisation;
+  result_.unknowns = static_cast<long>(demand.unknowns[0] + demand.unknowns[1]);
   contact::ProgressEvent event;
-  event.note = fmt::format("wheel {} + rail {} unknowns, {}", unknowns[0], unknowns[1],
-                           memory_note(demand, MPI_COMM_WORLD));
+  event.note = fmt::format("wheel {:.0f} + rail {:.0f} unknowns, {}", demand.unknowns[0],
+                           demand.unknowns[1], memory_note(demand, MPI_COMM_WORLD));
   tell(event, "mesh", true);
   refuse_beyond_memory(demand, layout_.bodies.cell_size, MPI_COMM_WORLD);
 }
@@ -206,16 +203,16 @@ void LevelElasticity::make_compliance() {
   solvers_ = make_solvers(scene_, bodies_.both(), factorisation_);
   stresses_ = std::make_unique<StressOutput>(scene_, bodies_.both(), layout_.grid,
                                              default_cell_size(scene_), options_.body_fields);
-  start_.bodies = stresses_->bodies();
+  result_.bodies = stresses_->bodies();
   compliance_ = std::make_unique<FemCompliance>(
-      FemCompliance::Part{bodies_.wheel.get(), solvers_.wheel.get()},
-      FemCompliance::Part{bodies_.rail.get(), solvers_.rail.get()}, scene_.geometry.surface,
+      FemCompliance::Part{bodies_.wheel.get(), solvers_[0].get()},
+      FemCompliance::Part{bodies_.rail.get(), solvers_[1].get()}, scene_.geometry.surface,
       layout_.grid, far_boundary_of(scene_));
-  start_.solver = (solvers_.wheel ? solvers_.wheel : solvers_.rail)->description();
   contact::ProgressEvent event;
-  event.note = start_.solver;
+  event.note = (solvers_[0] ? solvers_[0] : solvers_[1])->description();
   tell(event, "linear solvers", true);
   if (scene_.feels_inertia() && bodies_.wheel) spin_wheel();
+  add_notes(scene_, geometry_, layout_, bodies_, event.note, result_.notes);
   // Processes that do not solve the contact problem need no stand-in.
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) return;
   // The defect includes the coupling of unlike materials; the stand-in need not.
@@ -226,7 +223,7 @@ void LevelElasticity::make_compliance() {
 }
 
 void LevelElasticity::spin_wheel() {
-  expansion_ = wheel_expansion(*bodies_.wheel, *solvers_.wheel, geometry_.geometry().surface,
+  expansion_ = wheel_expansion(*bodies_.wheel, *solvers_[0], geometry_.geometry().surface,
                                layout_.grid, scene_.upwind_order);
   result_.notes.push_back(
       fmt::format("rolling at {:.4g} mm/s: inertia of wheel and rail; rotation expands the wheel "
@@ -235,7 +232,7 @@ void LevelElasticity::spin_wheel() {
 }
 
 void LevelElasticity::add_stresses(std::size_t k, PointResult& point) {
-  point.error_estimate["approach"] = approach_left_out(scene_, point.normal_force, start_.reach);
+  point.error_estimate["approach"] = approach_left_out(scene_, point.normal_force, bodies_.reach);
   if (!stresses_->wanted(k)) return;
   const Stopwatch watch;
   tell({}, "stresses");
@@ -250,8 +247,8 @@ void LevelElasticity::add_stresses(std::size_t k, PointResult& point) {
 std::unique_ptr<FemElasticity> make_fem_elasticity(
     const Scene& scene, const contact::ChartedGeometry& geometry, const RunLayout& layout,
     const LevelOptions& options, const contact::Progress& progress, FirstProcess& first,
-    LevelStart& start, contact::ModelResult& result) {
-  return std::make_unique<LevelElasticity>(scene, geometry, layout, options, progress, first, start,
+    contact::ModelResult& result) {
+  return std::make_unique<LevelElasticity>(scene, geometry, layout, options, progress, first,
                                            result);
 }
 

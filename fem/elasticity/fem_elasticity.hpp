@@ -10,23 +10,8 @@
 #include "fem/mesh/run_layout.hpp"
 
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace rollfem::fem {
-
-/// The frictionless solution and the result's data of the level as a whole, stored for a later run.
-struct LevelStart {
-  contact::Response defect;
-  int contact_elements = 0;
-  long unknowns = 0;
-  std::string solver;  ///< LinearSolver::description
-  double reach = 0.0;  ///< mm, from the patch to the nearer clamped boundary
-  bool half = false;   ///< half of each body is modelled
-  std::string notes;   ///< on the meshes
-  /// For ModelResult::bodies.
-  std::vector<contact::BodyField> bodies;
-};
 
 /// Solved by the first process for the contact problem; all processes take part in prepare(),
 /// compliance() and complete().
@@ -36,12 +21,12 @@ class FemElasticity : public contact::Elasticity {
   virtual void obey(const FirstProcess::Order& order) = 0;
 };
 
-/// Meshes and factorises; fills `start` except the frictionless solution, and the seconds and notes
-/// of `result`. All arguments must outlive the returned object. Throws contact::InputError,
+/// Meshes and factorises when it is prepared; fills unknowns, bodies, seconds and notes of
+/// `result`. All arguments must outlive the returned object. Throws contact::InputError,
 /// contact::SolveError.
 std::unique_ptr<FemElasticity> make_fem_elasticity(
     const contact::Scene& scene, const contact::ChartedGeometry& geometry, const RunLayout& layout,
     const LevelOptions& options, const contact::Progress& progress, FirstProcess& first,
-    LevelStart& start, contact::ModelResult& result);
+    contact::ModelResult& result);
 
 }  // namespace rollfem::fem

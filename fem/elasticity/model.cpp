@@ -43,12 +43,8 @@ std::string note_on_bars(double coarse_cell, double cell, bool beside_half_space
 }
 
 void exchange(contact::Record& record, ModelResult& result) {
-  std::size_t notes = result.notes.size(), points = result.points.size();
-  record.values(result.unknowns, result.contact_elements, result.shortfall, notes, points);
-  result.notes.resize(notes);
-  result.points.resize(points);
-  for (std::string& note : result.notes) record.value(note);
-  for (contact::PointResult& point : result.points) record.value(point);
+  record.values(result.unknowns, result.contact_elements, result.shortfall, result.notes,
+                result.points);
 }
 
 /// Sends the result of the first process to all, except the bodies, because studies and choices of

@@ -8,7 +8,6 @@
 #include "contact/solve/state_record.hpp"
 #include "fem/elasticity/fem_elasticity.hpp"
 #include "fem/mesh/run_layout.hpp"
-#include "fem/trace/far_error.hpp"
 #include "halfspace/patch/coverage.hpp"
 
 #include <fmt/format.h>
@@ -30,45 +29,6 @@ using contact::Scene;
 constexpr contact::ContactAccuracy fem_accuracy{1e-6, {1e-4, 40, 3}};
 /// Tolerance of a prescribed force, relative to mu F_z.
 constexpr double force_tolerance = 1e-5;
-
-void exchange(contact::Record& record, LevelStart& start) {
-  record.values(start.defect, start.contact_elements, start.unknowns, start.solver);
-  record.values(start.reach, start.half, start.notes, start.bodies);
-}
-
-/// False when nothing is stored; the start is then unchanged.
-bool find_start(contact::Checkpoint* checkpoint, const std::string& name, LevelStart& start) {
-  const auto bytes = checkpoint == nullptr ? std::nullopt : checkpoint->find(name);
-  if (!bytes) return false;
-  contact::Record record(*bytes);
-  exchange(record, start);
-  return true;
-}
-
-void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
-               const RunLayout& layout, const LevelStart& start, contact::ModelResult& result) {
-  result.notes.push_back(far_boundary_note(scene, start.reach));
-  if (!start.notes.empty()) result.notes.push_back(start.notes);
-  const double steepest = geometry.shape(layout.grid).climb.cwiseAbs().maxCoeff();
-  if (steepest > 0.05)
-    result.notes.push_back(fmt::format(
-        "the patch is curved (slope {:.2g} at the edge of the grid): tractions, slip and gap are "
-        "along the local normal and tangents, y is the lateral coordinate, forces are along x, y, "
-        "z",
-        steepest));
-  if (scene.has_profiles()) {
-    const double yaw = std::asin(scene.geometry.surface.profiles->axle().direction[0]);
-    if (std::abs(yaw) > 1e-9)
-      result.notes.push_back(
-          fmt::format("the wheel is yawed by {:.3g} mrad: undeformed distance and slip include "
-                      "this; its finite-element body is revolved about the axle without yaw",
-                      1e3 * yaw));
-  }
-  if (start.half)
-    result.notes.push_back("half of each body is modelled: y = 0 is a symmetry plane");
-  result.notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
-                                     layout.bodies.cell_size, layout.bodies.degree, start.solver));
-}
 
 [[noreturn]] void refuse_border(const Scene& scene, const contact::ChartedGeometry& geometry,
                                 const contact::ContactGrid& grid) {
@@ -107,41 +67,44 @@ void refuse_further_patches(const Scene& scene, const contact::ChartedGeometry& 
 void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
                    const RunLayout& layout, const LevelOptions& options,
                    const contact::Progress& progress, const contact::MakeElasticity& make,
-                   LevelStart& start, contact::ModelResult& result) {
+                   contact::ModelResult& result) {
   // Load points with the states from which the next ones start, so that numbers of a resumed run
   // are the same to the last bit.
   const std::string name = fmt::format("fem-{:.9g}mm", options.cell_size);
-  const bool start_known = find_start(options.checkpoint, name + "-normal", start);
+  contact::Response first_defect;
+  /// Writes or reads the frictionless solution and the data of the level as a whole.
+  const auto start = [&](contact::Record record) {
+    record.values(first_defect, result.contact_elements, result.unknowns, result.notes,
+                  result.bodies);
+    return record.bytes();
+  };
+  const auto stored =
+      options.checkpoint ? options.checkpoint->find(name + "-normal") : std::nullopt;
+  if (stored) start(contact::Record(*stored));
   contact::RunOptions run_options;
   run_options.model = "fem";
   run_options.stage_prefix = options.stage_prefix;
   run_options.accuracy = run_options.force_accuracy = fem_accuracy;
   run_options.force_tolerance = force_tolerance;
-  if (start_known) run_options.first_defect = start.defect;
+  if (stored) run_options.first_defect = first_defect;
 
   std::optional<contact::PointStore> store;
-  if (options.checkpoint != nullptr) store.emplace(*options.checkpoint, name, start_known);
+  if (options.checkpoint != nullptr) store.emplace(*options.checkpoint, name, stored.has_value());
   contact::ContactRun run(scene, geometry, run_options, progress, store ? &*store : nullptr);
   run.on_first_defect = [&](const contact::Response& defect, int contact_elements) {
-    start.defect = defect;
-    start.contact_elements = contact_elements;
-    if (options.checkpoint == nullptr) return;
-    contact::Record record;
-    exchange(record, start);
-    options.checkpoint->keep(name + "-normal", record.bytes());
+    first_defect = defect;
+    result.contact_elements = contact_elements;
+    if (options.checkpoint != nullptr)
+      options.checkpoint->keep(name + "-normal", start(contact::Record()));
   };
   if (!run.solve(layout.grid, make)) refuse_border(scene, geometry, layout.grid);
   contact::LevelResult level = run.take_result();
   refuse_further_patches(scene, geometry, layout.grid, level.points);
   if (std::string note = contact::steep_friction_note(level, scene.friction()); !note.empty())
     result.notes.push_back(std::move(note));
-  result.unknowns = start.unknowns;
-  result.contact_elements = start.contact_elements;
-  result.bodies = start.bodies;
   result.points = std::move(level.points);
   result.seconds["normal"] = level.normal_seconds;
   result.seconds["tangential"] = level.tangential_seconds;
-  add_notes(scene, geometry, layout, start, result);
 }
 
 }  // namespace
@@ -150,18 +113,16 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
                                const contact::Progress& progress) {
   const RunLayout layout = run_layout(scene, options.cell_size);
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::projected);
-  LevelStart start;
   contact::ModelResult result;
   result.name = "fem";
   result.grid = layout.grid;
   FirstProcess first(MPI_COMM_WORLD);
-  auto elasticity =
-      make_fem_elasticity(scene, geometry, layout, options, progress, first, start, result);
+  auto elasticity = make_fem_elasticity(scene, geometry, layout, options, progress, first, result);
   first.run(
       [&] {
         solve_contact(
             scene, geometry, layout, options, progress, [&] { return std::move(elasticity); },
-            start, result);
+            result);
       },
       [&](const FirstProcess::Order& order) { elasticity->obey(order); });
   return result;

@@ -20,6 +20,13 @@ namespace {
 constexpr char order_letter = 'o', end_letter = 'e', input_letter = 'i', unfit_letter = 'u',
                solve_letter = 's', memory_letter = 'm', other_letter = 'x';
 
+char letter_of(const std::exception& error) {
+  if (dynamic_cast<const contact::InputError*>(&error) != nullptr) return input_letter;
+  if (dynamic_cast<const contact::UnfitGrid*>(&error) != nullptr) return unfit_letter;
+  if (dynamic_cast<const contact::SolveError*>(&error) != nullptr) return solve_letter;
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? memory_letter : other_letter;
+}
+
 [[noreturn]] void throw_of(char letter, const std::string& text) {
   if (letter == input_letter) throw contact::InputError(text);
   if (letter == unfit_letter) throw contact::UnfitGrid(text);
@@ -101,20 +108,8 @@ void FirstProcess::lead(const std::function<void()>& work) {
     const OnCores cores(cores_of_machine_, cores_);
     const contact::Threads threads(threads_of_machine_);
     work();
-  } catch (const contact::InputError& error) {
-    end(input_letter, error.what());
-    throw;
-  } catch (const contact::UnfitGrid& error) {
-    end(unfit_letter, error.what());
-    throw;
-  } catch (const contact::SolveError& error) {
-    end(solve_letter, error.what());
-    throw;
-  } catch (const std::bad_alloc&) {
-    end(memory_letter, "");
-    throw;
   } catch (const std::exception& error) {
-    end(other_letter, error.what());
+    end(letter_of(error), error.what());
     throw;
   }
   end(end_letter, "");

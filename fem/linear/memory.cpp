@@ -10,13 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rollfem::fem {
 
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 // Bytes, measured as largest resident memory.
 constexpr double program = 0.23e9;          ///< libraries, MPI, the contact problem
@@ -45,13 +42,11 @@ Balance balance(const MemoryDemand& demand, MPI_Comm communicator) {
   here.available = dealii::Utilities::MPI::min(contact::available_bytes(), machine);
   MPI_Comm_free(&machine);
   if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1) return here;
-  const double spare = here.available - here.needed;
-  const double least = dealii::Utilities::MPI::min(spare, communicator);
-  // Machines are compared by their shortage.
-  const double tight = spare == least ? 1.0 : 0.0;
-  here.needed = dealii::Utilities::MPI::max(tight * here.needed, communicator);
-  here.available =
-      dealii::Utilities::MPI::min(tight > 0.0 ? here.available : unlimited, communicator);
+  const auto machines = dealii::Utilities::MPI::all_gather(
+      communicator, std::array{here.available - here.needed, here.needed});
+  const auto [spare, needed] = *std::min_element(machines.begin(), machines.end());
+  here.needed = needed;
+  here.available = needed + spare;
   return here;
 }
 
@@ -63,13 +58,13 @@ double per_unknown(const MemoryDemand& demand) {
 }  // namespace
 
 double predicted_bytes(const MemoryDemand& demand) {
-  const double unknowns = demand.unknowns_of_wheel + demand.unknowns_of_rail;
+  const double unknowns = demand.unknowns[0] + demand.unknowns[1];
   double shared = mesh_per_unknown * unknowns;
   // The matrix beside the factors is covered by the overestimate of the factors: the total was 3 to
   // 15 % below the prediction for cells of 1.88 to 0.47 mm, for half and whole bodies.
   if (demand.factorisation)
-    shared += predicted_factor_bytes(demand.unknowns_of_wheel) +
-              predicted_factor_bytes(demand.unknowns_of_rail);
+    shared +=
+        predicted_factor_bytes(demand.unknowns[0]) + predicted_factor_bytes(demand.unknowns[1]);
   else
     shared += per_unknown(demand) * unknowns;
   double bytes = program + shared / demand.processes;
@@ -96,24 +91,21 @@ void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm
   const Balance at = balance(demand, communicator);
   if (at.needed <= at.available) return;
   std::string advice = fmt::format("a [fem] cell_size larger than {:.4g} mm", cell_size);
-  if (demand.factorisation) {
-    MemoryDemand other = demand;
-    other.factorisation = false;
-    advice += fmt::format(", [fem] linear_solver = \"multigrid\" (about {})",
+  const auto advise = [&](const char* key, const char* word, const MemoryDemand& other) {
+    advice += fmt::format(", {} = \"{}\" (about {})", key, word,
                           contact::in_gigabytes(at.processes * predicted_bytes(other)));
-  }
-  if (demand.body_fields > 0) {
-    MemoryDemand other = demand;
-    other.body_fields = demand.body_fields > 1 ? 1 : 0;
-    advice += fmt::format(", [output] body_fields = \"{}\" (about {})",
-                          other.body_fields > 0 ? "last" : "none",
-                          contact::in_gigabytes(at.processes * predicted_bytes(other)));
-  }
+  };
+  MemoryDemand iterative = demand, fewer = demand;
+  iterative.factorisation = false;
+  fewer.body_fields = demand.body_fields > 1 ? 1 : 0;
+  if (demand.factorisation) advise("[fem] linear_solver", "multigrid", iterative);
+  if (demand.body_fields > 0)
+    advise("[output] body_fields", fewer.body_fields > 0 ? "last" : "none", fewer);
   throw contact::SolveError(
       fmt::format("this run needs about {} and {} are available: about {:.3g} million unknowns in "
                   "cells of {:.4g} mm, by {}; do: use {}, or mpirun over several machines",
                   contact::in_gigabytes(at.needed), contact::in_gigabytes(at.available),
-                  1e-6 * (demand.unknowns_of_wheel + demand.unknowns_of_rail), cell_size,
+                  1e-6 * (demand.unknowns[0] + demand.unknowns[1]), cell_size,
                   demand.factorisation ? "factorisation" : "multigrid", advice));
 }
 

@@ -3,7 +3,7 @@
 // run that does not fit reports it instead of being killed.
 #pragma once
 
-#include <cstddef>
+#include <array>
 #include <mpi.h>
 #include <string>
 
@@ -11,10 +11,9 @@ namespace rollfem::fem {
 
 /// Parameters of the memory estimate.
 struct MemoryDemand {
-  double unknowns_of_wheel = 0.0;
-  double unknowns_of_rail = 0.0;
-  bool factorisation = false;  ///< otherwise multigrid
-  bool algebraic = false;      ///< algebraic multigrid on an assembled matrix
+  std::array<double, 2> unknowns{};  ///< of wheel and rail; 0: rigid
+  bool factorisation = false;        ///< otherwise multigrid
+  bool algebraic = false;            ///< algebraic multigrid on an assembled matrix
   /// Bytes on every process for the factors of given coarse meshes; factors of boxes are small.
   double coarse_factors = 0.0;
   int body_fields = 0;  ///< load points that store displacement and stress of both bodies

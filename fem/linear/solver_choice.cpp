@@ -76,6 +76,21 @@ constexpr double solves_for_normal = 4.0;
 /// and 3.5 GB on the refined body of 700 000.
 constexpr double most_coarse_unknowns = 400e3;
 
+/// Estimated number of unknowns of the body before refinement towards the patch.
+double coarse_unknowns(const Body& body) {
+  // For sections of 4200 cells: degree^3 nodes per cell, and a tenth more on the outside.
+  return 1.1 * 3.0 * std::pow(body.options().degree, 3) *
+         body.dofs().get_triangulation().n_cells(0);
+}
+
+/// Whether algebraic multigrid is used when the body is not factorised: as given in the case, or
+/// for a coarse mesh too large for geometric multigrid.
+bool takes_algebraic(const Scene& scene, const Body& body) {
+  return scene.options.fem.linear_solver == contact::LinearSolver::algebraic ||
+         (scene.options.fem.linear_solver == contact::LinearSolver::automatic &&
+          coarse_unknowns(body) > most_coarse_unknowns);
+}
+
 std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
   // Five digits beyond the tolerance of the contact iteration: 1e-10 took a tenth more iterations.
   constexpr double tolerance = 1e-9;
@@ -83,20 +98,6 @@ std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Bo
   MultigridOptions options;
   options.tolerance = tolerance;
   return make_multigrid(body.problem(), options);
-}
-
-}  // namespace
-
-double coarse_unknowns(const Body& body) {
-  // For sections of 4200 cells: degree^3 nodes per cell, and a tenth more on the outside.
-  return 1.1 * 3.0 * std::pow(body.options().degree, 3) *
-         body.dofs().get_triangulation().n_cells(0);
-}
-
-bool takes_algebraic(const Scene& scene, const Body& body) {
-  return scene.options.fem.linear_solver == contact::LinearSolver::algebraic ||
-         (scene.options.fem.linear_solver == contact::LinearSolver::automatic &&
-          coarse_unknowns(body) > most_coarse_unknowns);
 }
 
 bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
@@ -125,7 +126,7 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
       has_true_sections(scene)
           ? multigrid_iterations * slow.solve * factor_solve_seconds(coarse_unknowns_of_section)
           : 0.0;
-  for (const double n : {demand.unknowns_of_wheel, demand.unknowns_of_rail})
+  for (const double n : demand.unknowns)
     if (predicted_factor_bytes(n) >= largest_factor ||
         factorisation_seconds(n) + slow.more * std::pow(n / 105e3, 2.0) +
                 solves * slow.solve * factor_solve_seconds(n) >
@@ -135,6 +136,20 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
   return fits_memory(demand, MPI_COMM_WORLD);
 }
 
+/// Adds what does not depend on the bodies, and the choice of the solver.
+MemoryDemand completed(const Scene& scene, MemoryDemand demand, const BodyOptions& options,
+                       bool body_fields) {
+  const std::size_t count = scene.points.size();
+  for (std::size_t k = 0; k < count && body_fields; ++k)
+    demand.body_fields += scene.output.keeps_bodies(k, count) ? 1 : 0;
+  demand.half = options.half;
+  demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  demand.factorisation = takes_factorisation(scene, demand);
+  return demand;
+}
+
+}  // namespace
+
 /// Two factorisations in parallel, one core each: faster than one after the other with two BLAS
 /// threads.
 Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisation) {
@@ -143,43 +158,39 @@ Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisat
     return factorisation ? make_factorisation(body->problem())
                          : make_iterative_solver(scene, *body);
   };
-  std::array<std::unique_ptr<LinearSolver>, 2> made;
-  const auto make_one = [&](std::size_t k) { made[k] = make(bodies[k]); };
+  Solvers solvers;
+  const auto make_one = [&](std::size_t k) { solvers[k] = make(bodies[k]); };
   if (factorisation) {
     contact::for_each_index(2, make_one);
   } else {
     for (const std::size_t k : {0U, 1U}) make_one(k);
   }
-  return {std::move(made[0]), std::move(made[1])};
+  return solvers;
 }
 
-int points_that_keep_bodies(const Scene& scene) {
-  const std::size_t count = scene.points.size();
-  int keep = 0;
-  for (std::size_t k = 0; k < count; ++k) keep += scene.output.keeps_bodies(k, count) ? 1 : 0;
-  return keep;
-}
-
-MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, int body_fields) {
+MemoryDemand memory_demand(const Scene& scene, const BodyOptions& options, const BodyPair& bodies,
+                           bool body_fields) {
   MemoryDemand demand;
-  demand.unknowns_of_wheel = wheel;
-  demand.unknowns_of_rail = rail;
-  demand.half = bodies.half;
-  demand.body_fields = body_fields;
-  demand.processes = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-  return demand;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (bodies[k] == nullptr) continue;
+    const Body& body = *bodies[k];
+    demand.unknowns[k] = static_cast<double>(body.unknowns());
+    demand.algebraic = demand.algebraic || takes_algebraic(scene, body);
+    if (has_true_sections(scene) || !(k == 0 ? scene.wheel : scene.rail).mesh.empty())
+      demand.coarse_factors += predicted_factor_bytes(coarse_unknowns(body));
+  }
+  return completed(scene, demand, options, body_fields);
 }
 
 void refuse_beyond_memory(const Scene& scene, double cell_size) {
   const BodyOptions bodies = run_layout(scene, cell_size).bodies;
   constexpr double beyond_all_memory = 2e9;
   const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
-  MemoryDemand demand = memory_demand(scene.wheel.material.rigid() ? 0.0 : unknowns,
-                                      scene.rail.material.rigid() ? 0.0 : unknowns, bodies,
-                                      points_that_keep_bodies(scene));
+  MemoryDemand demand;
+  demand.unknowns = {scene.wheel.material.rigid() ? 0.0 : unknowns,
+                     scene.rail.material.rigid() ? 0.0 : unknowns};
   demand.algebraic = scene.options.fem.linear_solver == contact::LinearSolver::algebraic;
-  demand.factorisation = takes_factorisation(scene, demand);
-  refuse_beyond_memory(demand, cell_size, MPI_COMM_WORLD);
+  refuse_beyond_memory(completed(scene, demand, bodies, true), cell_size, MPI_COMM_WORLD);
 }
 
 }  // namespace rollfem::fem

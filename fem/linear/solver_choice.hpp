@@ -7,36 +7,23 @@
 #include "fem/linear/linear_solver.hpp"
 #include "fem/linear/memory.hpp"
 
+#include <array>
 #include <memory>
 
 namespace rollfem::fem {
 
-struct Solvers {
-  std::unique_ptr<LinearSolver> wheel;  ///< null: rigid
-  std::unique_ptr<LinearSolver> rail;
-};
+/// Of wheel and rail; null: rigid.
+using Solvers = std::array<std::unique_ptr<LinearSolver>, 2>;
 
-/// Whether the bodies are factorised: as given in the case, otherwise if expected to be faster for
-/// the number of solves and within memory. Throws contact::InputError when the case requests it on
-/// several processes. Collective.
-bool takes_factorisation(const contact::Scene& scene, MemoryDemand demand);
-
-/// Estimated number of unknowns of the body before refinement towards the patch.
-double coarse_unknowns(const Body& body);
-
-/// Whether algebraic multigrid is used when the body is not factorised: as given in the case, or
-/// for a coarse mesh too large for geometric multigrid.
-bool takes_algebraic(const contact::Scene& scene, const Body& body);
+/// What bodies with these options need with the linear solver chosen for them: factorised as given
+/// in the case, otherwise if expected to be faster for the number of solves and within memory.
+/// `body_fields`: load points store displacement and stress of the bodies as the case asks. Throws
+/// contact::InputError when the case requests a factorisation on several processes. Collective.
+MemoryDemand memory_demand(const contact::Scene& scene, const BodyOptions& options,
+                           const BodyPair& bodies, bool body_fields);
 
 /// Collective.
 Solvers make_solvers(const contact::Scene& scene, const BodyPair& bodies, bool factorisation);
-
-/// Number of load points that store displacement and stress of the bodies.
-int points_that_keep_bodies(const contact::Scene& scene);
-
-/// Memory of bodies with the given numbers of unknowns (0: rigid), half or whole, before the solver
-/// is chosen. `body_fields`: load points that store fields of the bodies.
-MemoryDemand memory_demand(double wheel, double rail, const BodyOptions& bodies, int body_fields);
 
 /// Throws contact::SolveError when the level does not fit into memory, without creating a mesh.
 /// Collective.

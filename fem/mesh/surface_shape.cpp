@@ -20,21 +20,6 @@ double distance_from(const meshes::AxleTrace& axle, double y, double z) {
   return y * axle.sine - (z - axle.height) * axle.cosine;
 }
 
-/// Central differences, accurate enough for tangents, the only use.
-dealii::DerivativeForm<1, 3, 3> difference_gradient(const ChartFunctions& functions,
-                                                    const dealii::Point<3>& chart) {
-  constexpr double step = 1e-4;  // mm
-  dealii::DerivativeForm<1, 3, 3> gradient;
-  for (unsigned int d = 0; d < 3; ++d) {
-    auto ahead = chart, behind = chart;
-    ahead[d] += step;
-    behind[d] -= step;
-    const auto change = (functions.place(ahead) - functions.place(behind)) / (2.0 * step);
-    for (unsigned int c = 0; c < 3; ++c) gradient[c][d] = change[c];
-  }
-  return gradient;
-}
-
 }  // namespace
 
 ProfileShape::ProfileShape(std::shared_ptr<const contact::PatchGeometry> geometry, bool is_wheel)
@@ -126,35 +111,18 @@ dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const 
   return {distance_from(axle(), back[1], surface) * back[0], back[1], back[2] - surface};
 }
 
+/// Central differences, accurate enough for tangents: meshes need none.
 dealii::DerivativeForm<1, 3, 3> SurfaceShape::gradient(const dealii::Point<3>& chart) const {
-  if (functions) return difference_gradient(*functions, chart);
-  const SurfaceHeight at = height(chart[1]);
+  constexpr double step = 1e-4;  // mm
   dealii::DerivativeForm<1, 3, 3> gradient;
-  gradient[1][1] = 1.0;
-  gradient[2][1] = at.slope;
-  gradient[2][2] = inwards_of(*this);
-  if (!is_revolved()) {
-    gradient[0][0] = 1.0;
-    return gradient;
-  }
-  const meshes::AxleTrace about = axle();
-  const double on_surface = distance_from(about, chart[1], at.value);
-  const double radius = on_surface - chart[2] * about.cosine;
-  const double by_t = about.sine - at.slope * about.cosine;
-  const double angle = chart[0] / on_surface;
-  const double sine = std::sin(angle), cosine = std::cos(angle);
-  const double half_sine = std::sin(0.5 * angle);
-  const double fall = 2.0 * half_sine * half_sine;
-  // The angle of a given arc length changes with the radius.
-  const double turn = -radius * angle / on_surface * by_t;
-  const double stretch = radius / on_surface;
-  // Along x, and towards the axle, that is along (0, -sin, cos) of the tilt.
-  const double along[3] = {stretch * cosine, by_t * sine + turn * cosine, -about.cosine * sine};
-  const double inwards[3] = {stretch * sine, by_t * fall + turn * sine, -about.cosine * fall};
   for (unsigned int d = 0; d < 3; ++d) {
-    gradient[0][d] += along[d];
-    gradient[1][d] -= about.sine * inwards[d];
-    gradient[2][d] += about.cosine * inwards[d];
+    auto ahead = chart, behind = chart;
+    ahead[d] += step;
+    behind[d] -= step;
+    const auto change =
+        (place(ahead[0], ahead[1], ahead[2]) - place(behind[0], behind[1], behind[2])) /
+        (2.0 * step);
+    for (unsigned int c = 0; c < 3; ++c) gradient[c][d] = change[c];
   }
   return gradient;
 }

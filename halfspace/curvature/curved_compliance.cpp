@@ -30,7 +30,7 @@ constexpr double extent_in_semi_axes = 8.0;
 double extent_of_bodies(const Scene& scene) {
   if (scene.options.fem.extent) return *scene.options.fem.extent;
   const ExpectedPatch patch = PatchSearch(scene).patch();
-  return extent_in_semi_axes * 0.5 * std::max(patch.length(), patch.width());
+  return extent_in_semi_axes * 0.5 * std::max(patch.length, patch.width);
 }
 
 }  // namespace

@@ -117,12 +117,10 @@ NormalCirculant::NormalCirculant(const ContactGrid& grid, const InfluenceQuadran
   for (double& value : inverse_) value = 1.0 / std::max(value, floor);
 }
 
-Field NormalCirculant::apply(const Field& residual) const {
+void NormalCirculant::apply(const Field& residual, Field& result) const {
   fft_.forward(residual, spectrum_);
   for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= inverse_[k];
-  Field result;
   fft_.backward(spectrum_, result);
-  return result;
 }
 
 TangentialCirculant::TangentialCirculant(const ContactGrid& grid, const InfluenceQuadrant& quadrant,

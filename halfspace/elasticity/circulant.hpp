@@ -68,7 +68,7 @@ inline std::complex<double> multiply(const std::complex<double>& a, const std::c
 class NormalCirculant {
  public:
   NormalCirculant(const contact::ContactGrid& grid, const InfluenceQuadrant& quadrant);
-  contact::Field apply(const contact::Field& residual) const;
+  void apply(const contact::Field& residual, contact::Field& result) const;
 
  private:
   PaddedFft fft_;

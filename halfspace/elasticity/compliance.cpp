@@ -47,15 +47,15 @@ class HalfspaceNormal : public contact::NormalOperator {
 
   const ContactGrid& grid() const override { return grid_; }
 
-  Field apply(const Field& pressure) const override {
+  void apply(const Field& pressure, Field& displacement) const override {
     fft_.forward(pressure, spectrum_);
     for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= nn_[k];
-    Field result;
-    fft_.backward(spectrum_, result);
-    return result;
+    fft_.backward(spectrum_, displacement);
   }
 
-  Field precondition(const Field& residual) const override { return inverse_.apply(residual); }
+  void precondition(const Field& residual, Field& result) const override {
+    inverse_.apply(residual, result);
+  }
 
  private:
   const ContactGrid& grid_;

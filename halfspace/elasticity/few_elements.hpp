@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/iteration/compliance.hpp"
 #include "contact/iteration/linearisation.hpp"
 #include "contact/scene/patch_geometry.hpp"
 #include "halfspace/elasticity/influence_tables.hpp"
@@ -80,16 +81,16 @@ struct NormalBlock {
 /// elements along it, N. Fields hold one patch after the other. Patches displace each other by
 /// their normal forces (neighbours.hpp) from points at every other element, between which forces
 /// and displacements are linear.
-class FewElementsNormal {
+class FewElementsNormal : public contact::NormalMap {
  public:
   explicit FewElementsNormal(const contact::CombinedMaterial& material) : material_(material) {}
 
   /// Objects referenced by the blocks must outlive this object.
   void set(const std::vector<NormalBlock>& blocks);
 
-  void apply(const contact::Field& forces, contact::Field& displacement) const;
+  void apply(const contact::Field& forces, contact::Field& displacement) const override;
   /// Self-displacement of an element; element sizes differ between patches.
-  void precondition(const contact::Field& residual, contact::Field& result) const;
+  void precondition(const contact::Field& residual, contact::Field& result) const override;
 
  private:
   void set_influence(std::size_t to, std::size_t from);

@@ -107,6 +107,35 @@ CornerChange corner_change(double turn, const CombinedMaterial& material) {
           both(xx_of, 1.0), both(tt_of, 1.0),  both(xt_of, 1.0)};
 }
 
+void lump(const ContactGrid& grid, const Field& pressure, const TangentialField& friction,
+          double along, double across, std::vector<NeighbourLoad>& loads) {
+  const auto block = [](int element, double size) {
+    return static_cast<std::size_t>(element / size);
+  };
+  const std::size_t blocks_along = block(grid.nx - 1, along) + 1;
+  loads.assign(blocks_along * (block(grid.ny - 1, across) + 1), {});
+  const double area = grid.element_area();
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const int k = grid.index(i, j);
+      if (!(pressure[k] > 0.0)) continue;
+      NeighbourLoad& load = loads[block(j, across) * blocks_along + block(i, along)];
+      const double normal = area * pressure[k];
+      load.normal += normal;
+      load.x += normal * grid.x(i);
+      load.y += normal * grid.y(j);
+      if (friction.x.size() == 0) continue;
+      load.longitudinal += area * friction.x[k];
+      load.lateral += area * friction.y[k];
+    }
+  const auto is_empty = [](const NeighbourLoad& load) { return !(load.normal > 0.0); };
+  loads.erase(std::remove_if(loads.begin(), loads.end(), is_empty), loads.end());
+  for (NeighbourLoad& load : loads) {
+    load.x /= load.normal;
+    load.y /= load.normal;
+  }
+}
+
 void place_beside(const contact::ContactPlace& here, const contact::ContactPlace& there,
                   NeighbourLoad& load) {
   load.x += there.x_track - here.x_track;

@@ -33,6 +33,12 @@ struct CornerChange {
 /// to 60 degrees, 0.2 at 90; turns beyond 100 degrees count as 100.
 CornerChange corner_change(double turn, const contact::CombinedMaterial& material);
 
+/// The tractions of a patch as point loads, one for each block of `along` by `across` elements with
+/// pressure, at the centre of its pressure. `friction`: empty without.
+void lump(const contact::ContactGrid& grid, const contact::Field& pressure,
+          const contact::TangentialField& friction, double along, double across,
+          std::vector<contact::NeighbourLoad>& loads);
+
 /// Moves a load from its place on the grid of the contact `there` to the one beside `here`.
 void place_beside(const contact::ContactPlace& here, const contact::ContactPlace& there,
                   contact::NeighbourLoad& load);

@@ -20,7 +20,7 @@ class PreconditionedElasticity : public contact::Elasticity {
   PreconditionedElasticity(const contact::Scene& scene, const contact::ContactGrid& grid,
                            std::unique_ptr<const contact::Compliance> whole = nullptr);
 
-  bool same_normal_block() const override { return whole_ == nullptr; }
+  bool is_halfspace() const override { return whole_ == nullptr; }
   const contact::Compliance& compliance() const override {
     return whole_ ? *whole_ : coupled_ ? *coupled_ : standin_;
   }

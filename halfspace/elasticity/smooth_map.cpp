@@ -15,16 +15,6 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// T_0 ... T_degree, one column each.
-MatrixXd chebyshev(int degree, const Field& at) {
-  MatrixXd values(at.size(), degree + 1);
-  values.col(0).setOnes();
-  if (degree > 0) values.col(1) = at;
-  for (int k = 2; k <= degree; ++k)
-    values.col(k) = 2.0 * at.cwiseProduct(values.col(k - 1)) - values.col(k - 2);
-  return values;
-}
-
 MatrixXd on_grid(const SmoothBox& box, const SmoothBox& within, int degree,
                  const ContactGrid& grid) {
   return polynomials(box, degree, grid.sample([&](double x, double) {
@@ -37,6 +27,15 @@ MatrixXd on_grid(const SmoothBox& box, const SmoothBox& within, int degree,
 }
 
 }  // namespace
+
+MatrixXd chebyshev(int degree, const Field& at) {
+  MatrixXd values(at.size(), degree + 1);
+  values.col(0).setOnes();
+  if (degree > 0) values.col(1) = at;
+  for (int k = 2; k <= degree; ++k)
+    values.col(k) = 2.0 * at.cwiseProduct(values.col(k - 1)) - values.col(k - 2);
+  return values;
+}
 
 std::vector<std::array<int, 2>> polynomial_powers(int degree) {
   std::vector<std::array<int, 2>> powers;

@@ -22,6 +22,9 @@ struct SmoothBox {
   double middle = 0.0;  ///< of y
 };
 
+/// T_0 ... T_degree at some places, one column each.
+Eigen::MatrixXd chebyshev(int degree, const contact::Field& at);
+
 /// Powers i, j of the Chebyshev polynomials T_i(x) T_j(y) of total degree up to `degree`, in the
 /// order of the columns of polynomials().
 std::vector<std::array<int, 2>> polynomial_powers(int degree);

@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -97,13 +96,6 @@ SearchDetail detail_for(const Scene& scene) {
   return scene.contact_grid.cell_size ? SearchDetail::box : SearchDetail::extents;
 }
 
-/// Friction on a tilted plane carries a part of the load.
-bool shares_load(const Scene& scene) {
-  return std::any_of(scene.points.begin(), scene.points.end(), [](const contact::LoadPoint& point) {
-    return point.load.direction[0] != 0.0;
-  });
-}
-
 /// A level that only helps the finer ones: skipped if its elements do not fit, or if no solution
 /// for unlike materials is found on it; the finest level reports an error if it has none. Beyond
 /// Nadal's limit every level reports the error, because without a start from coarser levels the
@@ -123,7 +115,7 @@ std::optional<contact::LevelResult> coarser_level(const Scene& scene, const Patc
     return {};
   } catch (const contact::SolveError&) {
     // Only for unlike materials may one grid have a solution and another none.
-    if (!dispensable && (shares_load(scene) || !scene.material.couples())) throw;
+    if (!dispensable && (scene.shares_load() || !scene.material.couples())) throw;
     return {};
   } catch (const contact::InputError&) {
     return {};  // they may extend beyond the points of a file
@@ -311,7 +303,7 @@ contact::Rung rung_of(const Scene& scene, const PatchSearch& area, const Cell& c
 
 ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
                           contact::Checkpoint* checkpoint, const GridElasticity& elasticity) {
-  const auto begin = std::chrono::steady_clock::now();
+  const contact::Stopwatch watch;
   Levels levels;
   const PatchSearch area(scene, detail_for(scene));
   std::vector<Cell> cells = cells_of_levels(scene, area);
@@ -363,8 +355,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   add_notes(scene, result);
   if (!warning.empty()) result.notes.push_back(std::move(warning));
   if (!steep.empty()) result.notes.push_back(std::move(steep));
-  result.seconds["total"] =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds["total"] = watch.seconds();
   if (fine.unsolved.empty()) return result;
   const std::string why =
       fmt::format("{} of {} load points are left empty, because they have no solution: {}",

@@ -88,8 +88,7 @@ Pressed press(const Scene& scene, const contact::ChartedGeometry& geometry, cons
               const contact::NormalLoad& load, const Field& start) {
   const HalfspaceCompliance compliance(grid, scene.material.uncoupled());
   contact::NormalProblem problem{geometry.undeformed_distance(grid), load.force, load.approach};
-  const Field beside = neighbour_displacement(scene.neighbour_loads, scene.material, grid);
-  if (beside.size() != 0) problem.undeformed_distance += beside;
+  add_displacement(scene.neighbour_loads, scene.material, grid, problem.undeformed_distance);
   contact::NormalOptions options;
   options.tolerance = 1e-5;
   const contact::NormalSolution normal =

@@ -147,22 +147,7 @@ class ForceLaw {
     if (!(force_[1] > 0.0)) return loads;
     const ContactGrid& grid = compliance_->grid();
     const auto step = [](int count, int blocks) { return (count + blocks - 1) / blocks; };
-    const int di = step(grid.nx, blocks_along), dj = step(grid.ny, blocks_across);
-    for (int j0 = 0; j0 < grid.ny; j0 += dj)
-      for (int i0 = 0; i0 < grid.nx; i0 += di) {
-        NeighbourLoad load;
-        for (int j = j0; j < std::min(j0 + dj, grid.ny); ++j)
-          for (int i = i0; i < std::min(i0 + di, grid.nx); ++i) {
-            const double force = pressure_[grid.index(i, j)] * grid.element_area();
-            load.normal += force;
-            load.x += force * grid.x(i);
-            load.y += force * grid.y(j);
-          }
-        if (!(load.normal > 0.0)) continue;
-        load.x /= load.normal;
-        load.y /= load.normal;
-        loads.push_back(load);
-      }
+    lump(grid, pressure_, {}, step(grid.nx, blocks_along), step(grid.ny, blocks_across), loads);
     return loads;
   }
 

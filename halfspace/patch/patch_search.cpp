@@ -5,7 +5,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/iteration/normal.hpp"
-#include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
@@ -57,14 +56,13 @@ double overlap_for_force(const Ridge& ridge, double A, double modulus, double fo
 /// A solution of the search.
 struct Found {
   ContactGrid grid;
-  contact::PatchSize size;
   bool touches_border;
   ExpectedPatch patch;
 
-  /// mm, of all regions together.
-  double covered() const { return size.width - patch.gaps; }
   /// mm, rows without pressure within the patch and its near misses.
-  double unloaded() const { return patch.near.y_upper - patch.near.y_lower - covered(); }
+  double unloaded() const {
+    return patch.near.y_upper - patch.near.y_lower - patch.covered_width();
+  }
 };
 
 /// Runs of rows with pressure, the outermost ends as found below the element size.
@@ -135,16 +133,12 @@ Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
     return grid.sample(coordinate).dot(pressure) / pressure.sum();
   };
   ExpectedPatch patch;
-  patch.x_lower = size.x_lower;
-  patch.x_upper = size.x_upper;
-  patch.y_lower = size.y_lower;
-  patch.y_upper = size.y_upper;
+  static_cast<contact::PatchSize&>(patch) = size;
   patch.x_centre = centre([](double x, double) { return x; });
   patch.y_centre = centre([](double, double y) { return y; });
   patch.approach = normal.approach;
   patch.max_pressure = pressure.maxCoeff();
   patch.normal_force = normal.normal_force;
-  patch.area = size.area;
   patch.loaded = loaded_rows(grid, pressure, size);
   for (std::size_t k = 0; k + 1 < patch.loaded.size(); ++k)
     patch.gaps += patch.loaded[k + 1][0] - patch.loaded[k][1];
@@ -155,7 +149,7 @@ Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
   const auto [length, width] = carrying_lengths(grid, pressure);
   patch.carrying_length = length;
   patch.carrying_width = width;
-  return {grid, size, contact::touches_border(grid, pressure), std::move(patch)};
+  return {grid, contact::touches_border(grid, pressure), std::move(patch)};
 }
 
 Found solve_in(const Scene& scene, const Ridge* ridge, const Box& box,
@@ -174,8 +168,8 @@ Box next_box(const Found& found) {
     upper += margin;
   };
   Box next = found.patch.near;
-  grow(next.x_lower, next.x_upper, found.size.length, found.grid.dx);
-  grow(next.y_lower, next.y_upper, found.size.width, found.grid.dy);
+  grow(next.x_lower, next.x_upper, found.patch.length, found.grid.dx);
+  grow(next.y_lower, next.y_upper, found.patch.width, found.grid.dy);
   return next;
 }
 
@@ -197,8 +191,9 @@ ContactGrid lattice_over(const Found& found) {
 
 bool fine_enough(const Found& found) {
   const ExpectedPatch& patch = found.patch;
-  return found.size.length >= fewest_across_patch * found.grid.dx &&
-         found.covered() >= fewest_across_patch * to_resolve(patch.loaded.size()) * found.grid.dy &&
+  return patch.length >= fewest_across_patch * found.grid.dx &&
+         patch.covered_width() >=
+             fewest_across_patch * to_resolve(patch.loaded.size()) * found.grid.dy &&
          !found.touches_border;
 }
 
@@ -259,13 +254,15 @@ ExpectedPatch patch_of_ellipse(const Scene& scene) {
   patch.x_upper = hertz.semi_axis_x;
   patch.y_lower = -hertz.semi_axis_y;
   patch.y_upper = hertz.semi_axis_y;
+  patch.length = 2.0 * hertz.semi_axis_x;
+  patch.width = 2.0 * hertz.semi_axis_y;
   patch.approach = hertz.approach;
   patch.max_pressure = hertz.max_pressure;
   patch.normal_force = hertz.normal_force;
   patch.area = (scene.geometry.line ? 4.0 : contact::pi) * hertz.semi_axis_x * hertz.semi_axis_y;
   patch.near = {patch.x_lower, patch.x_upper, patch.y_lower, patch.y_upper};
-  patch.carrying_length = patch.length();
-  patch.carrying_width = patch.width();
+  patch.carrying_length = patch.length;
+  patch.carrying_width = patch.width;
   return patch;
 }
 

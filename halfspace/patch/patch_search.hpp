@@ -3,6 +3,7 @@
 // radii, from coarse half-space solutions of a few milliseconds for true profiles.
 #pragma once
 
+#include "contact/result/patch_size.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/patch/ridge.hpp"
 
@@ -15,14 +16,11 @@ namespace rollfem::halfspace {
 /// Bounding box of the patch in the patch frame; it need not be an ellipse nor centred at the
 /// origin, and may hold several regions. Approximate: extents to 1 %, area to 2 %, pressure and
 /// approach to 0.5 %.
-struct ExpectedPatch {
-  double x_lower = 0.0, x_upper = 0.0;    ///< mm
-  double y_lower = 0.0, y_upper = 0.0;    ///< mm
+struct ExpectedPatch : contact::PatchSize {
   double x_centre = 0.0, y_centre = 0.0;  ///< mm, of the pressure
   double approach = 0.0;                  ///< mm
   double max_pressure = 0.0;              ///< MPa
   double normal_force = 0.0;              ///< N
-  double area = 0.0;                      ///< mm^2
   /// Ranges of y with pressure, mm: the first begins at y_lower, the last ends at y_upper.
   std::vector<std::array<double, 2>> loaded;
   double gaps = 0.0;  ///< mm, of the width: unloaded rows between regions
@@ -32,11 +30,7 @@ struct ExpectedPatch {
   /// patches appear, join and vanish.
   double carrying_length = 0.0, carrying_width = 0.0;
 
-  double length() const { return x_upper - x_lower; }
-  double width() const { return y_upper - y_lower; }
-  double covered_width() const { return width() - gaps; }  ///< mm, of all regions together
-  double x_middle() const { return 0.5 * (x_lower + x_upper); }
-  double y_middle() const { return 0.5 * (y_lower + y_upper); }
+  double covered_width() const { return width - gaps; }  ///< mm, of all regions together
 };
 
 /// Expected position of the patch with the places where the bodies nearly touch, around which

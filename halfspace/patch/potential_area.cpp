@@ -94,7 +94,7 @@ void PatchSearch::check_extent() const {
     check_extent_of_profiles();
     return;
   }
-  const std::array<double, 2> size{patch().length(), patch().width()};
+  const std::array<double, 2> size{patch().length, patch().width};
   // Without an extent the area grows until it holds the patch, a few times.
   constexpr double least_share = 0.5, most_times = 100.0, reach_by_growing = 10.0;
   bool fits = true;
@@ -135,19 +135,19 @@ ContactGrid PatchSearch::line_grid(double dx, int margin) const {
   const contact::GridOptions& options = scene_.contact_grid;
   const contact::LineContact& line = *scene_.geometry.line;
   check_extent();
-  check_cells(scene_, {patch().length(), line.width}, dx, line.width, 0);
+  check_cells(scene_, {patch().length, line.width}, dx, line.width, 0);
   const int nx = options.extent ? elements_within((*options.extent)[0], dx)
-                                : elements(patch().length(), dx, margin);
+                                : elements(patch().length, dx, margin);
   const bool finite = std::isinf(line.reference);
   const double given = reference_of(line);
   const double least = (finite ? 5.0 : 0.5) * nx * dx;
   const double radius = std::abs(scene_.geometry.surface.rolling_radius);
-  if (given < least && patch().length() > 2.0 * radius)
+  if (given < least && patch().length > 2.0 * radius)
     throw contact::InputError(fmt::format(
         "{}: the patch of {:.4g} mm by Hertz is longer than the body, whose relative radius is "
         "{:.4g} mm: no half-space; allowed: a patch that is short against the radius; do: check "
         "the load (N), young_modulus (MPa) and the radius (mm)",
-        scene_.file, patch().length(), radius));
+        scene_.file, patch().length, radius));
   if (given < least)
     throw contact::InputError(fmt::format(
         "{}: geometry.{} = {:g} mm: the contact grid is {:.4g} mm long; allowed: at least {:.4g} "
@@ -165,7 +165,7 @@ ContactGrid PatchSearch::grid(double dx, double dy, int margin) const {
   const auto& values = scene_.geometry.distance_values;
   check_extent();
   if (!options.extent && !values) {
-    const PatchExtent box{patch().length(), patch().width()};
+    const PatchExtent box{patch().length, patch().width};
     check_cells(scene_, box, dx, dy, margin);
     if (scene_.has_profiles()) return anchored_grid(patch(), options.middle, dx, dy, margin);
     return ContactGrid::centred(elements(box.length, dx, margin), elements(box.width, dy, margin),

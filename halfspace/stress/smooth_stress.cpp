@@ -10,15 +10,6 @@ using Eigen::Index;
 
 namespace {
 
-/// T_0 ... T_degree at one point.
-Eigen::VectorXd chebyshev_at(int degree, double at) {
-  Eigen::VectorXd values(degree + 1);
-  values[0] = 1.0;
-  if (degree > 0) values[1] = at;
-  for (int k = 2; k <= degree; ++k) values[k] = 2.0 * at * values[k - 1] - values[k - 2];
-  return values;
-}
-
 /// Coordinates relative to the box, between -1 and 1 inside.
 std::array<double, 3> scaled(const SmoothBox& box, double depth, const SubsurfacePoint& at) {
   return {at.x / box.half_length, (at.y - box.middle) / box.half_width,
@@ -34,15 +25,14 @@ Index depth_polynomial_count(int degree) {
 Eigen::VectorXd depth_polynomials(const SmoothBox& box, double depth, int degree,
                                   const SubsurfacePoint& at) {
   const auto place = scaled(box, depth, at);
-  std::array<Eigen::VectorXd, 3> along;
-  for (std::size_t d = 0; d < 3; ++d)
-    along[d] = chebyshev_at(degree, std::clamp(place[d], -1.0, 1.0));
+  const Eigen::MatrixXd along =
+      chebyshev(degree, Eigen::Vector3d(place.data()).cwiseMax(-1.0).cwiseMin(1.0));
   Eigen::VectorXd values(depth_polynomial_count(degree));
   Index term = 0;
   for (int i = 0; i <= degree; ++i)
     for (int j = 0; i + j <= degree; ++j)
       for (int k = 0; i + j + k <= degree; ++k)
-        values[term++] = along[0][i] * along[1][j] * along[2][k];
+        values[term++] = along(0, i) * along(1, j) * along(2, k);
   return values;
 }
 

@@ -12,11 +12,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rollfem::fem {
+namespace rollfem::hybrid {
 
 using contact::BelowSurface;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using fem::Body;
+using fem::Vector;
 using halfspace::SubsurfacePoint;
 
 namespace {
@@ -71,7 +73,7 @@ GaussStates::GaussStates(const Body& body, const std::vector<unsigned int>& numb
 MatrixXd GaussStates::at(const Vector& displacement) const {
   const dealii::FiniteElement<3>& element = body_.dofs().get_fe();
   MatrixXd states(static_cast<Index>(places_.size()), components);
-  CellStress law(body_.problem());
+  fem::CellStress law(body_.problem());
   std::vector<dealii::types::global_dof_index> dofs(element.dofs_per_cell);
   const std::size_t points = cells_.empty() ? 0 : places_.size() / cells_.size();
   for (std::size_t c = 0; c < cells_.size(); ++c) {
@@ -158,7 +160,7 @@ void BelowParts::add_half_space() {
   const Index count = loads_.shapes.cols();
   const double nu = material_.poisson_ratio;
   const double side = wheel_ ? 1.0 : -1.0;
-  const double of_displacement = 1.0 / (4.0 * M_PI * lame_mu(material_));
+  const double of_displacement = 1.0 / (4.0 * M_PI * fem::lame_mu(material_));
   const double of_stress = 1.0 / (2.0 * M_PI);
   for (MatrixXd& moved : moved_)
     moved = MatrixXd::Zero(components * static_cast<Index>(rows_.size()), count);
@@ -240,4 +242,4 @@ Eigen::VectorXd BelowParts::fitted(const MatrixXd& beyond) const {
   return coefficients;
 }
 
-}  // namespace rollfem::fem
+}  // namespace rollfem::hybrid

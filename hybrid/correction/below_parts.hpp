@@ -19,7 +19,7 @@
 #include <memory>
 #include <vector>
 
-namespace rollfem::fem {
+namespace rollfem::hybrid {
 
 /// Uniform loads on rectangles of the rolled-out surface: `shapes` has a row for each rectangle and
 /// a column for each traction built from them, MPa along one axis.
@@ -37,13 +37,13 @@ class GaussStates {
  public:
   /// The cells with these indices among the active cells of the body, which must outlive this
   /// object.
-  GaussStates(const Body& body, const std::vector<unsigned int>& cells);
+  GaussStates(const fem::Body& body, const std::vector<unsigned int>& cells);
   const std::vector<dealii::Point<3>>& points() const { return places_; }
   /// A row for each point: u_x u_y u_z, xx yy zz xy yz xz in global axes.
-  Eigen::MatrixXd at(const Vector& displacement) const;
+  Eigen::MatrixXd at(const fem::Vector& displacement) const;
 
  private:
-  const Body& body_;
+  const fem::Body& body_;
   std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells_;
   std::vector<dealii::Point<3>> places_;
   std::vector<std::vector<dealii::Tensor<1, 3>>> gradients_;  ///< of the nodes' functions
@@ -54,13 +54,13 @@ class BelowParts {
  public:
   /// `box` and `depth` (mm): region of the map. All arguments must outlive this object. Throws
   /// contact::SolveError where the meshes of body and twin differ.
-  BelowParts(const contact::BelowSurface& coordinates, const Body& body, const Body& twin,
+  BelowParts(const contact::BelowSurface& coordinates, const fem::Body& body, const fem::Body& twin,
              const FlatLoads& loads, const halfspace::SmoothBox& box, double depth);
   /// Displacement and stress of the body less those of its half-space, one row for each point,
   /// under traction `shape` of the loads along `component`. Sign as on the wheel; the rail has the
   /// opposite sign.
-  Eigen::MatrixXd beyond(int component, Eigen::Index shape, const Vector& body,
-                         const Vector& twin) const;
+  Eigen::MatrixXd beyond(int component, Eigen::Index shape, const fem::Vector& body,
+                         const fem::Vector& twin) const;
   /// Coefficients of the polynomials fitted to these rows, column after column of `beyond`.
   Eigen::VectorXd fitted(const Eigen::MatrixXd& beyond) const;
   /// Depth of the deepest points, mm.
@@ -91,4 +91,4 @@ class BelowParts {
   Eigen::LDLT<Eigen::MatrixXd> normal_;
 };
 
-}  // namespace rollfem::fem
+}  // namespace rollfem::hybrid

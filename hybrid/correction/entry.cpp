@@ -71,7 +71,7 @@ const rollfem::fem::Entry entry{start,
                                 from_first,
                                 rollfem::fem::run_fem,
                                 rollfem::fem::mesh_case,
-                                rollfem::fem::find_smooth_parts,
+                                rollfem::hybrid::find_smooth_parts,
                                 about};
 
 }  // namespace

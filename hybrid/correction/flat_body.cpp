@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rollfem::fem {
+namespace rollfem::hybrid {
 
 using contact::ContactGrid;
 using Eigen::Index;
@@ -73,7 +73,8 @@ void add_displacement(const ContactGrid& grid, const std::vector<Row>& rows,
 
 bool is_half_space(const contact::Scene& scene, bool wheel) {
   const contact::ContactSurface& surface = scene.geometry.surface;
-  if (surface.profiles || far_boundary_of(scene) != contact::FarBoundary::point_load) return false;
+  if (surface.profiles || fem::far_boundary_of(scene) != contact::FarBoundary::point_load)
+    return false;
   return wheel ? std::isinf(surface.wheel_transverse_radius) && std::isinf(surface.rolling_radius)
                : std::isinf(surface.rail_transverse_radius);
 }
@@ -101,4 +102,4 @@ std::array<MatrixXd, 3> beyond_flat_body(const contact::Scene& scene, bool wheel
   return {sums[0], sums[1], sums[2]};
 }
 
-}  // namespace rollfem::fem
+}  // namespace rollfem::hybrid

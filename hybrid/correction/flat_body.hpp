@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace rollfem::fem {
+namespace rollfem::hybrid {
 
 /// Whether a body has a plane surface and is so large that it has no far boundary.
 bool is_half_space(const contact::Scene& scene, bool wheel);
@@ -26,4 +26,4 @@ std::array<Eigen::MatrixXd, 3> beyond_flat_body(const contact::Scene& scene, boo
                                                 const ArcLength& arc,
                                                 const Eigen::MatrixXd& shapes);
 
-}  // namespace rollfem::fem
+}  // namespace rollfem::hybrid

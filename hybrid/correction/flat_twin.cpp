@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-namespace rollfem::fem {
+namespace rollfem::hybrid {
 
 namespace {
 
@@ -50,11 +50,11 @@ double ArcLength::place(double arc) const {
   return y;
 }
 
-SurfaceShape flat_twin(const SurfaceShape& shape, const contact::ContactSurface& surface,
-                       double reach) {
+fem::SurfaceShape flat_twin(const fem::SurfaceShape& shape, const contact::ContactSurface& surface,
+                            double reach) {
   const auto arc = std::make_shared<ArcLength>(surface, reach);
   const double inwards = shape.is_wheel ? 1.0 : -1.0;
-  auto chart = std::make_shared<ChartFunctions>();
+  auto chart = std::make_shared<fem::ChartFunctions>();
   chart->place = [arc, inwards](const dealii::Point<3>& at) {
     return dealii::Point<3>(at[0], arc->at(at[1]), inwards * at[2]);
   };
@@ -66,7 +66,7 @@ SurfaceShape flat_twin(const SurfaceShape& shape, const contact::ContactSurface&
     for (unsigned int k = 0; k < 3; ++k) axes[k][k] = 1.0;
     return axes;
   };
-  SurfaceShape twin;
+  fem::SurfaceShape twin;
   twin.is_wheel = shape.is_wheel;
   twin.functions = chart;
   return twin;
@@ -90,4 +90,4 @@ contact::Scene with_boxes(const contact::Scene& scene) {
   return boxes;
 }
 
-}  // namespace rollfem::fem
+}  // namespace rollfem::hybrid

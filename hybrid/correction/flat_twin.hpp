@@ -9,7 +9,7 @@
 #include "contact/scene/scene.hpp"
 #include "fem/mesh/surface_shape.hpp"
 
-namespace rollfem::fem {
+namespace rollfem::hybrid {
 
 /// Arc length of the common surface across, from y = 0, mm.
 class ArcLength {
@@ -26,8 +26,8 @@ class ArcLength {
 
 /// The chart of the twin of `shape`: (s, t, depth) lies at s along rolling, at the arc length of
 /// the common surface at t across, and at `depth` inwards. `reach`: extent of the body in t, mm.
-SurfaceShape flat_twin(const SurfaceShape& shape, const contact::ContactSurface& surface,
-                       double reach);
+fem::SurfaceShape flat_twin(const fem::SurfaceShape& shape, const contact::ContactSurface& surface,
+                            double reach);
 
 /// Wheel and rail are boxes under their surface; the twins differ from them in that surface only.
 bool has_boxes(const contact::Scene& scene);
@@ -36,4 +36,4 @@ bool has_boxes(const contact::Scene& scene);
 /// move at their far boundary.
 contact::Scene with_boxes(const contact::Scene& scene);
 
-}  // namespace rollfem::fem
+}  // namespace rollfem::hybrid

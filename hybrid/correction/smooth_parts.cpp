@@ -23,7 +23,7 @@
 #include <cmath>
 #include <optional>
 
-namespace rollfem::fem {
+namespace rollfem::hybrid {
 
 namespace {
 
@@ -33,6 +33,11 @@ using contact::Scene;
 using contact::SurfaceField;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using fem::Body;
+using fem::BodyOptions;
+using fem::LinearSolver;
+using fem::RunLayout;
+using fem::Vector;
 using halfspace::SmoothBox;
 using halfspace::SmoothMap;
 
@@ -67,10 +72,10 @@ constexpr double below_depth = 3.0;
 constexpr double largest_factor = 3e9;
 
 std::unique_ptr<LinearSolver> make_solver(const Body& body) {
-  if (predicted_factor_bytes(static_cast<double>(body.unknowns())) < largest_factor ||
-      body.material().poisson_ratio > largest_multigrid_poisson_ratio)
-    return make_factorisation(body.problem());
-  return make_multigrid(body.problem(), {1e-8});
+  if (fem::predicted_factor_bytes(static_cast<double>(body.unknowns())) < largest_factor ||
+      body.material().poisson_ratio > fem::largest_multigrid_poisson_ratio)
+    return fem::make_factorisation(body.problem());
+  return fem::make_multigrid(body.problem(), {1e-8});
 }
 
 /// One body under tractions on the contact grid.
@@ -82,8 +87,9 @@ class LoadedBody {
         shape_(contact::patch_shape(scene.geometry.surface, grid)),
         grid_(grid),
         flat_(flat),
-        nothing_(make_vector(body.dofs())) {
-    if (far_boundary_of(scene) == FarBoundary::point_load) far_.emplace(body, *solver_, coupling_);
+        nothing_(fem::make_vector(body.dofs())) {
+    if (fem::far_boundary_of(scene) == contact::FarBoundary::point_load)
+      far_.emplace(body, *solver_, coupling_);
   }
 
   /// Displacement of the surface under each of the tractions.
@@ -109,17 +115,17 @@ class LoadedBody {
 
  private:
   std::array<double, 3> resultant(const SurfaceField& traction) const {
-    if (!flat_) return resultant_force(shape_, grid_, traction);
+    if (!flat_) return fem::resultant_force(shape_, grid_, traction);
     const Field area = grid_.element_area() * shape_.stretch;
     return {area.dot(traction.x), area.dot(traction.y), area.dot(traction.n)};
   }
 
   std::unique_ptr<LinearSolver> solver_;
-  SurfaceCoupling coupling_;
+  fem::SurfaceCoupling coupling_;
   contact::PatchShape shape_;
   ContactGrid grid_;
   bool flat_;
-  std::optional<FarField> far_;
+  std::optional<fem::FarField> far_;
   Vector nothing_;
   std::vector<Vector> displacements_;
 };
@@ -214,7 +220,7 @@ struct Pair {
         flat(boxes, twin, layout.grid, true) {}
 
   static BodyOptions twin_options(const Scene& boxes, const RunLayout& layout, const Body& body) {
-    BodyOptions options = run_layout(boxes, layout.bodies.cell_size).bodies;
+    BodyOptions options = fem::run_layout(boxes, layout.bodies.cell_size).bodies;
     options.half = body.options().half;
     return options;
   }
@@ -345,15 +351,15 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   event.model = "hybrid";
   event.stage = "correction";
   contact::report(progress, event);
-  const double cell = PatchSearch(scene).box().smaller() / cells_in_semi_axis /
+  const double cell = halfspace::PatchSearch(scene).box().smaller() / cells_in_semi_axis /
                       (scene.options.fem.degree == 1 ? times_cells_of_degree_one : 1.0);
-  const RunLayout layout = run_layout(scene, cell);
+  const RunLayout layout = fem::run_layout(scene, cell);
   const Basis basis(scene, layout);
   halfspace::SmoothParts parts;
   parts.stresses = asked.asks_for_stress();
-  const MeshedBodies meshed{needs_mesh(scene, true, parts.stresses),
-                            needs_mesh(scene, false, parts.stresses)};
-  const CaseBodies bodies = make_bodies(scene, layout.bodies, MPI_COMM_SELF, meshed);
+  const fem::MeshedBodies meshed{needs_mesh(scene, true, parts.stresses),
+                                 needs_mesh(scene, false, parts.stresses)};
+  const fem::CaseBodies bodies = fem::make_bodies(scene, layout.bodies, MPI_COMM_SELF, meshed);
   // Sequential, because the orderings share one sequence of random numbers.
   std::optional<Pair> wheel, rail;
   const Scene boxes = with_boxes(scene);
@@ -379,4 +385,4 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   return parts;
 }
 
-}  // namespace rollfem::fem
+}  // namespace rollfem::hybrid

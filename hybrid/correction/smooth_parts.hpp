@@ -9,7 +9,7 @@
 #include "contact/scene/scene.hpp"
 #include "halfspace/elasticity/smooth_map.hpp"
 
-namespace rollfem::fem {
+namespace rollfem::hybrid {
 
 /// Correction of the scene's correction scene (halfspace/patch/correction_scene.hpp), computed by
 /// the calling process alone because the bodies are small. Throws contact::InputError for scenes
@@ -23,4 +23,4 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis,
                                               const contact::Scene& scene,
                                               const contact::Progress& progress);
 
-}  // namespace rollfem::fem
+}  // namespace rollfem::hybrid

@@ -87,13 +87,7 @@ void exchange(contact::Record& record, SmoothParts& parts) {
     exchange(record, *below);
     record.value(below->depth);
   }
-  std::size_t notes = parts.notes.size();
-  record.values(parts.stresses, parts.unknowns, notes);
-  if (record.reading()) parts.notes.clear();
-  for (std::size_t k = 0; k < notes; ++k) {
-    if (record.reading()) parts.notes.emplace_back();
-    record.value(parts.notes[k]);
-  }
+  record.values(parts.stresses, parts.unknowns, parts.notes);
 }
 
 /// What a file holds.
@@ -112,9 +106,8 @@ void exchange(contact::Record& record, Stored& stored) {
 Stored read(const fs::path& file) {
   const auto bytes = postprocess::opened_record(suffix, postprocess::contents_of(file));
   if (!bytes) throw std::runtime_error("damaged");
-  contact::Record record(*bytes);
   Stored stored;
-  exchange(record, stored);
+  contact::Record(*bytes).value(stored);
   return stored;
 }
 
@@ -174,11 +167,9 @@ std::string CorrectionCache::keep(const contact::Scene& correction, const Smooth
   stored.entry.made = fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr)));
   stored.entry.unknowns = parts.unknowns;
   stored.entry.seconds = seconds;
-  contact::Record record;
-  exchange(record, stored);
   try {
     postprocess::replace_file(file_of(folder_, key),
-                              postprocess::sealed_record(suffix, record.bytes()));
+                              postprocess::sealed_record(suffix, contact::record_of(stored)));
   } catch (const std::exception& error) {
     return fmt::format("the correction could not be stored for other runs: {}", error.what());
   }

@@ -24,17 +24,15 @@ std::optional<MachineSpeed> machine_speed() {
   if (path.empty() || !fs::exists(path, error)) return {};
   const auto bytes = postprocess::opened_record(version(), postprocess::contents_of(path));
   if (!bytes) return {};
-  contact::Record record(*bytes);
   MachineSpeed speed;
-  record.values(speed.times, speed.made);
+  contact::Record(*bytes).values(speed.times, speed.made);
   if (!(speed.times > 0.0)) return {};
   return speed;
 }
 
 void keep_machine_speed(const fs::path& file, MachineSpeed speed) {
-  contact::Record record;
-  record.values(speed.times, speed.made);
-  postprocess::replace_file(file, postprocess::sealed_record(version(), record.bytes()));
+  postprocess::replace_file(
+      file, postprocess::sealed_record(version(), contact::record_of(speed.times, speed.made)));
 }
 
 }  // namespace rollfem::modelling

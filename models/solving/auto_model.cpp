@@ -88,8 +88,8 @@ ContactSize size_of(const Scene& scene) {
   size.symmetric = scene.is_symmetric();
   size.coupled =
       scene.friction() != nullptr && (scene.material.couples() || scene.follows_surface > 0.0);
-  size.shares_load = scene.friction() != nullptr && !scene.points.empty() &&
-                     scene.points.front().load.direction[0] != 0.0;
+  size.shares_load =
+      scene.friction() != nullptr && !scene.points.empty() && scene.points.front().load.is_tilted();
   size.meshed_bodies = meshed_bodies(scene);
   size.line = scene.geometry.line.has_value();
   size.true_sections = halfspace::has_true_sections(scene);

@@ -92,19 +92,15 @@ class LevelPoints : public contact::CheckpointPart {
   std::optional<std::string> find(const std::string& name) override {
     const std::optional<std::string> bytes = CheckpointPart::find(name);
     if (!bytes) return {};
-    contact::Record record(*bytes);
     double seconds = 0.0;
     std::string content;
-    record.values(seconds, content);
+    contact::Record(*bytes).values(seconds, content);
     before_ = std::max(before_, seconds);
     return content;
   }
   void keep(const std::string& name, const std::string& content) override {
-    contact::Record record;
-    double seconds = before_ + std::chrono::duration<double>(Clock::now() - begin_).count();
-    std::string copy = content;
-    record.values(seconds, copy);
-    CheckpointPart::keep(name, record.bytes());
+    const double seconds = before_ + std::chrono::duration<double>(Clock::now() - begin_).count();
+    CheckpointPart::keep(name, contact::record_of(seconds, content));
   }
   /// Seconds of earlier calls; known after the level is solved.
   double seconds_before() const { return before_; }

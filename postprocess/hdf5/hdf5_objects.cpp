@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include <stdexcept>
-#include <type_traits>
 
 namespace rollfem::postprocess::hdf5 {
 namespace {
@@ -34,9 +33,10 @@ Handle transfer_of_text() {
   return transfer;
 }
 
-/// Without extents: a single value.
-Handle write_any(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                 hid_t type, const void* values, hid_t transfer = H5P_DEFAULT) {
+}  // namespace
+
+Handle write_dataset(hid_t parent, const std::string& name, const Shape& shape, hid_t type,
+                     const void* values, hid_t transfer) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      "H5Screate_simple");
   const Handle options(H5Pcreate(H5P_DATASET_CREATE), "H5Pcreate");
@@ -54,16 +54,6 @@ Handle write_any(hid_t parent, const std::string& name, const std::vector<hsize_
   if (count > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer, values), "H5Dwrite");
   return dataset;
 }
-
-template <class Number>
-hid_t type_of() {
-  if constexpr (std::is_same_v<Number, double>) return H5T_NATIVE_DOUBLE;
-  if constexpr (std::is_same_v<Number, float>) return H5T_NATIVE_FLOAT;
-  if constexpr (std::is_same_v<Number, int>) return H5T_NATIVE_INT;
-  return H5T_NATIVE_UCHAR;
-}
-
-}  // namespace
 
 Handle::Handle(hid_t id, const char* call) : id_(id) {
   if (id < 0) fail(call);
@@ -134,28 +124,16 @@ void write_attribute(hid_t object, const std::string& name, const std::string& v
   write_scalar_attribute(object, name, text_type(), &text);
 }
 
-template <class Number>
-Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const Number* values) {
-  return write_any(parent, name, shape, type_of<Number>(), values);
-}
-
-using Shape = std::vector<hsize_t>;
-template Handle write_dataset(hid_t, const std::string&, const Shape&, const double*);
-template Handle write_dataset(hid_t, const std::string&, const Shape&, const float*);
-template Handle write_dataset(hid_t, const std::string&, const Shape&, const unsigned char*);
-template Handle write_dataset(hid_t, const std::string&, const Shape&, const int*);
-
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<std::string>& lines) {
   std::vector<const char*> texts;
   texts.reserve(lines.size());
   for (const std::string& line : lines) texts.push_back(line.c_str());
-  return write_any(parent, name, {texts.size()}, text_type(), texts.data(), transfer_of_text());
+  return write_dataset(parent, name, {texts.size()}, text_type(), texts.data(), transfer_of_text());
 }
 
 Handle write_dataset(hid_t parent, const std::string& name, const std::string& text) {
   const char* const start = text.c_str();
-  return write_any(parent, name, {}, text_type(), &start, transfer_of_text());
+  return write_dataset(parent, name, Shape{}, text_type(), &start, transfer_of_text());
 }
 
 void write_comment(hid_t object, const std::string& comment) {

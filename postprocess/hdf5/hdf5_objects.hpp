@@ -72,11 +72,26 @@ void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, long value);
 void write_attribute(hid_t object, const std::string& name, const std::string& value);
 
-/// Writes a dataset of double, float, int or unsigned char with `shape` in row-major order,
+using Shape = std::vector<hsize_t>;
+
+/// HDF5's type of numbers in memory.
+inline hid_t type_of(const double* /*number*/) {
+  return H5T_NATIVE_DOUBLE;
+}
+inline hid_t type_of(const float* /*number*/) {
+  return H5T_NATIVE_FLOAT;
+}
+inline hid_t type_of(const int* /*number*/) {
+  return H5T_NATIVE_INT;
+}
+inline hid_t type_of(const unsigned char* /*number*/) {
+  return H5T_NATIVE_UCHAR;
+}
+
+/// Writes a dataset of any type with `shape` in row-major order (without extents: one value),
 /// compressed above a certain size.
-template <class Number>
-Handle write_dataset(hid_t parent, const std::string& name, const std::vector<hsize_t>& shape,
-                     const Number* values);
+Handle write_dataset(hid_t parent, const std::string& name, const Shape& shape, hid_t type,
+                     const void* values, hid_t transfer = H5P_DEFAULT);
 Handle write_dataset(hid_t parent, const std::string& name, const std::vector<std::string>& lines);
 Handle write_dataset(hid_t parent, const std::string& name, const std::string& text);
 
@@ -87,25 +102,25 @@ void link(hid_t parent, const std::string& path, hid_t group, const std::string&
 
 /// Describes a dataset by the attributes unit, description and sign and by a comment.
 void describe(hid_t object, const std::string& unit, const std::string& description,
-              const std::string& sign);
+              const std::string& sign = "");
 
 /// Writes numbers with their description, by default as a list.
 template <class Number>
 void write_values(hid_t group, const char* name, const std::vector<Number>& values,
                   const std::string& unit, const std::string& description,
-                  const std::string& sign = "", std::vector<hsize_t> shape = {}) {
+                  const std::string& sign = "", Shape shape = {}) {
   if (shape.empty()) shape = {values.size()};
-  describe(write_dataset(group, name, shape, values.data()), unit, description, sign);
+  describe(write_dataset(group, name, shape, type_of(values.data()), values.data()), unit,
+           description, sign);
 }
 
 /// Writes N numbers of every point as a dataset [points, N].
 template <std::size_t N, class Number>
 void write_rows(hid_t group, const char* name, const std::vector<std::array<Number, N>>& rows,
                 const std::string& unit, const std::string& description) {
-  std::vector<Number> flat;
-  flat.reserve(N * rows.size());
-  for (const auto& row : rows) flat.insert(flat.end(), row.begin(), row.end());
-  write_values(group, name, flat, unit, description, "", {rows.size(), N});
+  // Arrays lie one after another.
+  const auto* const first = reinterpret_cast<const Number*>(rows.data());
+  describe(write_dataset(group, name, {rows.size(), N}, type_of(first), first), unit, description);
 }
 
 /// Opens a file for reading; std::runtime_error if it is not an HDF5 file or damaged.
@@ -128,7 +143,7 @@ std::map<std::string, std::string> read_texts(hid_t object);
 
 /// A dataset of numbers with its shape; integers are converted.
 struct Numbers {
-  std::vector<hsize_t> shape;
+  Shape shape;
   std::vector<double> values;
 };
 Numbers read_dataset(hid_t parent, const std::string& name);

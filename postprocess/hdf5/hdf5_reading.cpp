@@ -13,30 +13,6 @@ namespace {
   throw std::runtime_error(fmt::format("{} {}", what, name));
 }
 
-/// Strings of variable length in memory owned by the HDF5 library.
-class Texts {
- public:
-  Texts(hid_t type, hid_t space, std::size_t count) : type_(type), space_(space), data_(count) {}
-  ~Texts() { H5Dvlen_reclaim(type_, space_, H5P_DEFAULT, data_.data()); }
-  Texts(const Texts&) = delete;
-  Texts& operator=(const Texts&) = delete;
-  void* data() { return data_.data(); }
-  std::vector<std::string> lines() const {
-    std::vector<std::string> out;
-    for (const char* text : data_) out.emplace_back(text == nullptr ? "" : text);
-    return out;
-  }
-
- private:
-  hid_t type_;
-  hid_t space_;
-  std::vector<char*> data_;
-};
-
-bool is_text(hid_t type) {
-  return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0;
-}
-
 bool is_number(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);
   return kind == H5T_FLOAT || kind == H5T_INTEGER;
@@ -46,9 +22,10 @@ bool is_number(hid_t type) {
 struct Content {
   Handle object, type, space;
 
-  std::vector<hsize_t> shape() const {
+  bool is_text() const { return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0; }
+  Shape shape() const {
     const int rank = H5Sget_simple_extent_ndims(space);
-    std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(rank, 0)));
+    Shape shape(static_cast<std::size_t>(std::max(rank, 0)));
     if (rank > 0) H5Sget_simple_extent_dims(space, shape.data(), nullptr);
     return shape;
   }
@@ -56,6 +33,20 @@ struct Content {
     hsize_t count = 1;
     for (const hsize_t extent : shape()) count *= extent;
     return count;
+  }
+  bool read(hid_t wanted, void* values) const {
+    return (H5Iget_type(object) == H5I_ATTR
+                ? H5Aread(object, wanted, values)
+                : H5Dread(object, wanted, H5S_ALL, H5S_ALL, H5P_DEFAULT, values)) >= 0;
+  }
+  /// Strings of variable length; false if they are unreadable. HDF5 owns them in memory.
+  bool read(std::vector<std::string>& lines) const {
+    const Handle wanted = text_type();
+    std::vector<char*> texts(count());
+    const bool readable = read(wanted, texts.data());
+    for (const char* text : texts) lines.emplace_back(text == nullptr ? "" : text);
+    H5Dvlen_reclaim(wanted, space, H5P_DEFAULT, texts.data());
+    return readable;
   }
 };
 
@@ -134,18 +125,17 @@ double read_number(hid_t object, const std::string& name) {
   const Content attribute = open_attribute(object, name);
   double value = 0.0;
   if (!is_number(attribute.type) || attribute.count() != 1 ||
-      H5Aread(attribute.object, H5T_NATIVE_DOUBLE, &value) < 0)
+      !attribute.read(H5T_NATIVE_DOUBLE, &value))
     fail("not one number: attribute", name);
   return value;
 }
 
 std::string read_text(hid_t object, const std::string& name) {
   const Content attribute = open_attribute(object, name);
-  if (!is_text(attribute.type) || attribute.count() != 1) fail("not a string: attribute", name);
-  const Handle wanted = text_type();
-  Texts texts(wanted, attribute.space, 1);
-  if (H5Aread(attribute.object, wanted, texts.data()) < 0) fail("unreadable attribute", name);
-  return texts.lines().front();
+  if (!attribute.is_text() || attribute.count() != 1) fail("not a string: attribute", name);
+  std::vector<std::string> lines;
+  if (!attribute.read(lines)) fail("unreadable attribute", name);
+  return lines.front();
 }
 
 std::map<std::string, std::string> read_texts(hid_t object) {
@@ -160,8 +150,7 @@ Numbers read_dataset(hid_t parent, const std::string& name) {
   const Content dataset = open_dataset(parent, name);
   if (!is_number(dataset.type)) fail("no numbers in dataset", name);
   Numbers numbers{dataset.shape(), std::vector<double>(dataset.count())};
-  if (!numbers.values.empty() && H5Dread(dataset.object, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
-                                         H5P_DEFAULT, numbers.values.data()) < 0)
+  if (!numbers.values.empty() && !dataset.read(H5T_NATIVE_DOUBLE, numbers.values.data()))
     fail("damaged or truncated: dataset", name);
   return numbers;
 }
@@ -184,14 +173,10 @@ template std::vector<std::array<float, 6>> read_rows(hid_t, const std::string&);
 
 std::vector<std::string> read_lines(hid_t parent, const std::string& name) {
   const Content dataset = open_dataset(parent, name);
-  if (!is_text(dataset.type)) fail("no text in dataset", name);
-  const hsize_t count = dataset.count();
-  if (count == 0) return {};
-  const Handle wanted = text_type();
-  Texts texts(wanted, dataset.space, count);
-  if (H5Dread(dataset.object, wanted, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()) < 0)
-    fail("damaged or truncated: dataset", name);
-  return texts.lines();
+  if (!dataset.is_text()) fail("no text in dataset", name);
+  std::vector<std::string> lines;
+  if (dataset.count() > 0 && !dataset.read(lines)) fail("damaged or truncated: dataset", name);
+  return lines;
 }
 
 }  // namespace rollfem::postprocess::hdf5

@@ -8,8 +8,7 @@
 #include "contact/result/result.hpp"
 
 #include <array>
-#include <string>
-#include <vector>
+#include <memory>
 
 namespace rollfem::postprocess {
 
@@ -27,6 +26,7 @@ class BodySampler {
   /// Keeps a reference to the body. Throws contact::InputError if it has no cells or no stress.
   explicit BodySampler(const contact::BodyField& body);
   explicit BodySampler(contact::BodyField&&) = delete;
+  ~BodySampler();
 
   /// A place outside all cells by at most two local cell sizes is moved onto the surface along the
   /// axes of the nearest cell. Farther places throw contact::InputError with the extent of the
@@ -41,15 +41,11 @@ class BodySampler {
   double surface(double x, double y, double inner, double outer) const;
 
   /// Corners of the smallest box that holds the body, mm.
-  const Place& lower() const { return tree_.front().lower; }
-  const Place& upper() const { return tree_.front().upper; }
+  const Place& lower() const;
+  const Place& upper() const;
 
  private:
-  struct Node {
-    Place lower{}, upper{};
-    int first = 0, last = 0;  ///< cells order_[first, last) of a leaf
-    int left = -1, right = -1;
-  };
+  struct Tree;
   /// Reference coordinates in [0, 1]^3 of the point of a cell nearest to `place`, and its distance.
   struct Hit {
     int cell = -1;
@@ -58,16 +54,13 @@ class BodySampler {
     double distance = 0.0;
   };
 
-  int build(int first, int last);
-  void nearest(int node, const Place& place, Hit& best) const;
   Hit invert(int cell, const Place& place) const;
   Hit find(const Place& place) const;
   Place map(int cell, const Place& reference) const;
   double longest_edge(int cell) const;
 
   const contact::BodyField& body_;
-  std::vector<int> order_;
-  std::vector<Node> tree_;
+  std::unique_ptr<Tree> tree_;
 };
 
 }  // namespace rollfem::postprocess

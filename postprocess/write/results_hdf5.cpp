@@ -40,8 +40,13 @@ std::string prescribed_forces(const contact::Case& input) {
 void write_friction_law(hid_t group, const contact::Case& input) {
   const contact::Friction law = contact::friction_of(input);
   if (!law || !law->feels_slip()) return;
+  using contact::FallShape;
+  const FallShape& shape = input.friction_fall.shape;
   const double speed = input.rolling.slip_speed();
-  write_attribute(group, "law", std::string(word_of(input.friction_fall.shape)));
+  write_attribute(group, "law", std::string(word_of(shape)));
+  for (std::size_t k = 0; k < FallShape::most_constants; ++k)
+    if (const FallShape::Constant& own = shape.constants[k]; own.name != nullptr)
+      write_attribute(group, own.name, input.friction_fall.constants[k].value_or(own.otherwise));
   write_attribute(group, "speed", speed);
   write_attribute(group, "memory_distance", input.friction_fall.memory_distance);
   constexpr int per_decade = 30;
@@ -50,7 +55,8 @@ void write_friction_law(hid_t group, const contact::Case& input) {
     const double velocity = std::pow(10.0, static_cast<double>(k) / per_decade);
     rows.insert(rows.end(), {velocity, law->at(velocity / speed).value});
   }
-  const Handle table = write_dataset(group, "friction_law", {rows.size() / 2, 2}, rows.data());
+  const Handle table =
+      write_dataset(group, "friction_law", {rows.size() / 2, 2}, H5T_NATIVE_DOUBLE, rows.data());
   write_comment(table, "Slip velocity, mm/s (in a shift: slip in mm), and coefficient of friction");
 }
 
@@ -167,19 +173,16 @@ void write_grid(hid_t model, const ContactGrid& grid) {
 }
 
 void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult& point) {
-  const std::vector<hsize_t> shape{static_cast<hsize_t>(grid.ny), static_cast<hsize_t>(grid.nx)};
+  const Shape shape{static_cast<hsize_t>(grid.ny), static_cast<hsize_t>(grid.nx)};
   for (const PointField& field : point_fields()) {
     const contact::Field& values = field.value(point.fields);
     if (values.size() == 0) continue;
-    describe(write_dataset(group, field.name, shape, values.data()), field.unit, field.description,
-             field.sign);
+    describe(write_dataset(group, field.name, shape, H5T_NATIVE_DOUBLE, values.data()), field.unit,
+             field.description, field.sign);
   }
   if (point.fields.state.empty()) return;
-  std::vector<unsigned char> state;
-  for (const contact::ElementState s : point.fields.state)
-    state.push_back(static_cast<unsigned char>(s));
-  write_values(group, "state", state, "-",
-               "state of the element: 0 exterior, 1 adhesion, 2 slip, 3 plastic", "", shape);
+  describe(write_dataset(group, "state", shape, H5T_NATIVE_UCHAR, point.fields.state.data()), "-",
+           "state of the element: 0 exterior, 1 adhesion, 2 slip, 3 plastic");
 }
 
 void write_subsurface(hid_t point, const std::vector<contact::SubsurfaceField>& fields) {

@@ -73,13 +73,6 @@ struct TableParts {
   std::function<void(const TablePart&, const std::vector<TablePoint>&)> done;
 };
 
-void exchange(contact::Record& record, std::vector<TablePoint>& points) {
-  for (TablePoint& point : points) {
-    record.values(point.forces[0], point.forces[1], point.forces[2], point.along_normal);
-    record.values(point.bars[0], point.bars[1], point.elements_across);
-  }
-}
-
 /// Solves the parts on all cores. `checkpoint` may be null. An exception from solve, done or
 /// progress ends the work and is passed on.
 void solve_parts(const TableParts& table, const contact::Progress& progress,
@@ -103,9 +96,8 @@ void solve_parts(const TableParts& table, const contact::Progress& progress,
   std::vector<std::size_t> missing;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (const auto bytes = kept.find(name_of(p))) {
-      contact::Record record(*bytes);
-      std::vector<TablePoint> points(parts[p].end - parts[p].begin);
-      exchange(record, points);
+      std::vector<TablePoint> points;
+      contact::Record(*bytes).value(points);
       add(p, points);
     } else if (table.share.holds(p)) {
       missing.push_back(p);
@@ -117,9 +109,7 @@ void solve_parts(const TableParts& table, const contact::Progress& progress,
     std::vector<TablePoint> points = table.solve(parts[missing[n]]);
     const std::lock_guard<std::mutex> one_at_a_time(telling);
     add(missing[n], points);
-    contact::Record record;
-    exchange(record, points);
-    kept.keep(name_of(missing[n]), record.bytes());
+    kept.keep(name_of(missing[n]), contact::record_of(points));
     contact::report(progress, event);
   });
   event.finished = true;

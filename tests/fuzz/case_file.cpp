@@ -5,15 +5,15 @@
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/scene/scene.hpp"
 #include "theories/elliptic_patch.hpp"
-#include "theories/registry.hpp"
 
 #include "fuzz/target.hpp"
+#include "support/half_space_models.hpp"
 
 using namespace rollfem;
 
 std::string outcome_of(const std::string& input) {
   try {
-    const contact::ModelRegistry& models = theories::models();
+    const contact::ModelRegistry& models = rollfem::testing::half_space_models();
     contact::ModelWords words;
     for (const contact::ModelInfo& model : models.all()) words.known.push_back(model.name);
     words.by_default = {"halfspace"};

@@ -16,15 +16,17 @@ import os
 import pathlib
 import random
 import re
-import resource
 import select
 import shutil
-import signal
 import subprocess
 import sys
 import time
 
 from sound import unsound
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "benchmarks" / "robustness"))
+from campaign import call, fault, work_of
 
 try:
     import tomllib
@@ -123,14 +125,6 @@ def kind_of(line):
     return "no solution" if line.startswith("no solution") else "refused"
 
 
-def processor_time(pid):
-    try:
-        fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
-    except OSError:
-        return 0.0
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-
 class Replay:
     """A fuzz target that is given inputs one by one; started again when one ended it."""
 
@@ -145,9 +139,9 @@ class Replay:
         try:
             self.process.stdin.write(len(data).to_bytes(4, "little") + data)
             self.process.stdin.flush()
-            begin, used = time.monotonic(), processor_time(self.process.pid)
+            begin, used = time.monotonic(), work_of(self.process.pid)
             while not select.select([self.process.stdout], [], [], 0.5)[0]:
-                if processor_time(self.process.pid) - used > LIMIT or time.monotonic() - begin > PATIENCE:
+                if work_of(self.process.pid) - used > LIMIT or time.monotonic() - begin > PATIENCE:
                     return self.ended("hang", f"no answer in {LIMIT:g} s")
             line = self.process.stdout.readline().decode("utf-8", "replace")
         except BrokenPipeError:
@@ -179,27 +173,19 @@ class Program:
         case.write_bytes(data)
         result = self.folder / "result"
         shutil.rmtree(result, ignore_errors=True)
-        call = self.call + [str(case)]
+        command = self.call + [str(case)]
         if self.command == "run":
-            call += ["--quiet", "-o", str(result), "--model", "halfspace"]
-        environment = {**os.environ, "ROLLFEM_PYTHON": "/bin/true", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-        try:
-            done = subprocess.run(call, capture_output=True, timeout=PATIENCE + 10 * self.limit, cwd=self.folder, env=environment,
-                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(self.limit),) * 2))
-        except subprocess.TimeoutExpired:
-            return "hang", f"no end in {PATIENCE + 10 * self.limit:g} s"
-        if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+            command += ["--quiet", "-o", str(result), "--model", "halfspace"]
+        status, said = call(command, self.folder, math.ceil(self.limit))
+        if status is None:
             return "hang", f"no end in {self.limit:g} s of processor time"
-        errors = done.stderr.decode("utf-8", "replace")
-        if done.returncode < 0:
-            return "signal", f"signal {-done.returncode}: {errors[-2000:]}"
-        if done.returncode not in (0, 1, 2) or "internal error" in errors:
-            return "odd", f"status {done.returncode}: {errors[-2000:]}"
-        if done.returncode == 0 and self.command == "run":
+        if wrong := fault(status, said, True):
+            return ("signal" if status < 0 else "odd"), f"{wrong}: {said[-2000:]}"
+        if status == 0 and self.command == "run":
             wrong = unsound(result)
             if wrong:
                 return "odd", f"status 0 with {wrong}"
-        return ("taken", "no solution", "refused")[done.returncode], errors
+        return ("taken", "no solution", "refused")[status], said
 
 
 def grammar_differs(data, kind, line):
@@ -261,7 +247,7 @@ def lattices(columns):
     return made
 
 
-def profiles(root):
+def profiles():
     made = []
     keys = ("", " flip", " mirror reverse", " sort drop_duplicates", " drop_zigzag smoothing", " rounding kinks thinning", " inch", " m sort kinks")
     arc = [(0.5 * k, 0.002 * k * k) for k in range(-60, 61)]
@@ -273,7 +259,7 @@ def profiles(root):
                             "\nheader.end\nspline.begin\npoint.dist.min = 0\nshift.y = 0\nrotate = 0\nbound.y.min = 0\nbound.y.max = 0\n"
                             "mirror.y = 0\nunits.len.f = 1000\nunits.ang.f = 1\npoint.begin\n" + rows + "point.end\nspline.end\n")):
             made += [f"{body} {name}{mend}\n{text}".encode() for mend in keys]
-    made += [b"wheel p.csv\n" + text for text in read_all(root / "cases" / "profiles", ["*.csv", "*.txt"])]
+    made += [b"wheel p.csv\n" + text for text in read_all(ROOT / "cases" / "profiles", ["*.csv", "*.txt"])]
     return made
 
 
@@ -286,20 +272,20 @@ def main():
     parser.add_argument("--run-limit", type=float, default=30.0, help="s for a run, which may be asked for much")
     parser.add_argument("--keep", type=pathlib.Path, default=pathlib.Path("results/mutants"), help="folder for what fails")
     options = parser.parse_args()
-    root = pathlib.Path(__file__).resolve().parents[2]
-    cases = read_all(root / "cases", ["*.toml"]) + [
+    os.environ.update(ROLLFEM_PYTHON="/bin/true", OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+    cases = read_all(ROOT / "cases", ["*.toml"]) + [
         subprocess.run([options.build / "app" / "rollfem", "new-case"], capture_output=True, check=True).stdout]
     tests = options.build / "tests" / "fuzz"
     campaign = Campaign(options.seed, options.keep)
     print(f"seed {options.seed}, {len(cases)} cases to begin with", flush=True)
     campaign.run("cases", options.cases, Replay(tests / "fuzz_case_file_replay"), cases, ".toml", grammar_differs)
-    campaign.run("profiles", options.profiles, Replay(tests / "fuzz_profile_replay"), profiles(root), ".txt")
+    campaign.run("profiles", options.profiles, Replay(tests / "fuzz_profile_replay"), profiles(), ".txt")
     campaign.run("lattices", options.lattices, Replay(tests / "fuzz_lattice_replay"), lattices(1) + lattices(2), ".csv")
     campaign.run("inputs", options.inputs, Replay(tests / "fuzz_contact_input_replay"),
-                 read_all(root / "tests" / "fuzz" / "corpus" / "contact_input", ["*.inp"]), ".inp")
+                 read_all(ROOT / "tests" / "fuzz" / "corpus" / "contact_input", ["*.inp"]), ".inp")
     folder = (options.keep / "work").resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    shutil.copytree(root / "cases", folder, dirs_exist_ok=True)
+    shutil.copytree(ROOT / "cases", folder, dirs_exist_ok=True)
     program = (options.build / "app" / "rollfem").resolve()
     campaign.run("checks", options.checks, Program(program, folder, "check", LIMIT), cases, ".toml")
     campaign.run("runs", options.runs, Program(program, folder, "run", options.run_limit), [small(case) for case in cases], ".toml")

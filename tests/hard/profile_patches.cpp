@@ -5,10 +5,10 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
@@ -66,7 +66,8 @@ TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
     input.rail.transverse_radius = 13.0;
     const auto hertz = halfspace::hertz_of_scene(input);
     input.patch = rollfem::testing::circles(405.0, -hollow, 13.0, 11.0);
-    const auto point = theories::models().run("halfspace", input, {}).points.front();
+    const auto point =
+        rollfem::testing::half_space_models().run("halfspace", input, {}).points.front();
     EXPECT_NEAR(point.normal_force, 20e3, 1.0);
     // Concentric arcs part faster than their parabolas: narrower and higher than Hertz.
     const double error = point.error_estimate.at("max_pressure");
@@ -74,8 +75,8 @@ TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
     EXPECT_LT(point.contact_width, 2.0 * hertz.semi_axis_y);
     EXPECT_GT(point.max_pressure, last_pressure);
     last_pressure = point.max_pressure;
-    EXPECT_NO_THROW(theories::models().run("strip", input, {}));
-    EXPECT_NO_THROW(theories::models().run("fastsim", input, {}));
+    EXPECT_NO_THROW(rollfem::testing::half_space_models().run("strip", input, {}));
+    EXPECT_NO_THROW(rollfem::testing::half_space_models().run("fastsim", input, {}));
   }
 }
 
@@ -83,13 +84,15 @@ TEST(ProfilePatches, FullyConformingCornerReachesTheEndOfItsProfiles) {
   rollfem::testing::PatchCase input = plain(20e3);
   input.patch = rollfem::testing::circles(405.0, -13.0, 13.0, 6.0);
   for (const char* model : {"halfspace", "strip", "fastsim"})
-    EXPECT_THROW(theories::models().run(model, input, {}), contact::InputError) << model;
-  EXPECT_THROW(theories::models().run("hertz", input, {}), contact::InputError);
+    EXPECT_THROW(rollfem::testing::half_space_models().run(model, input, {}), contact::InputError)
+        << model;
+  EXPECT_THROW(rollfem::testing::half_space_models().run("hertz", input, {}), contact::InputError);
 }
 
 TEST(ProfilePatches, TwoRegionsBecomeOne) {
   const double d = 4.0, radius = 60.0;
-  const auto light = theories::models().run("halfspace", two_crests(12e3, d, radius), {});
+  const auto light =
+      rollfem::testing::half_space_models().run("halfspace", two_crests(12e3, d, radius), {});
   // The undeformed bodies overlap from crest to crest, the deformed ones touch at the crests.
   EXPECT_EQ(regions(light), 2);
   // Two contacts of half the load each; one raises and tilts the surface under the other.
@@ -99,7 +102,8 @@ TEST(ProfilePatches, TwoRegionsBecomeOne) {
   EXPECT_NEAR(light.points.front().max_pressure, hertz.max_pressure, 0.03 * hertz.max_pressure);
   EXPECT_NEAR(light.points.front().contact_width, 2.0 * (d + hertz.semi_axis_y), 0.05 * 2.0 * d);
   EXPECT_NEAR(light.points.front().patch_y_middle.value(), 0.0, 0.02);
-  const auto heavy = theories::models().run("halfspace", two_crests(200e3, d, radius), {});
+  const auto heavy =
+      rollfem::testing::half_space_models().run("halfspace", two_crests(200e3, d, radius), {});
   EXPECT_EQ(regions(heavy), 1);
   EXPECT_NEAR(heavy.points.front().normal_force, 200e3, 1.0);
 }
@@ -110,8 +114,10 @@ TEST(ProfilePatches, PatchAtTheEndOfAProfileIsRefused) {
   input.patch =
       rollfem::testing::circles(405.0, contact::infinity, 500.0, 0.95 * hertz.semi_axis_y);
   for (const char* model : {"linear", "vermeulen-johnson", "fastsim", "strip", "halfspace"})
-    EXPECT_TRUE(rollfem::testing::says(rollfem::testing::refusal<contact::InputError>(
-                                           [&] { theories::models().run(model, input, {}); }),
+    EXPECT_TRUE(rollfem::testing::says(rollfem::testing::refusal<contact::InputError>([&] {
+                                         rollfem::testing::half_space_models().run(model, input,
+                                                                                   {});
+                                       }),
                                        "profile too short for the contact"))
         << model;
 }
@@ -120,15 +126,15 @@ TEST(ProfilePatches, ModelsWithoutProfilesSaySo) {
   rollfem::testing::PatchCase input = plain(50e3);
   input.patch = rollfem::testing::circles(405.0, contact::infinity, 500.0);
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
-  EXPECT_THROW(theories::models().run("carter", input, {}), contact::InputError);
-  EXPECT_NO_THROW(theories::models().run("fastsim", input, {}));
-  EXPECT_NO_THROW(theories::models().run("strip", input, {}));
-  EXPECT_NO_THROW(theories::models().run("halfspace", input, {}));
+  EXPECT_THROW(rollfem::testing::half_space_models().run("carter", input, {}), contact::InputError);
+  EXPECT_NO_THROW(rollfem::testing::half_space_models().run("fastsim", input, {}));
+  EXPECT_NO_THROW(rollfem::testing::half_space_models().run("strip", input, {}));
+  EXPECT_NO_THROW(rollfem::testing::half_space_models().run("halfspace", input, {}));
 }
 
 TEST(ProfilePatches, HollowContactHasNoEllipseButAHalfSpaceSolution) {
   // Between two crests: curvature across is negative at the contact point.
   const rollfem::testing::PatchCase input = two_crests(6e3, 4.0, 60.0);
-  EXPECT_THROW(theories::models().run("hertz", input, {}), contact::InputError);
-  EXPECT_NO_THROW(theories::models().run("halfspace", input, {}));
+  EXPECT_THROW(rollfem::testing::half_space_models().run("hertz", input, {}), contact::InputError);
+  EXPECT_NO_THROW(rollfem::testing::half_space_models().run("halfspace", input, {}));
 }

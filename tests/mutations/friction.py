@@ -44,7 +44,7 @@ FRICTION = [
              "coefficients_.front().xx += 0.5 * material.layer;",
              "a layer is half as soft along rolling",
              ("verification_falling_friction:Layer.*",)),
-    Mutation("yield_along_the_way", "contact/iteration/yielding.cpp",
+    Mutation("yield_along_the_way", "contact/iteration/friction_state.cpp",
              "const double ahead = step.way * 0.5 * part * part;",
              "const double ahead = 0.0;",
              "plastic displacement is half of the way's short",

@@ -16,12 +16,9 @@ import warnings
 import numpy as np
 
 import rollfem
+from module import PROGRAM, ROOT, SMALL
 
-ROOT, PROGRAM = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 CASES = ROOT / "cases"
-SMALL = {"load": {"normal_force": 50e3}, "friction": {"coefficient": 0.5},
-         "wheel": {"rolling_radius": 400.0, "transverse_radius": math.inf}, "rail": {"transverse_radius": 400.0},
-         "contact_grid": {"elements_across": 12}}
 
 
 def run(*arguments):
@@ -362,16 +359,20 @@ class Shown(unittest.TestCase):
         self.assertEqual(sweep.to_xarray().longitudinal_force.sel(spin=1e-4).item(), sweep.longitudinal_force[1])
 
     def test_public_functions_say_what_they_take_and_give(self):
+        # Types stand in the signature; what returns a class of rollfem needs no more words.
         for where, function in self.functions():
-            text = inspect.getdoc(function) or ""
-            names = [name for name in inspect.signature(function).parameters if name != "self"]
-            named = re.split(r"^(\w+)\n-+$", text, flags=re.M)
-            sections = dict(zip(named[1::2], named[2::2]))
-            self.assertIn("Examples", sections, where)
-            if function.__name__ != "__init__":
-                self.assertIn("Returns", sections, where)
-            for name in names:
-                self.assertRegex(sections.get("Parameters", ""), rf"(?m)^[\w, *]*\b{name}\b", where)
+            text, signature = inspect.getdoc(function) or "", inspect.signature(function, eval_str=True)
+            self.assertRegex(text, r"(?m)^>>> ", where)
+            if getattr(signature.return_annotation, "__name__", None) not in rollfem.__all__:
+                self.assertRegex(text, r"(?m)^Returns:\n    \w", where)
+            entries = dict(re.findall(r"(?m)^    ([\w, *]+): (.+(?:\n     .+)*)$", text.partition("Args:\n")[2]))
+            said = {name.strip(" *"): words for names, words in entries.items() for name in names.split(",")}
+            for name, parameter in signature.parameters.items():
+                if name != "self":
+                    self.assertIn(name, said, where)
+                    self.assertIsNot(parameter.annotation, parameter.empty, f"{where}: the type of {name}")
+                if re.search("float|ArrayLike|_SupportsArray", str(parameter.annotation)):
+                    self.assertRegex(said[name], r"(?<!\w)(mm|N|MPa|rad|-)(?!\w)", f"{where}: the unit of {name}")
 
     @staticmethod
     def functions():
@@ -383,8 +384,7 @@ class Shown(unittest.TestCase):
                 yield name, thing
             if inspect.isclass(thing) and name not in short:
                 for each, method in inspect.getmembers(thing, inspect.isfunction):
-                    if not each.startswith(("_", "of", "plot")) and (each, name) not in (
-                            ("columns", "Wheelset"), ("columns", "Profile")) and method.__doc__:
+                    if not each.startswith(("_", "of", "plot")) and method.__doc__:
                         yield f"{name}.{each}", method
 
 

@@ -65,7 +65,7 @@ class Reader:
         self.environment = {
             **os.environ, "PATH": os.getcwd() + ":" + os.environ["PATH"], "LIBRARY_PATH": libraries,
             "LD_LIBRARY_PATH": libraries + ":" + os.environ.get("LD_LIBRARY_PATH", ""),
-            "CPATH": ":".join([f"{root}/capi", f"{root}/interface", str(root), "/usr/include/eigen3"])}
+            "CPATH": ":".join([f"{root}/bindings/capi", f"{root}/bindings/interface", str(root), "/usr/include/eigen3"])}
         self.session, self.printed = {}, ""
 
     def sh(self, code, how):

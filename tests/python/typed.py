@@ -35,8 +35,8 @@ def main():
         for name, code in pages.items():
             pathlib.Path(folder, f"{name}.py").write_text(code, encoding="utf-8")
         return subprocess.run(["mypy", "--config-file", f"{folder}/settings", "--cache-dir", f"{folder}/cache",
-                               root / "python/rollfem", *(f"{folder}/{name}.py" for name in pages)],
-                              env={**os.environ, "MYPYPATH": str(root / "python")}, check=False).returncode
+                               root / "bindings/python/rollfem", *(f"{folder}/{name}.py" for name in pages)],
+                              env={**os.environ, "MYPYPATH": str(root / "bindings/python")}, check=False).returncode
 
 
 if __name__ == "__main__":

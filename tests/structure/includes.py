@@ -6,8 +6,8 @@ contact <- halfspace <- fem; theories stand on halfspace; hybrid knows halfspace
 scenes, no solver; track places profiles, finds their contacts and balances loads and rotation over them, for which it
 knows halfspace; postprocess knows results, never solvers; models registers what solves, opens fem at run time, and
 chooses among models (of which models/choice knows results only); tables fills tables of creep forces and keeps them
-in files; app knows all; interface, which others build on, hands models on, and
-python stands on interface; capi, the C interface, knows what track knows, and files of tables; deal.II is seen in fem and
+in files; app knows all; of the bindings, interface, which others build on, hands models on, and python
+stands on interface; capi, the C interface, knows what track knows, and files of tables; deal.II is seen in fem and
 in hybrid/correction, which is built into the library of fem.
 No model is told apart by its name: what differs is a property of its entry in the registry (contact/solve/model.hpp).
 Inside contact: base <- case <- scene <- result <- iteration <- solve; the order of the other modules' rooms: ROOMS.
@@ -46,13 +46,13 @@ ALLOWED = {
     "app": {"contact": ANY, "halfspace": ANY, "hybrid": ANY, "models": ANY, "convert": ANY, "meshes": ANY,
             "profiles": ANY, "track": ANY, "postprocess": ANY, "tables": ANY,
             "theories": ANY, "fem": {"elasticity"}},
-    "interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
-    "python": {"interface": ANY, "contact": ANY, "halfspace": {"closed_forms"}, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
-    "capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "tables": {"files"}},
+    "bindings/interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
+    "bindings/python": {"bindings": {"interface"}, "contact": ANY, "halfspace": {"closed_forms"}, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
+    "bindings/capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "tables": {"files"}},
 }
 # Rooms of a module, each of which may include those before it.
 ROOMS = {
-    "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature"],
+    "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature", ""],
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance"],
@@ -169,6 +169,9 @@ def self_test():
     assert verdict("fem/mesh/a.cpp", '"fem/linear/multigrid.hpp')
     assert verdict("hybrid/a.cpp", '"hybrid/correction/flat_twin.hpp')
     assert verdict("hybrid/a.cpp", "<deal.II/base/mpi.h")
+    assert verdict("bindings/capi/a.cpp", '"models/registry.hpp')
+    assert verdict("bindings/interface/rollfem/a.cpp", '"bindings/python/bindings.hpp')
+    assert not verdict("bindings/python/a.cpp", '"bindings/interface/rollfem/rollfem.hpp')
     assert told_apart('if (model.name == "fem") {', {"fem"}) and told_apart('"fem" != name', {"fem"})
     assert not told_apart('run.name = "fem";  // == "fem"', {"fem"}) and not told_apart('word == "planar"', {"fem"})
     assert verdict("app/a.cpp", "<deal.II/base/mpi.h")

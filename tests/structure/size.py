@@ -11,7 +11,7 @@ import re
 import sys
 
 MODULES = ("contact", "halfspace", "theories", "profiles", "track", "meshes", "fem", "hybrid", "postprocess", "models",
-           "tables", "convert", "app", "interface", "capi", "python", "benchmarks", "tests")
+           "tables", "convert", "app", "bindings", "benchmarks", "tests")
 MOST_FILES = 25
 MOST_LINES = 400
 MOST_IN_FUNCTION = 70

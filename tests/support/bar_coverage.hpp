@@ -4,8 +4,8 @@
 #pragma once
 
 #include "contact/result/quantities.hpp"
-#include "theories/registry.hpp"
 
+#include "support/half_space_models.hpp"
 #include "tests/support/random_scenes.hpp"
 #include <algorithm>
 #include <cmath>
@@ -112,7 +112,7 @@ inline void add_samples(const contact::PointResult& point, const contact::PointR
 inline void add_on_cells(contact::Scene scene, double cell, BarSamples& samples) {
   const auto run = [&](double size) {
     scene.contact_grid.cell_size = {{size, size}};
-    return theories::models().run("halfspace", scene, {});
+    return rollfem::testing::half_space_models().run("halfspace", scene, {});
   };
   const contact::ModelResult coarse = run(cell);
   const contact::ModelResult fine = run(0.25 * cell);
@@ -124,7 +124,8 @@ inline void add_on_cells(contact::Scene scene, double cell, BarSamples& samples)
 inline void add_scene(const RandomScene& random, int across, bool stresses, BarSamples& samples) {
   const auto run = [&](int elements) {
     const contact::Scene scene = random.across(elements);
-    return theories::models().run("halfspace", stresses ? with_stresses(scene, random) : scene, {});
+    return rollfem::testing::half_space_models().run(
+        "halfspace", stresses ? with_stresses(scene, random) : scene, {});
   };
   const contact::ModelResult coarse = run(across);
   const contact::ModelResult fine = run(4 * across);

@@ -2,8 +2,8 @@
 // The command-line program with an additional model, as in docs/developing.md under "Add a model".
 // tests/cli/toy_model.cpp calls it.
 #include "app/program.hpp"
+#include "halfspace/registry.hpp"
 #include "models/registry.hpp"
-#include "theories/registry.hpp"
 
 namespace {
 
@@ -16,16 +16,16 @@ contact::ModelResult run_stiff(const contact::ModelInput& input, const contact::
   stiff.wheel.material.young_modulus /= 0.9;
   stiff.rail.material.young_modulus /= 0.9;
   stiff.material = contact::combine(stiff.wheel.material, stiff.rail.material);
-  contact::ModelResult result = theories::models().run("halfspace", stiff, progress, checkpoint);
+  contact::ModelResult result = halfspace::models().run("halfspace", stiff, progress, checkpoint);
   result.name = "stiff";
   return result;
 }
 
 contact::ModelInfo stiff_model() {
   contact::ModelInfo stiff{"stiff", "stiff half-space", "the half-space, its compliance times 0.9"};
-  stiff.takes = theories::models().at("halfspace").takes;
+  stiff.takes = halfspace::models().at("halfspace").takes;
   stiff.run = run_stiff;
-  stiff.refinements = theories::models().at("halfspace").refinements;
+  stiff.refinements = halfspace::models().at("halfspace").refinements;
   stiff.has_stress = stiff.in_compare = true;
   return stiff;
 }

@@ -4,10 +4,10 @@
 // CONTACT's extra slip and Persson's conforming cylinder.
 #include "contact/base/errors.hpp"
 #include "contact/scene/scene.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
@@ -22,7 +22,7 @@ using contact::SurfaceForm;
 namespace {
 
 PointResult run(const rollfem::testing::PatchCase& input) {
-  return theories::models().run("halfspace", input, {}).points.front();
+  return rollfem::testing::half_space_models().run("halfspace", input, {}).points.front();
 }
 
 /// Cases e and f: a convex rail in a hollow wheel.

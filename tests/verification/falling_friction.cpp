@@ -10,12 +10,12 @@
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/model.hpp"
-#include "theories/registry.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include <algorithm>
 #include <array>
@@ -228,7 +228,8 @@ TEST(Layer, AndBodiesAreInSeriesAtSmallCreepage) {
 
 TEST(Fastsim, TakesALayerInSeriesAndFallingFriction) {
   const auto force_of = [](const std::string& model, const Case& input) {
-    const ModelResult result = theories::models().run(model, contact::Scene(input), {});
+    const ModelResult result =
+        rollfem::testing::half_space_models().run(model, contact::Scene(input), {});
     std::vector<double> forces;
     for (const PointResult& point : result.points) forces.push_back(-point.longitudinal_force);
     return forces;
@@ -236,7 +237,8 @@ TEST(Fastsim, TakesALayerInSeriesAndFallingFriction) {
   // Brushes of the bodies and of the layer in series, each with its closed form.
   Case input = locomotive({1e-5});
   const double bodies = force_of("linear", input)[0];
-  const PointResult patch = theories::models().run("hertz", contact::Scene(input), {}).points[0];
+  const PointResult patch =
+      rollfem::testing::half_space_models().run("hertz", contact::Scene(input), {}).points[0];
   const double a = patch.semi_axis_x, b = patch.semi_axis_y;
   const double layer = 8.0 / 3.0 * a * a * b * 1e-5 * 8200.0 / 1.25;
   add_layer(input);
@@ -252,10 +254,12 @@ TEST(Fastsim, TakesALayerInSeriesAndFallingFriction) {
     EXPECT_NEAR(sliding[k] / force, expected, 0.01 * expected);
   }
   for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastrip", "strip"})
-    EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
+    EXPECT_THROW(rollfem::testing::half_space_models().check(contact::Scene(input), name),
+                 contact::InputError);
   input.layer.reset();
   for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastrip", "strip"})
-    EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
+    EXPECT_THROW(rollfem::testing::half_space_models().check(contact::Scene(input), name),
+                 contact::InputError);
 }
 
 TEST(Fastsim, RemembersFrictionAlongEveryRow) {
@@ -269,7 +273,7 @@ TEST(Fastsim, RemembersFrictionAlongEveryRow) {
   const double there = 0.14 + 0.19 * std::exp2(-10e3 * 0.1 / 500.0);
   for (const char* model : {"fastsim", "halfspace"}) {
     const PointResult point =
-        theories::models().run(model, contact::Scene(input), {}).points.front();
+        rollfem::testing::half_space_models().run(model, contact::Scene(input), {}).points.front();
     double sum = 0.0, all = 0.0;
     for (double v = -0.995; v < 1.0; v += 0.01)
       for (double u = -0.995; u < 1.0; u += 0.01) {
@@ -303,7 +307,8 @@ TEST(Fastsim, ReducedSlopeIsThatOfContact) {
   input.fastsim.strips = 40;
   input.fastsim.strip_elements = 44;
   input.fastsim.slope_reduction = {0.54, 0.02, 0.62};
-  const ModelResult result = theories::models().run("fastsim", contact::Scene(input), {});
+  const ModelResult result =
+      rollfem::testing::half_space_models().run("fastsim", contact::Scene(input), {});
   for (std::size_t k = 0; k < curve.size(); ++k) {
     const double coefficient = result.points[k].traction_coefficient / 0.36;
     EXPECT_NEAR(coefficient, curve[k].second, 0.003) << curve[k].first;
@@ -356,7 +361,10 @@ TEST(Layer, OfALineContactInFullAdhesion) {
           "[rolling]\nlongitudinal_creepage = {}\n[contact_grid]\nelements_across = {}\n",
           82e3 * compliance, creepage, across);
       const contact::Scene scene(contact::parse_case(text, "line.toml"));
-      return -theories::models().run("halfspace", scene, {}).points.at(0).longitudinal_force;
+      return -rollfem::testing::half_space_models()
+                  .run("halfspace", scene, {})
+                  .points.at(0)
+                  .longitudinal_force;
     };
     const double exact = creepage / compliance * adhesion_integral(lambda, 400);
     testing::record(fmt::format("error_of_lambda_{}_at_40", lambda), at(40) / exact - 1.0);

@@ -18,7 +18,8 @@ TEST(HybridInAGroove, HasThePressureOfDirectionsTurned) {
   // both on elements of 0.2 by 0.25 mm.
   contact::Case input = rollfem::testing::committed_case("conformal_groove");
   const auto flat = halfspace::run_halfspace(input, {}).points.front();
-  const auto bodies = hybrid::run_hybrid(input, {}, nullptr, fem::find_smooth_parts).points.front();
+  const auto bodies =
+      hybrid::run_hybrid(input, {}, nullptr, hybrid::find_smooth_parts).points.front();
   EXPECT_NEAR(flat.max_pressure, 533.11, 1e-3 * 533.11);
   EXPECT_NEAR(bodies.max_pressure, 529.46, 3e-3 * 529.46);
   EXPECT_NEAR(bodies.approach, 0.02243, 0.015 * 0.02243);
@@ -34,7 +35,8 @@ TEST(HybridInAGroove, IsRoundAsFarAsTheCaseSays) {
   input.rail.transverse_radius = -10.02;
   input.wheel.round_to = input.rail.round_to = 0.85;
   input.contact_grid.elements_across = 30;
-  const auto bodies = hybrid::run_hybrid(input, {}, nullptr, fem::find_smooth_parts).points.front();
+  const auto bodies =
+      hybrid::run_hybrid(input, {}, nullptr, hybrid::find_smooth_parts).points.front();
   EXPECT_NEAR(bodies.max_pressure, 294.98, 3e-3 * 294.98);
   EXPECT_NEAR(bodies.max_pressure, 295.91, 5e-3 * 295.91);
   EXPECT_GT(bodies.semi_axis_y, 10.02 * std::asin(0.7));

@@ -29,7 +29,7 @@ contact::Case study_on_40(char name, const std::vector<double>& creepages) {
 }
 
 contact::ModelResult hybrid_of(const contact::Case& input) {
-  return hybrid::run_hybrid(input, {}, nullptr, fem::find_smooth_parts);
+  return hybrid::run_hybrid(input, {}, nullptr, hybrid::find_smooth_parts);
 }
 
 /// Displacement by one body of a scene whose other one is rigid, under Hertz's pressure and half of
@@ -67,9 +67,9 @@ TEST(Hybrid, OfAFreeMeshIsThatOfTheBox) {
   input.fem.extent = 30.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
-  const halfspace::SmoothParts boxes = fem::find_smooth_parts(scene, {});
+  const halfspace::SmoothParts boxes = hybrid::find_smooth_parts(scene, {});
   scene.options.fem.mesh = contact::MeshFamily::gmsh;
-  const halfspace::SmoothParts free = fem::find_smooth_parts(scene, {});
+  const halfspace::SmoothParts free = hybrid::find_smooth_parts(scene, {});
   EXPECT_NE(free.unknowns, boxes.unknowns);
   const double wheel = farthest(beyond(free.wheel), beyond(boxes.wheel));
   const double rail = farthest(beyond(free.rail), beyond(boxes.rail));
@@ -78,7 +78,7 @@ TEST(Hybrid, OfAFreeMeshIsThatOfTheBox) {
   EXPECT_LT(wheel, 0.1);
   EXPECT_LT(rail, 0.1);
   scene.output.stress_maxima = true;
-  EXPECT_THROW(fem::find_smooth_parts(scene, {}), contact::InputError);
+  EXPECT_THROW(hybrid::find_smooth_parts(scene, {}), contact::InputError);
 }
 
 TEST(Hybrid, AFlatRailIsNotMeshed) {
@@ -92,10 +92,10 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
   input.fem.extent = 25.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
-  const halfspace::SmoothParts plain = fem::find_smooth_parts(scene, {});
+  const halfspace::SmoothParts plain = hybrid::find_smooth_parts(scene, {});
   EXPECT_EQ(plain.unknowns, 0);
   scene.output.stress_maxima = true;
-  const halfspace::SmoothParts meshed = fem::find_smooth_parts(scene, {});
+  const halfspace::SmoothParts meshed = hybrid::find_smooth_parts(scene, {});
   EXPECT_GT(meshed.unknowns, 1000);
   const double difference = farthest(beyond(plain.rail), beyond(meshed.rail));
   rollfem::testing::record("difference", difference);
@@ -109,9 +109,9 @@ TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
   input.fem.extent = 25.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
-  const auto quadratic = fem::find_smooth_parts(scene, {});
+  const auto quadratic = hybrid::find_smooth_parts(scene, {});
   scene.options.fem.degree = 1;
-  const auto linear = fem::find_smooth_parts(scene, {});
+  const auto linear = hybrid::find_smooth_parts(scene, {});
   const double difference = farthest(beyond(linear.wheel), beyond(quadratic.wheel));
   rollfem::testing::record("difference", difference);
   EXPECT_LT(difference, 0.1);
@@ -189,7 +189,7 @@ TEST(Hybrid, HasTheSlipOfAnElasticSphere) {
                                                   0.1 * ElasticSphere::semi_axis);
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
   const hybrid::HybridCompliance compliance(scene, geometry, grid,
-                                            fem::find_smooth_parts(scene, {}));
+                                            hybrid::find_smooth_parts(scene, {}));
   const ElasticSphere slip(compliance, grid);
   rollfem::testing::record("mean", slip.mean);
   rollfem::testing::record("shape", slip.shape);

@@ -30,7 +30,7 @@ contact::Case frictionless_case(char name) {
 
 contact::PointResult hybrid_of(const contact::Scene& scene, double cells) {
   const auto find = [&](const contact::Scene& curved, const contact::Progress& progress) {
-    return fem::find_smooth_parts_with(cells, curved, progress);
+    return hybrid::find_smooth_parts_with(cells, curved, progress);
   };
   return hybrid::run_hybrid(scene, {}, nullptr, find).points.front();
 }

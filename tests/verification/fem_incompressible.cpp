@@ -6,12 +6,12 @@
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/trace/compliance.hpp"
-#include "theories/registry.hpp"
 
 #include "support/fem_elastic_block.hpp"
 #include "support/fem_fields.hpp"
 #include "support/fem_quarter_ring.hpp"
 #include "support/fem_test_support.hpp"
+#include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include <cmath>
 
@@ -182,7 +182,7 @@ TEST(NearlyIncompressible, RubberBallPressesAndRollsAsTheHalfSpaceSays) {
   auto input = rubber_ball();
   input.output.body_fields = contact::BodyFields::last;
   const auto level = fem::run_level(input, {0.1, "", true}, {});
-  const auto half = theories::models().run("halfspace", input, {});
+  const auto half = rollfem::testing::half_space_models().run("halfspace", input, {});
   const double p0 = half.points[0].max_pressure;
   EXPECT_NEAR(level.points[0].max_pressure / p0, 1, 0.01);
   for (int k = 0; k < 2; ++k)

@@ -157,9 +157,11 @@ class DenseNormal : public contact::NormalOperator {
   DenseNormal(const contact::ContactGrid& grid, const Eigen::MatrixXd& matrix)
       : grid_(grid), matrix_(matrix), inverse_(matrix) {}
   const contact::ContactGrid& grid() const override { return grid_; }
-  contact::Field apply(const contact::Field& pressure) const override { return matrix_ * pressure; }
-  contact::Field precondition(const contact::Field& residual) const override {
-    return inverse_.solve(residual);
+  void apply(const contact::Field& pressure, contact::Field& displacement) const override {
+    displacement = matrix_ * pressure;
+  }
+  void precondition(const contact::Field& residual, contact::Field& result) const override {
+    result = inverse_.solve(residual);
   }
 
  private:

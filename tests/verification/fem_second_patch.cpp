@@ -62,8 +62,8 @@ TEST(SecondPatch, FiniteElementsFindIt) {
 }
 
 TEST(SecondPatch, TheHybridFindsIt) {
-  expect_like_half_spaces(hybrid::run_hybrid(second_patch(), {}, nullptr, fem::find_smooth_parts),
-                          "hybrid");
+  expect_like_half_spaces(
+      hybrid::run_hybrid(second_patch(), {}, nullptr, hybrid::find_smooth_parts), "hybrid");
 }
 
 TEST(SecondPatch, FiniteElementsKeepToAnExtentAndSayWhatItLeavesOut) {
@@ -91,7 +91,7 @@ TEST(SecondPatch, TheCorrectionStaysSmallOnALargeGrid) {
       grid, hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure);
   const contact::Field none = contact::Field::Zero(grid.size());
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
-  const hybrid::HybridCompliance whole(scene, geometry, grid, fem::find_smooth_parts(scene, {}));
+  const hybrid::HybridCompliance whole(scene, geometry, grid, hybrid::find_smooth_parts(scene, {}));
   const halfspace::HalfspaceCompliance half(grid, scene.material);
   const contact::Field correction =
       whole.apply({0.0 * pressure, none, pressure}).n - half.apply({none, none, pressure}).n;

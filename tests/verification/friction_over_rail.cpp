@@ -6,11 +6,11 @@
 #include "contact/scene/scene.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
-#include "theories/registry.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include <algorithm>
 #include <cmath>
@@ -207,7 +207,7 @@ TEST(FrictionOverRail, TheoriesOfOneCoefficientRefuseIt) {
   set_points(input, {-0.04, 0.04}, {0.1, 0.5});
   const contact::Scene scene = track::make_scenes(input).at(0).scene;
   for (const char* name : {"fastsim", "strip", "linear", "vermeulen-johnson"})
-    EXPECT_EQ(contact::first_beyond(theories::models().at(name).takes, scene),
+    EXPECT_EQ(contact::first_beyond(rollfem::testing::half_space_models().at(name).takes, scene),
               "friction.inclination or lateral_position: it cannot handle friction that varies "
               "over the rail");
 }

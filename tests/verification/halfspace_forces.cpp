@@ -7,10 +7,10 @@
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
 #include <algorithm>
@@ -214,7 +214,8 @@ TEST(GivenPressure, CarriesTheForceOnAnyGrid) {
   input.rolling.creepages = {{0.0, 0.5, 0.0}};
   for (const int across : {8, 15, 32, 63}) {
     input.contact_grid.elements_across = across;
-    const PointResult point = theories::models().run("halfspace", input, {}).points.at(0);
+    const PointResult point =
+        rollfem::testing::half_space_models().run("halfspace", input, {}).points.at(0);
     EXPECT_NEAR(point.normal_force / force, 1.0, 1e-12) << across;
     // Everything slips; the elastic part of the slip turns it by less than 1e-2.
     EXPECT_NEAR(point.lateral_force / (friction * force), -1.0, 5e-5) << across;

@@ -8,11 +8,11 @@
 #include "contact/scene/scene.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "theories/carter.hpp"
-#include "theories/registry.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include "support/temporary_folder.hpp"
 #include <algorithm>
@@ -40,7 +40,8 @@ std::string steel(const std::string& rolling, const std::string& more = "") {
 }
 
 ModelResult run(const std::string& text, const std::string& model = "halfspace") {
-  return theories::models().run(model, contact::Scene(contact::parse_case(text, "line.toml")), {});
+  return rollfem::testing::half_space_models().run(
+      model, contact::Scene(contact::parse_case(text, "line.toml")), {});
 }
 
 const std::vector<double> parts{0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 1.1};  // of saturation
@@ -338,7 +339,8 @@ TEST(Spence, StickRatioOfWeaklyCoupledLineContact) {
             across(200),
         "spence.toml"));
     scene.material.difference = 0.025;
-    const PointResult last = theories::models().run("halfspace", scene, {}).points.back();
+    const PointResult last =
+        rollfem::testing::half_space_models().run("halfspace", scene, {}).points.back();
     double k = 0.5, low = 0.0, high = 1.0;
     for (int halving = 0; halving < 60; ++halving, k = 0.5 * (low + high)) {
       const double ratio = std::comp_ellint_1(std::sqrt(1.0 - k * k)) / std::comp_ellint_1(k);

@@ -4,10 +4,10 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/temporary_folder.hpp"
 #include <string>
 
@@ -15,7 +15,7 @@ namespace rollfem {
 namespace {
 
 contact::PointResult by_halfspace(const std::string& text) {
-  return theories::models()
+  return rollfem::testing::half_space_models()
       .run("halfspace", contact::Scene(contact::parse_case(text, "roller.toml")), {})
       .points.at(0);
 }

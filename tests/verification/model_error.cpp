@@ -5,10 +5,10 @@
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/level.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/thesis_cases.hpp"
 
 namespace {
@@ -137,17 +137,18 @@ TEST(ModelError, BodiesMustBeKnown) {
   scene.geometry.quadratic = std::array<double, 2>{1e-3, 1e-3};
   EXPECT_THROW(halfspace::model_errors(scene, half, {}), contact::InputError);
   scene.options.halfspace.model_error = true;
-  EXPECT_THROW(theories::models().run("halfspace", scene, {}), contact::InputError);
+  EXPECT_THROW(rollfem::testing::half_space_models().run("halfspace", scene, {}),
+               contact::InputError);
 }
 
 TEST(ModelError, IsInResultsWhereAskedFor) {
   Case input = thesis('b');
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
   input.contact_grid.elements_across = 12;
-  const auto without = theories::models().run("halfspace", input, {});
+  const auto without = rollfem::testing::half_space_models().run("halfspace", input, {});
   EXPECT_TRUE(without.points.front().model_error.empty());
   input.halfspace.model_error = true;
-  const auto with = theories::models().run("halfspace", input, {});
+  const auto with = rollfem::testing::half_space_models().run("halfspace", input, {});
   const auto& point = with.points.front();
   EXPECT_EQ(point.max_pressure, without.points.front().max_pressure);
   const auto expected = errors_of(input, halfspace::elements_of_model_error).front();

@@ -11,11 +11,11 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/model.hpp"
-#include "theories/registry.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include "support/temporary_folder.hpp"
 #include <algorithm>
@@ -306,7 +306,7 @@ TEST(PlasticLayer, IsKeptInCheckpoints) {
   state.tangential.coefficient = Field::LinSpaced(4, 0.1, 0.4);
   state.tangential.plastic = Field::LinSpaced(4, 1.0, 2.0);
   PointResult point;
-  contact::read_point(contact::point_record({}, state), point, read);
+  contact::Record(contact::record_of(point, state)).values(point, read);
   EXPECT_EQ(read.tangential.coefficient, state.tangential.coefficient);
   EXPECT_EQ(read.tangential.plastic, state.tangential.plastic);
 }
@@ -331,8 +331,9 @@ TEST(PlasticLayer, IsRefusedByTheoriesWithoutIt) {
   input.layer = contact::Layer{};
   input.layer->yield_stress = 200.0;
   for (const char* name : {"linear", "vermeulen-johnson", "carter", "fastsim", "strip"})
-    EXPECT_THROW(theories::models().check(contact::Scene(input), name), contact::InputError);
-  theories::models().check(contact::Scene(input), "halfspace");
+    EXPECT_THROW(rollfem::testing::half_space_models().check(contact::Scene(input), name),
+                 contact::InputError);
+  rollfem::testing::half_space_models().check(contact::Scene(input), "halfspace");
 }
 
 }  // namespace

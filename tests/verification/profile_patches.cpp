@@ -4,10 +4,10 @@
 #include "support/profile_patches.hpp"
 
 #include "halfspace/closed_forms/hertz.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
 
@@ -18,7 +18,7 @@ using contact::PointResult;
 namespace {
 
 ModelResult run(const std::string& model, const rollfem::testing::PatchCase& input) {
-  return theories::models().run(model, input, {});
+  return rollfem::testing::half_space_models().run(model, input, {});
 }
 
 rollfem::testing::PatchCase with_circles(char name) {

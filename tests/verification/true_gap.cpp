@@ -4,10 +4,10 @@
 // transforms, differences and solvers that found the solution.
 #include "contact/result/validity.hpp"
 #include "halfspace/elasticity/influence.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
 #include <algorithm>
@@ -32,7 +32,7 @@ PatchCase case_b(int across) {
 }
 
 ModelResult solve(const PatchCase& input) {
-  return theories::models().run("halfspace", input, {});
+  return rollfem::testing::half_space_models().run("halfspace", input, {});
 }
 
 /// Love's displacement under a uniform pressure of 1 MPa on a rectangle, of both bodies: the

@@ -66,30 +66,13 @@ std::vector<std::string> notes_of(const Case& input) {
   return notes;
 }
 
-void exchange(Record& record, contact::Creepage& creepage) {
-  record.values(creepage.longitudinal, creepage.lateral, creepage.spin);
-}
-
-void exchange(Record& record, contact::LoadPoint& point) {
-  record.values(point.load.force, point.load.approach, point.load.direction[0],
-                point.load.direction[1]);
-  exchange(record, point.creepage);
-  bool has_error = point.creepage_error.has_value();
-  record.value(has_error);
-  if (!has_error) return;
-  if (!point.creepage_error) point.creepage_error.emplace();
-  exchange(record, *point.creepage_error);
-}
-
 /// All values of a placed scene that the balance changes.
 void exchange(Record& record, contact::Scene& scene) {
-  record.values(scene.place->patch, scene.place->patches, scene.turns_freely);
-  std::size_t neighbours = scene.neighbour_loads.size();
-  record.value(neighbours);
-  if (record.reading()) scene.neighbour_loads.assign(neighbours, {});
-  for (contact::NeighbourLoad& load : scene.neighbour_loads)
-    record.values(load.x, load.y, load.longitudinal, load.lateral, load.normal, load.turn);
-  for (contact::LoadPoint& point : scene.points) exchange(record, point);
+  record.values(scene.place->patch, scene.place->patches, scene.turns_freely,
+                scene.neighbour_loads);
+  for (contact::LoadPoint& point : scene.points)
+    record.values(point.load.force, point.load.approach, point.load.direction, point.creepage,
+                  point.creepage_error);
 }
 
 /// Index of the placed patch from which a scene was made: its position on the track stays the same.

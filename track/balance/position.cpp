@@ -5,6 +5,7 @@
 #include "contact/base/root.hpp"
 #include "contact/base/threads.hpp"
 #include "contact/result/refinement.hpp"
+#include "contact/solve/load_sharing.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "track/motion/wheelset_motion.hpp"
@@ -236,18 +237,19 @@ class Position {
     };
     // Geometry and elasticity determine the sharing; friction changes the force to be shared.
     const std::vector<contact::Scene> scenes = scenes_of(wheel);
-    double to_share = load;
-    constexpr int most_steps = 50;
-    for (int step = 0; step < most_steps; ++step) {
-      halfspace::SharedLoad shared = halfspace::share_load(scenes, to_share, ratios_of(wheel, k));
+    const std::vector<halfspace::FrictionRatio> ratios = ratios_of(wheel, k);
+    halfspace::SharedLoad shared;
+    contact::LoadSharing sharing;
+    sharing.load = load;
+    sharing.tolerance = 0.1 * load_tolerance;
+    sharing.sliding = true;
+    sharing.solve(load, [&](double to_share, int) {
+      shared = halfspace::share_load(scenes, to_share, ratios);
       const double sum = carried(shared);
       if (!(sum > 0.0)) refuse_lift(wheel);
-      if (std::abs(sum - load) < 0.1 * load_tolerance * load) return shared;
-      to_share *= load / sum;
-    }
-    throw contact::SolveError(
-        fmt::format("the {} wheel: the sharing of the load does not converge in {} steps",
-                    wheel.left ? "left" : "right", most_steps));
+      return load + to_share - sum;
+    });
+    return shared;
   }
 
   [[noreturn]] static void refuse_lift(const Wheel& wheel) {

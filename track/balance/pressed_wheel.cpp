@@ -83,31 +83,19 @@ void PressedWheel::press(Scene scene, const WheelRailContact& where) {
 std::vector<Creepage> PressedWheel::creepages_of(const Contact& contact,
                                                  const std::vector<Creepage>& creepages) const {
   if (&contact == &contacts_.front()) return creepages;
-  // Creepages are affine in the motion: those at rest and by rotation, lateral and yaw velocity.
-  struct Affine {
-    Eigen::Vector3d rest;
-    Eigen::Matrix3d by;
+  const auto rolling = [&](const WheelRailContact& where) {
+    const Motion motion{1.0 / rolling_radius_, 0.0, 0.0};
+    const Creepage at = extra_slip_ ? creepage_of(where, motion) : creepage_on_rail(where, motion);
+    return Eigen::Vector3d(at.longitudinal, at.lateral, at.spin);
   };
-  const double turns = 1.0 / rolling_radius_;
-  const auto of = [&](const WheelRailContact& where) {
-    const auto at = [&](const Motion& motion) {
-      const Creepage found =
-          extra_slip_ ? creepage_of(where, motion) : creepage_on_rail(where, motion);
-      return Eigen::Vector3d(found.longitudinal, found.lateral, found.spin);
-    };
-    constexpr double yaw_step = 1e-3;  // rad/mm
-    Affine result{at({turns, 0.0, 0.0}), {}};
-    result.by.col(0) = at({2.0 * turns, 0.0, 0.0}) - result.rest;
-    result.by.col(1) = at({turns, 1.0, 0.0}) - result.rest;
-    result.by.col(2) = (at({turns, 0.0, yaw_step}) - result.rest) / yaw_step;
-    return result;
-  };
-  const Affine main = of(contacts_.front().where), own = of(contact.where);
-  const Eigen::Matrix3d own_by_main = own.by * main.by.inverse();
+  const WheelRailContact &main = contacts_.front().where, &own = contact.where;
+  const Eigen::Vector3d main_rolling = rolling(main), own_rolling = rolling(own);
+  const Eigen::Matrix3d own_by_main =
+      creepage_by_motion(own, !extra_slip_) * creepage_by_motion(main, !extra_slip_).inverse();
   std::vector<Creepage> found;
   for (const Creepage& wanted : creepages) {
     const Eigen::Vector3d given(wanted.longitudinal, wanted.lateral, wanted.spin);
-    const Eigen::Vector3d here = own.rest + own_by_main * (given - main.rest);
+    const Eigen::Vector3d here = own_rolling + own_by_main * (given - main_rolling);
     found.push_back({here[0], here[1], here[2]});
   }
   return found;

@@ -76,6 +76,18 @@ contact::Creepage creepage_on_rail(const WheelRailContact& contact, const Motion
   return creepage_at(contact, motion, {});
 }
 
+Eigen::Matrix3d creepage_by_motion(const WheelRailContact& contact, bool on_rail) {
+  const auto at = [&](const Motion& motion) {
+    const contact::Creepage found =
+        on_rail ? creepage_on_rail(contact, motion) : creepage_of(contact, motion);
+    return Eigen::Vector3d(found.longitudinal, found.lateral, found.spin);
+  };
+  const Eigen::Vector3d rest = at({});
+  Eigen::Matrix3d by;
+  by << at({1.0, 0.0, 0.0}) - rest, at({0.0, 1.0, 0.0}) - rest, at({0.0, 0.0, 1.0}) - rest;
+  return by;
+}
+
 double driving_moment(const WheelRailContact& contact, const PatchForce& force) {
   Vector3 total = sum({}, contact.along, force.longitudinal);
   total = sum(total, contact.across, force.lateral);

@@ -7,6 +7,8 @@
 #include "contact/case/case.hpp"
 #include "track/search/contact_search.hpp"
 
+#include <Eigen/Core>
+
 #include <optional>
 #include <vector>
 
@@ -42,6 +44,9 @@ contact::Creepage creepage_of(const WheelRailContact& contact, const Motion& mot
 /// The same at the reference point on the rail, as in CONTACT: for a plane whose only slip is xi,
 /// eta and phi (ExtraSlip::none); close to the creepages of patches beside a gap.
 contact::Creepage creepage_on_rail(const WheelRailContact& contact, const Motion& motion);
+
+/// Derivatives of xi, eta and phi by rotation, lateral and yaw velocity, in which both are affine.
+Eigen::Matrix3d creepage_by_motion(const WheelRailContact& contact, bool on_rail = false);
 
 /// Forces of a patch on the wheel in its frame, and the moment about its normal.
 struct PatchForce {

@@ -100,12 +100,27 @@ void check_need(const GivenCase& given, const Need& rule) {
                rule.allowed, rule.action);
 }
 
+/// The constants of a law have no meaning for another one.
+void check_constants(const GivenCase& given) {
+  const std::string law = word_of(given, "friction", "law");
+  for (const FallShape& shape : fall_shapes())
+    for (const FallShape::Constant& own : shape.constants) {
+      if (own.name == nullptr || law == shape.word) continue;
+      const GivenValue* found = given.find("friction", own.name);
+      if (found != nullptr)
+        fail_at(given, std::string("friction.") + own.name, *found,
+                fmt::format("is of the law {}, but friction.law is {}", shape.word, law),
+                fmt::format("with law = \"{}\"", shape.word), "remove it, or choose that law");
+    }
+}
+
 }  // namespace
 
 void check_rules(const GivenCase& given) {
   for (const Exclusion& rule : exclusions) check_exclusion(given, rule);
   for (const Rivals& rule : rivals) check_rivals(given, rule);
   for (const Need& rule : needs) check_need(given, rule);
+  check_constants(given);
 }
 
 }  // namespace rollfem::contact

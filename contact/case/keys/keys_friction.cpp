@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/case/keys/key_builder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace rollfem::contact {
@@ -65,6 +67,23 @@ Choices<FallShape> laws() {
   return choices;
 }
 
+/// The constants that one law has beside those of all.
+void add_constants(Keys<Case>& keys, const FallShape& shape) {
+  for (std::size_t k = 0; k < shape.constants.size(); ++k) {
+    const FallShape::Constant& own = shape.constants[k];
+    if (own.name == nullptr) continue;
+    Access<Case> access =
+        of_points([k](auto& point) -> decltype(auto) { return (point.fall.constants[k]); });
+    access.get = [get = access.get, shape](const Case& c) {
+      return c.friction_fall.shape == shape ? get(c) : KeyValue();
+    };
+    keys.add(KeyKind::numbers, own.name, access, per("friction points"), symbol(own.symbol),
+             between(own.lower, own.upper),
+             otherwise(fmt::format("{:g} with the law `{}`", own.otherwise, shape.word)),
+             std::string(own.sentence));
+  }
+}
+
 void add_fall(Keys<Case>& keys) {
   const auto kind = KeyKind::numbers;
   const auto each = per("friction points");
@@ -92,6 +111,7 @@ void add_fall(Keys<Case>& keys) {
   keys.add(kind, "polach_b", of_falls(&FrictionFall::polach_b), each, symbol("B"), unit("s/m"),
            between(1e-9, 1e9), otherwise("half_velocity is given"),
            "Polach's B in 2^-r = exp(-B s), instead of half_velocity.");
+  for (const FallShape& shape : fall_shapes()) add_constants(keys, shape);
 }
 
 void add_memory(Keys<Case>& keys) {

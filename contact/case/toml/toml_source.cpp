@@ -168,7 +168,8 @@ std::string TomlSource::line(unsigned number) const {
 }
 
 std::string TomlSource::value(const toml::source_region& region) const {
-  if (region.begin.line == 0 || region.begin.line > lines_.size()) return "";
+  if (region.begin.line == 0) return for_message(text_);
+  if (region.begin.line > lines_.size()) return "";
   const std::string& line = lines_[region.begin.line - 1];
   const std::size_t begin = std::min<std::size_t>(region.begin.column - 1, line.size());
   const bool one_line = region.end.line == region.begin.line;

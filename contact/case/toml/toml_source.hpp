@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace rollfem::contact {
@@ -23,7 +24,8 @@ class TomlSource {
 
   /// A line, from 1, shortened.
   std::string line(unsigned number) const;
-  /// A value as typed, shortened: to the end of its region, or of the line if it continues.
+  /// A value as typed, shortened: to the end of its region, or of the line if it continues. The
+  /// whole text for a value without a place in it.
   std::string value(const toml::source_region& region) const;
 
  private:
@@ -53,5 +55,9 @@ inline constexpr std::size_t longest_list = 1000;
 /// allowed for the key.
 GivenValue read_value(const TomlSource& source, const Key& key,
                       const std::vector<std::string>& names, const toml::node& node);
+
+/// The same for a value that stands in no file; messages use `file`.
+GivenValue checked_value(const std::string& file, const Key& key,
+                         const std::variant<double, std::string>& value);
 
 }  // namespace rollfem::contact

@@ -185,4 +185,17 @@ GivenValue read_value(const TomlSource& source, const Key& key,
   return ValueReader(source, key, names, node).read();
 }
 
+GivenValue checked_value(const std::string& file, const Key& key,
+                         const std::variant<double, std::string>& value) {
+  const auto read = [&](const std::string& text, const toml::node& node) {
+    return read_value(TomlSource(text, file), key, {}, node);
+  };
+  if (const auto* text = std::get_if<std::string>(&value))
+    return read(toml_text(*text), toml::value<std::string>(*text));
+  const double number = std::get<double>(value);
+  return key.kind == KeyKind::integer
+             ? read(toml_text(number), toml::value<std::int64_t>(static_cast<std::int64_t>(number)))
+             : read(toml_text(number), toml::value<double>(number));
+}
+
 }  // namespace rollfem::contact

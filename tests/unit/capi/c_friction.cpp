@@ -155,6 +155,9 @@ TEST(CFriction, RefusesWhatIsMissingOrUnused) {
   definition.layer_thickness = 1.0;
   EXPECT_NE(refusal(definition).find("layer.shear_modulus"), std::string::npos);
   definition = defaults();
+  definition.law_constants[1] = 2.0;
+  EXPECT_NE(refusal(definition).find("law_constants[1] = 2: the law constant"), std::string::npos);
+  definition = defaults();
   definition.friction_law = static_cast<rollfem_law>(7);
   EXPECT_NE(refusal(definition).find("friction_law = 7"), std::string::npos);
 }

@@ -3,10 +3,10 @@
 // one model for all of them.
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
+#include "halfspace/registry.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +21,10 @@ using rollfem::testing::says;
 /// Half-spaces that count as finite bodies.
 contact::ModelInfo bodies() {
   contact::ModelInfo model = contact::ModelInfo{"bodies", "bodies", "a stand-in"};
-  model.takes = theories::models().at("halfspace").takes;
+  model.takes = halfspace::models().at("halfspace").takes;
   model.run = [](const contact::ModelInput& input, const contact::Progress& progress,
                  contact::Checkpoint* checkpoint) {
-    contact::ModelResult result = theories::models().run("halfspace", input, progress, checkpoint);
+    contact::ModelResult result = halfspace::models().run("halfspace", input, progress, checkpoint);
     result.name = "bodies";
     return result;
   };
@@ -36,7 +36,7 @@ contact::ModelInfo bodies() {
 /// its flange root at 6 mm (1.6 % of the width).
 postprocess::RunRecord solve(const std::string& shifts, const std::string& head) {
   contact::ModelRegistry models;
-  models.add(modelling::auto_model()).add(theories::models().at("halfspace")).add(bodies());
+  models.add(modelling::auto_model()).add(halfspace::models().at("halfspace")).add(bodies());
   postprocess::RunRecord record;
   record.input = contact::parse_case(
       head + rollfem::testing::edited(rollfem::testing::two_positions,

@@ -2,11 +2,11 @@
 // FaStrip: Kalker's initial slopes, the friction bound, Carter's line contact, and combined
 // creepage and spin against half-spaces solved by CONTACT.
 #include "contact/case/case_reader.hpp"
-#include "theories/registry.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/half_space_models.hpp"
 #include <cmath>
 #include <string>
 
@@ -25,7 +25,9 @@ contact::PointResult point_of(const std::string& model, double a, double b,
       "[contact_grid]\nelements_across = 40\n[fastsim]\nstrips = 200\nstrip_elements = 400\n"
       "[rolling]\n{}",
       a, b, rolling);
-  return theories::models().run(model, contact::parse_case(text, "ellipse.toml"), {}).points[0];
+  return rollfem::testing::half_space_models()
+      .run(model, contact::parse_case(text, "ellipse.toml"), {})
+      .points[0];
 }
 
 constexpr double friction_force = 0.3 * 82e3;

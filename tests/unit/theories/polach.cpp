@@ -2,11 +2,11 @@
 // Polach's closed form: its limits, its reductions, and friction that falls with the slip velocity.
 #include "contact/case/case_reader.hpp"
 #include "theories/closed_forms.hpp"
-#include "theories/registry.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
+#include "support/half_space_models.hpp"
 #include <cmath>
 
 namespace {
@@ -16,7 +16,9 @@ using rollfem::testing::plus;
 using theories::polach_saturation;
 
 contact::PointResult point_of(const std::string& model, const std::string& more) {
-  return theories::models().run(model, contact::parse_case(plus(more), "a.toml"), {}).points[0];
+  return rollfem::testing::half_space_models()
+      .run(model, contact::parse_case(plus(more), "a.toml"), {})
+      .points[0];
 }
 
 TEST(Polach, ClosedFormHasItsLimits) {
@@ -51,7 +53,8 @@ TEST(Polach, LargeCreepagesSlideUnderTheFrictionThatIsLeft) {
   input.friction_fall.shape = contact::FallShape::exponential;
   input.friction_fall.polach_a = 0.4;
   input.friction_fall.polach_b = 0.1;
-  const auto slower = theories::models().run("polach", contact::Scene(input), {}).points[0];
+  const auto slower =
+      rollfem::testing::half_space_models().run("polach", contact::Scene(input), {}).points[0];
   EXPECT_NEAR(std::hypot(slower.longitudinal_force, slower.lateral_force) / bound,
               0.6 * std::exp(-0.5) + 0.4, 1e-3);
 }

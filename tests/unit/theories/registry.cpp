@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Models by name, and the effect of the case's sections on them: options of the theories, a given
 // pressure, a quadratic distance, points below the surface.
-#include "theories/registry.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
@@ -11,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "support/case_examples.hpp"
+#include "support/half_space_models.hpp"
 #include <cmath>
 
 namespace {
@@ -25,8 +25,8 @@ const std::string curve =
 
 TEST(Registry, EveryModelRunsThesisCaseA) {
   const Case input = parse_case(plus(curve), "a.toml");
-  for (const std::string& name : theories::models().names()) {
-    const contact::ModelResult result = theories::models().run(name, input, {});
+  for (const std::string& name : rollfem::testing::half_space_models().names()) {
+    const contact::ModelResult result = rollfem::testing::half_space_models().run(name, input, {});
     EXPECT_EQ(result.name, name);
     ASSERT_FALSE(result.points.empty()) << name;
     EXPECT_NEAR(result.points[0].normal_force, 50e3, 50.0) << name;
@@ -40,12 +40,12 @@ TEST(Registry, EveryModelRunsThesisCaseA) {
     else  // Polach's formula rises as steeply but bends later
       EXPECT_NEAR(first, 0.21565, (name == "polach" ? 0.06 : 0.05) * 0.21565) << name;
   }
-  EXPECT_THROW(theories::models().run("abaqus", input, {}), contact::InputError);
+  EXPECT_THROW(rollfem::testing::half_space_models().run("abaqus", input, {}), contact::InputError);
 }
 
 TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   const auto coefficient = [](const std::string& model, const std::string& section) {
-    return theories::models()
+    return rollfem::testing::half_space_models()
         .run(model, parse_case(plus(curve + section), "a.toml"), {})
         .points[1]
         .traction_coefficient;
@@ -64,7 +64,7 @@ TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   const auto with_spin = [&](const std::string& section) {
     std::string text = curve;
     text.insert(text.find("[contact_grid]"), spin);
-    return theories::models()
+    return rollfem::testing::half_space_models()
         .run("fastsim", parse_case(plus(text + section), "a.toml"), {})
         .points[1]
         .lateral_force;
@@ -82,7 +82,8 @@ TEST(TheoriesSay, WhatTheyLeaveOut) {
   input.friction_fall.memory_distance = 3e-3;
   const auto says = [&](const char* name, const std::string& words) {
     std::string all;
-    for (const std::string& note : theories::models().run(name, input, {}).notes) all += note;
+    for (const std::string& note : rollfem::testing::half_space_models().run(name, input, {}).notes)
+      all += note;
     return all.find(words) != std::string::npos;
   };
   for (const char* name : {"hertz", "polach", "fastsim"})
@@ -116,8 +117,8 @@ TEST(GivenPressure, TheoriesOfTheEllipseAreTheSameByEitherWay) {
       contact::GivenPressure{hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure};
   for (const char* name :
        {"linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"}) {
-    const auto a = theories::models().run(name, bodies, {}).points[1];
-    const auto b = theories::models().run(name, given, {}).points[1];
+    const auto a = rollfem::testing::half_space_models().run(name, bodies, {}).points[1];
+    const auto b = rollfem::testing::half_space_models().run(name, given, {}).points[1];
     EXPECT_NEAR(b.longitudinal_force / a.longitudinal_force, 1.0, 1e-9) << name;
   }
 }
@@ -127,8 +128,8 @@ TEST(QuadraticDistance, OfTheRadiiGivesTheSameResult) {
   Case quadratic = radii;
   quadratic.undeformed_distance.quadratic = {0.5 / 405.0, 0.5 / 2000.0};
   for (const char* name : {"hertz", "fastsim", "halfspace"}) {
-    const auto a = theories::models().run(name, radii, {}).points.back();
-    const auto b = theories::models().run(name, quadratic, {}).points.back();
+    const auto a = rollfem::testing::half_space_models().run(name, radii, {}).points.back();
+    const auto b = rollfem::testing::half_space_models().run(name, quadratic, {}).points.back();
     EXPECT_NEAR(b.max_pressure, a.max_pressure, 1e-9 * a.max_pressure) << name;
     EXPECT_NEAR(b.longitudinal_force, a.longitudinal_force, 1e-6) << name;
   }
@@ -143,12 +144,12 @@ TEST(DistancePointByPoint, OfTheSameParabolaGivesTheSameContact) {
       lattice.values[0].push_back(std::pow(lattice.x_first + i * lattice.dx, 2) / 810.0 +
                                   std::pow(lattice.y_first + j * lattice.dy, 2) / 4000.0);
   points.undeformed_distance.values = lattice;
-  const auto a = theories::models().run("halfspace", radii, {}).points.front();
-  const auto b = theories::models().run("halfspace", points, {}).points.front();
+  const auto a = rollfem::testing::half_space_models().run("halfspace", radii, {}).points.front();
+  const auto b = rollfem::testing::half_space_models().run("halfspace", points, {}).points.front();
   // Not the same elements, so only as equal as the grid is good.
   EXPECT_NEAR(b.max_pressure / a.max_pressure, 1.0, 5e-3);
   EXPECT_NEAR(b.approach / a.approach, 1.0, 5e-3);
-  EXPECT_THROW(theories::models().run("hertz", points, {}), contact::InputError);
+  EXPECT_THROW(rollfem::testing::half_space_models().run("hertz", points, {}), contact::InputError);
 }
 
 TEST(SubsurfacePoints, LieOnPointsLinesAndPlanes) {
@@ -175,7 +176,7 @@ TEST(SubsurfaceFields, BelowTheMiddleAreContacts) {
           "[[subsurface.line]]\nfrom = [0, 0, 1]\nto = [0, 0, 8]\npoints = 8\n"
           "[[subsurface.line]]\nbody = \"rail\"\nfrom = [0, 0, -1]\nto = [0, 0, -8]\npoints = 8\n"),
       "a.toml");
-  const auto result = theories::models().run("halfspace", input, {});
+  const auto result = rollfem::testing::half_space_models().run("halfspace", input, {});
   const auto& fields = result.points.front().subsurface;
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_GT(result.seconds.at("subsurface"), 0.0);
@@ -201,7 +202,8 @@ TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
       "transverse_radius = 405.0\n[rolling]\nproblem = \"frictionless\"\n[contact_grid]\n"
       "elements_across = 24\n[output]\nstress_maxima = true\n",
       "circle.toml");
-  const contact::PointResult point = theories::models().run("halfspace", input, {}).points.front();
+  const contact::PointResult point =
+      rollfem::testing::half_space_models().run("halfspace", input, {}).points.front();
   ASSERT_EQ(point.stress_maxima.size(), 12u);
   int found = 0;
   for (const contact::StressMaximum& maximum : point.stress_maxima) {
@@ -235,7 +237,8 @@ TEST(StressMaxima, ShearIsToldOnTheSurfaceAndBelowIt) {
       "body = \"rail\"\nfrom = [-8.0, 0.0, -0.3]\nto = [8.0, 0.0, -0.3]\n"
       "across = [-8.0, 0.0, -6.3]\npoints = [81, 31]\n",
       "friction.toml");
-  const contact::PointResult point = theories::models().run("halfspace", input, {}).points.front();
+  const contact::PointResult point =
+      rollfem::testing::half_space_models().run("halfspace", input, {}).points.front();
   double largest = 0.0, most = 0.0;
   const auto& plane = point.subsurface.front().stress;
   for (std::size_t first = 0; first < plane.size(); first += 81) {

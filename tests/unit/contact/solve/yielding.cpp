@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A layer that yields: the plastic displacement along a row against closed forms, where yielding
 // begins, friction that takes over, steps of a history, and the derivative.
-#include "contact/iteration/yielding.hpp"
 
 #include "contact/iteration/friction_state.hpp"
 

@@ -30,7 +30,7 @@ fem::BodyOptions options_of(double cell_size, bool half) {
 
 TEST(FemMemory, ARunThatDoesNotFitSaysWhatWouldHelp) {
   fem::MemoryDemand demand;
-  demand.unknowns_of_wheel = demand.unknowns_of_rail = 1e6;
+  demand.unknowns = {1e6, 1e6};
   demand.factorisation = true;
   demand.body_fields = 1;
   setenv("ROLLFEM_MEMORY_GB", "10", 1);

@@ -42,15 +42,15 @@ rollfem::testing::PatchCase with_circles(char name, double reach = 30.0) {
 }
 
 void expect_like(const ExpectedPatch& found, const ExpectedPatch& exact) {
-  EXPECT_NEAR(found.length(), exact.length(), of_extents * exact.length());
-  EXPECT_NEAR(found.width(), exact.width(), of_extents * exact.width());
+  EXPECT_NEAR(found.length, exact.length, of_extents * exact.length);
+  EXPECT_NEAR(found.width, exact.width, of_extents * exact.width);
   EXPECT_NEAR(found.max_pressure, exact.max_pressure, of_pressure * exact.max_pressure);
   EXPECT_NEAR(found.approach, exact.approach, of_pressure * exact.approach);
   EXPECT_NEAR(found.normal_force, exact.normal_force, 2.0 * of_pressure * exact.normal_force);
   EXPECT_NEAR(found.area, exact.area, of_area * exact.area);
   // Exact for an ellipse: smoother than the extents, for the border counts little.
-  EXPECT_NEAR(found.carrying_length, exact.length(), of_pressure * exact.length());
-  EXPECT_NEAR(found.carrying_width, exact.width(), of_pressure * exact.width());
+  EXPECT_NEAR(found.carrying_length, exact.length, of_pressure * exact.length);
+  EXPECT_NEAR(found.carrying_width, exact.width, of_pressure * exact.width);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ TEST(ExpectedPatch, TakesTheLargestOfTheLoads) {
   input.load.normal_force = 30e3;
   input.rolling.creepages.resize(3);
   input.normal_forces = {40e3, 50e3, 20e3};
-  EXPECT_DOUBLE_EQ(PatchSearch(input).patch().width(), single.width());
+  EXPECT_DOUBLE_EQ(PatchSearch(input).patch().width, single.width);
 }
 
 TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
@@ -116,7 +116,7 @@ TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
 TEST(ExpectedPatch, ComesNearWithFewElements) {
   const ExpectedPatch exact = PatchSearch(rollfem::testing::thesis_case('a')).patch();
   const ExpectedPatch sharp = PatchSearch(with_circles('a')).patch();
-  EXPECT_NEAR(sharp.width(), exact.width(), 0.002 * exact.width());
+  EXPECT_NEAR(sharp.width, exact.width, 0.002 * exact.width);
   EXPECT_NEAR(sharp.max_pressure, exact.max_pressure, 0.002 * exact.max_pressure);
 }
 
@@ -130,7 +130,7 @@ TEST(ExpectedPatch, IsSearchedOnceForTheSameContact) {
   EXPECT_GT(heavier.patch().area, search.patch().area);
   const contact::Scene other_bodies = with_circles('a');
   const PatchSearch on_others(other_bodies);
-  EXPECT_NE(on_others.patch().width(), search.patch().width());
+  EXPECT_NE(on_others.patch().width, search.patch().width);
 }
 
 TEST(ExpectedPatch, RefusesAProfileThatEndsWithinThePatch) {
@@ -171,12 +171,12 @@ TEST(ExpectedPatch, ABoxForGivenElementsIsThatOfThePatch) {
     const PatchSearch coarse(scene, halfspace::SearchDetail::box), fine(scene);
     const ExpectedPatch &box = coarse.patch(), &patch = fine.patch();
     EXPECT_NE(&box, &patch) << name;
-    EXPECT_NEAR(box.x_lower, patch.x_lower, of_extents * patch.length()) << name;
-    EXPECT_NEAR(box.x_upper, patch.x_upper, of_extents * patch.length()) << name;
-    EXPECT_NEAR(box.y_lower, patch.y_lower, of_extents * patch.width()) << name;
-    EXPECT_NEAR(box.y_upper, patch.y_upper, of_extents * patch.width()) << name;
-    EXPECT_NEAR(box.carrying_length, patch.carrying_length, of_extents * patch.length()) << name;
-    EXPECT_NEAR(box.carrying_width, patch.carrying_width, of_extents * patch.width()) << name;
+    EXPECT_NEAR(box.x_lower, patch.x_lower, of_extents * patch.length) << name;
+    EXPECT_NEAR(box.x_upper, patch.x_upper, of_extents * patch.length) << name;
+    EXPECT_NEAR(box.y_lower, patch.y_lower, of_extents * patch.width) << name;
+    EXPECT_NEAR(box.y_upper, patch.y_upper, of_extents * patch.width) << name;
+    EXPECT_NEAR(box.carrying_length, patch.carrying_length, of_extents * patch.length) << name;
+    EXPECT_NEAR(box.carrying_width, patch.carrying_width, of_extents * patch.width) << name;
   }
 }
 

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Implements rollfem.h: structures and units of the caller, exceptions as status and text.
+#include "bindings/capi/guarded.hpp"
+#include "bindings/capi/wheel_rail_pair.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/case/case.hpp"
+#include "contact/case/case_reader.hpp"
+#include "tables/files/table_files.hpp"
+
+#include <fmt/format.h>
+
+#include "rollfem/rollfem.h"
+#include <cstddef>
+#include <string>
+
+using rollfem::capi::Given;
+using rollfem::capi::guarded;
+using rollfem::capi::taken;
+using rollfem::capi::Units;
+using rollfem::capi::units_of;
+using rollfem::capi::wanted;
+using rollfem::capi::WheelDerivatives;
+using rollfem::capi::WheelRailPair;
+using rollfem::tables::CreepTableReader;
+namespace contact = rollfem::contact;
+namespace tables = rollfem::tables;
+
+namespace {
+
+/// Size of a definition that ends with the elements, and of a state that ends with the vertical
+/// force.
+constexpr std::size_t first_definition = offsetof(rollfem_definition, kinetic_coefficient);
+constexpr std::size_t first_state = offsetof(rollfem_state, given);
+
+constexpr const char* opened = "what rollfem_table_open returned";
+
+const char* name_of(rollfem_side side) {
+  if (side == ROLLFEM_LEFT) return "left";
+  if (side == ROLLFEM_RIGHT) return "right";
+  throw contact::InputError(fmt::format(
+      "side = {}: is not known; allowed: ROLLFEM_LEFT, ROLLFEM_RIGHT; do: fill the definition with "
+      "rollfem_defaults",
+      static_cast<int>(side)));
+}
+
+std::string profile_of(const char* what, const char* name) {
+  if (name == nullptr || *name == '\0')
+    throw contact::InputError(fmt::format("{} is not given; do: name a profile", what));
+  return name;
+}
+
+const contact::FallShape& shape_of(rollfem_law law) {
+  const std::vector<contact::FallShape>& laws = contact::fall_shapes();
+  if (law >= 0 && static_cast<std::size_t>(law) < laws.size())
+    return laws[static_cast<std::size_t>(law)];
+  throw contact::InputError(fmt::format(
+      "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
+      "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL; do: fill the definition with rollfem_defaults",
+      static_cast<int>(law)));
+}
+
+/// The definition as a case, which passes the checks of case files.
+contact::Case case_of(const rollfem_definition& given) {
+  const Units units = units_of(given.units);
+  const double length = units.length, stress = units.stress();
+  contact::NamedValues values{
+      {"load.vertical_force", 1.0},  // until a state gives its load
+      {"friction.coefficient", given.friction_coefficient},
+      {"friction.law", shape_of(given.friction_law).word},
+      {"wheel.rolling_radius", given.rolling_radius * length},
+      {"wheel.profile", profile_of("wheel_profile", given.wheel_profile)},
+      {"wheel.young_modulus", given.wheel_young_modulus * stress},
+      {"wheel.poisson_ratio", given.wheel_poisson_ratio},
+      {"rail.profile", profile_of("rail_profile", given.rail_profile)},
+      {"rail.young_modulus", given.rail_young_modulus * stress},
+      {"rail.poisson_ratio", given.rail_poisson_ratio},
+      {"track.gauge", given.gauge * length},
+      {"track.gauge_height", given.gauge_height * length},
+      {"track.inclination", given.inclination},
+      {"wheelset.side", name_of(given.side)},
+      {"wheelset.flange_back_distance", given.flange_back_distance * length},
+      {"wheelset.flange_back_position", given.flange_back_position * length},
+      {"contact_grid.elements_across", static_cast<double>(given.elements_across)}};
+  const auto unless_zero = [&values](std::string key, double value) {
+    if (value != 0.0) values.emplace_back(std::move(key), value);
+  };
+  unless_zero("friction.kinetic_coefficient", given.kinetic_coefficient);
+  unless_zero("friction.half_velocity", given.half_velocity * length);
+  unless_zero("friction.second_part", given.second_part);
+  unless_zero("friction.second_half_velocity", given.second_half_velocity * length);
+  unless_zero("friction.memory_distance", given.memory_distance * length);
+  unless_zero("friction.memory_velocity", given.memory_velocity * length);
+  const contact::FallShape& shape = shape_of(given.friction_law);
+  for (std::size_t k = 0; k < shape.constants.size(); ++k) {
+    const double value = given.law_constants[k];
+    if (shape.constants[k].name != nullptr)
+      unless_zero(fmt::format("friction.{}", shape.constants[k].name), value);
+    else if (value != 0.0)
+      throw contact::InputError(fmt::format(
+          "law_constants[{}] = {:g}: the law {} has no such constant; allowed: 0; do: write 0", k,
+          value, shape.word));
+  }
+  unless_zero("rolling.speed", given.friction_law == ROLLFEM_CONSTANT ? 0.0 : 1.0);
+  unless_zero("layer.thickness", given.layer_thickness * length);
+  unless_zero("layer.shear_modulus", given.layer_shear_modulus * stress);
+  unless_zero("layer.yield_stress", given.layer_yield_stress * stress);
+  unless_zero("layer.hardening", given.layer_hardening * stress / length);
+  return contact::make_case(values, "pair");
+}
+
+/// In mm and N.
+rollfem_state state_of(rollfem_state state, const Units& units) {
+  if (state.given != ROLLFEM_VERTICAL_FORCE && state.given != ROLLFEM_HEIGHT &&
+      state.given != ROLLFEM_PENETRATION)
+    throw contact::InputError(
+        fmt::format("given = {}: is not known; allowed: ROLLFEM_VERTICAL_FORCE, ROLLFEM_HEIGHT, "
+                    "ROLLFEM_PENETRATION; do: write one of them",
+                    static_cast<int>(state.given)));
+  for (double* value : {&state.lateral_shift, &state.forward_speed, &state.lateral_velocity,
+                        &state.height, &state.penetration})
+    *value *= units.length;
+  state.vertical_force *= units.force;
+  return state;
+}
+
+/// A patch of mm and N in the caller's units.
+void convert(const Units& units, rollfem_patch& patch) {
+  const double length = units.length;
+  patch.spin *= length;
+  patch.spin_moment /= units.force * length;
+  for (double* value : {&patch.position[0], &patch.position[1], &patch.position[2],
+                        &patch.rolling_radius, &patch.length, &patch.width})
+    *value /= length;
+  for (double* value : {&patch.force[0], &patch.force[1], &patch.force[2], &patch.normal_force,
+                        &patch.longitudinal_force, &patch.lateral_force, &patch.lateral_pressure,
+                        &patch.creepage_work})
+    *value /= units.force;
+  for (double* value : {&patch.area, &patch.adhesion_area}) *value /= length * length;
+  for (double* value : {&patch.max_pressure, &patch.max_pressure_bar}) *value /= units.stress();
+}
+
+rollfem_result result_of(rollfem_result wheel, const Units& units) {
+  for (int k = 0; k < wheel.patch_count; ++k) convert(units, wheel.patch[k]);
+  for (double& force : wheel.force) force /= units.force;
+  for (double& moment : wheel.moment) moment /= units.force * units.length;
+  wheel.creepage_work /= units.force;
+  wheel.touching_height /= units.length;
+  wheel.penetration /= units.length;
+  return wheel;
+}
+
+rollfem_derivatives derivatives_of(const WheelDerivatives& found, rollfem_given given,
+                                   const Units& units) {
+  const double length = units.length, force = units.force;
+  // What one unit of a variable is in mm, N, s, rad.
+  const double unit[] = {length, 1.0, 1.0, length,
+                         length, 1.0, 1.0, given == ROLLFEM_VERTICAL_FORCE ? force : length};
+  rollfem_derivatives derivatives{};
+  for (int k = 0; k < ROLLFEM_STATE_VARIABLES; ++k)
+    for (int d = 0; d < 3; ++d) {
+      derivatives.force[d][k] = found.by(d, k) * unit[k] / force;
+      derivatives.moment[d][k] = found.by(3 + d, k) * unit[k] / (force * length);
+    }
+  derivatives.stiffness = found.stiffness * length / force;
+  return derivatives;
+}
+
+}  // namespace
+
+struct rollfem_pair {
+  Units units;
+  WheelRailPair pair;
+};
+
+struct rollfem_table {
+  CreepTableReader reader;
+};
+
+namespace {
+
+/// `derivatives`: null without.
+rollfem_status solved(const rollfem_pair* pair, const rollfem_state* state, rollfem_result* result,
+                      Given<rollfem_derivatives>* derivatives, char* message, size_t size) {
+  Given<rollfem_result> place(result);
+  return guarded(
+      [&] {
+        const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
+        place.check("result", "a place for the result");
+        if (derivatives != nullptr)
+          derivatives->check("derivatives", "a place for the derivatives");
+        const rollfem_state at =
+            state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
+        WheelDerivatives found;
+        place.give(
+            result_of(derivatives ? of.pair.linearise(at, found) : of.pair.solve(at), of.units));
+        if (derivatives != nullptr) derivatives->give(derivatives_of(found, at.given, of.units));
+      },
+      message, size);
+}
+
+}  // namespace
+
+extern "C" {
+
+void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
+  const double mm = units == ROLLFEM_M_N ? 1e-3 : 1.0;
+  const double mpa = units == ROLLFEM_M_N ? 1e6 : units == ROLLFEM_MM_KN ? 1e-3 : 1.0;
+  Given<rollfem_definition> place(definition);
+  if (place.fits())
+    place.give({0, units, ROLLFEM_LEFT, "S1002", "60E1", 460.0 * mm, 1435.0 * mm, 14.0 * mm,
+                1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12,
+                // friction is constant, and there is no layer
+                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT, 0.0, 0.0, 0.0, 0.0, 0.0,
+                0.0});
+}
+
+rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {
+  rollfem_pair* made = nullptr;
+  guarded(
+      [&] {
+        const rollfem_definition given = taken(
+            definition, "definition", "one that rollfem_defaults has filled", first_definition);
+        made = new rollfem_pair{units_of(given.units), WheelRailPair(case_of(given))};
+      },
+      message, size);
+  return made;
+}
+
+rollfem_status rollfem_solve(const rollfem_pair* pair, const rollfem_state* state,
+                             rollfem_result* result, char* message, size_t size) {
+  return solved(pair, state, result, nullptr, message, size);
+}
+
+rollfem_status rollfem_linearise(const rollfem_pair* pair, const rollfem_state* state,
+                                 rollfem_result* result, rollfem_derivatives* derivatives,
+                                 char* message, size_t size) {
+  Given<rollfem_derivatives> place(derivatives);
+  return solved(pair, state, result, &place, message, size);
+}
+
+void rollfem_destroy(rollfem_pair* pair) {
+  delete pair;
+}
+
+rollfem_table* rollfem_table_open(const char* path, char* message, size_t size) {
+  rollfem_table* made = nullptr;
+  guarded(
+      [&] {
+        if (path == nullptr || *path == '\0')
+          throw contact::InputError("no table given; do: name its file");
+        made = new rollfem_table{CreepTableReader(tables::read_table(path))};
+      },
+      message, size);
+  return made;
+}
+
+rollfem_status rollfem_table_forces(const rollfem_table* table, const rollfem_ellipse* ellipse,
+                                    rollfem_creep_forces* forces, char* message, size_t size) {
+  Given<rollfem_creep_forces> result(forces);
+  return guarded(
+      [&] {
+        const rollfem_ellipse of =
+            taken(ellipse, "ellipse", "an ellipse", offsetof(rollfem_ellipse, speed));
+        const auto found =
+            wanted(table, "table", opened)
+                .reader.physical(
+                    of.semi_axis_x, of.semi_axis_y, of.shear_modulus, of.friction_bound,
+                    {of.longitudinal_creepage, of.lateral_creepage, of.spin}, of.speed);
+        result.check("forces", "a place for the forces");
+        result.give({0, found.forces[0], found.forces[1], found.forces[2], found.force_bar,
+                     found.moment_bar});
+      },
+      message, size);
+}
+
+rollfem_status rollfem_table_wheel_forces(const rollfem_table* table,
+                                          const rollfem_shifted_wheel* wheel,
+                                          rollfem_wheel_forces* forces, char* message,
+                                          size_t size) {
+  Given<rollfem_wheel_forces> result(forces);
+  return guarded(
+      [&] {
+        const rollfem_shifted_wheel of = taken(wheel, "wheel", "a wheel at a lateral shift",
+                                               offsetof(rollfem_shifted_wheel, load));
+        const auto& reader = wanted(table, "table", opened).reader;
+        const auto [length, newtons] = units_of(of.units);
+        const tables::TablePlace asked{length * of.lateral_shift, newtons * of.load,
+                                       length * of.speed};
+        const auto place = reader.wheel_at({asked.first, asked.load});
+        const double own = reader.table().friction_coefficient * place.normal_force;
+        const double bound = of.friction_bound == 0.0 ? own : newtons * of.friction_bound;
+        const auto found = reader.of_wheel(
+            asked, bound, {of.longitudinal_creepage, of.lateral_creepage, of.spin / length});
+        const double moment = newtons * length;
+        result.check("forces", "a place for the forces");
+        result.give({0, found.forces[0] / newtons, found.forces[1] / newtons,
+                     found.along_normal / newtons, found.forces[2] / moment,
+                     found.force_bar / newtons, found.moment_bar / moment, bound / newtons,
+                     place.normal_force / newtons, place.contact_angle,
+                     place.rolling_radius / length, place.jump_after != 0.0});
+      },
+      message, size);
+}
+
+void rollfem_table_close(rollfem_table* table) {
+  delete table;
+}
+
+const char* rollfem_version(void) {
+  return ROLLFEM_VERSION;
+}
+
+int rollfem_version_number(void) {
+  return ROLLFEM_VERSION_NUMBER;
+}
+
+}  // extern "C"

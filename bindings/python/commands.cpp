@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Studies, comparisons and stresses as the files that their commands write, and auto's forecast.
+#include "bindings/python/caller.hpp"
+#include "models/registry.hpp"
+#include "models/solving/expected_choice.hpp"
+#include "models/stress/stored_stress.hpp"
+#include "postprocess/files/files_together.hpp"
+#include "postprocess/write/output.hpp"
+
+#include <map>
+#include <pybind11/stl.h>
+
+namespace rollfem::python {
+
+using namespace py::literals;
+
+namespace {
+
+const contact::ModelRegistry& known_models() {
+  static const contact::ModelRegistry models = modelling::built_in_models();
+  return models;
+}
+
+/// (contents by file name, text for the terminal, warnings)
+py::tuple tuple_of(const Files& files) {
+  return py::make_tuple(files.contents, files.text, files.warnings);
+}
+
+using Missings = std::vector<std::tuple<std::string, std::string, bool>>;
+
+/// `cases`: name, result, (model, reason, failed) of those that are missing.
+py::tuple comparison_of(
+    const std::vector<std::tuple<std::string, std::shared_ptr<Result>, Missings>>& cases,
+    const std::string& reference) {
+  std::vector<Compared> compared;
+  for (const auto& [name, result, missing] : cases) {
+    compared.push_back({name, *result, {}});
+    for (const auto& [model, reason, failed] : missing)
+      compared.back().missing.push_back({model, reason, failed});
+  }
+  return tuple_of(compare(compared, reference));
+}
+
+py::tuple stress_of(const modelling::StressRequest& request) {
+  return tuple_of(without_gil(py::none(), [&](const Progress&) {
+    Files found;
+    const postprocess::StressReport report =
+        modelling::stored_stress(request, known_models(), found.warnings);
+    found.contents = {{"stress.csv", postprocess::stress_csv(report)},
+                      {"stress.json", postprocess::stress_json(report)}};
+    found.text = postprocess::stress_table(report);
+    return found;
+  }));
+}
+
+py::dict forecast_dict(const modelling::Forecast& forecast) {
+  py::list levels;
+  for (const modelling::Level& level : forecast.levels)
+    levels.append(py::dict("elements_across"_a = level.across,
+                           "discretisation"_a = level.discretisation, "seconds"_a = level.seconds));
+  return py::dict("model"_a = forecast.model, "cannot"_a = forecast.cannot,
+                  "model_error"_a = forecast.model_error, "levels"_a = levels);
+}
+
+/// Of every contact of the case: (place, accuracy, sentence, forecasts of the models).
+py::list forecast_of(const Case& input) {
+  const modelling::ExpectedChoice choice = modelling::expected_choice(input, known_models());
+  py::list found;
+  for (const modelling::ExpectedContact& contact : choice.contacts) {
+    py::list models;
+    for (const modelling::Forecast& forecast : contact.forecasts)
+      models.append(forecast_dict(forecast));
+    found.append(
+        py::make_tuple(place_of(contact.place), choice.accuracy, contact.sentence, models));
+  }
+  return found;
+}
+
+/// Files of one folder, whole or not at all; those of other commands stay.
+void write_files(const std::string& folder, const std::map<std::string, std::string>& contents) {
+  postprocess::FilesTogether files(folder);
+  for (const auto& [name, content] : contents) files.write(name, content);
+  files.commit();
+}
+
+/// Figures and page of what rollfem has written; why they were not drawn, empty where they were.
+std::string draw(const std::string& path) {
+  const py::gil_scoped_release free;
+  return postprocess::make_report(path, figures_directory());
+}
+
+}  // namespace
+
+void define_commands(py::module_& module) {
+  module.def("study", [](const Case& input, const std::vector<std::string>& models,
+                         const std::vector<std::string>& vary, bool together, int levels,
+                         const std::vector<std::string>& references, const py::object& callback) {
+    const StudyOptions options{models, vary, together, levels, references};
+    return tuple_of(without_gil(
+        callback, [&](const Progress& progress) { return study(input, options, progress); }));
+  });
+  module.def("compare", &comparison_of);
+  module.def("stress",
+             [](const std::string& result, const std::vector<std::string>& models,
+                const std::string& patch, const std::vector<int>& points, const std::string& places,
+                bool depth_profile, std::optional<double> depth,
+                std::optional<double> yield_shear_stress, std::optional<double> yield_strength) {
+               return stress_of({result,
+                                 models,
+                                 patch,
+                                 points,
+                                 {},
+                                 places,
+                                 depth_profile,
+                                 depth,
+                                 yield_shear_stress,
+                                 yield_strength});
+             });
+  module.def("forecast", &forecast_of);
+  module.def("compared_models", [] {
+    return modelling::built_of(known_models(),
+                               known_models().names(&contact::ModelInfo::in_compare));
+  });
+  module.def("write_files", &write_files);
+  module.def("draw", &draw);
+}
+
+}  // namespace rollfem::python

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// rollfem._core: the C++ base of the Python package rollfem/. Cases and results are opaque here;
+// solving lets other Python threads run and checks for Ctrl-C at every iteration.
+#include "bindings/python/caller.hpp"
+#include "contact/base/pi.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/case/checks/plausibility.hpp"
+#include "contact/case/keys/case_keys.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <pybind11/stl.h>
+#include <tuple>
+
+namespace rollfem::python {
+
+namespace {
+
+/// (result, [(model, reason, failed)]). `go_on`: models that have no result are listed instead of
+/// ending the call.
+py::tuple solved(const Case& input, const std::vector<std::string>& models, py::object callback,
+                 bool go_on) {
+  std::vector<Missing> missing;
+  const auto result = without_gil(std::move(callback), [&](const Progress& progress) {
+    return std::make_shared<Result>(solve(input, models, progress, go_on ? &missing : nullptr));
+  });
+  py::list without;
+  for (const Missing& one : missing)
+    without.append(py::make_tuple(one.model, one.reason, one.failed));
+  return py::make_tuple(result, without);
+}
+
+/// Python's Ctrl-C handler may not interrupt here; writing is complete or does not happen in any
+/// case.
+std::string written(const Result& result, const std::string& folder, bool report) {
+  const py::gil_scoped_release free;
+  return write(folder, result, report);
+}
+
+/// All [(section, key, unit)] of the case file.
+std::vector<std::tuple<std::string, std::string, std::string>> keys() {
+  std::vector<std::tuple<std::string, std::string, std::string>> found;
+  for (const contact::Key& key : contact::case_keys())
+    found.emplace_back(key.section, key.name, key.unit);
+  return found;
+}
+
+void define_progress(py::module_& module) {
+  py::class_<ProgressEvent>(module, "Progress", R"(Progress report of a running model.)")
+      .def_readonly("model", &ProgressEvent::model)
+      .def_readonly("stage", &ProgressEvent::stage, "'normal', 'rolling', 'shift', 'mesh', ...")
+      .def_readwrite("point", &ProgressEvent::point,
+                     "load point (of a sweep: combination), counted from 1; 0: none")
+      .def_readwrite("points", &ProgressEvent::points, "number of load points or combinations")
+      .def_property_readonly(
+          "fraction",
+          [](const ProgressEvent& event) {
+            const int done = event.finished ? event.point : std::max(event.point - 1, 0);
+            return event.points > 0 ? static_cast<double>(done) / event.points : 0.0;
+          },
+          "of `points` that this stage has done, 0 to 1")
+      .def_readonly("creepage", &ProgressEvent::creepage,
+                    "longitudinal creepage of the point; None without frictional rolling")
+      .def_readonly("iteration", &ProgressEvent::iteration)
+      .def_readonly("residual", &ProgressEvent::residual, "relative residual; 0: none")
+      .def_readonly("finished", &ProgressEvent::finished, "whether the stage has finished")
+      .def_readonly("note", &ProgressEvent::note)
+      .def("__repr__", [](const ProgressEvent& event) {
+        return "<rollfem.Progress " + event.model + ": " + event.stage + ", point " +
+               std::to_string(event.point) + " of " + std::to_string(event.points) +
+               ", iteration " + std::to_string(event.iteration) + ">";
+      });
+}
+
+}  // namespace
+
+}  // namespace rollfem::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace rollfem;
+  namespace py = pybind11;
+  const auto& input_error =
+      py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  py::register_exception<FileError>(module, "FileError",
+                                    py::make_tuple(input_error, py::handle(PyExc_OSError)));
+  py::register_exception<SolveError>(module, "SolveError", PyExc_RuntimeError);
+  py::register_exception_translator([](std::exception_ptr thrown) {  // of FileError
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const std::filesystem::filesystem_error& error) {
+      PyErr_SetString(py::module_::import("rollfem._core").attr("FileError").ptr(),
+                      (error.path1().string() + ": " + error.code().message()).c_str());
+    }
+  });
+  python::define_progress(module);
+  python::define_tables(module);
+  python::define_commands(module);
+  python::define_track(module);
+  py::class_<Case>(module, "Case")
+      .def_readonly("title", &Case::title)
+      .def_readonly("text", &Case::text)
+      .def_readonly("models", &Case::models)
+      .def_property_readonly("load_points",
+                             [](const Case& input) { return input.rolling.creepages.size(); })
+      .def("curvatures_of_ellipse",
+           [](const Case& input, double a, double b, double force) {
+             const double pressure = 1.5 * force / (contact::pi * a * b);
+             const auto [along, across] = halfspace::hertz_curvatures(
+                 {a, b, pressure, 0.0, force},
+                 contact::combine(input.wheel.material, input.rail.material).contact_modulus);
+             return std::pair(along, across);
+           })
+      .def_property_readonly("doubts",
+                             [](const Case& input) { return contact::implausible_values(input); })
+      .def("describe", [](const Case& input) { return rollfem::describe(input); })
+      .def("text_in_folder", &contact::text_in_folder);
+  py::class_<Result, std::shared_ptr<Result>>(module, "Result")
+      .def_readonly("verdict", &Result::verdict)
+      .def(py::pickle(&python::packed, &python::unpacked));
+  module.def("read_case", &read_case);
+  module.def("parse_case", &parse_case);
+  module.def("models", &models);
+  module.def("solve", &python::solved);
+  module.def("models_of", &python::models_of);
+  module.def("write", &python::written);
+  module.def("stress_measures", &python::stress_measures);
+  module.def("keys", &python::keys);
+  module.def("quantities", &python::quantities);
+  module.def("fields", &python::fields);
+  module.def("figures_directory", &figures_directory);
+  module.def("version", &version);
+}

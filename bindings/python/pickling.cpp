@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Results as bytes and back, for the processes of a pool: bit for bit, by the records of
+// checkpoints.
+#include "bindings/python/bindings.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/result/record.hpp"
+#include "models/program/provenance.hpp"
+
+namespace rollfem::python {
+
+namespace {
+
+using contact::Record;
+
+/// A list whose entries `each` exchanges.
+template <class Entry, class Each>
+void list(Record& record, std::vector<Entry>& entries, const Each& each) {
+  std::size_t count = entries.size();
+  record.value(count);
+  entries.resize(count);
+  for (Entry& entry : entries) each(entry);
+}
+
+void exchange(Record& record, ModelResult& model) {
+  record.values(model.name, model.label, model.seconds, model.unknowns, model.contact_elements,
+                model.grid, model.points, model.bodies, model.notes, model.model_error_source,
+                model.choice, model.shortfall, model.place);
+}
+
+/// All but the case.
+void exchange(Record& record, Result& result) {
+  postprocess::Provenance& made = result.provenance;
+  record.values(made.version, made.commit, made.host, made.started, made.command, made.processes,
+                made.labels, result.verdict);
+  list(record, result.models, [&](ModelResult& model) { exchange(record, model); });
+  list(record, result.pairs, [&](postprocess::PlacedPair& pair) {
+    record.values(pair.left, pair.position, pair.rail, pair.wheel);
+  });
+  record.values(result.wheelset, result.rigid_row);
+}
+
+std::string program() {
+  return modelling::version() + ' ' + modelling::commit();
+}
+
+}  // namespace
+
+py::tuple packed(const Result& result) {
+  Result copy = result;
+  Record record;
+  exchange(record, copy);
+  return py::make_tuple(program(), copy.input.text, copy.input.file, copy.input.models,
+                        py::bytes(record.bytes()));
+}
+
+Shared unpacked(const py::tuple& state) {
+  if (state[0].cast<std::string>() != program())
+    throw InputError("a pickled result belongs to another version of rollfem (" +
+                     state[0].cast<std::string>() + "); do: unpickle it there, and write it");
+  auto result = std::make_shared<Result>();
+  result->input = parse_case(state[1].cast<std::string>(), state[2].cast<std::string>());
+  result->input.models = state[3].cast<std::vector<std::string>>();
+  Record record(state[4].cast<std::string>());
+  exchange(record, *result);
+  return result;
+}
+
+}  // namespace rollfem::python

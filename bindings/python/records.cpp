@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/python/bindings.hpp"
+#include "contact/result/quantities.hpp"
+#include "contact/result/stress_measures.hpp"
+#include "postprocess/write/point_table.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+namespace rollfem::python {
+
+using namespace py::literals;
+
+namespace {
+
+/// A read-only array on the memory of the result.
+template <class Number>
+py::array view(const Number* data, std::vector<py::ssize_t> shape, const Shared& owner) {
+  const py::capsule keeper(new Shared(owner),
+                           [](void* kept) { delete static_cast<Shared*>(kept); });
+  py::array_t<Number> array(std::move(shape), data, keeper);
+  array.attr("flags").attr("writeable") = false;
+  return std::move(array);
+}
+
+template <class Number, std::size_t width>
+py::array rows(const std::vector<std::array<Number, width>>& values, const Shared& owner) {
+  const auto count = static_cast<py::ssize_t>(values.size());
+  return view(count > 0 ? values.front().data() : nullptr, {count, static_cast<py::ssize_t>(width)},
+              owner);
+}
+
+py::object scalar(const contact::Quantity& quantity, double value) {
+  switch (quantity.member.kind) {
+    case contact::QuantityKind::count:
+      return py::int_(static_cast<long>(value));
+    case contact::QuantityKind::truth:
+      return py::bool_(value != 0.0);
+    default:
+      return py::float_(value);
+  }
+}
+
+py::dict scalars_of(const PointResult& point) {
+  py::dict found;
+  for (const contact::Quantity& quantity : contact::quantities())
+    if (const auto value = quantity.value(point)) found[quantity.name] = scalar(quantity, *value);
+  return found;
+}
+
+py::dict fields_of(const contact::ContactGrid& grid, const PointResult& point,
+                   const Shared& owner) {
+  const std::vector<py::ssize_t> shape{grid.ny, grid.nx};
+  py::dict found;
+  for (const postprocess::PointField& field : postprocess::point_fields()) {
+    const contact::Field& values = field.value(point.fields);
+    if (values.size() > 0) found[field.name] = view(values.data(), shape, owner);
+  }
+  const auto& state = point.fields.state;
+  if (!state.empty())
+    found["state"] = view(reinterpret_cast<const unsigned char*>(state.data()), shape, owner);
+  return found;
+}
+
+py::list subsurface_of(const PointResult& point, const Shared& owner) {
+  py::list found;
+  for (const contact::SubsurfaceField& field : point.subsurface)
+    found.append(py::dict(
+        "kind"_a = word_of(field.request.kind), "body"_a = field.request.wheel ? "wheel" : "rail",
+        "points"_a = rows(field.points, owner), "displacement"_a = rows(field.displacement, owner),
+        "stress"_a = rows(field.stress, owner)));
+  return found;
+}
+
+py::list maxima_of(const PointResult& point) {
+  py::list found;
+  for (const contact::StressMaximum& maximum : point.stress_maxima)
+    found.append(py::dict("body"_a = maximum.body, "measure"_a = maximum.measure,
+                          "value"_a = maximum.value, "place"_a = maximum.place));
+  return found;
+}
+
+py::dict bodies_of(const ModelResult& model, const PointResult& point, const Shared& owner) {
+  py::dict found;
+  for (std::size_t b = 0; b < point.bodies.size() && b < model.bodies.size(); ++b)
+    found[model.bodies[b].name.c_str()] =
+        py::dict("points"_a = rows(model.bodies[b].points, owner),
+                 "cells"_a = rows(model.bodies[b].cells, owner),
+                 "displacement"_a = rows(point.bodies[b].displacement, owner),
+                 "stress"_a = rows(point.bodies[b].stress, owner));
+  return found;
+}
+
+py::dict point_of(const ModelResult& model, const PointResult& point, const Shared& owner) {
+  return py::dict("scalars"_a = scalars_of(point), "fields"_a = fields_of(model.grid, point, owner),
+                  "error_estimate"_a = point.error_estimate, "no_bar"_a = point.no_bar,
+                  "model_error"_a = point.model_error, "richardson"_a = point.richardson,
+                  "subsurface"_a = subsurface_of(point, owner),
+                  "stress_maxima"_a = maxima_of(point),
+                  "bodies"_a = bodies_of(model, point, owner));
+}
+
+py::dict model_of(const ModelResult& model, const Shared& owner) {
+  py::array_t<double> x(model.grid.nx), y(model.grid.ny);
+  for (int i = 0; i < model.grid.nx; ++i) x.mutable_at(i) = model.grid.x(i);
+  for (int j = 0; j < model.grid.ny; ++j) y.mutable_at(j) = model.grid.y(j);
+  py::list points;
+  for (const PointResult& point : model.points) points.append(point_of(model, point, owner));
+  return py::dict("name"_a = model.name, "label"_a = model.label, "key"_a = model.key(),
+                  "seconds"_a = model.seconds, "unknowns"_a = model.unknowns,
+                  "contact_elements"_a = model.contact_elements, "notes"_a = model.notes,
+                  "choice"_a = model.choice, "shortfall"_a = model.shortfall,
+                  "model_error_source"_a = model.model_error_source, "dx"_a = model.grid.dx,
+                  "dy"_a = model.grid.dy, "x"_a = x, "y"_a = y, "place"_a = place_of(model.place),
+                  "points"_a = points);
+}
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Array with `count` numbers for each stress.
+template <class Measure>
+py::array_t<double> measured(const Array& stress, py::ssize_t count, const Measure& measure) {
+  std::vector<py::ssize_t> shape(stress.shape(), stress.shape() + stress.ndim() - 1);
+  if (count > 1) shape.push_back(count);
+  py::array_t<double> found(shape);
+  const double* from = stress.data();
+  double* to = found.mutable_data();
+  for (py::ssize_t k = 0; k < stress.size() / 6; ++k, from += 6, to += count)
+    measure(contact::Stress::from_array({from[0], from[1], from[2], from[3], from[4], from[5]}),
+            to);
+  return found;
+}
+
+}  // namespace
+
+py::list models_of(const Shared& result) {
+  py::list found;
+  for (const ModelResult& model : result->models) found.append(model_of(model, result));
+  return found;
+}
+
+py::object place_of(const std::optional<contact::ContactPlace>& place) {
+  if (!place) return py::none();
+  py::dict found;
+  found["wheel"] = place->left ? "left" : "right";
+  for (const postprocess::PlaceScalar& one : postprocess::place_scalars())
+    found[one.name] = one.value(*place);
+  for (const char* count : {"position", "patch", "patches"})
+    found[count] = py::int_(static_cast<int>(found[count].cast<double>()));
+  return found;
+}
+
+py::dict quantities() {
+  py::dict found;
+  for (const contact::Quantity& quantity : contact::quantities())
+    found[quantity.name] = py::make_tuple(quantity.title, quantity.symbol, quantity.unit,
+                                          quantity.meaning, contact::text_of(quantity.scale));
+  return found;
+}
+
+py::dict fields() {
+  py::dict found;
+  for (const postprocess::PointField& field : postprocess::point_fields())
+    found[field.name] = py::make_tuple(field.unit, field.description, field.sign);
+  found["state"] =
+      py::make_tuple("-", "state of the element", "0 exterior, 1 adhesion, 2 slip, 3 plastic");
+  return found;
+}
+
+py::dict stress_measures(const py::object& components) {
+  const Array stress = Array::ensure(components);
+  if (!stress) throw py::error_already_set();
+  if (stress.ndim() < 1 || stress.shape(stress.ndim() - 1) != 6)
+    throw py::value_error(
+        "stress_measures: the last axis of a stress has its six components xx, yy, zz, xy, yz, xz");
+  using Value = double (*)(const contact::Stress&);
+  py::dict found;
+  for (const auto& [name, value] :
+       {std::pair<const char*, Value>{"hydrostatic", contact::hydrostatic},
+        {"von_mises", contact::von_mises},
+        {"tresca", contact::tresca},
+        {"orthogonal_shear", contact::orthogonal_shear}})
+    found[name] = measured(
+        stress, 1, [value = value](const contact::Stress& s, double* to) { *to = value(s); });
+  found["principal"] = measured(stress, 3, [](const contact::Stress& s, double* to) {
+    const std::array<double, 3> values = contact::principal(s);
+    std::copy(values.begin(), values.end(), to);
+  });
+  return found;
+}
+
+}  // namespace rollfem::python

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/python/caller.hpp"
+#include "models/program/provenance.hpp"
+#include "tables/files/table_files.hpp"
+#include "tables/filling/table_filling.hpp"
+
+#include <algorithm>
+#include <map>
+#include <pybind11/stl.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rollfem::python {
+
+using namespace py::literals;
+
+namespace {
+
+using tables::CreepTableReader;
+using tables::TableForces;
+using Column = std::vector<double>;
+
+/// The table's answers to every row of columns of numbers, as columns F_x, F_y, M_z, both bars and
+/// the force along the normal.
+template <class... Number>
+auto over_rows(TableForces (*ask)(const CreepTableReader&, Number...)) {
+  return [ask](const CreepTableReader& reader, const std::vector<Number>&... columns) {
+    const std::size_t count = std::min({columns.size()...});
+    std::vector<Column> found(6, Column(count));
+    const py::gil_scoped_release free;
+    for (std::size_t k = 0; k < count; ++k) {
+      const TableForces forces = ask(reader, columns[k]...);
+      for (std::size_t q = 0; q < 3; ++q) found[q][k] = forces.forces[q];
+      found[3][k] = forces.force_bar;
+      found[4][k] = forces.moment_bar;
+      found[5][k] = forces.along_normal;
+    }
+    return found;
+  };
+}
+
+/// The errors between the points of the grid.
+std::map<std::string, double> interpolation_of(const tables::InterpolationError& error) {
+  std::map<std::string, double> found{{"points", error.points}, {"seed", error.seed}};
+  for (const auto& [name, member] : tables::interpolation_errors) found[name] = error.*member;
+  return found;
+}
+
+std::map<std::string, Column> columns_of(const std::vector<tables::TableWheel>& wheels) {
+  std::map<std::string, Column> found;
+  for (const tables::WheelColumn& column : tables::wheel_columns())
+    for (const tables::TableWheel& wheel : wheels)
+      found[column.name].push_back(wheel.*column.member);
+  return found;
+}
+
+/// Contents of the table as a dictionary.
+py::dict contents_of(const CreepTableReader& reader) {
+  const tables::CreepTable& table = reader.table();
+  std::vector<std::pair<std::string, Column>> axes;
+  if (table.load.size() > 1) axes.emplace_back("load", table.load);
+  if (table.speed.size() > 1) axes.emplace_back("speed", table.speed);
+  axes.emplace_back(table.over_shifts() ? "lateral_shift" : "axis_ratio", table.first_axis());
+  axes.emplace_back("longitudinal", table.creepage[0]);
+  axes.emplace_back("lateral", table.creepage[1]);
+  axes.emplace_back("spin", table.creepage[2]);
+  return py::dict("title"_a = table.title, "case_text"_a = table.case_text,
+                  "poisson_ratio"_a = table.poisson_ratio, "over_shifts"_a = table.over_shifts(),
+                  "shear_modulus"_a = table.shear_modulus,
+                  "friction_coefficient"_a = table.friction_coefficient,
+                  "only_for"_a = table.only_for, "wheels"_a = columns_of(table.wheels),
+                  "along_normal"_a = table.along_normal, "axes"_a = axes,
+                  "interpolation"_a = interpolation_of(table.interpolation),
+                  "forces"_a = table.forces, "bars"_a = table.bars);
+}
+
+/// Values of the wheel at arbitrary shifts and loads.
+std::map<std::string, Column> wheels_at(const CreepTableReader& reader, const Column& shifts,
+                                        const Column& loads) {
+  std::vector<tables::TableWheel> wheels;
+  for (std::size_t k = 0; k < shifts.size(); ++k)
+    wheels.push_back(reader.wheel_at({shifts[k], loads[k]}));
+  return columns_of(wheels);
+}
+
+CreepTableReader filled(const Case& input, py::object callback) {
+  const std::string ignored = tables::ignored_keys(input);
+  if (!ignored.empty() && PyErr_WarnEx(PyExc_UserWarning, ignored.c_str(), 2) < 0)
+    throw py::error_already_set();
+  return without_gil(std::move(callback), [&](const Progress& progress) {
+    tables::CreepTable made = tables::empty_table(input);
+    made.program = "rollfem " + modelling::version() + " (" + modelling::commit() + ")";
+    made.command = "rollfem.table";
+    tables::fill_table(made, input, progress, nullptr);
+    return CreepTableReader(std::move(made));
+  });
+}
+
+/// What `rollfem table` writes.
+std::map<std::string, py::bytes> files_of(const CreepTableReader& reader) {
+  const tables::CreepTable& table = reader.table();
+  std::map<std::string, py::bytes> files{{"table.h5", tables::table_hdf5(table)},
+                                         {"table.csv", tables::table_csv(table)},
+                                         {"interpolation.csv", tables::interpolation_csv(table)}};
+  if (table.over_shifts()) files.emplace("shifts.csv", tables::shifts_csv(table));
+  return files;
+}
+
+}  // namespace
+
+void define_tables(py::module_& module) {
+  module.def("fill_table", &filled);
+  py::class_<CreepTableReader>(module, "CreepTable")
+      .def(py::init(
+          [](const std::string& path) { return CreepTableReader(tables::read_table(path)); }))
+      .def("contents", &contents_of)
+      .def("files", &files_of)
+      .def("wheels_at", &wheels_at)
+      .def("scaled", over_rows(+[](const CreepTableReader& reader, double place, double load,
+                                   double speed, double xi, double eta, double phi) {
+             return reader.at({place, load, speed}, {xi, eta, phi});
+           }))
+      .def("of_wheel",
+           over_rows(+[](const CreepTableReader& reader, double shift, double load, double speed,
+                         double bound, double xi, double eta, double phi) {
+             return reader.of_wheel({shift, load, speed}, bound, {xi, eta, phi});
+           }))
+      .def("physical",
+           over_rows(+[](const CreepTableReader& reader, double a, double b, double modulus,
+                         double bound, double speed, double xi, double eta, double phi) {
+             return reader.physical(a, b, modulus, bound, {xi, eta, phi}, speed);
+           }));
+}
+
+}  // namespace rollfem::python

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "bindings/python/bindings.hpp"
+#include "contact/base/errors.hpp"
+#include "profiles/formula_profiles.hpp"
+#include "profiles/profiles.hpp"
+#include "track/balance/balance.hpp"
+#include "track/motion/rigid_touch.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+namespace rollfem::python {
+
+using namespace py::literals;
+
+namespace {
+
+/// A column of numbers, one for each row.
+template <class Row, class Value>
+py::array_t<double> column(const std::vector<Row>& rows, const Value& value) {
+  py::array_t<double> found(static_cast<py::ssize_t>(rows.size()));
+  double* to = found.mutable_data();
+  for (const Row& row : rows) *to++ = value(row);
+  return found;
+}
+
+double or_nan(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+void check_profiles(const Case& input, const char* what) {
+  if (!input.has_profiles())
+    throw InputError(input.file + ": " + what +
+                     ": wheel and rail are given by radii, without a track; allowed: a case with "
+                     "profiles; do: give wheel.profile, rail.profile and [wheelset]");
+}
+
+/// The columns of wheelset.csv (postprocess::rigid_wheelset_csv).
+py::dict wheelset_of(const Case& input, double reach, double step) {
+  check_profiles(input, "wheelset");
+  std::vector<track::WheelsetRow> rows;
+  {
+    const py::gil_scoped_release free;
+    rows = track::wheelset_rows(input, track::search_scene_of(input), reach, step);
+  }
+  using Row = const track::WheelsetRow&;
+  const auto put = [&](auto value) { return column(rows, value); };
+  return py::dict(
+      "lateral_shift"_a = put([](Row row) { return row.touch.lateral_shift; }),
+      "roll"_a = put([](Row row) { return row.touch.roll; }),
+      "radius_left"_a = put([](Row row) { return row.touch.left.rolling_radius; }),
+      "radius_right"_a = put([](Row row) { return row.touch.right.rolling_radius; }),
+      "radius_difference"_a = put([](Row row) { return row.touch.radius_difference(); }),
+      "angle_left"_a = put([](Row row) { return row.touch.left.contact_angle; }),
+      "angle_right"_a = put([](Row row) { return row.touch.right.contact_angle; }),
+      "y_wheel_left"_a = put([](Row row) { return row.touch.left.y_wheel; }),
+      "y_wheel_right"_a = put([](Row row) { return row.touch.right.y_wheel; }),
+      "conicity_harmonic"_a = put([](Row row) { return or_nan(row.harmonic); }),
+      "conicity_wave"_a = put([](Row row) { return or_nan(row.wave); }),
+      "wave_length"_a = put([](Row row) { return or_nan(row.wave_length); }));
+}
+
+py::list contact_points_of(const Case& input) {
+  check_profiles(input, "contact_points");
+  std::vector<track::WheelRailContact> contacts;
+  {
+    const py::gil_scoped_release free;
+    contacts = track::place_wheels(input, track::search_scene_of(input));
+  }
+  py::list found;
+  for (const track::WheelRailContact& contact : contacts) found.append(place_of(contact.place));
+  return found;
+}
+
+py::dict features_of(const profiles::ProfileCurve& curve, bool wheel) {
+  const profiles::ProfileFeatures features = profiles::profile_features(curve, wheel);
+  // The rail's inside is towards +z, the wheel's towards -z.
+  const auto radius = [](const profiles::ProfilePoint& place) {
+    constexpr double straight = 1e-6;  // 1/mm
+    const double size = std::abs(place.curvature);
+    return size > straight ? 1.0 / size : std::numeric_limits<double>::infinity();
+  };
+  const double up = radius(features.sharpest_up), down = radius(features.sharpest_down);
+  std::vector<double> joints;
+  for (const profiles::ProfileJoint& joint : features.joints) joints.push_back(joint.place.y);
+  return py::dict("length"_a = features.length, "gauge_face"_a = features.gauge_face,
+                  "flange_tip"_a = wheel ? profiles::flange_tip(curve) : std::nullopt,
+                  "smallest_convex_radius"_a = wheel ? down : up,
+                  "smallest_hollow_radius"_a = wheel ? up : down, "joints"_a = joints);
+}
+
+/// The profile of a body of the case, as it is mended.
+py::dict profile_of(const Case& input, bool wheel) {
+  profiles::ProfileReport report;
+  std::vector<profiles::ProfileRow> rows;
+  py::dict found;
+  profiles::ProfileCurve curve;
+  {
+    const py::gil_scoped_release free;
+    const contact::ProfileSource& source = wheel ? input.wheel.profile : input.rail.profile;
+    // Where the flange must be is a matter of the wheelset.
+    curve = source.name.empty() ? profiles::profile_of_case(input, wheel, &report)
+                                : profiles::make_profile(source, wheel, input.file, &report);
+    rows = profiles::profile_rows(curve, wheel);
+  }
+  using Row = const profiles::ProfileRow&;
+  found = features_of(curve, wheel);
+  found["kind"] = report.kind;
+  found["points"] = report.points;
+  found["s"] = column(rows, [](Row row) { return row.s; });
+  found["y"] = column(rows, [](Row row) { return row.y; });
+  found["z"] = column(rows, [](Row row) { return row.z; });
+  found["angle"] = column(rows, [](Row row) { return row.angle; });
+  found["curvature"] = column(rows, [](Row row) { return row.curvature; });
+  if (report.smoothing)
+    found["smoothing"] =
+        py::dict("scatter"_a = report.smoothing->scatter, "rms"_a = report.smoothing->rms,
+                 "largest"_a = report.smoothing->largest);
+  else
+    found["smoothing"] = py::none();
+  return found;
+}
+
+}  // namespace
+
+void define_track(py::module_& module) {
+  module.def("wheelset", &wheelset_of);
+  module.def("contact_points", &contact_points_of);
+  module.def("profile", &profile_of);
+  module.def("built_in_profiles", [] {
+    std::map<std::string, std::string> bodies;
+    for (const profiles::BuiltInProfile& profile : profiles::built_in_profiles())
+      bodies[profile.name] = profile.wheel ? "wheel" : "rail";
+    return bodies;
+  });
+}
+
+}  // namespace rollfem::python
