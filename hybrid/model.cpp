@@ -68,7 +68,7 @@ class HybridElasticity : public halfspace::PreconditionedElasticity {
 halfspace::GridElasticity elasticity_of(const halfspace::SmoothParts& parts) {
   halfspace::GridElasticity elasticity;
   elasticity.model = "hybrid";
-  elasticity.may_leave_points = false;
+  elasticity.independent_points = false;
   elasticity.make = [&parts](const Scene& scene, const contact::ChartedGeometry& geometry,
                              const ContactGrid& grid) -> std::unique_ptr<contact::Elasticity> {
     return std::make_unique<HybridElasticity>(scene, geometry, grid, parts);

@@ -90,6 +90,15 @@ ProgressEvent ContactRun::event_of(std::size_t k) const {
 }
 
 bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
+  std::size_t k = 0;
+  return solve(grid, make, [&]() -> std::optional<std::size_t> {
+    if (k == scene_.points.size()) return {};
+    return k++;
+  });
+}
+
+bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make,
+                       const std::function<std::optional<std::size_t>()>& next) {
   result_.grid = grid;
   result_.points.clear();
   result_.relative_traction.clear();
@@ -104,30 +113,37 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   motion_ = std::make_unique<PointMotion>(scene_, geometry_, grid);
   state_ = {};
   bool taking_up = store_ != nullptr;
-  for (std::size_t k = 0; k < scene_.points.size(); ++k) {
-    // Also at restored load points, so that numbers stay the same to the last bit.
-    if (elasticity_->is_halfspace()) {
-      if (!problem_) prepare();
-      if (!press(k)) return false;
-      if (k == 0) warn_if_steep();
-    }
-    taking_up = taking_up && take_up(k);
-    if (!taking_up) {
-      try {
-        if (!problem_) prepare();
-        const Stopwatch watch;
-        solve_point(k);
-        result_.tangential_seconds += watch.seconds();
-      } catch (const UnfitGrid&) {
-        return false;
-      } catch (const NoSteadyFriction& error) {
-        if (!leave_unsolved(k, error)) throw;
-        continue;
-      }
-    }
-    if (touches_border(grid, state_.normal.pressure)) return false;
-  }
+  while (const std::optional<std::size_t> k = next())
+    if (!solve_or_take_up(*k, taking_up)) return false;
   return true;
+}
+
+/// `taking_up`: as far as load points depend on each other, those behind one that is not found are
+/// solved.
+bool ContactRun::solve_or_take_up(std::size_t k, bool& taking_up) {
+  // Also at restored load points, so that numbers stay the same to the last bit.
+  if (elasticity_->is_halfspace()) {
+    if (!problem_) prepare();
+    if (!press(k)) return false;
+    if (k == 0) warn_if_steep();
+  }
+  const bool alone = options_.independent && !scene_.is_history() && store_ != nullptr;
+  const bool taken = (taking_up || alone) && take_up(k);
+  taking_up = taking_up && taken;
+  if (!taken) {
+    try {
+      if (!problem_) prepare();
+      const Stopwatch watch;
+      solve_point(k);
+      result_.tangential_seconds += watch.seconds();
+    } catch (const UnfitGrid&) {
+      return false;
+    } catch (const NoSteadyFriction& error) {
+      if (!leave_unsolved(k, error)) throw;
+      return true;
+    }
+  }
+  return !touches_border(result_.grid, state_.normal.pressure);
 }
 
 void ContactRun::prepare() {
@@ -194,7 +210,7 @@ bool ContactRun::press(std::size_t k) {
 ContactState ContactRun::start_for(std::size_t k) {
   ContactState start;
   start.normal = problem_->press(scene_.points[k].load);
-  start.defect = state_.defect;
+  if (scene_.is_history() || !options_.independent) start.defect = state_.defect;
   if (scene_.is_history()) start.tangential.traction = state_.tangential.traction;
   const LevelResult* coarser = options_.coarser;
   if (!coarser || k >= coarser->relative_traction.size() ||

@@ -11,7 +11,11 @@
 #include "contact/solve/point_motion.hpp"
 #include "contact/solve/prescribed_force.hpp"
 
+#include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,7 +64,8 @@ struct LevelResult {
   /// Of the solution that took most, those of searches and outer iterations included.
   int newton_steps = 0, krylov_iterations = 0, iterations = 0;
   int several = 0;  ///< load points with more than one state (ContactProblem::count_states)
-  std::vector<std::string> unsolved;  ///< why load points are empty (contact/result/quantities.hpp)
+  /// Why load points are empty (contact/result/quantities.hpp), by their number from 0.
+  std::map<std::size_t, std::string> unsolved;
 };
 
 /// Warning about a law that falls, or a layer that softens, this steeply; may be empty.
@@ -73,6 +78,9 @@ struct RunOptions {
   ContactAccuracy force_accuracy;  ///< for a prescribed force
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
+  /// Steady load points do not start from each other, as on half-spaces: they may be solved in any
+  /// order, and beside each other (contact/solve/side_by_side.hpp).
+  bool independent = false;
   /// Goes on behind a load point without a stable state, unless it is the start of the next.
   bool leaves_unsolved = false;
   Response first_defect;  ///< from an earlier run without friction; empty: to be computed
@@ -88,9 +96,12 @@ class ContactRun {
   ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
              const Progress& progress, PointStore* store);
 
-  /// Solves every load point on the grid. Returns false when a patch reaches the border of the
-  /// grid. Throws SolveError, InputError.
+  /// Solves every load point on the grid, or those that `next` hands out in order until there is
+  /// none. Returns false when a patch reaches the border of the grid. Throws SolveError,
+  /// InputError.
   bool solve(const ContactGrid& grid, const MakeElasticity& make);
+  bool solve(const ContactGrid& grid, const MakeElasticity& make,
+             const std::function<std::optional<std::size_t>()>& next);
 
   /// The defect of the frictionless solution, once known: for first_defect of a later run.
   std::function<void(const Response&, int contact_elements)> on_first_defect;
@@ -103,6 +114,7 @@ class ContactRun {
   bool take_up(std::size_t k);
   void find_first_defect();
   bool press(std::size_t k);
+  bool solve_or_take_up(std::size_t k, bool& taking_up);
   void warn_if_steep() const;
   void solve_point(std::size_t k);
   bool leave_unsolved(std::size_t k, const NoSteadyFriction& error);

@@ -44,7 +44,7 @@ void ContactRun::warn_if_steep() const {
 
 /// False if no load point is left that has a solution.
 bool ContactRun::leave_unsolved(std::size_t k, const NoSteadyFriction& error) {
-  result_.unsolved.emplace_back(error.what());
+  result_.unsolved.emplace(k, error.what());
   if (!options_.leaves_unsolved || scene_.is_history() ||
       result_.unsolved.size() == scene_.points.size())
     return false;

@@ -4,6 +4,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/solve/side_by_side.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/model.hpp"
@@ -91,7 +92,8 @@ contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, do
   options.force_accuracy = accuracy_of_force_search;
   options.coarser = coarser;
   // The balance of a wheel needs all load points.
-  options.leaves_unsolved = elasticity.may_leave_points && !scene.place;
+  options.independent = elasticity.independent_points;
+  options.leaves_unsolved = elasticity.independent_points && !scene.place;
   ContactGrid grid =
       area.grid(dx, dy, free_elements).widened(columns_for_steps(scene, area, dx), 0);
   constexpr int most_enlargements = 4;
@@ -99,12 +101,12 @@ contact::LevelResult solve_level(const Scene& scene, const PatchSearch& area, do
     std::optional<contact::PointStore> store;
     if (checkpoint)
       store.emplace(*checkpoint, fmt::format("{}-{}x{}", elasticity.model, grid.nx, grid.ny));
-    contact::ContactRun run(scene, geometry, options, progress, store ? &*store : nullptr);
-    const bool inside = run.solve(grid, [&] { return elasticity.make(scene, geometry, grid); });
-    if (inside) {
-      contact::LevelResult result = run.take_result();
-      const ContactGrid larger = grid_of_all_patches(scene, geometry, area, grid, result.points);
-      if (larger.ny == grid.ny) return result;
+    std::optional<contact::LevelResult> result =
+        contact::solve_points(scene, geometry, options, progress, store ? &*store : nullptr, grid,
+                              [&] { return elasticity.make(scene, geometry, grid); });
+    if (result) {
+      const ContactGrid larger = grid_of_all_patches(scene, geometry, area, grid, result->points);
+      if (larger.ny == grid.ny) return *std::move(result);
       grid = larger;
       if (attempt < most_enlargements && !scene.contact_grid.extent) continue;
     }

@@ -359,7 +359,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   if (fine.unsolved.empty()) return result;
   const std::string why =
       fmt::format("{} of {} load points are left empty, because they have no solution: {}",
-                  fine.unsolved.size(), scene.points.size(), fine.unsolved.front());
+                  fine.unsolved.size(), scene.points.size(), fine.unsolved.begin()->second);
   result.shortfall = why;
   result.notes.push_back("warning: " + why);
   throw contact::PartlySolved(why, std::move(result));

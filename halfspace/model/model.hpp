@@ -27,7 +27,9 @@ struct GridElasticity {
   /// Adds subsurface stresses to a load point solved on the grid; empty: the stresses requested by
   /// the scene, for half-spaces.
   std::function<void(const contact::ContactGrid&, contact::PointResult&)> add_stresses = {};
-  bool may_leave_points = true;  ///< without a solution (contact::PartlySolved)
+  /// Load points do not start from each other, and may be left without a solution
+  /// (contact::PartlySolved).
+  bool independent_points = true;
 };
 
 /// Solves every load point; enlarges the grid when the patch touches its border; runs at a half and

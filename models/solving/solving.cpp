@@ -175,7 +175,11 @@ std::vector<Outcome> outcomes_of(const std::vector<std::string>& able, const Sce
   }
   contact::for_each_index(1 + alone.size(), [&](std::size_t n) {
     if (n > 0) return solve_one(alone[n - 1]);
-    for (const std::size_t k : on_all_threads) solve_one(k);
+    std::vector<bool> failed_before(able.size(), false);
+    for (const std::size_t k : on_all_threads) {
+      if (!failed_before[k % able.size()]) solve_one(k);
+      failed_before[k % able.size()] = outcomes[k].error != nullptr;
+    }
   });
   return outcomes;
 }

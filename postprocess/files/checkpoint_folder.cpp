@@ -201,6 +201,7 @@ void CheckpointFolder::write(const std::string& name, const std::string& record)
 }
 
 void CheckpointFolder::keep(const std::string& name, const std::string& record) {
+  const std::lock_guard<std::mutex> one_at_a_time(mutex_);
   if (failed_) return;
   held_back_.emplace_back(name, record);
   if (std::chrono::steady_clock::now() - start_ < grace) return;
@@ -217,6 +218,7 @@ void CheckpointFolder::keep(const std::string& name, const std::string& record) 
 }
 
 void CheckpointFolder::drop(const std::string& begin) {
+  const std::lock_guard<std::mutex> one_at_a_time(mutex_);
   const auto fits = [&](const std::string& name) { return name.rfind(begin, 0) == 0; };
   held_back_.erase(std::remove_if(held_back_.begin(), held_back_.end(),
                                   [&](const auto& held) { return fits(held.first); }),

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,7 @@ class CheckpointFolder : public contact::Checkpoint {
   void begin();
   void write(const std::string& name, const std::string& record);
 
+  std::mutex mutex_;  ///< of keep() and drop(): load points are solved side by side
   std::filesystem::path folder_;
   std::vector<std::unique_ptr<CheckpointFolder>> others_;
   std::string about_;  ///< program and case that the folder is bound to, as text

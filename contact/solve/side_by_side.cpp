@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contact/solve/side_by_side.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace rollfem::contact {
+
+namespace {
+
+/// What ends the level: an error, or (without one) a patch at the border.
+struct End {
+  std::size_t point;
+  std::exception_ptr error;
+};
+
+/// Hands out load points in order, none behind the first that ended the level.
+class Points {
+ public:
+  explicit Points(std::size_t count) : end_{count, {}} {}
+  std::optional<std::size_t> next() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (next_ >= end_.point) return {};
+    return next_++;
+  }
+  void ended_by(const End& end) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (end.point < end_.point) end_ = end;
+  }
+  const End& end() const { return end_; }
+
+ private:
+  std::mutex mutex_;
+  std::size_t next_ = 0;
+  End end_;
+};
+
+/// The load points solved by one thread.
+struct Part {
+  std::vector<std::size_t> points;
+  LevelResult result;
+};
+
+void add_effort(const LevelResult& part, LevelResult& whole) {
+  for (double LevelResult::*seconds : {&LevelResult::setup_seconds, &LevelResult::normal_seconds,
+                                       &LevelResult::tangential_seconds, &LevelResult::steepness})
+    whole.*seconds = std::max(whole.*seconds, part.*seconds);
+  for (int LevelResult::*count :
+       {&LevelResult::newton_steps, &LevelResult::krylov_iterations, &LevelResult::iterations})
+    whole.*count = std::max(whole.*count, part.*count);
+  whole.several += part.several;
+  whole.unsolved.insert(part.unsolved.begin(), part.unsolved.end());
+}
+
+LevelResult put_together(std::vector<Part>& parts, std::size_t count) {
+  LevelResult whole;
+  whole.points.resize(count);
+  whole.relative_traction.resize(count);
+  for (Part& part : parts) {
+    if (part.points.empty()) continue;
+    add_effort(part.result, whole);
+    for (std::size_t i = 0; i < part.points.size(); ++i) {
+      whole.points[part.points[i]] = std::move(part.result.points[i]);
+      whole.relative_traction[part.points[i]] = std::move(part.result.relative_traction[i]);
+    }
+    if (part.points.back() + 1 < count) continue;
+    whole.grid = part.result.grid;
+    whole.pressure = std::move(part.result.pressure);
+    whole.contact_elements = part.result.contact_elements;
+  }
+  if (whole.unsolved.size() == count) throw NoSteadyFriction(whole.unsolved.rbegin()->second);
+  return whole;
+}
+
+}  // namespace
+
+std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometry& geometry,
+                                        const RunOptions& options, const Progress& progress,
+                                        PointStore* store, const ContactGrid& grid,
+                                        const MakeElasticity& make) {
+  const std::size_t count = scene.points.size();
+  const bool alone =
+      !options.independent || scene.is_history() || scene.load_changes() || threads() < 2;
+  std::vector<Part> parts(alone ? 1 : std::min<std::size_t>(threads(), count));
+  Points points(count);
+  for_each_index(parts.size(), [&](std::size_t p) {
+    ContactRun run(scene, geometry, options, progress, store);
+    std::vector<std::size_t>& taken = parts[p].points;
+    const auto next = [&] {
+      const std::optional<std::size_t> k = points.next();
+      if (k) taken.push_back(*k);
+      return k;
+    };
+    try {
+      if (!run.solve(grid, make, next)) points.ended_by({taken.empty() ? 0 : taken.back(), {}});
+    } catch (...) {
+      points.ended_by({taken.empty() ? 0 : taken.back(), std::current_exception()});
+    }
+    parts[p].result = run.take_result();
+  });
+  if (points.end().error) std::rethrow_exception(points.end().error);
+  if (points.end().point < count) return {};
+  return put_together(parts, count);
+}
+
+}  // namespace rollfem::contact
