@@ -7,18 +7,14 @@
 #include "halfspace/patch/patch_search.hpp"
 #include "theories/registry.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/patch_case.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
 
-using namespace rollfem;
-
 namespace {
 
-rollfem::testing::PatchCase plain(double force) {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+PatchCase plain(double force) {
+  PatchCase input = thesis_case('b');
   input.load.normal_force = force;
   input.rolling.creepages = {{1e-3, 0.0, 1e-3}};
   input.contact_grid.elements_across = 24;
@@ -27,12 +23,11 @@ rollfem::testing::PatchCase plain(double force) {
 
 /// Rail with two crests at y = +-d, each of curvature 1/R, under a cylinder:
 /// h(0, y) = (y^2 - d^2)^2 / (8 R d^2).
-rollfem::testing::PatchCase two_crests(double force, double d, double radius) {
-  rollfem::testing::PatchCase input = plain(force);
-  const auto rail = rollfem::testing::sampled_curve(-25.0, 25.0, 0.05, [&](double y) {
+PatchCase two_crests(double force, double d, double radius) {
+  PatchCase input = plain(force);
+  const auto rail = sampled_curve(-25.0, 25.0, 0.05, [&](double y) {
     const double q = y * y - d * d;
-    return rollfem::testing::HeightAndSlope{-q * q / (8.0 * radius * d * d),
-                                            -q * y / (2.0 * radius * d * d)};
+    return HeightAndSlope{-q * q / (8.0 * radius * d * d), -q * y / (2.0 * radius * d * d)};
   });
   input.patch = std::make_shared<contact::PatchGeometry>(
       rail, contact::HeightCurve({-30.0, 30.0}, {405.0, 405.0}, {0.0, 0.0}),
@@ -61,11 +56,11 @@ TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
   double last_pressure = 0.0;
   for (const double hollow : {14.0, 15.0, 17.0}) {
     SCOPED_TRACE(hollow);
-    rollfem::testing::PatchCase input = plain(20e3);
+    PatchCase input = plain(20e3);
     input.wheel.transverse_radius = -hollow;
     input.rail.transverse_radius = 13.0;
     const auto hertz = halfspace::hertz_of_scene(input);
-    input.patch = rollfem::testing::circles(405.0, -hollow, 13.0, 11.0);
+    input.patch = circles(405.0, -hollow, 13.0, 11.0);
     const auto point = theories::models().run("halfspace", input, {}).points.front();
     EXPECT_NEAR(point.normal_force, 20e3, 1.0);
     // Concentric arcs part faster than their parabolas: narrower and higher than Hertz.
@@ -80,8 +75,8 @@ TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
 }
 
 TEST(ProfilePatches, FullyConformingCornerReachesTheEndOfItsProfiles) {
-  rollfem::testing::PatchCase input = plain(20e3);
-  input.patch = rollfem::testing::circles(405.0, -13.0, 13.0, 6.0);
+  PatchCase input = plain(20e3);
+  input.patch = circles(405.0, -13.0, 13.0, 6.0);
   for (const char* model : {"halfspace", "strip", "fastsim"})
     EXPECT_THROW(theories::models().run(model, input, {}), contact::InputError) << model;
   EXPECT_THROW(theories::models().run("hertz", input, {}), contact::InputError);
@@ -93,7 +88,7 @@ TEST(ProfilePatches, TwoRegionsBecomeOne) {
   // The undeformed bodies overlap from crest to crest, the deformed ones touch at the crests.
   EXPECT_EQ(regions(light), 2);
   // Two contacts of half the load each; one raises and tilts the surface under the other.
-  rollfem::testing::PatchCase half = plain(6e3);
+  PatchCase half = plain(6e3);
   half.rail.transverse_radius = radius;
   const auto hertz = halfspace::hertz_of_scene(half);
   EXPECT_NEAR(light.points.front().max_pressure, hertz.max_pressure, 0.03 * hertz.max_pressure);
@@ -106,19 +101,18 @@ TEST(ProfilePatches, TwoRegionsBecomeOne) {
 
 TEST(ProfilePatches, PatchAtTheEndOfAProfileIsRefused) {
   const auto hertz = halfspace::hertz_of_scene(plain(50e3));
-  rollfem::testing::PatchCase input = plain(50e3);
-  input.patch =
-      rollfem::testing::circles(405.0, contact::infinity, 500.0, 0.95 * hertz.semi_axis_y);
+  PatchCase input = plain(50e3);
+  input.patch = circles(405.0, contact::infinity, 500.0, 0.95 * hertz.semi_axis_y);
   for (const char* model : {"linear", "vermeulen-johnson", "fastsim", "strip", "halfspace"})
-    EXPECT_TRUE(rollfem::testing::says(rollfem::testing::refusal<contact::InputError>(
-                                           [&] { theories::models().run(model, input, {}); }),
-                                       "profile too short for the contact"))
+    EXPECT_TRUE(
+        says(refusal<contact::InputError>([&] { theories::models().run(model, input, {}); }),
+             "profile too short for the contact"))
         << model;
 }
 
 TEST(ProfilePatches, ModelsWithoutProfilesSaySo) {
-  rollfem::testing::PatchCase input = plain(50e3);
-  input.patch = rollfem::testing::circles(405.0, contact::infinity, 500.0);
+  PatchCase input = plain(50e3);
+  input.patch = circles(405.0, contact::infinity, 500.0);
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
   EXPECT_THROW(theories::models().run("carter", input, {}), contact::InputError);
   EXPECT_NO_THROW(theories::models().run("fastsim", input, {}));
@@ -128,7 +122,7 @@ TEST(ProfilePatches, ModelsWithoutProfilesSaySo) {
 
 TEST(ProfilePatches, HollowContactHasNoEllipseButAHalfSpaceSolution) {
   // Between two crests: curvature across is negative at the contact point.
-  const rollfem::testing::PatchCase input = two_crests(6e3, 4.0, 60.0);
+  const PatchCase input = two_crests(6e3, 4.0, 60.0);
   EXPECT_THROW(theories::models().run("hertz", input, {}), contact::InputError);
   EXPECT_NO_THROW(theories::models().run("halfspace", input, {}));
 }

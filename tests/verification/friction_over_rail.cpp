@@ -9,18 +9,9 @@
 #include "theories/registry.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/recorded.hpp"
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
-namespace rollfem {
 namespace {
-
-using contact::Case;
-using contact::PointResult;
 
 constexpr double load = 80e3, rail_radius = 300.0, wheel_radius = 460.0;
 
@@ -78,8 +69,8 @@ TEST(FrictionOverRail, SlidingForceIsTheIntegralOfMuAndHertzsPressure) {
       input.halfspace.surface = surface;
       set_points(input, {-0.04, 0.0, 0.04}, {0.1, 0.1, 0.5});
       const PointResult point = solved(input);
-      testing::record("force_over_closed_form", -point.longitudinal_force / force);
-      testing::record("moment_over_closed_form", point.spin_moment / (left ? moment : -moment));
+      record("force_over_closed_form", -point.longitudinal_force / force);
+      record("moment_over_closed_form", point.spin_moment / (left ? moment : -moment));
       EXPECT_NEAR(-point.longitudinal_force / force, 1.0, 1e-3);
       // y points to the field on the left and to the middle on the right.
       EXPECT_NEAR(point.spin_moment / (left ? moment : -moment), 1.0, 5e-3);
@@ -213,4 +204,3 @@ TEST(FrictionOverRail, TheoriesOfOneCoefficientRefuseIt) {
 }
 
 }  // namespace
-}  // namespace rollfem

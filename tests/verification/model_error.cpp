@@ -7,22 +7,16 @@
 #include "halfspace/model/level.hpp"
 #include "theories/registry.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
 
 namespace {
 
-using namespace rollfem;
-using contact::Case;
-using contact::Field;
-using contact::LevelResult;
-using contact::Scene;
 using halfspace::ModelErrors;
 
 Case thesis(char name) {
-  if (name <= 'c') return rollfem::testing::thesis_case(name);
-  Case input = rollfem::testing::thesis_case('a');
+  if (name <= 'c') return thesis_case(name);
+  Case input = thesis_case('a');
   if (name == 'd') input.wheel.transverse_radius = 105.263;
   if (name == 'e') input.wheel.transverse_radius = -105.263, input.rail.transverse_radius = 100.0;
   if (name == 'f') input.wheel.transverse_radius = -51.282, input.rail.transverse_radius = 50.0;

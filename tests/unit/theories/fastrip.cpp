@@ -5,14 +5,10 @@
 #include "theories/registry.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <cmath>
-#include <string>
+#include "support/test.hpp"
 
 namespace {
-
-using namespace rollfem;
 
 /// Hertz's pressure of 82 kN on an ellipse; mu = 0.3, G = 82 000 MPa.
 contact::PointResult point_of(const std::string& model, double a, double b,

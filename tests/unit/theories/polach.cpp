@@ -4,15 +4,10 @@
 #include "theories/closed_forms.hpp"
 #include "theories/registry.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::plus;
 using theories::polach_saturation;
 
 contact::PointResult point_of(const std::string& model, const std::string& more) {

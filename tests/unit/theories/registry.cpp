@@ -8,17 +8,9 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
-using contact::Case;
-using contact::parse_case;
-using rollfem::testing::plus;
 
 const std::string curve =
     "[rolling]\nlongitudinal_creepage = [0.001, 0.002]\n[contact_grid]\nelements_across = 20\n";
@@ -95,7 +87,7 @@ TEST(TheoriesSay, WhatTheyLeaveOut) {
 }
 
 TEST(GivenPressure, OfHertzsEllipseGivesHertzsContactBack) {
-  const Case bodies = parse_case(rollfem::testing::small_case, "a.toml");
+  const Case bodies = parse_case(small_case, "a.toml");
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(bodies);
   Case given = bodies;
   given.given_pressure =
