@@ -5,22 +5,12 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include <cmath>
 #include <string>
 #include <vector>
 
-namespace rollfem {
 namespace {
-
-using contact::Case;
-using contact::FallShape;
-using contact::parse_case;
-using testing::expect_error;
-using testing::plus;
-using testing::with;
 
 /// The example case with more keys of friction and of rolling.
 std::string falling(const std::string& keys, const std::string& rolling = "speed = 10e3\n",
@@ -208,4 +198,3 @@ TEST(FrictionKeys, WhatIsRefusedOfFrictionOverTheRail) {
 }
 
 }  // namespace
-}  // namespace rollfem

@@ -4,18 +4,9 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
-#include <algorithm>
 
 namespace {
-
-using namespace rollfem;
-using rollfem::testing::error_of;
-using rollfem::testing::expect_error;
-using rollfem::testing::says;
-using rollfem::testing::small_case;
 
 class Valid : public ::testing::TestWithParam<std::string> {};
 

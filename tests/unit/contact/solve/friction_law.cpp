@@ -5,15 +5,8 @@
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace rollfem::contact {
 namespace {
@@ -151,13 +144,12 @@ TEST(FallingFriction, OfSeveralStatesTheOneWithTheMostFrictionIsGiven) {
 }
 
 TEST(FallingFriction, OfARollingBallHoldsTheLawAtEveryElement) {
-  const rollfem::testing::Benchmark9 ball;
+  const Benchmark9 ball;
   const ContactGrid grid = ball.grid(24);
   const halfspace::HalfspaceCompliance compliance(grid, ball.material());
   TangentialProblem problem = ball.problem(grid);
   const TangentialOperator& rolling = compliance.rolling(UpwindOrder::second);
-  const double coulomb_force =
-      rollfem::testing::forces(grid, solve_tangential(rolling, problem).traction).x;
+  const double coulomb_force = forces(grid, solve_tangential(rolling, problem).traction).x;
   const FallingFriction law = hyperbola(ball.friction, 1.5e-2);
   problem.friction = std::make_shared<FallingFriction>(law);
   const TangentialSolution s = solve_tangential(rolling, problem);
@@ -176,12 +168,12 @@ TEST(FallingFriction, OfARollingBallHoldsTheLawAtEveryElement) {
                 1e-4 * g * w);
   }
   EXPECT_GT(slipping, 100);
-  const double force = rollfem::testing::forces(grid, s.traction).x;
+  const double force = forces(grid, s.traction).x;
   EXPECT_LT(std::abs(force), 0.99 * std::abs(coulomb_force));  // less friction where it slips
   // A scale of slip beyond all slips is Coulomb's law.
   problem.friction = std::make_shared<FallingFriction>(hyperbola(ball.friction, 1e6));
-  EXPECT_NEAR(rollfem::testing::forces(grid, solve_tangential(rolling, problem).traction).x,
-              coulomb_force, 1e-5 * std::abs(coulomb_force));
+  EXPECT_NEAR(forces(grid, solve_tangential(rolling, problem).traction).x, coulomb_force,
+              1e-5 * std::abs(coulomb_force));
 }
 
 }  // namespace

@@ -5,18 +5,11 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cmath>
-#include <utility>
 
 namespace {
 
-using namespace rollfem;
 using namespace rollfem::modelling;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 /// Errors of a toy on 16 elements across; they fall with 1/n^1.5.
 struct Toy {

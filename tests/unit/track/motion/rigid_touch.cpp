@@ -6,18 +6,13 @@
 #include "track/motion/placed_scenes.hpp"
 #include "track/motion/wheelset_motion.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/worn_wheels.hpp"
-#include <cmath>
-
-using namespace rollfem;
 
 namespace {
 
 /// Coned wheel that is concave with radius `wheel` on a rail of radius `rail`, mm.
 contact::Case circles(double wheel, double rail) {
-  contact::Case input = rollfem::testing::hollow_tread(0.0);
+  contact::Case input = hollow_tread(0.0);
   input.wheel.profile.radii = {-wheel};
   input.wheel.profile.ends = {-60.0, 60.0};
   input.wheel.profile.slope = -0.05;
