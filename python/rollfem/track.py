@@ -161,7 +161,7 @@ class Profile(Tabular, InFile):
     Parameters
     ----------
     source : str or os.PathLike
-        A file (two columns, .prw, .prr, .whl, .ban, .mpt) or a built-in profile ("S1002").
+        A file (two columns, or a format of docs/profiles.md) or a built-in profile ("S1002").
     body : str, optional
         "wheel" or "rail"; otherwise the ending of the file or the built-in profile says it.
     **mend
@@ -218,9 +218,7 @@ class Profile(Tabular, InFile):
     def __init__(self, source: str | os.PathLike[str], body: str | None = None, **mend: Any) -> None:
         name = os.fspath(source)
         if body is None:
-            ending = os.path.splitext(name)[1].lower()
-            body = {".prw": "wheel", ".whl": "wheel", ".prr": "rail", ".ban": "rail"}.get(
-                ending, _core.built_in_profiles().get(name))
+            body = _core.body_of_profile(name)
         body = _body(body, f"Profile({name!r}, {body!r})")
         # Only this profile matters; the rest is a placeholder.
         bodies: dict[str, dict[str, Any]] = {
