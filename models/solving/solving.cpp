@@ -133,11 +133,11 @@ std::vector<std::string> able_models(const contact::Case& input, const Scenes& s
 }
 
 /// Notes that the model has no result, or rethrows the exception being handled.
-void miss(const std::string& name, const std::exception& error, bool failed, const Solving& how,
+void miss(const std::string& name, const contact::Failure& error, const Solving& how,
           Solved& solved) {
   const bool together = !how.models->at(name).parallel || how.together;
   if (!how.go_on || !together) throw;
-  solved.missing.push_back({name, error.what(), failed});
+  solved.missing.push_back({name, error.what(), error.cause() != contact::Failure::Cause::input});
 }
 
 /// Models by name, scene by scene; one that fails is left out of the later scenes.
@@ -146,21 +146,16 @@ void solve_named(std::vector<std::string> able, const Scenes& scenes, const Solv
   for (const contact::Scene& scene : scenes.list)
     for (const std::string& name : std::vector<std::string>(able)) {
       if (!how.models->at(name).parallel && !how.first) continue;
-      const auto leave_out = [&](const std::exception& error, bool failed) {
-        miss(name, error, failed, how, solved);
-        able.erase(std::find(able.begin(), able.end(), name));
-      };
       try {
         solved.results.push_back(solve_scene(name, scene, scenes.notes, how));
-      } catch (contact::PartlySolved& partly) {
-        if (how.go_on)
-          leave_out(partly, true);
-        else
-          solved.results.push_back(std::move(partly.result));
-      } catch (const contact::SolveError& error) {
-        leave_out(error, true);
-      } catch (const contact::InputError& error) {
-        leave_out(error, false);
+      } catch (const contact::Failure& error) {
+        const auto* partly = dynamic_cast<const contact::PartlySolved*>(&error);
+        if (partly != nullptr && !how.go_on) {
+          solved.results.push_back(partly->result);
+          continue;
+        }
+        miss(name, error, how, solved);
+        able.erase(std::find(able.begin(), able.end(), name));
       }
     }
 }
@@ -175,17 +170,14 @@ std::string solve_chosen(const std::string& name, const Scenes& scenes, const So
       finish(scenes.list[c], scenes.notes, *how.models, chosen.results[c]);
     solved.results = std::move(chosen.results);
     return chosen.advice;
-  } catch (contact::PartlySolved& partly) {
-    if (how.go_on || scenes.list.size() > 1) {
-      miss(name, partly, true, how, solved);
+  } catch (const contact::Failure& error) {
+    const auto* partly = dynamic_cast<const contact::PartlySolved*>(&error);
+    if (partly == nullptr || how.go_on || scenes.list.size() > 1) {
+      miss(name, error, how, solved);
     } else {
-      finish(scenes.list.front(), scenes.notes, *how.models, partly.result);
-      solved.results.push_back(std::move(partly.result));
+      solved.results.push_back(partly->result);
+      finish(scenes.list.front(), scenes.notes, *how.models, solved.results.back());
     }
-  } catch (const contact::SolveError& error) {
-    miss(name, error, true, how, solved);
-  } catch (const contact::InputError& error) {
-    miss(name, error, false, how, solved);
   }
   return {};
 }
@@ -195,19 +187,14 @@ std::string solve_chosen(const std::string& name, const Scenes& scenes, const So
 contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
                                const Solving& how) {
   // Patches do not resume from each other's load points.
-  contact::CheckpointPart kept(
-      how.checkpoint, scene.place ? fmt::format("{}-{}-{}-", scene.place->left ? "left" : "right",
-                                                scene.place->position, scene.place->patch)
-                                  : std::string());
+  contact::CheckpointPart kept(how.checkpoint,
+                               scene.place ? scene.place->key('-') + '-' : std::string());
   return how.models->run(name, scene, told(how.models->at(name), scene, how.progress),
                          how.checkpoint != nullptr ? &kept : nullptr);
 }
 
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<std::string>& notes, const Solving& how) {
-  const auto where = [&](const std::exception& error) {
-    return fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), model, error.what());
-  };
   const auto completed = [&](contact::ModelResult result) {
     if (result.label.empty()) result.label = how.models->at(model).label;
     finish(scene, notes, *how.models, result);
@@ -215,13 +202,23 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
   };
   try {
     return completed(run_model(model, scene, how));
-  } catch (contact::PartlySolved& partly) {
-    throw contact::PartlySolved(where(partly), completed(std::move(partly.result)));
-  } catch (const contact::UnfitGrid& error) {
-    throw contact::UnfitGrid(where(error));
-  } catch (const contact::SolveError& error) {
-    throw contact::SolveError(where(error));
+  } catch (contact::SolveError& error) {
+    if (auto* partly = dynamic_cast<contact::PartlySolved*>(&error))
+      partly->result = completed(std::move(partly->result));
+    std::rethrow_exception(error.retold(
+        fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), model, error.what())));
   }
+}
+
+postprocess::ComparisonRecord begin_comparison(const contact::ModelRegistry& known,
+                                               const std::string& reference,
+                                               postprocess::Provenance provenance) {
+  postprocess::ComparisonRecord record;
+  record.provenance = std::move(provenance);
+  record.reference = reference;
+  record.references = known.names(&contact::ModelInfo::measures_others);
+  record.references.insert(record.references.begin(), reference);
+  return record;
 }
 
 std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& how) {

@@ -70,7 +70,7 @@ double between(const CreepTableReader& reader) {
 /// Otherwise the bars would be those of a single load and speed.
 TEST(LoadAndSpeed, FewCheckPointsAreAtManyLoadsAndSpeeds) {
   std::set<std::pair<double, double>> places;
-  for (const tables::CheckedPoint& point : ellipses().table().checked)
+  for (const tables::InterpolatedPoint& point : ellipses().table().checked)
     places.insert({point.place.load, point.place.speed});
   EXPECT_EQ(places.size(), 10U);
 }

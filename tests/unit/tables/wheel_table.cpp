@@ -108,7 +108,7 @@ TEST(WheelTable, InterpolationIsJudgedAtShiftsBetween) {
   const CreepTable& table = rim_table();
   ASSERT_EQ(table.checked.size(), 20U);
   EXPECT_NE(table.checked.front().place.first, table.checked.back().place.first);
-  for (const tables::CheckedPoint& point : table.checked) {
+  for (const tables::InterpolatedPoint& point : table.checked) {
     EXPECT_GE(point.place.first, 0.8);
     EXPECT_LE(point.place.first, 1.2);
   }
@@ -209,7 +209,7 @@ TEST(WheelTable, KnowsWhereAnotherContactComes) {
   ASSERT_EQ(table.wheels[1].contacts, 1.0);
   EXPECT_EQ(table.wheels[0].jump_after, 1.0);
   EXPECT_EQ(table.wheels[1].jump_after, 0.0);
-  for (const tables::CheckedPoint& point : table.checked)
+  for (const tables::InterpolatedPoint& point : table.checked)
     EXPECT_TRUE(point.place.first == -13.9 || point.place.first == -13.89) << point.place.first;
   const Scaled creepage{0.002, 0.001, 0.0};
   const double bound = 0.3 * table.wheels[0].normal_force;
