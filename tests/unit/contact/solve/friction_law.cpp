@@ -82,6 +82,30 @@ TEST(FrictionLaws, OfACaseTakeSpeedAndPolachsSpelling) {
   EXPECT_NEAR(friction_of(input)->at(100.0).value, 0.2 + 0.13 * 0.5, 1e-15);
 }
 
+TEST(FrictionLaws, HaveConstantsOfTheirOwn) {
+  const FallShape power{"power",
+                        [](std::size_t, double s, const FallShape::Constants& own) {
+                          return FallShape::Left{std::exp2(-std::pow(s, own[1])), 0.0};
+                        },
+                        false,
+                        {{{}, {"power_of_slip", "n", 1.0, 10.0, 1.0, ""}}}};
+  Case input;
+  input.friction_coefficient = 0.4;
+  input.rolling.speed = 10e3;
+  FrictionFall& fall = input.friction_fall;
+  fall.shape = power;
+  fall.kinetic_coefficient = 0.2;
+  fall.half_velocity = 500.0;
+  EXPECT_NEAR(friction_of(input)->at(0.1).value, 0.2 + 0.2 / 4.0, 1e-15);  // at twice s_h
+  fall.constants[1] = 2.0;
+  EXPECT_NEAR(friction_of(input)->at(0.1).value, 0.2 + 0.2 / 16.0, 1e-15);
+  input.friction_variation.lateral_position = {0.0, 1.0};
+  input.friction_variation.points = {{0.4, fall}, {0.4, fall}};
+  input.friction_variation.points[0].fall.constants[1] = 1.0;
+  EXPECT_NEAR(friction_of(input)->of_row(0.5)->at(0.1).value, 0.2 + 0.2 / std::exp2(std::exp2(1.5)),
+              1e-15);
+}
+
 TEST(FrictionLaws, CoulombsBoundIsThePressureTimesMu) {
   const ContactGrid grid{5, 1, 0.1, 0.1, 0.0, 0.0};
   const Field pressure = Field::LinSpaced(5, 0.0, 1000.0);
