@@ -94,7 +94,7 @@ void widen(const Scene& scene, const halfspace::GridElasticity& elasticity,
     const Scene rough = halfspace::on_few_elements(scene, elements_of_difference);
     corrected = halfspace::run_halfspace(rough, {}, nullptr, elasticity);
     half = halfspace::run_halfspace(rough, {});
-  } catch (const std::runtime_error&) {
+  } catch (const contact::Failure&) {
     half = halfspace::run_halfspace(scene, {});
   }
   const bool rough = !corrected.points.empty() && corrected.points.size() == half.points.size();

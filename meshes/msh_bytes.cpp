@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "meshes/msh_bytes.hpp"
-
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
+#include "meshes/msh_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "meshes/msh_elements.hpp"
+#include "meshes/msh_parts.hpp"
 
 #include <fmt/format.h>
 

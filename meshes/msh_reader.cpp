@@ -2,8 +2,8 @@
 // Reads a .msh file without gmsh's library, which would run NAME.msh.opt beside a mesh as a script
 // and trust the numbers in the mesh.
 #include "contact/base/text_fields.hpp"
-#include "meshes/msh_elements.hpp"
 #include "meshes/msh_file.hpp"
+#include "meshes/msh_parts.hpp"
 
 #include <climits>
 #include <fmt/format.h>

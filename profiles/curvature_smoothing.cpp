@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "profiles/curvature_smoothing.hpp"
-
 #include "profiles/banded.hpp"
+#include "profiles/smoothing_spline.hpp"
 
 #include <algorithm>
 #include <array>

@@ -22,16 +22,14 @@ struct ListedPoint {
 struct ProfilePoints {
   std::string file;  ///< as named in messages
   std::vector<ListedPoint> list;
-  /// The format does not prescribe the direction of the list (SIMPACK, MiniProf).
-  bool any_direction = false;
-  bool own_unit = false;  ///< the file states its unit (SIMPACK)
+  bool any_direction = false;  ///< the format does not prescribe the direction of the list
+  bool own_unit = false;       ///< the file states its unit
 };
 
 PointRow row_of(const ProfilePoints& points);
 
-/// Two columns (text, CSV), SIMPACK .prw and .prr, MiniProf .whl, .ban and .mpt, distinguished by
-/// the file extension. Lengths of SIMPACK files are converted to mm. `path`: location;
-/// `source.name`: name used in messages. Throws contact::InputError with line and value.
+/// Two columns (text, CSV), or a format of profile_format.hpp, by the ending of the name. `path`:
+/// location; `source.name`: name used in messages. Throws contact::InputError with line and value.
 ProfilePoints read_profile_points(const std::string& path, const contact::ProfileSource& source,
                                   bool wheel);
 

@@ -31,6 +31,10 @@ ProfileCurve make_profile(const contact::ProfileSource& source, bool wheel,
 ProfileCurve profile_of_text(const std::string& text, const contact::ProfileSource& source,
                              bool wheel);
 
+/// Whether a built-in profile, or a file by its ending, is of a wheel; nothing if it may be of
+/// either body.
+std::optional<bool> body_of_profile(const std::string& name);
+
 /// y of the tip of the flange, mm; nothing where the profile has none.
 std::optional<double> flange_tip(const ProfileCurve& curve);
 

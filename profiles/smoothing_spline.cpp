@@ -4,7 +4,6 @@
 #include "contact/base/root.hpp"
 #include "contact/base/text_fields.hpp"
 #include "profiles/banded.hpp"
-#include "profiles/curvature_smoothing.hpp"
 
 #include <fmt/format.h>
 

@@ -197,7 +197,7 @@ void estimate_model_error(const Scene& scene, const TheoryKind& kind,
                   "difference from the half-space with {} elements across, plus half its error "
                   "bar{}",
                   elements_of_theories, exact.patch ? "; patch and pressure are exact" : "");
-  } catch (const std::runtime_error& error) {  // InputError, SolveError and their base classes
+  } catch (const contact::Failure& error) {
     theory.model_error_source =
         fmt::format("not estimated: no result of the half-space with {} elements across ({})",
                     elements_of_theories, error.what());

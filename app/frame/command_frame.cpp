@@ -47,7 +47,7 @@ class SignalsHeld {
   std::array<struct sigaction, 3> before_{};
 };
 
-void warn(const std::string& warning) {
+void print_warning(const std::string& warning) {
   std::cerr << warning << '\n';
 }
 
@@ -140,8 +140,8 @@ postprocess::CheckpointFolder* CommandFrame::keep_in(const fs::path& directory,
                                                      const contact::Case& input) {
   if (!first_) return nullptr;
   kept_.reset();  // releases the lock before the next one is taken
-  kept_ = std::make_unique<postprocess::CheckpointFolder>(part_directory(directory, request_.share),
-                                                          input, program(), request_.resume, warn);
+  kept_ = std::make_unique<postprocess::CheckpointFolder>(
+      part_directory(directory, request_.share), input, program(), request_.resume, print_warning);
   take_up_parts(directory, input);
   kept_->tell([this] { prepare_farewell(); });
   prepare_farewell();
@@ -166,8 +166,8 @@ void CommandFrame::take_up_parts(const fs::path& directory, const contact::Case&
   for (int part = 0; part < request_.merge; ++part) {
     const std::string folder = part_directory(directory, {part, request_.merge});
     if (postprocess::CheckpointFolder::is_marked(folder, part_done))
-      kept_->take_up_also(
-          std::make_unique<postprocess::CheckpointFolder>(folder, input, program(), true, warn));
+      kept_->take_up_also(std::make_unique<postprocess::CheckpointFolder>(folder, input, program(),
+                                                                          true, print_warning));
     else
       missing += fmt::format("{}{}", missing.empty() ? "" : ", ", part + 1);
   }
@@ -182,7 +182,7 @@ bool CommandFrame::ends_part() {
   if (request_.share.whole()) return false;
   const int part = request_.share.part + 1, of = request_.share.of;
   if (kept_->untouched())
-    warn(fmt::format(
+    print_warning(fmt::format(
         "warning: part {} of {} is empty: the work of this case divides into fewer parts", part,
         of));
   if (!kept_->mark(part_done))
@@ -251,8 +251,7 @@ void refuse_other_result(const fs::path& directory, const std::string& own) {
 }
 
 void warn_of_doubts(const contact::Case& input) {
-  for (const std::string& doubt : contact::implausible_values(input))
-    std::cerr << "warning: " << doubt << '\n';
+  warn(contact::implausible_values(input));
 }
 
 bool report_drawn(const ComputingRequest& request, const fs::path& directory) {

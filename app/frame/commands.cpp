@@ -83,6 +83,10 @@ std::string footer_with_models(const std::string& example, const contact::ModelR
   return text;
 }
 
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
+}
+
 bool draw(Call& call, const fs::path& written, const std::string& failure) {
   const std::string problem =
       postprocess::make_report(written.string(), modelling::script_directory().string());

@@ -61,6 +61,9 @@ void add_quiet_flags(CLI::App& program);
 /// An example and every model with its description, for the end of a help text.
 std::string footer_with_models(const std::string& example, const contact::ModelRegistry& models);
 
+/// One line each on stderr, even with -q.
+void warn(const std::vector<std::string>& warnings);
+
 /// Draws the figures of a written table or result. If that fails, warns with `failure` and the
 /// reason and returns false.
 bool draw(Call& call, const std::filesystem::path& written, const std::string& failure);

@@ -12,6 +12,7 @@
 #include "models/solving/case_scenes.hpp"
 #include "models/solving/expected_choice.hpp"
 #include "postprocess/files/files_together.hpp"
+#include "postprocess/write/json_head.hpp"
 #include "profiles/profiles.hpp"
 #include "theories/registry.hpp"
 
@@ -107,10 +108,7 @@ Json keys_json(const contact::Case& input) {
 /// A contact with its forecasts.
 Json contact_json(const modelling::ExpectedContact& contact, double accuracy) {
   Json json = Json::object();
-  if (contact.place)
-    json["place"] = {{"wheel", contact.place->left ? "left" : "right"},
-                     {"position", contact.place->position},
-                     {"patch", contact.place->patch}};
+  if (contact.place) json["place"] = postprocess::place_json(*contact.place);
   json["accuracy"] = accuracy;
   json["models"] = Json::array();
   for (const modelling::Forecast& forecast : contact.forecasts) {
@@ -141,17 +139,15 @@ Json case_json(const contact::Case& input, const std::vector<std::string>& warni
       if (!model.chooses) json["cannot"][model.name] = model.cannot(scene).value_or("");
   }
   json["contacts"] = Json::array();
-  try {
-    const modelling::ExpectedChoice choice = modelling::expected_choice(input, models);
-    for (const modelling::ExpectedContact& contact : choice.contacts)
-      json["contacts"].push_back(contact_json(contact, choice.accuracy));
-    json["expected"] = choice.sentence;
-    json["seconds"] = choice.seconds;
-  } catch (const contact::SolveError& error) {
-    json["warnings"].push_back(error.what());
-  } catch (const contact::InputError& error) {
-    json["warnings"].push_back(error.what());
+  const auto choice = contact::attempt([&] { return modelling::expected_choice(input, models); });
+  if (!choice) {
+    json["warnings"].push_back(choice.why);
+    return json;
   }
+  for (const modelling::ExpectedContact& contact : choice->contacts)
+    json["contacts"].push_back(contact_json(contact, choice->accuracy));
+  json["expected"] = choice->sentence;
+  json["seconds"] = choice->seconds;
   return json;
 }
 
@@ -167,7 +163,7 @@ void check_case(const CheckRequest& request) {
   std::cout << contact::describe(input, modelling::model_words(models))
             << contact::derived_values(input);
   const std::vector<std::string> warnings = warnings_of(input);
-  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
+  warn(warnings);
   if (request.json) {
     print_result(case_json(input, warnings, models).dump(1));
     return;

@@ -131,7 +131,7 @@ bool is_accepted(const fs::path& path, const contact::ModelRegistry& models, std
     }
   } catch (const contact::FileError&) {
     // A profile that is missing is warned of; it may come.
-  } catch (const std::runtime_error& error) {
+  } catch (const contact::Failure& error) {
     wrong = error.what();
   }
   return wrong.empty();

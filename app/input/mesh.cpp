@@ -40,13 +40,6 @@ void spare_input(const contact::Case& input, const fs::path& folder) {
     }
 }
 
-/// Name of a body; with profiles every patch has its own bodies: "left_1_1_wheel".
-std::string name_of(const contact::Scene& scene, const std::string& body) {
-  if (!scene.place) return body;
-  return fmt::format("{}_{}_{}_{}", scene.place->left ? "left" : "right", scene.place->position,
-                     scene.place->patch, body);
-}
-
 std::string table(const std::vector<MeshedBody>& bodies) {
   std::size_t width = 12;
   for (const MeshedBody& body : bodies) width = std::max(width, body.name.size() + 2);
@@ -86,7 +79,8 @@ void mesh(const CaseRequest& request) {
   std::vector<MeshedBody> bodies;
   for (const contact::Scene& scene : scenes)
     for (MeshedBody& body : entry.mesh(scene)) {
-      body.name = name_of(scene, body.name);
+      // With profiles every patch has its own bodies.
+      if (scene.place) body.name = scene.place->key() + '_' + body.name;
       bodies.push_back(std::move(body));
     }
   if (modelling::processes().first()) {

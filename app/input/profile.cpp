@@ -134,10 +134,7 @@ std::string table(const NamedProfile& profile) {
 
 bool is_wheel(const ProfileRequest& request) {
   if (request.wheel || request.rail) return request.wheel;
-  if (const auto* built_in = profiles::find_built_in_profile(request.name)) return built_in->wheel;
-  const std::string ending = fs::path(request.name).extension().string();
-  if (ending == ".prw" || ending == ".whl") return true;
-  if (ending == ".prr" || ending == ".ban") return false;
+  if (const auto wheel = profiles::body_of_profile(request.name)) return *wheel;
   throw contact::InputError(
       fmt::format("profile: {} may be a wheel or a rail; do: add --wheel or --rail", request.name));
 }

@@ -19,13 +19,10 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
 
 namespace rollfem::app {
 
 namespace fs = std::filesystem;
-
-using track::WheelsetRow;
 
 namespace {
 
@@ -42,41 +39,22 @@ std::string value_or(const std::optional<double>& value, const char* format, con
   return value ? fmt::format(fmt::runtime(format), *value) : none;
 }
 
-std::string table_of(const std::vector<WheelsetRow>& rows) {
+using postprocess::RigidWheelset;
+
+std::string table_of(const std::vector<RigidWheelset>& rows) {
   std::string text =
       "shift mm  r right - left mm  angle left mrad  right mrad  conicity: harmonic    wave  wave "
       "length m\n";
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (k % rows_per_millimetre != 0 && k + 1 != rows.size()) continue;
-    const WheelsetRow& row = rows[k];
+    const RigidWheelset& row = rows[k];
     text += fmt::format("{:8.1f} {:18.4f} {:16.2f} {:11.2f} {:>19} {:>7} {:>14}\n",
-                        row.touch.lateral_shift, row.touch.radius_difference(),
-                        1e3 * row.touch.left.contact_angle, 1e3 * row.touch.right.contact_angle,
-                        value_or(row.harmonic, "{:.4f}", "-"), value_or(row.wave, "{:.4f}", "-"),
+                        row.lateral_shift, row.radius_difference(), 1e3 * row.angle_left,
+                        1e3 * row.angle_right, value_or(row.conicity_harmonic, "{:.4f}", "-"),
+                        value_or(row.conicity_wave, "{:.4f}", "-"),
                         row.wave_length ? fmt::format("{:.2f}", 1e-3 * *row.wave_length) : "-");
   }
   return text;
-}
-
-postprocess::RigidWheelset rigid_of(const WheelsetRow& row) {
-  const track::WheelsetTouch& touch = row.touch;
-  return {touch.lateral_shift,
-          touch.roll,
-          touch.left.rolling_radius,
-          touch.right.rolling_radius,
-          touch.left.contact_angle,
-          touch.right.contact_angle,
-          touch.left.y_wheel,
-          touch.right.y_wheel,
-          row.harmonic,
-          row.wave,
-          row.wave_length};
-}
-
-std::vector<postprocess::RigidWheelset> rigid_row(const std::vector<WheelsetRow>& rows) {
-  std::vector<postprocess::RigidWheelset> rigid;
-  for (const WheelsetRow& row : rows) rigid.push_back(rigid_of(row));
-  return rigid;
 }
 
 }  // namespace
@@ -90,18 +68,14 @@ void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord
   const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double reach = std::abs(*std::max_element(shifts.begin(), shifts.end(), nearer));
   if (reach < 2.0 * shift_step) return;
-  std::vector<WheelsetRow> rows;
-  try {
-    rows =
-        track::wheelset_rows(input, search, std::ceil(reach / shift_step) * shift_step, shift_step);
-  } catch (const std::runtime_error&) {
-    return;  // profiles for which only one wheel stands on its rail
-  }
-  for (const double shift : shifts) {
-    const auto row = track::wheelset_row(input, search, rows, shift);
-    record.wheelset.push_back(row ? std::optional(rigid_of(*row)) : std::nullopt);
-  }
-  record.rigid_row = rigid_row(rows);
+  auto rows = contact::attempt([&] {
+    return track::wheelset_rows(input, search, std::ceil(reach / shift_step) * shift_step,
+                                shift_step);
+  });
+  if (!rows) return;  // profiles for which only one wheel stands on its rail
+  for (const double shift : shifts)
+    record.wheelset.push_back(track::wheelset_row(input, search, *rows, shift));
+  record.rigid_row = std::move(*rows);
 }
 
 namespace {
@@ -117,19 +91,19 @@ void check(const WheelsetRequest& request, const contact::Case& input) {
         "--reach {:g}: allowed: 0.2 to 30 mm; do: give a shift in this range", request.reach));
 }
 
-void print(const contact::Case& input, const std::vector<WheelsetRow>& rows) {
+void print(const contact::Case& input, const std::vector<RigidWheelset>& rows) {
   nlohmann::ordered_json json = result_head("wheelset");
   json["case_file"] = input.file;
   json["title"] = input.title;
   json["contact_distance"] = track::contact_distance(input.track);
   json["rolling_radius"] = input.wheel.rolling_radius;
-  json.update(columns_of(postprocess::rigid_wheelset_csv(rigid_row(rows))));
+  json.update(columns_of(postprocess::rigid_wheelset_csv(rows)));
   print_result(json.dump(1));
 }
 
 void tell(const WheelsetRequest& request, const contact::Case& input,
-          const std::vector<WheelsetRow>& rows) {
-  const double last = rows.back().touch.lateral_shift;
+          const std::vector<RigidWheelset>& rows) {
+  const double last = rows.back().lateral_shift;
   std::cout << fmt::format(
       "{}\nrigid wheelset, contacts {:g} mm apart, rolling radius {:g} mm; the other side is the "
       "mirror image\n\n{}",
@@ -144,14 +118,12 @@ void wheelset(const WheelsetRequest& request) {
   const contact::Case input = request.read();
   warn_of_doubts(input);
   check(request, input);
-  const std::vector<WheelsetRow> rows =
+  const std::vector<RigidWheelset> rows =
       track::wheelset_rows(input, track::search_scene_of(input), request.reach, shift_step);
   if (request.json) print(input, rows);
   if (request.json && request.directory.empty()) return;
   const fs::path folder = request.folder("_wheelset");
-  postprocess::FilesTogether files(folder);
-  files.write("wheelset.csv", postprocess::rigid_wheelset_csv(rigid_row(rows)));
-  files.commit();
+  postprocess::replace_file(folder / "wheelset.csv", postprocess::rigid_wheelset_csv(rows));
   tell(request, input, rows);
   std::cout << '\n';
   draw_and_tell(request.call, folder / "wheelset.csv");

@@ -148,11 +148,7 @@ std::string reason_alone(const std::string& message) {
 
 /// Computes one case and writes its folder. Returns the results, or why there are none.
 ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solving how) {
-  ComparedCase compared;
-  compared.name = task.name;
-  compared.title = task.input.title;
-  compared.case_file = task.input.file;
-  compared.friction = task.input.friction_coefficient;
+  ComparedCase compared = postprocess::compared_case(task.name, task.input);
   if (task.done) {
     if (how.first) postprocess::remove_records(task.folder.string());
     const postprocess::ResultsFile stored(task.folder.string());
@@ -186,31 +182,11 @@ ComparedCase compare_case(CommandFrame& frame, const Task& task, modelling::Solv
   return compared;
 }
 
-/// Writes the data atomically.
-void write_data(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
-  postprocess::FilesTogether files(request.folder());
-  files.write("compare.json", postprocess::comparison_json(record));
-  files.write("compare.csv", postprocess::comparison_csv(record));
-  files.commit();
-}
-
 void report_and_tell(const CompareRequest& request, const postprocess::ComparisonRecord& record) {
   const fs::path directory = request.folder();
   const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
-  std::vector<postprocess::CaseStandings> all;
-  for (const ComparedCase& compared : record.cases) {
-    all.push_back(postprocess::case_standings(compared, record.references));
-    std::cout << compared.name << ": " << compared.title << '\n'
-              << postprocess::comparison_table(all.back());
-    for (const postprocess::MissingModel& missing : compared.missing)
-      std::cout << fmt::format("  {}: {}: {}\n", missing.model,
-                               missing.failed ? "failed" : "left out", missing.reason);
-    std::cout << '\n';
-  }
-  if (const std::string verdict = postprocess::comparison_verdict(all); !verdict.empty())
-    std::cout << "largest difference at any load point; *: some are beyond the error bars\n"
-              << verdict << '\n';
+  std::cout << postprocess::comparison_text(record);
   tell_where(directory, "compare.html", drawn);
 }
 
@@ -306,18 +282,17 @@ void compare(CompareRequest& request) {
   }
   frame.own(request.folder());
   for (const Task& task : tasks) frame.own(task.folder);
-  postprocess::ComparisonRecord record;
-  record.provenance = frame.provenance();
+  postprocess::ComparisonRecord record =
+      modelling::begin_comparison(known, request.reference, frame.provenance());
   record.models = models;
-  record.reference = request.reference;
-  record.references = known.names(&contact::ModelInfo::measures_others);
-  record.references.insert(record.references.begin(), request.reference);
   frame.compute("--model", "load points", [&](modelling::Solving how) {
     how.go_on = true;
     for (const Task& task : tasks) {
       record.cases.push_back(compare_case(frame, task, how));
       if (!how.first) continue;
-      write_data(request, record);
+      postprocess::write_together(request.folder(),
+                                  {{"compare.json", postprocess::comparison_json(record)},
+                                   {"compare.csv", postprocess::comparison_csv(record)}});
       frame.say(fmt::format("compare: {} {}", task.name,
                             task.done                            ? "was already done"
                             : record.cases.back().models.empty() ? "has no result"

@@ -16,8 +16,7 @@ namespace {
 
 struct StressCommand : modelling::StressRequest {
   std::string directory;  ///< empty: <result folder>_stress
-  bool quiet = false;
-  bool json = false;  ///< print stress.json; files are then written only into `directory`
+  bool json = false;      ///< print stress.json; files are then written only into `directory`
   bool figures = true;
 };
 
@@ -47,7 +46,7 @@ void stress(const StressCommand& request, Call& call) {
   std::vector<std::string> warnings;
   const postprocess::StressReport report = modelling::stored_stress(request, call.models, warnings);
   if (request.json) {
-    for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
+    warn(warnings);
     print_result(stress_json(report));
     if (request.directory.empty()) return;
     warnings.clear();
@@ -58,12 +57,11 @@ void stress(const StressCommand& request, Call& call) {
   files.write("stress.json", stress_json(report));
   remove_figures(folder);
   files.commit();
-  for (const std::string& warning : warnings) std::cerr << "warning: " << warning << '\n';
+  warn(warnings);
   const bool drawn = request.figures && draw(call, folder / "stress.json",
                                              "stresses are written, but figures were not drawn");
-  if (!request.quiet)
-    std::cout << stress_table(report) << "\nstresses: " << folder.string()
-              << " (stress.csv, stress.json" << (drawn ? ", stress.html, figures" : "") << ")\n";
+  std::cout << stress_table(report) << "\nstresses: " << folder.string()
+            << " (stress.csv, stress.json" << (drawn ? ", stress.html, figures" : "") << ")\n";
 }
 
 }  // namespace
@@ -111,7 +109,6 @@ void add_stress(CLI::App& program, Call& call) {
                      "folder for stress.csv, stress.json and figures; default: the name of the "
                      "result folder with _stress");
   add_json_flag(*stress, request->json);
-  stress->add_flag("-q,--quiet", request->quiet, "print errors and warnings only");
   stress->add_flag_callback(
       "--no-figures", [request] { request->figures = false; }, "write the tables only");
   stress->footer(

@@ -114,12 +114,11 @@ fs::path directory_of(const ComputingRequest& request) {
 
 void write_and_tell(const ComputingRequest& request, const CreepTable& table, double seconds) {
   const fs::path directory = directory_of(request);
-  postprocess::FilesTogether files(directory);
-  files.write("table.h5", tables::table_hdf5(table));
-  files.write("table.csv", tables::table_csv(table));
-  files.write("interpolation.csv", tables::interpolation_csv(table));
-  if (table.over_shifts()) files.write("shifts.csv", tables::shifts_csv(table));
-  files.commit();
+  std::map<std::string, std::string> files{{"table.h5", tables::table_hdf5(table)},
+                                           {"table.csv", tables::table_csv(table)},
+                                           {"interpolation.csv", tables::interpolation_csv(table)}};
+  if (table.over_shifts()) files["shifts.csv"] = tables::shifts_csv(table);
+  postprocess::write_together(directory, files);
   const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << summary_of(table, seconds);

@@ -9,6 +9,7 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
+#include "models/caches/correction_cache.hpp"
 #include "models/caches/machine_speed.hpp"
 #include "models/choice/forecast.hpp"
 #include "models/registry.hpp"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
@@ -62,10 +62,7 @@ Row row_of(const BenchCase& given, const ModelResult& result) {
   Row row;
   if (given.max_pressure > 0.0 && !result.points.empty())
     row.pressure_error = result.points.front().max_pressure / given.max_pressure - 1.0;
-  const bool friction =
-      std::any_of(result.points.begin(), result.points.end(),
-                  [](const contact::PointResult& point) { return point.max_traction > 0.0; });
-  if (friction)
+  if (result.has_friction())
     for (const BenchLimit& limit : given.limits) {
       if (limit.point >= result.points.size()) continue;
       const auto value = contact::quantity_named(limit.quantity).value(result.points[limit.point]);
@@ -269,7 +266,7 @@ void bench(const BenchRequest& request) {
         "rollfem bench: errors and seconds of the models on this machine, {} processors\n",
         std::thread::hardware_concurrency());
   const std::filesystem::path keep_in = modelling::machine_speed_file();
-  setenv("ROLLFEM_CACHE", "", 1);  // cached corrections would take no time
+  modelling::CorrectionCache::switch_off();
   frame.compute("rollfem bench", "cases", [&](const modelling::Solving& how) {
     Bench(request, how, keep_in, frame.provenance().started).run();
   });

@@ -20,12 +20,6 @@ namespace {
 using contact::ModelResult;
 using contact::PointResult;
 
-/// Hertz and other theories of the normal problem have no creep curve.
-bool has_friction(const ModelResult& model) {
-  return std::any_of(model.points.begin(), model.points.end(),
-                     [](const PointResult& point) { return point.max_traction > 0.0; });
-}
-
 /// Ignores the residue of a search for zero creepage.
 bool any_motion(const std::vector<PointResult>& points, const char* name) {
   return std::any_of(points.begin(), points.end(), [&](const PointResult& point) {
@@ -57,11 +51,9 @@ std::string patch_table(const std::vector<ModelResult>& models) {
         model.points.begin(), model.points.end(), [](const PointResult& a, const PointResult& b) {
           return contact::is_solved(b) && !(a.normal_force >= b.normal_force * (1.0 - 1e-9));
         });
-    const auto seconds = model.seconds.find("total");
-    text +=
-        fmt::format("{:<19}{:>12.3f}{:>13.4f}{:>13.4f}{:>15.7f}{:>13.6g}{:>10.2f}\n", model.name,
-                    point.max_pressure, point.semi_axis_x, point.semi_axis_y, point.approach,
-                    point.normal_force, seconds == model.seconds.end() ? 0.0 : seconds->second);
+    text += fmt::format("{:<19}{:>12.3f}{:>13.4f}{:>13.4f}{:>15.7f}{:>13.6g}{:>10.2f}\n",
+                        model.name, point.max_pressure, point.semi_axis_x, point.semi_axis_y,
+                        point.approach, point.normal_force, model.total_seconds());
     text += bar_row(point);
   }
   return text;
@@ -69,10 +61,7 @@ std::string patch_table(const std::vector<ModelResult>& models) {
 
 /// Column width, enough for the heading and for the model error.
 std::size_t width_of(const ModelResult& model) {
-  const bool with_error =
-      std::any_of(model.points.begin(), model.points.end(),
-                  [](const PointResult& point) { return !point.model_error.empty(); });
-  return std::max<std::size_t>(with_error ? 38 : 24, model.name.size() + 2);
+  return std::max<std::size_t>(model.has_model_error() ? 38 : 24, model.name.size() + 2);
 }
 
 /// "0.21601 +- 0.0012", with the model error if known: "0.20970 +- 1.7e-05, model 0.0062". The
@@ -152,7 +141,7 @@ std::string scene_table(const std::vector<ModelResult>& models) {
   std::string text = patch_table(models);
   std::vector<const ModelResult*> with_friction;
   for (const ModelResult& model : models)
-    if (has_friction(model)) with_friction.push_back(&model);
+    if (model.has_friction()) with_friction.push_back(&model);
   if (with_friction.empty()) return text;
   const auto& points = with_friction.front()->points;
   std::set<std::string> given;
@@ -185,12 +174,10 @@ std::string scene_table(const std::vector<ModelResult>& models) {
 
 std::string place_line(const contact::ContactPlace& place) {
   return fmt::format(
-      "{} wheel, position {}{}: y = {:.4f} mm on the track, {:.4f} on the rail, {:.4f} on the "
-      "wheel; "
-      "angle {:.5f} rad, rolling radius {:.4f} mm\n",
-      place.left ? "left" : "right", place.position,
-      place.patches > 1 ? fmt::format(", patch {} of {}", place.patch, place.patches) : "",
-      place.y_track, place.y_rail, place.y_wheel, place.contact_angle, place.rolling_radius);
+      "{}: y = {:.4f} mm on the track, {:.4f} on the rail, {:.4f} on the wheel; angle {:.5f} rad, "
+      "rolling radius {:.4f} mm\n",
+      place.label(" wheel"), place.y_track, place.y_rail, place.y_wheel, place.contact_angle,
+      place.rolling_radius);
 }
 
 /// More patches than this get one line each.
@@ -222,9 +209,9 @@ std::string row_table(const std::vector<ModelResult>& models) {
     text += fmt::format(
         "{:<6}{:>3}{:>6}{:>9.3g} {:>9.4f} {:>10.4f} {:>9.4f}  {:<12} {:>8.5g} {:>9.3f} {:>9.3f} "
         "{:>22} {:>12.4e} {:>22}\n",
-        place.left ? "left" : "right", place.position, place.patch, place.lateral_shift,
-        place.y_rail, place.y_wheel, place.contact_angle, model.name, point.normal_force,
-        point.contact_length, point.contact_width,
+        place.side(), place.position, place.patch, place.lateral_shift, place.y_rail, place.y_wheel,
+        place.contact_angle, model.name, point.normal_force, point.contact_length,
+        point.contact_width,
         with_bar(fmt::format("{:.2f}", point.max_pressure), point, "max_pressure"),
         point.creepage.longitudinal,
         with_bar(fmt::format("{:.4f}", coefficient), point, "traction_coefficient"));
@@ -272,9 +259,7 @@ std::string run_table(const std::vector<ModelResult>& models) {
   for (const ModelResult& model : models) {
     const auto same = [&](const std::vector<ModelResult>& scene) {
       const auto& place = scene.front().place;
-      return !place || !model.place ||
-             (place->left == model.place->left && place->position == model.place->position &&
-              place->patch == model.place->patch);
+      return !place || !model.place || place->same_patch(*model.place);
     };
     const auto found = std::find_if(scenes.begin(), scenes.end(), same);
     if (found == scenes.end())

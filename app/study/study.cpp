@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `study`: one case on successively finer grids, cells, degrees or domains; with
 // profiles every patch, at loads and creepages determined once and then fixed.
+#include "models/study/study.hpp"
+
 #include "app/frame/command_frame.hpp"
 #include "app/frame/parts.hpp"
 #include "contact/base/errors.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
-#include "models/study/study_series.hpp"
 #include "postprocess/files/files_together.hpp"
 
 #include <fmt/format.h>
@@ -28,10 +29,8 @@ struct StudyRequest : ComputingRequest {
 
 void write_and_tell(const StudyRequest& request, const postprocess::StudyRecord& record) {
   const fs::path directory = request.folder();
-  postprocess::FilesTogether files(directory);
-  files.write("study.json", postprocess::study_json(record));
-  files.write("study.csv", postprocess::study_csv(record));
-  files.commit();
+  postprocess::write_together(directory, {{"study.json", postprocess::study_json(record)},
+                                          {"study.csv", postprocess::study_csv(record)}});
   const bool drawn = report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << record.title << "\n\n" << postprocess::study_table(record);
@@ -50,23 +49,15 @@ void study_at_once(const StudyRequest& request) {
   refuse_other_result(request.folder(), "study.json");
   static_cast<void>(postprocess::FilesTogether(request.folder()));
   frame.own(request.folder());
-  const modelling::Scenes scenes =
-      modelling::scenes_of(input, modelling::placed_wheels(input), frame.progress());
-  const std::vector<std::string> models = modelling::models_of(wishes, scenes, known);
-  postprocess::StudyRecord record =
-      modelling::begin_study(wishes, input, scenes, frame.provenance());
-  frame.compute("--model", "levels", [&](const modelling::Solving& how) {
-    modelling::StudyRun run;
-    run.how = how;
-    run.how.share = request.share;
-    run.notes = scenes.notes;
-    run.say = [&](const std::string& text) { frame.say("study: " + text); };
-    run.kept = frame.keep_in(request.folder(), input);
-    modelling::solve_levels(wishes, models, scenes, run, record);
+  modelling::Study study(wishes, input, known, frame.provenance(), frame.progress());
+  frame.compute("--model", "levels", [&](modelling::Solving how) {
+    how.share = request.share;
+    study.solve({how, frame.keep_in(request.folder(), input),
+                 [&](const std::string& text) { frame.say("study: " + text); }});
     frame.clear_line();
     if (!how.first || frame.ends_part()) return;
-    const std::string failures = modelling::finish_study(scenes, how, record);
-    write_and_tell(request, record);
+    const std::string failures = study.finish(how);
+    write_and_tell(request, study.record());
     if (!failures.empty())
       throw contact::SolveError("the study was written without the levels that failed: " +
                                 failures);
@@ -79,7 +70,7 @@ void settle(StudyRequest& request) {
   modelling::StudyWishes& wishes = request.wishes;
   settle_case_file(request, "study", {&wishes.models, &wishes.vary, &wishes.references},
                    [](const std::string& name) { return fs::path(name).extension() == ".toml"; });
-  if (wishes.models == std::vector<std::string>{"all"}) return;
+  if (wishes.all()) return;
   const contact::ModelRegistry& known = request.call.models;
   wishes.models = modelling::checked_names(known, wishes.models, "--model");
   modelling::refuse_choice(known, wishes.models, "study");

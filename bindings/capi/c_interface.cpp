@@ -13,14 +13,7 @@
 #include <cstddef>
 #include <string>
 
-using rollfem::capi::Given;
-using rollfem::capi::guarded;
-using rollfem::capi::taken;
-using rollfem::capi::Units;
-using rollfem::capi::units_of;
-using rollfem::capi::wanted;
-using rollfem::capi::WheelDerivatives;
-using rollfem::capi::WheelRailPair;
+using namespace rollfem::capi;
 using rollfem::tables::CreepTableReader;
 namespace contact = rollfem::contact;
 namespace tables = rollfem::tables;

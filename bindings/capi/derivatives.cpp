@@ -50,9 +50,7 @@ std::array<Variable, ROLLFEM_STATE_VARIABLES> variables_of(const rollfem_state& 
 rollfem_result WheelRailPair::linearise(const rollfem_state& state, WheelDerivatives& found) const {
   check(state, input_.wheel.rolling_radius);
   const Lent lent = workspace();
-  lent->linearises = true;
   const rollfem_result at = solve(*lent, state);
-  lent->linearises = false;
   found = {};
   if (at.patch_count == 0) return at;
   const bool responds = lent->solved != nullptr && respond(*lent, state, found);

@@ -35,8 +35,7 @@ struct QuickContact {
   const track::WheelRailContact* contact = nullptr;
   contact::Geometry geometry;
   contact::Creepage creepage;
-  /// Derivatives of xi, eta and phi by rotation, lateral and yaw velocity (track::Motion), if a
-  /// response follows.
+  /// Derivatives of xi, eta and phi by rotation, lateral and yaw velocity (track::Motion).
   Eigen::Matrix3d by_motion = Eigen::Matrix3d::Zero();
 };
 

@@ -47,16 +47,8 @@ QuickWheel::QuickWheel(const halfspace::InfluenceTables& tables, bool any,
     all_.push_back(std::make_unique<QuickPatch>(tables, material));
 }
 
-QuickOutcome QuickWheel::solve(const std::vector<QuickContact>& contacts, const QuickLoad& load) {
-  try {
-    return solve_or_throw(contacts, load);
-  } catch (const contact::SolveError&) {
-    return QuickOutcome::unfit;
-  }
-}
-
-QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contacts,
-                                        const QuickLoad& load) {
+QuickOutcome QuickWheel::solve(const std::vector<QuickContact>& contacts,
+                               const QuickLoad& load) try {
   if (contacts.empty() || contacts.size() > most_patches) return QuickOutcome::unfit;
   given_sinking_ = load.sinking;
   loaded_.clear();
@@ -88,6 +80,8 @@ QuickOutcome QuickWheel::solve_or_throw(const std::vector<QuickContact>& contact
     check(load);
     return QuickOutcome::solved;
   }
+  return QuickOutcome::unfit;
+} catch (const contact::SolveError&) {
   return QuickOutcome::unfit;
 }
 

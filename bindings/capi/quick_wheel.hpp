@@ -64,7 +64,6 @@ class QuickWheel {
     contact::Field distance;
   };
 
-  QuickOutcome solve_or_throw(const std::vector<QuickContact>& contacts, const QuickLoad& load);
   bool find_patches(double force);
   bool adjust_boxes();
   bool take_reached();

@@ -228,9 +228,7 @@ WheelRailPair::WheelRailPair(Case input)
 
 rollfem_result WheelRailPair::solve(const rollfem_state& state) const {
   check(state, input_.wheel.rolling_radius);
-  const Lent lent = workspace();
-  lent->linearises = false;
-  return solve(*lent, state);
+  return solve(*workspace(), state);
 }
 
 rollfem_result WheelRailPair::solve(Workspace& workspace, const rollfem_state& state) const {
@@ -279,7 +277,7 @@ QuickOutcome WheelRailPair::solve_quickly(Workspace& workspace, const rollfem_st
     QuickContact one;
     one.contact = &contact;
     one.creepage = track::creepage_of(contact, motion);
-    if (workspace.linearises) one.by_motion = track::creepage_by_motion(contact);
+    one.by_motion = track::creepage_by_motion(contact);
     one.geometry.surface = contact::ContactSurface::of(
         std::make_shared<const contact::PatchGeometry>(std::move(contact.geometry)));
     if (input.halfspace.surface == contact::SurfaceForm::automatic)

@@ -56,7 +56,6 @@ class WheelRailPair {
     std::vector<track::WheelRailContact> found;
     std::vector<QuickContact> contacts;
     QuickLoad load;
-    bool linearises = false;       ///< a response follows the solution
     QuickWheel* solved = nullptr;  ///< the wheel that holds the solution
     std::vector<PatchResponse> responses;
   };

@@ -8,11 +8,11 @@
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
-#include "models/study/study_series.hpp"
+#include "models/study/study.hpp"
 #include "postprocess/compare/comparison.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/study/study.hpp"
-#include "postprocess/write/record_check.hpp"
+#include "postprocess/write/output.hpp"
 
 namespace rollfem {
 
@@ -99,54 +99,34 @@ Files study(const Case& input, const StudyOptions& options, const Progress& prog
       options.vary, options.together, options.levels, options.references};
   const std::vector<std::string> named = modelling::named_models(wishes, known);
   modelling::check_wishes(wishes, input, known);
-  const modelling::Scenes scenes =
-      modelling::scenes_of(input, modelling::placed_wheels(input), progress);
-  const std::vector<std::string> models = modelling::models_of(wishes, scenes, known);
+  modelling::Study made(wishes, input, known, modelling::provenance_of(known, "rollfem::study"),
+                        progress);
   const Ready ready = ready_for(named, progress);
-  postprocess::StudyRecord record = modelling::begin_study(
-      wishes, input, scenes, modelling::provenance_of(known, "rollfem::study"));
+  made.solve({ready.how});
   Files found;
-  modelling::StudyRun run;
-  run.how = ready.how;
-  run.notes = scenes.notes;
-  run.say = [](const std::string&) {};
-  modelling::solve_levels(wishes, models, scenes, run, record);
-  if (const std::string failures = modelling::finish_study(scenes, ready.how, record);
-      !failures.empty())
+  if (const std::string failures = made.finish(ready.how); !failures.empty())
     found.warnings.push_back("levels that failed: " + failures);
-  found.contents = {{"study.json", postprocess::study_json(record)},
-                    {"study.csv", postprocess::study_csv(record)}};
-  found.text = postprocess::study_table(record);
+  found.contents = {{"study.json", postprocess::study_json(made.record())},
+                    {"study.csv", postprocess::study_csv(made.record())}};
+  found.text = postprocess::study_table(made.record());
   return found;
 }
 
 Files compare(const std::vector<Compared>& cases, const std::string& reference) {
-  const contact::ModelRegistry& known = registry();
-  postprocess::ComparisonRecord record;
-  record.provenance = modelling::provenance_of(known, "rollfem::compare");
-  record.reference = reference;
-  record.references = known.names(&contact::ModelInfo::measures_others);
-  record.references.insert(record.references.begin(), reference);
-  Files found;
-  std::vector<postprocess::CaseStandings> standings;
+  postprocess::ComparisonRecord record = modelling::begin_comparison(
+      registry(), reference, modelling::provenance_of(registry(), "rollfem::compare"));
   for (const Compared& one : cases) {
-    postprocess::ComparedCase compared;
-    compared.name = one.name;
-    compared.case_file = one.result.input.file;
-    compared.title = one.result.input.title;
-    compared.friction = one.result.input.friction_coefficient;
+    postprocess::ComparedCase& compared =
+        record.cases.emplace_back(postprocess::compared_case(one.name, one.result.input));
     record.models = one.result.input.models;
     compared.missing = one.missing;
     if (!one.result.models.empty()) {
       postprocess::check_record(one.result);
       compared.models = postprocess::scalars_of(one.result.models);
     }
-    standings.push_back(postprocess::case_standings(compared, record.references));
-    found.text += compared.name + ": " + compared.title + '\n' +
-                  postprocess::comparison_table(standings.back()) + '\n';
-    record.cases.push_back(std::move(compared));
   }
-  found.text += postprocess::comparison_verdict(standings);
+  Files found;
+  found.text = postprocess::comparison_text(record);
   found.contents = {{"compare.json", postprocess::comparison_json(record)},
                     {"compare.csv", postprocess::comparison_csv(record)}};
   return found;

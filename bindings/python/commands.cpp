@@ -78,9 +78,7 @@ py::list forecast_of(const Case& input) {
 
 /// Files of one folder, whole or not at all; those of other commands stay.
 void write_files(const std::string& folder, const std::map<std::string, std::string>& contents) {
-  postprocess::FilesTogether files(folder);
-  for (const auto& [name, content] : contents) files.write(name, content);
-  files.commit();
+  postprocess::write_together(folder, contents);
 }
 
 /// Figures and page of what rollfem has written; why they were not drawn, empty where they were.

@@ -142,7 +142,7 @@ py::list models_of(const Shared& result) {
 py::object place_of(const std::optional<contact::ContactPlace>& place) {
   if (!place) return py::none();
   py::dict found;
-  found["wheel"] = place->left ? "left" : "right";
+  found["wheel"] = place->side();
   for (const postprocess::PlaceScalar& one : postprocess::place_scalars())
     found[one.name] = one.value(*place);
   for (const char* count : {"position", "patch", "patches"})

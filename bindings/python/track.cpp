@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/python/bindings.hpp"
 #include "contact/base/errors.hpp"
-#include "profiles/formula_profiles.hpp"
+#include "postprocess/write/wheelset_rows.hpp"
 #include "profiles/profiles.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/rigid_touch.hpp"
 
 #include <cmath>
 #include <limits>
-#include <map>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -38,29 +37,19 @@ void check_profiles(const Case& input, const char* what) {
                      "profiles; do: give wheel.profile, rail.profile and [wheelset]");
 }
 
-/// The columns of wheelset.csv (postprocess::rigid_wheelset_csv).
+/// The columns of wheelset.csv.
 py::dict wheelset_of(const Case& input, double reach, double step) {
   check_profiles(input, "wheelset");
-  std::vector<track::WheelsetRow> rows;
+  std::vector<track::RigidWheelset> rows;
   {
     const py::gil_scoped_release free;
     rows = track::wheelset_rows(input, track::search_scene_of(input), reach, step);
   }
-  using Row = const track::WheelsetRow&;
-  const auto put = [&](auto value) { return column(rows, value); };
-  return py::dict(
-      "lateral_shift"_a = put([](Row row) { return row.touch.lateral_shift; }),
-      "roll"_a = put([](Row row) { return row.touch.roll; }),
-      "radius_left"_a = put([](Row row) { return row.touch.left.rolling_radius; }),
-      "radius_right"_a = put([](Row row) { return row.touch.right.rolling_radius; }),
-      "radius_difference"_a = put([](Row row) { return row.touch.radius_difference(); }),
-      "angle_left"_a = put([](Row row) { return row.touch.left.contact_angle; }),
-      "angle_right"_a = put([](Row row) { return row.touch.right.contact_angle; }),
-      "y_wheel_left"_a = put([](Row row) { return row.touch.left.y_wheel; }),
-      "y_wheel_right"_a = put([](Row row) { return row.touch.right.y_wheel; }),
-      "conicity_harmonic"_a = put([](Row row) { return or_nan(row.harmonic); }),
-      "conicity_wave"_a = put([](Row row) { return or_nan(row.wave); }),
-      "wave_length"_a = put([](Row row) { return or_nan(row.wave_length); }));
+  py::dict found;
+  for (const postprocess::RigidColumn& one : postprocess::rigid_columns())
+    found[one.name] =
+        column(rows, [&](const track::RigidWheelset& row) { return or_nan(one.value(row)); });
+  return found;
 }
 
 py::list contact_points_of(const Case& input) {
@@ -130,11 +119,9 @@ void define_track(py::module_& module) {
   module.def("wheelset", &wheelset_of);
   module.def("contact_points", &contact_points_of);
   module.def("profile", &profile_of);
-  module.def("built_in_profiles", [] {
-    std::map<std::string, std::string> bodies;
-    for (const profiles::BuiltInProfile& profile : profiles::built_in_profiles())
-      bodies[profile.name] = profile.wheel ? "wheel" : "rail";
-    return bodies;
+  module.def("body_of_profile", [](const std::string& name) {
+    const std::optional<bool> wheel = profiles::body_of_profile(name);
+    return wheel ? std::optional<std::string>(*wheel ? "wheel" : "rail") : std::nullopt;
   });
 }
 

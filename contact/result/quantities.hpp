@@ -103,6 +103,9 @@ class PartlySolved : public SolveError {
  public:
   PartlySolved(const std::string& why, ModelResult solved)
       : SolveError(why), result(std::move(solved)) {}
+  std::exception_ptr retold(const std::string& text) const override {
+    return std::make_exception_ptr(PartlySolved(text, result));
+  }
   ModelResult result;
 };
 

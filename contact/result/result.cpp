@@ -63,9 +63,7 @@ double mean_stretch(const PatchShape& shape, const Field& pressure) {
 }  // namespace
 
 std::string ModelResult::key() const {
-  if (!place) return name;
-  return fmt::format("{}_{}_{}_{}", name, place->left ? "left" : "right", place->position,
-                     place->patch);
+  return place ? name + '_' + place->key() : name;
 }
 
 BodyField ModelResult::body_at(std::size_t point, std::size_t body) const {
@@ -79,6 +77,16 @@ BodyField ModelResult::body_at(std::size_t point, std::size_t body) const {
 bool ModelResult::has_model_error() const {
   return std::any_of(points.begin(), points.end(),
                      [](const PointResult& point) { return !point.model_error.empty(); });
+}
+
+bool ModelResult::has_friction() const {
+  return std::any_of(points.begin(), points.end(),
+                     [](const PointResult& point) { return point.max_traction > 0.0; });
+}
+
+double ModelResult::total_seconds() const {
+  const auto total = seconds.find("total");
+  return total == seconds.end() ? 0.0 : total->second;
 }
 
 std::vector<std::size_t> ModelResult::points_with_bodies() const {

@@ -126,6 +126,9 @@ struct ModelResult {
   std::string model_error_source;
   /// Whether a load point has the model error of a quantity.
   bool has_model_error() const;
+  /// False for Hertz and other theories of the normal problem.
+  bool has_friction() const;
+  double total_seconds() const;  ///< 0: not measured
   /// Why `auto` chose this model and grid; empty if it did not.
   std::string choice;
   /// A request that was not met although the results are valid; otherwise empty. The run then ends

@@ -141,8 +141,12 @@ double rail_inclination(const PatchGeometry& patch, const ContactPlace& place, d
   return (place.left ? -rise : rise) - place.contact_angle;
 }
 
-std::string ContactPlace::label() const {
-  std::string text = left ? "left" : "right";
+std::string ContactPlace::key(char between) const {
+  return fmt::format("{1}{0}{2}{0}{3}", between, side(), position, patch);
+}
+
+std::string ContactPlace::label(const std::string& noun) const {
+  std::string text = side() + noun;
   if (position > 0) text += fmt::format(", position {}", position);
   if (patches > 1) text += fmt::format(", patch {} of {}", patch, patches);
   return text;

@@ -102,6 +102,11 @@ class PatchGeometry {
                                 std::numeric_limits<double>::infinity()};
 };
 
+/// "left" or "right": the wheel in texts, files and names.
+inline const char* side_word(bool left) {
+  return left ? "left" : "right";
+}
+
 /// Position of a patch on the track and on the profiles, for reports. Track frame: x along the
 /// track, y to the right, z down, origin in the middle of the track at the level of the rails.
 /// Profile coordinates are those of the profile files: y towards the field side positive, z down,
@@ -131,8 +136,18 @@ struct ContactPlace {
   /// Direction of the patch frame's y along way_across: to the field side on the left wheel, to the
   /// middle on the right.
   double outward() const { return left ? 1.0 : -1.0; }
-  /// "left, position 3, patch 1 of 2"; empty parts left out.
-  std::string label() const;
+  const char* side() const { return side_word(left); }
+  bool same_wheel(const ContactPlace& other) const {
+    return left == other.left && position == other.position;
+  }
+  bool same_patch(const ContactPlace& other) const {
+    return same_wheel(other) && patch == other.patch;
+  }
+  /// "left_3_1": side, position and patch, which tell the patches of a case apart.
+  std::string key(char between = '_') const;
+  /// "left, position 3, patch 1 of 2", with a `noun` "left wheel, position 3"; empty parts left
+  /// out.
+  std::string label(const std::string& noun = "") const;
 };
 
 /// Angle between the planes of two contacts of a wheel, rad: positive where the rail is convex and

@@ -105,7 +105,7 @@ void add_model_error(const contact::Scene& scene, const contact::Progress& progr
   std::string why = "the patch does not fit the grid";
   try {
     errors = errors_of_few_elements(scene, progress, elements_across);
-  } catch (const std::runtime_error& error) {  // the result stands without it
+  } catch (const contact::Failure& error) {  // the result stands without it
     why = error.what();
   }
   result.model_error_source =

@@ -149,12 +149,9 @@ std::vector<EllipseForces> roll_ellipse(const EllipseShape& shape,
   check(shape, creepages, accuracy);
   if (creepages.empty()) return {};
   const contact::Threads alone(1);
-  try {
+  return contact::at_place(fmt::format("table, axis ratio {:g}: ", shape.axis_ratio), [&] {
     return all_levels(shape, scaled_scene(shape, creepages), accuracy);
-  } catch (const contact::SolveError& error) {
-    throw contact::SolveError(
-        fmt::format("table, axis ratio {:g}: {}", shape.axis_ratio, error.what()));
-  }
+  });
 }
 
 }  // namespace rollfem::halfspace

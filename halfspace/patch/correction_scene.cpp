@@ -129,7 +129,7 @@ Scene correction_scene(const Scene& scene) {
   try {
     const PatchBox box = PatchSearch(bodies).box();
     if (is_alike(box, PatchSearch(scene).box()) && fits(box, bodies.options.fem)) return bodies;
-  } catch (const std::runtime_error&) {
+  } catch (const contact::Failure&) {
     // The profiles end before, or no patch is found.
   }
   bodies.points.front().load = largest;

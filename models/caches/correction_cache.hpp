@@ -24,6 +24,8 @@ class CorrectionCache {
   /// Uses $ROLLFEM_CACHE, else $XDG_CACHE_HOME/rollfem, else ~/.cache/rollfem. The cache is off if
   /// ROLLFEM_CACHE is empty or there is no home folder.
   CorrectionCache();
+  /// Switches the cache off in this process, whose measured times stored corrections would falsify.
+  static void switch_off();
   explicit CorrectionCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   bool off() const { return folder_.empty(); }

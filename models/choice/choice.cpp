@@ -34,12 +34,10 @@ class Choice {
  public:
   Choice(std::vector<Subject> subjects, const Wanted& wanted)
       : subjects_(std::move(subjects)), wanted_(wanted), accuracy_(*wanted.accuracy.relative) {
-    for (const Subject& subject : subjects_) {
-      forecasts_.emplace_back();
-      for (const Candidate& candidate : subject.candidates)
-        forecasts_.back().push_back(candidate.forecast);
-      attempts_.emplace_back(subject.candidates.size());
-      failed_once_.emplace_back(subject.candidates.size(), false);
+    for (Subject& subject : subjects_) {
+      attempts_.emplace_back(subject.forecasts.size());
+      failed_once_.emplace_back(subject.forecasts.size(), false);
+      forecasts_.push_back(std::move(subject.forecasts));
     }
   }
 
@@ -92,17 +90,11 @@ class Choice {
     predicted_ += level.seconds;
     const contact::Stopwatch watch;
     try {
-      ModelResult result = subjects_[c].candidates[m].solve(level.across);
+      ModelResult result = subjects_[c].solve(forecasts_[c][m], level.across);
       judge(c, m, at, watch.seconds(), std::move(result));
       return true;
-    } catch (const contact::UnfitGrid& error) {
-      failed(c, m, at, error, true);
-    } catch (const contact::SolveError& error) {
-      // Another grid may have a solution: retry once.
-      failed(c, m, at, error, !failed_once_[c][m]);
-      failed_once_[c][m] = true;
-    } catch (const contact::InputError& error) {
-      failed(c, m, at, error, false);
+    } catch (const contact::Failure& error) {
+      failed(c, m, at, error);
     }
     elapsed_ += watch.seconds();
     return false;
@@ -110,17 +102,20 @@ class Choice {
 
   /// While an exception is handled. Keeps the first failure or throws it, and leaves out the grid,
   /// or all grids of the model that are not solved.
-  void failed(std::size_t c, std::size_t m, std::size_t at, const std::runtime_error& error,
-              bool only_grid) {
+  void failed(std::size_t c, std::size_t m, std::size_t at, const contact::Failure& error) {
+    using Cause = contact::Failure::Cause;
     Forecast& forecast = forecasts_[c][m];
-    std::exception_ptr told = std::current_exception();
-    const std::string what =
-        fmt::format("{}model {}: {}", subjects_[c].name, forecast.model, error.what());
-    if (const auto* partly = dynamic_cast<const contact::PartlySolved*>(&error))
-      told = std::make_exception_ptr(contact::PartlySolved(what, partly->result));
-    else if (dynamic_cast<const contact::SolveError*>(&error) != nullptr)
-      told = std::make_exception_ptr(contact::SolveError(what));
+    const std::exception_ptr told =
+        error.cause() == Cause::input
+            ? std::current_exception()
+            : error.retold(
+                  fmt::format("{}model {}: {}", subjects_[c].name, forecast.model, error.what()));
     if (!wanted_.go_on) std::rethrow_exception(told);
+    bool only_grid = error.cause() == Cause::grid;
+    if (error.cause() == Cause::solution) {  // another grid may have a solution: retry once
+      only_grid = !failed_once_[c][m];
+      failed_once_[c][m] = true;
+    }
     if (!failure_) failure_ = told;
     std::vector<Level> left;
     for (std::size_t k = 0; k < forecast.levels.size(); ++k)
@@ -130,16 +125,15 @@ class Choice {
   }
 
   void judge(std::size_t c, std::size_t m, std::size_t at, double seconds, ModelResult result) {
-    const Candidate& candidate = subjects_[c].candidates[m];
     Forecast& forecast = forecasts_[c][m];
     Reached reached =
         contact::reached_by(result, wanted_.accuracy, subjects_[c].friction_coefficient,
-                            !candidate.estimates_model_error || result.has_model_error());
+                            !forecast.estimates_model_error || result.has_model_error());
     agree(reached, seconds);
     elapsed_ += seconds;
     learn(forecast, at, reached.most_discretisation, seconds);
     forecast.levels[at].reached = reached.together();
-    if (candidate.estimates_model_error) {
+    if (forecast.estimates_model_error) {
       forecast.model_error = reached.most_model;
       forecast.model_error_found = true;
     }
@@ -184,7 +178,7 @@ class Choice {
   std::string solved_text(std::size_t c, std::size_t m) const {
     const Attempt& attempt = *attempts_[c][m];
     return fmt::format("{}, {} across, {}: {}", label(m), attempt.across, duration(attempt.seconds),
-                       attempt.reached.text(subjects_[c].candidates[m].no_model_error));
+                       attempt.reached.text(forecasts_[c][m].no_model_error));
   }
 
   /// A complete model in all contacts.

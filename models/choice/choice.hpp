@@ -21,19 +21,11 @@ namespace rollfem::modelling {
 /// leads to the same choice.
 constexpr double seconds_by_default = 60.0;
 
-/// A model that may be chosen, for one contact.
-struct Candidate {
-  Forecast forecast;
-  /// Solves with `across` elements across the patch. Throws contact::InputError,
-  /// contact::SolveError.
-  std::function<contact::ModelResult(int across)> solve;
-  bool estimates_model_error = false;  ///< in the results; one that is missing is then unknown
-  std::string no_model_error = {};     ///< why its model error cannot be known; otherwise empty
-};
-
 /// A contact of the run.
 struct Subject {
-  std::vector<Candidate> candidates;  ///< the same models for every contact
+  std::vector<Forecast> forecasts;  ///< of the same models for every contact
+  /// Solves by one of them with `across` elements across the patch. Throws contact::Failure.
+  std::function<contact::ModelResult(const Forecast& model, int across)> solve;
   double friction_coefficient = 0.0;
   std::string name = {};  ///< begins messages about failures: "a.toml: right wheel, position 2: "
 };

@@ -160,6 +160,14 @@ void learn(Forecast& forecast, std::size_t at, double discretisation, double sec
   forecast.once = 0.0;
 }
 
+void inherit_error(Forecast& forecast, const Forecast& corrected) {
+  if (forecast.corrects != corrected.model || !corrected.model_error_found ||
+      !std::isfinite(corrected.model_error))
+    return;
+  forecast.model_error = forecast.uncertain_part * corrected.model_error;
+  forecast.model_error_found = true;
+}
+
 void learn_from(Forecast& forecast, const Forecast& solved, std::size_t at) {
   const Level& found = solved.levels.at(at);
   const bool corrects = forecast.corrects == solved.model;
@@ -168,9 +176,7 @@ void learn_from(Forecast& forecast, const Forecast& solved, std::size_t at) {
     const double expected = expected_of(level, found.across, found.discretisation);
     level.discretisation = corrects ? expected : std::max(level.discretisation, expected);
   }
-  if (!corrects || !solved.model_error_found || !std::isfinite(solved.model_error)) return;
-  forecast.model_error = forecast.uncertain_part * solved.model_error;
-  forecast.model_error_found = true;
+  inherit_error(forecast, solved);
 }
 
 }  // namespace rollfem::modelling

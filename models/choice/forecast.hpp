@@ -34,7 +34,9 @@ struct Forecast {
   /// remains. Empty: corrects none.
   std::string corrects = {};
   double uncertain_part = 0.0;
-  double once = 0.0;  ///< s, spent only on the first grid
+  double once = 0.0;                   ///< s, spent only on the first grid
+  bool estimates_model_error = false;  ///< in its results; one that is missing is then unknown
+  std::string no_model_error = {};     ///< why its model error cannot be known; otherwise empty
 
   /// Discretisation and model error together.
   double error(const Level& level) const {
@@ -98,6 +100,9 @@ ExpectedRun expected_run(Contacts contacts, double accuracy, double seconds);
 /// Records that level `at` was solved: updates the expected errors of unsolved levels and removes
 /// the one-time cost from them.
 void learn(Forecast& forecast, std::size_t at, double discretisation, double seconds);
+
+/// A model that corrects another one keeps `uncertain_part` of its model error, if that is known.
+void inherit_error(Forecast& forecast, const Forecast& corrected);
 
 /// Records that level `at` of another model was solved. If `forecast` corrects that model, it
 /// inherits the discretisation errors and a part of the model error; otherwise its grids are

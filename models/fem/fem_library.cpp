@@ -28,11 +28,12 @@ const char* openblas_kernels() {
   return nullptr;
 }
 
-/// Defaults of variables that libraries read when they are loaded. The two bodies are factorised
-/// side by side, one core each, and MPI processes share the cores: threads inside OpenBLAS would
-/// only compete with them. Waiting threads sleep or yield (app/program.cpp), because a spinning
-/// core is lost to the other body, the other process or other users. On processors newer than
-/// itself OpenBLAS falls back to SSE3, a quarter of the speed.
+/// Defaults of variables that libraries read while they are loaded, before any of their functions
+/// can be called; this is the only place that changes the environment. The two bodies are
+/// factorised side by side, one core each, and MPI processes share the cores: threads inside
+/// OpenBLAS would only compete with them. Waiting threads sleep or yield (app/program.cpp), because
+/// a spinning core is lost to the other body, the other process or other users. On processors newer
+/// than itself OpenBLAS falls back to SSE3, a quarter of the speed.
 void set_defaults() {
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   setenv("OMP_WAIT_POLICY", "passive", 0);

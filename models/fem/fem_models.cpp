@@ -91,12 +91,9 @@ SmoothParts find_smooth_parts(const contact::Scene& scene, const contact::Progre
 bool correction_is_kept(const contact::Scene& scene) {
   contact::Scene curved = scene;
   curved.follows_surface = 1.0;
-  try {
-    const contact::Scene correction = halfspace::correction_scene(curved);
-    return CorrectionCache().find(correction, scene.asks_for_stress()).parts.has_value();
-  } catch (const std::runtime_error&) {
-    return false;  // no patch, no correction
-  }
+  const auto correction = contact::attempt([&] { return halfspace::correction_scene(curved); });
+  return correction &&
+         CorrectionCache().find(*correction, scene.asks_for_stress()).parts.has_value();
 }
 
 contact::ModelInfo hybrid_model() {

@@ -159,35 +159,26 @@ void share_model_error(const Scene& scene, const contact::Progress& progress, Es
   result.model_error_source = first.source;
 }
 
-/// The candidates of a scene; each passes the checks of its own model.
-Subject subject_of(const Scene& asked, const std::vector<Forecast>& forecasts, const Solving& how) {
+/// A scene and how a model solves it.
+Subject subject_of(const Scene& asked, std::vector<Forecast> forecasts, const Solving& how) {
   Subject made;
+  made.forecasts = std::move(forecasts);
   made.friction_coefficient = asked.friction_coefficient();
   made.name = fmt::format("{}: {}", asked.file, asked.patch_prefix());
   const auto scene = std::make_shared<Scene>(asked);
   scene->accuracy.relative.reset();  // accuracy and estimates are the matter of the choice
   scene->options.halfspace.model_error = false;
   const auto estimate = std::make_shared<Estimate>();
-  for (const Forecast& forecast : forecasts) {
+  made.solve = [scene, estimate, &how](const Forecast& forecast, int across) {
     const contact::ModelInfo& model = how.models->at(forecast.model);
-    const bool plain = model.choosable == Choosable::half_spaces;
-    const bool estimates = plain && bodies_known(asked);
-    Candidate candidate{forecast, {}, estimates};
-    if (plain && !estimates)
-      candidate.no_model_error =
-          asked.geometry.line ? "the model error of half-planes in line contact is not estimated"
-                              : "only the undeformed distance of the bodies is known";
-    candidate.solve = [scene, estimate, estimates, &model, &how](int across) {
-      if (model.parallel && how.need_session) how.need_session();
-      const bool cells = model.choosable == Choosable::finite_bodies;
-      contact::ModelResult result =
-          run_model(model.name, cells ? on_cells(*scene, across) : on_grid(*scene, across), how);
-      result.label = model.label;
-      if (estimates) share_model_error(*scene, how.progress, *estimate, result);
-      return result;
-    };
-    made.candidates.push_back(std::move(candidate));
-  }
+    if (model.parallel && how.need_session) how.need_session();
+    const bool cells = model.choosable == Choosable::finite_bodies;
+    contact::ModelResult result =
+        run_model(model.name, cells ? on_cells(*scene, across) : on_grid(*scene, across), how);
+    result.label = model.label;
+    if (forecast.estimates_model_error) share_model_error(*scene, how.progress, *estimate, result);
+    return result;
+  };
   return made;
 }
 
@@ -235,12 +226,18 @@ std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& mode
   std::string half_spaces;
   for (const contact::ModelInfo& model : models.all()) {
     if (model.choosable == Choosable::never) continue;
-    all.push_back(forecast_as(model.choosable, size));
-    all.back().model = model.name;
-    if (model.choosable == Choosable::half_spaces) half_spaces = model.name;
-    if (model.choosable == Choosable::corrected_half_spaces) all.back().corrects = half_spaces;
-    const std::string why = out_of_question(model, scene);
-    if (!why.empty()) all.back().cannot = why;
+    Forecast& forecast = all.emplace_back(forecast_as(model.choosable, size));
+    forecast.model = model.name;
+    if (model.choosable == Choosable::half_spaces) {
+      half_spaces = model.name;
+      forecast.estimates_model_error = bodies_known(scene);
+      if (!bodies_known(scene))
+        forecast.no_model_error =
+            scene.geometry.line ? "the model error of half-planes in line contact is not estimated"
+                                : "only the undeformed distance of the bodies is known";
+    }
+    if (model.choosable == Choosable::corrected_half_spaces) forecast.corrects = half_spaces;
+    if (const std::string why = out_of_question(model, scene); !why.empty()) forecast.cannot = why;
   }
   return all;
 }
@@ -267,10 +264,10 @@ double seconds_for(const contact::AccuracyRequest& asked) {
 }
 
 Chosen solve_by_choice(const std::vector<Scene>& scenes, const Solving& how) {
-  const Contacts forecasts = forecasts_here(scenes, *how.models);
+  Contacts forecasts = forecasts_here(scenes, *how.models);
   std::vector<Subject> subjects;
   for (std::size_t c = 0; c < scenes.size(); ++c)
-    subjects.push_back(subject_of(scenes[c], forecasts[c], how));
+    subjects.push_back(subject_of(scenes[c], std::move(forecasts[c]), how));
   Wanted wanted;
   wanted.accuracy = scenes.front().accuracy;  // the same for all scenes of a case
   wanted.accuracy.relative = accuracy_of(wanted.accuracy);

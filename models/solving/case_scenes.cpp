@@ -15,15 +15,21 @@ namespace {
 
 using contact::Case;
 
-/// Points of a curve for drawing, in the track frame, from the side frame (Y outward).
-std::vector<std::array<double, 2>> on_track(const profiles::ProfileCurve& curve, bool left) {
-  constexpr int pieces = 600;
+/// Points of a curve for drawing, moved into the track frame.
+template <class Move>
+std::vector<std::array<double, 2>> drawn(const profiles::ProfileCurve& curve, int pieces,
+                                         const Move& moved) {
   std::vector<std::array<double, 2>> points;
-  for (int k = 0; k <= pieces; ++k) {
-    const auto at = curve.at(curve.first() + (curve.last() - curve.first()) * k / pieces);
-    points.push_back({track::side_sign(left) * at.y, at.z});
-  }
+  for (int k = 0; k <= pieces; ++k)
+    points.push_back(moved(curve.at(curve.first() + (curve.last() - curve.first()) * k / pieces)));
   return points;
+}
+
+/// From the side frame (Y outward).
+std::vector<std::array<double, 2>> on_track(const profiles::ProfileCurve& curve, bool left) {
+  return drawn(curve, 600, [&](const profiles::ProfilePoint& at) {
+    return std::array{track::side_sign(left) * at.y, at.z};
+  });
 }
 
 /// Section of the wheel through its axle, tilted like the axle.
@@ -37,16 +43,12 @@ std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
   const double length = std::hypot(axle.direction[1], axle.direction[2]);
   const std::array<double, 2> along{axle.direction[1] / length, axle.direction[2] / length};
   const std::array<double, 2> down{-along[1], along[0]};
-  constexpr int pieces = 800;
-  std::vector<std::array<double, 2>> points;
-  for (int k = 0; k <= pieces; ++k) {
-    const auto at = wheel.at(wheel.first() + (wheel.last() - wheel.first()) * k / pieces);
+  return drawn(wheel, 800, [&](const profiles::ProfilePoint& at) {
     const double radius = input.wheel.rolling_radius + at.z;
     const double y = axle.point[1] + along[0] * at.y + down[0] * radius;
     const double z = axle.point[2] + along[1] * at.y + down[1] * radius;
-    points.push_back({track::side_sign(left) * y, z});
-  }
-  return points;
+    return std::array{track::side_sign(left) * y, z};
+  });
 }
 
 std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
@@ -86,7 +88,7 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input,
   const std::vector<track::PlacedScene> scenes = track::make_scenes(first, search);
   std::vector<std::pair<std::string, std::string>> tables;
   for (const postprocess::PlacedPair& pair : drawn_pairs(first, search, scenes)) {
-    const char* side = pair.left ? "left" : "right";
+    const char* side = contact::side_word(pair.left);
     std::string text = fmt::format("# {} wheel, lateral shift {:g} mm\n", side,
                                    first.wheelset.lateral_shift.front());
     text += "part,y [mm],z [mm],angle [rad],radius [mm]\n";
@@ -113,9 +115,9 @@ std::string contacts_text(const Case& input, const track::SearchScene& search) {
     const contact::ContactPlace& at = contact.place;
     text += fmt::format(
         "{:<7}{:>9}{:>7}{:>11.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>11.5f}{:>12.4f}{:>15.4f}\n",
-        at.left ? "left" : "right", at.position,
-        at.patch > 0 ? std::to_string(at.patch) : std::string("near"), 1e3 * at.roll, at.y_track,
-        at.y_rail, at.y_wheel, at.contact_angle, at.rolling_radius, at.separation);
+        at.side(), at.position, at.patch > 0 ? std::to_string(at.patch) : std::string("near"),
+        1e3 * at.roll, at.y_track, at.y_rail, at.y_wheel, at.contact_angle, at.rolling_radius,
+        at.separation);
   }
   return text;
 }

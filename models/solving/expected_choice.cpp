@@ -66,15 +66,12 @@ void find_model_error(const Scene& scene, const Solving& how, Forecast& half) {
   few.subsurface.clear();
   few.output.stress_maxima = false;
   few.options.halfspace.model_error = true;
-  try {
-    const contact::ModelResult result = how.models->run(half.model, few, how.progress);
-    if (!result.has_model_error()) return;
-    half.model_error =
-        contact::reached_by(result, scene.accuracy, scene.friction_coefficient(), true).most_model;
-    half.model_error_found = true;
-  } catch (const std::runtime_error&) {
-    // Keep the expected value.
-  }
+  const auto result =
+      contact::attempt([&] { return how.models->run(half.model, few, how.progress); });
+  if (!result || !result->has_model_error()) return;  // the expected value stays
+  half.model_error =
+      contact::reached_by(*result, scene.accuracy, scene.friction_coefficient(), true).most_model;
+  half.model_error_found = true;
 }
 
 /// Seconds of the expected solutions of a contact by all models.
@@ -126,14 +123,8 @@ ExpectedChoice expected_choice(const contact::Case& input, const contact::ModelR
 }
 
 std::string expected_choice_text(const contact::Case& input, const contact::ModelRegistry& models) {
-  ExpectedChoice choice;
-  try {
-    choice = expected_choice(input, models);
-  } catch (const contact::SolveError&) {
-    return "";  // the solver will report it
-  } catch (const contact::InputError&) {
-    return "";
-  }
+  const auto choice = contact::attempt([&] { return expected_choice(input, models); });
+  if (!choice) return "";  // the solver will report it
   const std::optional<MachineSpeed> speed = machine_speed();
   std::string text = fmt::format(
       "\nexpected choice of the model auto, from the size of the contact alone{}\n",
@@ -142,22 +133,19 @@ std::string expected_choice_text(const contact::Case& input, const contact::Mode
                         "machine (rollfem bench, {})",
                         speed->times, speed->made.substr(0, 10))
           : "; times are for an idle 2.5 GHz core; rollfem bench calibrates them to this machine");
-  for (const ExpectedContact& contact : choice.contacts)
+  for (const ExpectedContact& contact : choice->contacts)
     text += fmt::format("  {}{}\n", contact.place ? contact.place->label() + ": " : "",
                         contact.sentence);
-  if (!choice.sentence.empty())
-    text += fmt::format("  for {}: {}\n", contact::percent(choice.accuracy), choice.sentence);
+  if (!choice->sentence.empty())
+    text += fmt::format("  for {}: {}\n", contact::percent(choice->accuracy), choice->sentence);
   return text;
 }
 
 void add_choice(const Scene& scene, const Solving& how, double friction,
                 postprocess::StudyPlace& place) {
-  std::vector<Forecast> forecasts;
-  try {
-    forecasts = forecasts_of(scene, *how.models);
-  } catch (const std::runtime_error&) {
-    return;  // no patch, so no expectation
-  }
+  auto found = contact::attempt([&] { return forecasts_of(scene, *how.models); });
+  if (!found) return;  // no patch, so no expectation
+  std::vector<Forecast>& forecasts = *found;
   Forecast& half = forecasts.front();
   for (const postprocess::StudySeries& series : place.series)
     for (Forecast& forecast : forecasts)
@@ -166,11 +154,7 @@ void add_choice(const Scene& scene, const Solving& how, double friction,
                                   [](const Level& level) { return level.solved; });
   if (solved && half.cannot.empty()) {
     find_model_error(scene, how, half);
-    for (Forecast& other : forecasts)
-      if (other.corrects == half.model && half.model_error_found) {
-        other.model_error = other.uncertain_part * half.model_error;
-        other.model_error_found = true;
-      }
+    for (Forecast& other : forecasts) inherit_error(other, half);
   }
   for (const double percent : {5.0, 1.0, 0.2})
     place.choice.emplace_back(percent, modelling::verdict(forecasts, 0.01 * percent));

@@ -137,11 +137,11 @@ std::vector<std::string> able_models(const contact::Case& input, const Scenes& s
 }
 
 /// Notes that the model has no result, or rethrows the exception being handled.
-void miss(const std::string& name, const std::exception& error, bool failed, const Solving& how,
+void miss(const std::string& name, const contact::Failure& error, const Solving& how,
           Solved& solved) {
   const bool together = !how.models->at(name).parallel || how.together;
   if (!how.go_on || !together) throw;
-  solved.missing.push_back({name, error.what(), failed});
+  solved.missing.push_back({name, error.what(), error.cause() != contact::Failure::Cause::input});
 }
 
 /// What one model found on one scene.
@@ -189,28 +189,22 @@ void solve_named(const std::vector<std::string>& able, const Scenes& scenes, con
                  Solved& solved) {
   std::vector<Outcome> outcomes = outcomes_of(able, scenes, how);
   std::vector<bool> left_out(able.size(), false);
-  for (std::size_t s = 0; s < scenes.list.size(); ++s)
-    for (std::size_t m = 0; m < able.size(); ++m) {
-      Outcome& outcome = outcomes[s * able.size() + m];
-      if (left_out[m]) continue;
-      const auto leave_out = [&](const std::exception& error, bool failed) {
-        miss(able[m], error, failed, how, solved);
-        left_out[m] = true;
-      };
-      try {
-        if (outcome.error) std::rethrow_exception(outcome.error);
-        if (outcome.result) solved.results.push_back(*std::move(outcome.result));
-      } catch (contact::PartlySolved& partly) {
-        if (how.go_on)
-          leave_out(partly, true);
-        else
-          solved.results.push_back(std::move(partly.result));
-      } catch (const contact::SolveError& error) {
-        leave_out(error, true);
-      } catch (const contact::InputError& error) {
-        leave_out(error, false);
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    const std::size_t m = k % able.size();
+    if (left_out[m]) continue;
+    try {
+      if (outcomes[k].error) std::rethrow_exception(outcomes[k].error);
+      if (outcomes[k].result) solved.results.push_back(*std::move(outcomes[k].result));
+    } catch (const contact::Failure& error) {
+      const auto* partly = dynamic_cast<const contact::PartlySolved*>(&error);
+      if (partly != nullptr && !how.go_on) {
+        solved.results.push_back(partly->result);
+        continue;
       }
+      miss(able[m], error, how, solved);
+      left_out[m] = true;
     }
+  }
 }
 
 /// `auto`, for all scenes; returns Chosen::advice.
@@ -223,17 +217,14 @@ std::string solve_chosen(const std::string& name, const Scenes& scenes, const So
       finish(scenes.list[c], scenes.notes, *how.models, chosen.results[c]);
     solved.results = std::move(chosen.results);
     return chosen.advice;
-  } catch (contact::PartlySolved& partly) {
-    if (how.go_on || scenes.list.size() > 1) {
-      miss(name, partly, true, how, solved);
+  } catch (const contact::Failure& error) {
+    const auto* partly = dynamic_cast<const contact::PartlySolved*>(&error);
+    if (partly == nullptr || how.go_on || scenes.list.size() > 1) {
+      miss(name, error, how, solved);
     } else {
-      finish(scenes.list.front(), scenes.notes, *how.models, partly.result);
-      solved.results.push_back(std::move(partly.result));
+      solved.results.push_back(partly->result);
+      finish(scenes.list.front(), scenes.notes, *how.models, solved.results.back());
     }
-  } catch (const contact::SolveError& error) {
-    miss(name, error, true, how, solved);
-  } catch (const contact::InputError& error) {
-    miss(name, error, false, how, solved);
   }
   return {};
 }
@@ -243,19 +234,14 @@ std::string solve_chosen(const std::string& name, const Scenes& scenes, const So
 contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,
                                const Solving& how) {
   // Patches do not resume from each other's load points.
-  contact::CheckpointPart kept(
-      how.checkpoint, scene.place ? fmt::format("{}-{}-{}-", scene.place->left ? "left" : "right",
-                                                scene.place->position, scene.place->patch)
-                                  : std::string());
+  contact::CheckpointPart kept(how.checkpoint,
+                               scene.place ? scene.place->key('-') + '-' : std::string());
   return how.models->run(name, scene, told(how.models->at(name), scene, how.progress),
                          how.checkpoint != nullptr ? &kept : nullptr);
 }
 
 contact::ModelResult solve_scene(const std::string& model, const contact::Scene& scene,
                                  const std::vector<std::string>& notes, const Solving& how) {
-  const auto where = [&](const std::exception& error) {
-    return fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), model, error.what());
-  };
   const auto completed = [&](contact::ModelResult result) {
     if (result.label.empty()) result.label = how.models->at(model).label;
     finish(scene, notes, *how.models, result);
@@ -263,13 +249,23 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
   };
   try {
     return completed(run_model(model, scene, how));
-  } catch (contact::PartlySolved& partly) {
-    throw contact::PartlySolved(where(partly), completed(std::move(partly.result)));
-  } catch (const contact::UnfitGrid& error) {
-    throw contact::UnfitGrid(where(error));
-  } catch (const contact::SolveError& error) {
-    throw contact::SolveError(where(error));
+  } catch (contact::SolveError& error) {
+    if (auto* partly = dynamic_cast<contact::PartlySolved*>(&error))
+      partly->result = completed(std::move(partly->result));
+    std::rethrow_exception(error.retold(
+        fmt::format("{}: {}model {}: {}", scene.file, scene.patch_prefix(), model, error.what())));
   }
+}
+
+postprocess::ComparisonRecord begin_comparison(const contact::ModelRegistry& known,
+                                               const std::string& reference,
+                                               postprocess::Provenance provenance) {
+  postprocess::ComparisonRecord record;
+  record.provenance = std::move(provenance);
+  record.reference = reference;
+  record.references = known.names(&contact::ModelInfo::measures_others);
+  record.references.insert(record.references.begin(), reference);
+  return record;
 }
 
 std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& how) {

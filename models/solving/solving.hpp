@@ -41,6 +41,11 @@ struct Solving {
 /// call.
 std::vector<postprocess::MissingModel> solve(postprocess::RunRecord& record, const Solving& how);
 
+/// A comparison without cases. `reference`: as requested, or empty.
+postprocess::ComparisonRecord begin_comparison(const contact::ModelRegistry& known,
+                                               const std::string& reference,
+                                               postprocess::Provenance provenance);
+
 /// Runs one model on a scene as it is, with progress and checkpoint of its patch. Throws
 /// contact::InputError and contact::SolveError.
 contact::ModelResult run_model(const std::string& name, const contact::Scene& scene,

@@ -27,8 +27,7 @@ using postprocess::StressOfModel;
 using postprocess::StressSet;
 
 std::string patch_name(const StoredModel& model) {
-  return fmt::format("{},{},{}", model.place->left ? "left" : "right", model.place->position,
-                     model.place->patch);
+  return model.place->key(',');
 }
 
 template <class Range, class Name>
@@ -102,12 +101,6 @@ std::size_t with_creepage(const ModelResult& model, double creepage) {
       creepage, model.key(), listed(model.points, [](const PointResult& point) {
         return fmt::format("{:g}", point.creepage.longitudinal);
       })));
-}
-
-/// The requested models of the requested patch. Defaults: the models with stress, the first patch.
-std::vector<StoredModel> chosen_models(const ResultsFile& file, const StressRequest& request,
-                                       const contact::ModelRegistry& models) {
-  return models_by_name(models_of_patch(file, request.patch), request, models);
 }
 
 /// Numbers of the requested load points without duplicates; default: the last.
@@ -272,7 +265,8 @@ postprocess::StressReport stored_stress(const StressRequest& request,
   report.title = file.input().title;
   report.point_named = !request.points.empty() || !request.creepages.empty();
   std::vector<std::string> left_out;
-  for (const StoredModel& stored : chosen_models(file, request, models)) {
+  for (const StoredModel& stored :
+       models_by_name(models_of_patch(file, request.patch), request, models)) {
     const ModelResult whole = file.read(stored);
     for (const std::size_t point : chosen_points(whole, request)) {
       try {

@@ -115,15 +115,11 @@ StressSet set_in(const BodySampler& body, const NamedRequest& named, double semi
     place[2] += height;
   }
   for (const auto& place : places) {
-    try {
-      const postprocess::BodySample sample = body.at(place);
-      set.field.points.push_back(sample.place);
-      set.field.displacement.push_back(sample.displacement);
-      set.field.stress.push_back(sample.stress);
-      set.moved = std::max(set.moved, sample.moved);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", named.call, error.what()));
-    }
+    const auto sample = contact::at_place(named.call + ": ", [&] { return body.at(place); });
+    set.field.points.push_back(sample.place);
+    set.field.displacement.push_back(sample.displacement);
+    set.field.stress.push_back(sample.stress);
+    set.moved = std::max(set.moved, sample.moved);
   }
   return set;
 }
@@ -139,9 +135,7 @@ bool is_rigid(const ModelResult& model, const std::string& body) {
 contact::Scene scene_of(const contact::Case& input, const ModelResult& model) {
   if (!model.place) return input;
   for (const contact::Scene& scene : scenes_of(input, placed_wheels(input)).list)
-    if (scene.place && scene.place->left == model.place->left &&
-        scene.place->position == model.place->position && scene.place->patch == model.place->patch)
-      return scene;
+    if (scene.place && scene.place->same_patch(*model.place)) return scene;
   throw InputError(fmt::format(
       "{}: patch {} of the result is no longer found in its case; do: run the case again",
       input.file, model.place->label()));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "models/study/study_series.hpp"
-
 #include "contact/base/errors.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "models/solving/expected_choice.hpp"
+#include "models/study/study.hpp"
 #include "theories/registry.hpp"
 
 #include <fmt/format.h>
@@ -131,7 +130,8 @@ std::string record_name(const std::string& place, const StudySeries& series,
 
 /// The level as stored by an earlier call, otherwise solved. Collective for a parallel model.
 StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
-                    const StudySeries& series, const std::string& place, const StudyRun& work) {
+                    const StudySeries& series, const std::string& place,
+                    const std::vector<std::string>& notes, const StudyRun& work) {
   StudyLevel level;
   level.label = wanted.label;
   level.parameter = wanted.parameter;
@@ -155,11 +155,10 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
     event.stage = wanted.label + ": " + event.stage;
     contact::report(work.how.progress, event);
   };
-  const contact::ModelResult result = solve_scene(plan.series.model, wanted.input, work.notes, how);
-  const auto total = result.seconds.find("total");
+  const contact::ModelResult result = solve_scene(plan.series.model, wanted.input, notes, how);
   level.unknowns = result.unknowns;
   level.contact_elements = result.contact_elements;
-  level.seconds = points.seconds_before() + (total == result.seconds.end() ? 0.0 : total->second);
+  level.seconds = points.seconds_before() + result.total_seconds();
   level.values = values_of(result, wanted.input.has_profiles());
   level.bars = bars_of(result, wanted.input.has_profiles());
   for (const contact::PointResult& point : result.points)
@@ -176,7 +175,8 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
 
 /// If a level is too coarse to be meshed or solved, the series begins with a finer one. After a
 /// solved level a failure ends the series, because limits need consecutive levels.
-StudySeries run_series(const LevelPlan& plan, const std::string& place, const StudyRun& work) {
+StudySeries run_series(const LevelPlan& plan, const std::string& place,
+                       const std::vector<std::string>& notes, const StudyRun& work) {
   StudySeries series = plan.series;
   const contact::ModelInfo& model = work.how.models->at(series.model);
   series.measures_others = model.name == work.how.models->reference().name;
@@ -185,21 +185,17 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place, const St
   for (std::size_t k = 0; k < plan.levels.size(); ++k) {
     if (!work.how.share.holds(k)) continue;
     const contact::RefinedInput& wanted = plan.levels[k];
-    const auto failed = [&](const std::exception& error, std::string& list) {
+    try {
+      series.levels.push_back(level_of(plan, wanted, series, place, notes, work));
+      continue;
+    } catch (const contact::Failure& error) {
       if (!work.how.together) throw;  // the others may be inside a collective call
       work.say(fmt::format("{} {}: no result: {}", plan.series.model, wanted.label, error.what()));
+      const bool too_coarse =
+          series.levels.empty() && error.cause() != contact::Failure::Cause::solution;
+      std::string& list = too_coarse ? series.left_out : series.failure;
       if (list.find(error.what()) == std::string::npos)
         list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", wanted.label, error.what());
-    };
-    try {
-      series.levels.push_back(level_of(plan, wanted, series, place, work));
-      continue;
-    } catch (const contact::UnfitGrid& error) {
-      failed(error, series.levels.empty() ? series.left_out : series.failure);
-    } catch (const contact::SolveError& error) {
-      failed(error, series.failure);
-    } catch (const InputError& error) {
-      failed(error, series.levels.empty() ? series.left_out : series.failure);
     }
     if (!series.levels.empty() && work.how.share.whole()) break;
   }
@@ -226,16 +222,16 @@ std::vector<StudyPlace> places_of(const Scenes& scenes) {
 /// All series of a place. A theory that does not accept it throws when it runs; "all" then leaves
 /// it out.
 void run_place(const StudyWishes& wishes, const std::vector<std::string>& models,
-               const contact::Scene& scene, StudyPlace& place, StudyRun work) {
+               const contact::Scene& scene, const std::vector<std::string>& notes,
+               StudyPlace& place, StudyRun work) {
   const std::string name = place_name(place);
   const auto say = work.say;
   work.say = [&](const std::string& text) { say(name.empty() ? text : name + ": " + text); };
-  const bool all = !wishes.models.empty() && wishes.models.front() == "all";
   for (const std::string& model : models)
     for (const LevelPlan& plan : level_plans(scene, work.how.models->at(model), wishes.vary,
                                              wishes.together, wishes.levels)) {
-      StudySeries series = run_series(plan, place_key(place), work);
-      if (series.levels.empty() && all)
+      StudySeries series = run_series(plan, place_key(place), notes, work);
+      if (series.levels.empty() && wishes.all())
         work.say(fmt::format("{} is left out: {}", model, series.failure));
       else
         place.series.push_back(std::move(series));
@@ -244,47 +240,46 @@ void run_place(const StudyWishes& wishes, const std::vector<std::string>& models
 
 }  // namespace
 
-postprocess::StudyRecord begin_study(const StudyWishes& wishes, const contact::Case& input,
-                                     const Scenes& scenes, postprocess::Provenance provenance) {
-  postprocess::StudyRecord record;
-  record.title = input.title;
-  record.case_file = input.file;
-  record.case_text = input.text;
-  record.friction = input.friction_coefficient;
-  record.provenance = std::move(provenance);
-  record.places = places_of(scenes);
+Study::Study(StudyWishes wishes, const contact::Case& input, const contact::ModelRegistry& known,
+             postprocess::Provenance provenance, const contact::Progress& progress)
+    : wishes_(std::move(wishes)),
+      scenes_(scenes_of(input, placed_wheels(input), progress)),
+      models_(models_of(wishes_, scenes_, known)) {
+  record_.title = input.title;
+  record_.case_file = input.file;
+  record_.case_text = input.text;
+  record_.friction = input.friction_coefficient;
+  record_.provenance = std::move(provenance);
+  record_.places = places_of(scenes_);
   if (input.has_profiles()) {
-    record.notes = scenes.notes;
-    record.notes.emplace_back(
+    record_.notes = scenes_.notes;
+    record_.notes.emplace_back(
         "the balance of the wheelset is found once: all levels of a patch have the same normal "
         "force and creepages, so that only the discretisation differs");
   }
-  read_references(wishes, record);
-  return record;
+  read_references(wishes_, record_);
 }
 
-void solve_levels(const StudyWishes& wishes, const std::vector<std::string>& models,
-                  const Scenes& scenes, const StudyRun& run, postprocess::StudyRecord& record) {
-  for (std::size_t k = 0; k < scenes.list.size(); ++k)
-    run_place(wishes, models, scenes.list[k], record.places[k], run);
+void Study::solve(const StudyRun& run) {
+  for (std::size_t k = 0; k < scenes_.list.size(); ++k)
+    run_place(wishes_, models_, scenes_.list[k], scenes_.notes, record_.places[k], run);
 }
 
-std::string finish_study(const Scenes& scenes, const Solving& how,
-                         postprocess::StudyRecord& record) {
+std::string Study::finish(const Solving& how) {
   std::string failures;
   bool any = false;
   std::vector<StudyPlace> places;
-  for (std::size_t k = 0; k < record.places.size(); ++k) {
-    StudyPlace& place = record.places[k];
+  for (std::size_t k = 0; k < record_.places.size(); ++k) {
+    StudyPlace& place = record_.places[k];
     for (const StudySeries& series : place.series) {
       any = any || !series.levels.empty();
       if (!series.failure.empty()) failures += (failures.empty() ? "" : "; ") + series.failure;
     }
     if (place.series.empty()) continue;  // all models were left out: the place has no results
-    add_choice(scenes.list[k], how, record.friction, place);
+    add_choice(scenes_.list[k], how, record_.friction, place);
     places.push_back(std::move(place));
   }
-  record.places = std::move(places);
+  record_.places = std::move(places);
   if (!any) throw contact::SolveError(failures);
   return failures;
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "models/study/study_wishes.hpp"
-
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
+#include "models/study/study.hpp"
 
 #include <fmt/format.h>
 
@@ -34,10 +33,6 @@ void check_domain(const contact::Case& input) {
                     "vary one of these, or compare runs with other [fem] length, depth and "
                     "rim_thickness, or other meshes",
                     input.file, why));
-}
-
-bool asks_for_all(const StudyWishes& wishes) {
-  return wishes.models == std::vector<std::string>{"all"};
 }
 
 /// One of the models of the study must have it.
@@ -169,7 +164,7 @@ void check_wishes(const StudyWishes& wishes, const contact::Case& input,
 std::vector<std::string> named_models(const StudyWishes& wishes,
                                       const contact::ModelRegistry& known) {
   if (wishes.models.empty()) return {known.reference().name};
-  if (!asks_for_all(wishes)) return wishes.models;
+  if (!wishes.all()) return wishes.models;
   std::vector<std::string> all;
   for (const contact::ModelInfo& model : known.all())
     if (model.built && !model.chooses) all.push_back(model.name);
@@ -183,7 +178,7 @@ std::vector<std::string> models_of(const StudyWishes& wishes, const Scenes& scen
       for (const contact::Scene& scene : scenes.list) known.check(scene, name);
       able.push_back(name);
     } catch (const InputError&) {  // "all" means all that can
-      if (!asks_for_all(wishes)) throw;
+      if (!wishes.all()) throw;
     }
   return able;
 }

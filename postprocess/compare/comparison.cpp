@@ -66,11 +66,6 @@ std::optional<double> error_of(const PointResult& point, const Quantity& quantit
   return found->second / std::abs(point.normal_force);
 }
 
-bool has_friction(const ModelResult& model) {
-  return std::any_of(model.points.begin(), model.points.end(),
-                     [](const PointResult& point) { return point.max_traction > 0.0; });
-}
-
 /// Whether one of the models has a lateral force worth comparing.
 bool has_lateral(const std::vector<const ModelResult*>& models) {
   for (const ModelResult* model : models)
@@ -80,12 +75,7 @@ bool has_lateral(const std::vector<const ModelResult*>& models) {
 }
 
 std::string patch_label(const ModelResult& model) {
-  if (!model.place) return {};
-  std::string text = fmt::format("{} wheel, position {}", model.place->left ? "left" : "right",
-                                 model.place->position);
-  if (model.place->patches > 1)
-    text += fmt::format(", patch {} of {}", model.place->patch, model.place->patches);
-  return text;
+  return model.place ? model.place->label(" wheel") : "";
 }
 
 /// The reference model; null if there are no models.
@@ -173,7 +163,7 @@ void append_patch(std::vector<ComparedNumber>& numbers,
                   const std::vector<std::string>& references) {
   std::vector<const ModelResult*> with_friction;
   for (const ModelResult* model : models)
-    if (has_friction(*model)) with_friction.push_back(model);
+    if (model->has_friction()) with_friction.push_back(model);
   const ModelResult* base_patch = reference_among(models, references);
   const ModelResult* base_friction = reference_among(with_friction, references);
   const bool lateral = has_lateral(with_friction);
@@ -183,7 +173,7 @@ void append_patch(std::vector<ComparedNumber>& numbers,
       for (const Quantity& quantity : quantities) {
         const bool of_friction = quantity.of_friction() || is_motion(quantity);
         if (of_friction && !is_result(model->points[k], quantity)) continue;
-        if (of_friction && !has_friction(*model)) continue;
+        if (of_friction && !model->has_friction()) continue;
         if (is_named(quantity, "lateral_coefficient") && !lateral) continue;
         ComparedNumber number = number_of(*model, k, quantity);
         if (!is_given(quantity, number.value)) continue;
@@ -288,12 +278,15 @@ std::vector<Standing> over_places(const std::vector<Standing>& standings) {
   return all;
 }
 
+ComparedCase compared_case(const std::string& name, const contact::Case& input) {
+  return {name, input.file, input.title, input.friction_coefficient, {}, {}};
+}
+
 CaseStandings case_standings(const ComparedCase& compared,
                              const std::vector<std::string>& references) {
   CaseStandings all{compared.name, standings(compared_numbers(compared, references)), {}};
   for (const ModelResult& model : compared.models) {
-    const auto total = model.seconds.find("total");
-    const double seconds = total == model.seconds.end() ? 0.0 : total->second;
+    const double seconds = model.total_seconds();
     const auto found = std::find_if(all.seconds.begin(), all.seconds.end(),
                                     [&](const auto& entry) { return entry.first == model.name; });
     if (found == all.seconds.end())

@@ -21,6 +21,9 @@ struct ComparedCase {
   std::vector<MissingModel> missing;
 };
 
+/// A case without results yet.
+ComparedCase compared_case(const std::string& name, const contact::Case& input);
+
 /// Results without the values of elements and nodes, which no comparison needs.
 std::vector<contact::ModelResult> scalars_of(std::vector<contact::ModelResult> models);
 
@@ -101,6 +104,10 @@ std::string comparison_table(const CaseStandings& one);
 /// One line: which models agree with the reference within the error bars in every case, and by how
 /// much the others exceed them. Empty if nothing was compared.
 std::string comparison_verdict(const std::vector<CaseStandings>& cases);
+
+/// What the program prints: the table of every case with the models that are missing, and the
+/// verdict.
+std::string comparison_text(const ComparisonRecord& record);
 
 /// Text of compare.json: cases, models and their standings; layout in docs/commands.md.
 std::string comparison_json(const ComparisonRecord& record);

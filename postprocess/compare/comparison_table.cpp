@@ -115,6 +115,23 @@ std::string comparison_table(const CaseStandings& one) {
   return text;
 }
 
+std::string comparison_text(const ComparisonRecord& record) {
+  std::string text;
+  std::vector<CaseStandings> all;
+  for (const ComparedCase& compared : record.cases) {
+    all.push_back(case_standings(compared, record.references));
+    text += fmt::format("{}: {}\n{}", compared.name, compared.title, comparison_table(all.back()));
+    for (const MissingModel& missing : compared.missing)
+      text += fmt::format("  {}: {}: {}\n", missing.model, missing.failed ? "failed" : "left out",
+                          missing.reason);
+    text += '\n';
+  }
+  const std::string verdict = comparison_verdict(all);
+  if (verdict.empty()) return text;
+  return text + "largest difference at any load point; *: some are beyond the error bars\n" +
+         verdict + '\n';
+}
+
 std::string comparison_verdict(const std::vector<CaseStandings>& cases) {
   std::vector<std::string> models;
   for (const CaseStandings& one : cases)

@@ -126,6 +126,12 @@ void FilesTogether::commit() {
   made_.keep();
 }
 
+void write_together(const fs::path& folder, const std::map<std::string, std::string>& contents) {
+  FilesTogether files(folder);
+  for (const auto& [name, content] : contents) files.write(name, content);
+  files.commit();
+}
+
 void replace_file(const fs::path& path, std::string_view content) {
   FilesTogether files(path.parent_path());
   files.write(path.filename().string(), content);

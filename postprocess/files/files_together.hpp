@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -49,6 +50,9 @@ class FilesTogether {
   std::vector<std::string> names_;  ///< written, not yet renamed
 };
 
+/// Writes files in this way; contents by name.
+void write_together(const std::filesystem::path& folder,
+                    const std::map<std::string, std::string>& contents);
 /// Replaces a single file in this way.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 

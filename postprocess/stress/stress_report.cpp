@@ -55,12 +55,6 @@ std::vector<StressMaximum> largest(const StressSet& set) {
   return largest_stresses(body_of(set), set.field.points, set.field.stress);
 }
 
-Json place_json(const contact::ContactPlace& place) {
-  return {{"wheel", place.left ? "left" : "right"},
-          {"position", place.position},
-          {"patch", place.patch}};
-}
-
 Json maxima_json(const std::vector<StressMaximum>& maxima, const PointResult& point,
                  bool with_body) {
   Json list = Json::array();

@@ -48,16 +48,11 @@ const char* percent_of(const std::string& key) {
 }
 
 std::string place_name(const StudyPlace& place) {
-  if (!place.place) return {};
-  const std::string label = place.place->label();  // "left, position 1"
-  return label.substr(0, label.find(',')) + " wheel" +
-         (label.find(',') == std::string::npos ? "" : label.substr(label.find(',')));
+  return place.place ? place.place->label(" wheel") : "";
 }
 
 std::string place_key(const StudyPlace& place) {
-  if (!place.place) return {};
-  return fmt::format("{}_{}_{}", place.place->left ? "left" : "right", place.place->position,
-                     place.place->patch);
+  return place.place ? place.place->key() : "";
 }
 
 std::size_t reference_series(const StudyPlace& place) {

@@ -58,9 +58,7 @@ std::string place_head(const RunRecord& run) {
 }
 
 std::string place_cells(const ModelResult& model) {
-  if (!model.place) return "";
-  return fmt::format("{},{},{},", model.place->left ? "left" : "right", model.place->position,
-                     model.place->patch);
+  return model.place ? model.place->key(',') + ',' : "";
 }
 
 /// Mean over the middle rows or columns at position k along the path.
@@ -206,7 +204,7 @@ std::string contacts_csv(const RunRecord& run) {
   text += '\n';
   for (const ModelResult& model : run.models) {
     if (!model.place) continue;
-    std::string place = model.place->left ? "left" : "right";
+    std::string place = model.place->side();
     for (const PlaceScalar& scalar : place_scalars())
       place += fmt::format(",{}", scalar.value(*model.place));
     for (std::size_t k = 0; k < model.points.size(); ++k) {

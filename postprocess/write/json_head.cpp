@@ -30,6 +30,10 @@ ordered_json headings_json(const std::vector<contact::Quantity>& quantities) {
   return json;
 }
 
+ordered_json place_json(const contact::ContactPlace& place) {
+  return {{"wheel", place.side()}, {"position", place.position}, {"patch", place.patch}};
+}
+
 std::string json_text(const ordered_json& json, int indent) {
   return sealed_json(json.dump(indent, ' ', false, ordered_json::error_handler_t::replace));
 }

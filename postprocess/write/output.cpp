@@ -4,7 +4,6 @@
 #include "contact/case/case_reader.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/csv.hpp"
-#include "postprocess/write/record_check.hpp"
 #include "postprocess/write/vtu.hpp"
 
 #include <fmt/core.h>

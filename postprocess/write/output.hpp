@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/result/result.hpp"
+#include "contact/result/rigid_wheelset.hpp"
 
 #include <array>
 #include <map>
@@ -33,18 +34,7 @@ struct PlacedPair {
   std::vector<std::array<double, 2>> wheel;
 };
 
-/// A laterally shifted wheelset whose rigid wheels touch their rails.
-struct RigidWheelset {
-  double lateral_shift = 0.0;                      ///< mm, to the right
-  double roll = 0.0;                               ///< rad
-  double radius_left = 0.0, radius_right = 0.0;    ///< mm, rolling radii
-  double angle_left = 0.0, angle_right = 0.0;      ///< rad, contact angles
-  double y_wheel_left = 0.0, y_wheel_right = 0.0;  ///< mm, of the wheel's profile
-  /// Equivalent conicity at the amplitude of the shift (track/motion/wheelset_motion.hpp), and
-  /// wavelength in mm.
-  std::optional<double> conicity_harmonic = {}, conicity_wave = {}, wave_length = {};
-  double radius_difference() const { return radius_right - radius_left; }  ///< mm
-};
+using contact::RigidWheelset;
 
 /// A model without a result for a case, and why.
 struct MissingModel {
@@ -95,5 +85,12 @@ void write_results(const std::string& directory, const RunRecord& run);
 /// ROLLFEM_PYTHON, else from the virtual environment that holds the package, else /usr/bin/python3,
 /// else python3 on PATH; it imports no module from the current folder.
 std::string make_report(const std::string& path, const std::string& script_directory);
+
+// Checks that every writer relies on: sizes that fit the grid, names usable as paths, no NaN.
+
+/// Throws std::logic_error naming the field if the record holds a number that is not finite, a
+/// field that does not fit its grid, or a model name that is empty, repeated or not a file name.
+/// Such a result is a defect of its model and must not reach a file.
+void check_record(const RunRecord& run);
 
 }  // namespace rollfem::postprocess

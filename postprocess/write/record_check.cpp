@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "postprocess/write/record_check.hpp"
-
 #include "contact/result/quantities.hpp"
+#include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
 
 #include <fmt/core.h>

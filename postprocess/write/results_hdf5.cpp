@@ -293,7 +293,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
 void write_place(hid_t model, const contact::ContactPlace& place) {
   const Handle group = create_group(
       model, "place", "Attributes: place of the patch on the track and on the profiles");
-  write_attribute(group, "wheel", std::string(place.left ? "left" : "right"));
+  write_attribute(group, "wheel", std::string(place.side()));
   for (const PlaceScalar& scalar : place_scalars())
     write_attribute(group, scalar.name, scalar.value(place));
 }
@@ -344,7 +344,7 @@ void write_pairs(hid_t file, const std::vector<PlacedPair>& pairs) {
   if (pairs.empty()) return;
   const Handle all = create_group(file, "profiles", "Wheel and rail in position on the track");
   for (const PlacedPair& pair : pairs) {
-    const std::string side = pair.left ? "left" : "right";
+    const std::string side = contact::side_word(pair.left);
     const Handle group = create_group(all, fmt::format("{}_{}", side, pair.position),
                                       "Sections at x = 0 of the track");
     write_attribute(group, "wheel", side);

@@ -71,7 +71,7 @@ ordered_json model_json(const contact::ModelResult& model) {
   json["name"] = model.name;
   if (!model.label.empty()) json["label"] = model.label;
   if (model.place) {
-    json["place"] = {{"wheel", model.place->left ? "left" : "right"}};
+    json["place"] = {{"wheel", model.place->side()}};
     for (const PlaceScalar& scalar : place_scalars())
       json["place"][scalar.name] = scalar.value(*model.place);
   }

@@ -28,7 +28,7 @@ std::string column_of(const WheelAt& wheel, int width, int digits, const Value& 
   return column(wheel.main ? std::optional<double>(value(wheel)) : std::nullopt, width, digits);
 }
 
-std::string rigid_columns(const std::optional<RigidWheelset>& rigid) {
+std::string rigid_text(const std::optional<RigidWheelset>& rigid) {
   const auto of = [&](const std::optional<double> RigidWheelset::*member) {
     return rigid ? (*rigid).*member : std::nullopt;
   };
@@ -121,7 +121,7 @@ std::string wheelset_table(const RunRecord& run, const std::string& model) {
     const int position = static_cast<int>(p) + 1;
     const WheelAt left = wheel_at(run, model, true, position, 0);
     const WheelAt right = wheel_at(run, model, false, position, 0);
-    const std::string rigid = rigid_columns(run.wheelset[p]);
+    const std::string rigid = rigid_text(run.wheelset[p]);
     text += fmt::format("{:>4}{:>10.4g}{}{}{}", position, run.input.wheelset.lateral_shift[p],
                         rigid.substr(0, 10), column(loaded_radius_difference(left, right), 10, 4),
                         rigid.substr(10));
@@ -157,15 +157,44 @@ std::string wheelset_csv(const RunRecord& run) {
   return text;
 }
 
+namespace {
+
+template <auto Member>
+std::optional<double> member_of(const RigidWheelset& wheelset) {
+  return wheelset.*Member;
+}
+
+}  // namespace
+
+const std::vector<RigidColumn>& rigid_columns() {
+  using W = RigidWheelset;
+  static const std::vector<RigidColumn> columns{
+      {"lateral_shift", "mm", member_of<&W::lateral_shift>},
+      {"roll", "rad", member_of<&W::roll>},
+      {"radius_left", "mm", member_of<&W::radius_left>},
+      {"radius_right", "mm", member_of<&W::radius_right>},
+      {"radius_difference", "mm",
+       [](const W& wheelset) { return std::optional(wheelset.radius_difference()); }},
+      {"angle_left", "rad", member_of<&W::angle_left>},
+      {"angle_right", "rad", member_of<&W::angle_right>},
+      {"y_wheel_left", "mm", member_of<&W::y_wheel_left>},
+      {"y_wheel_right", "mm", member_of<&W::y_wheel_right>},
+      {"conicity_harmonic", "-", member_of<&W::conicity_harmonic>},
+      {"conicity_wave", "-", member_of<&W::conicity_wave>},
+      {"wave_length", "mm", member_of<&W::wave_length>}};
+  return columns;
+}
+
 std::string rigid_wheelset_csv(const std::vector<RigidWheelset>& rows) {
-  std::string text =
-      "lateral_shift [mm],roll [rad],radius_left [mm],radius_right [mm],radius_difference "
-      "[mm],angle_left [rad],angle_right [rad],y_wheel_left [mm],y_wheel_right "
-      "[mm],conicity_harmonic [-],conicity_wave [-],wave_length [mm]\n";
+  std::string text;
+  const auto line = [&](const auto& cell) {
+    for (const RigidColumn& column : rigid_columns())
+      text += (&column == &rigid_columns().front() ? "" : ",") + cell(column);
+    text += '\n';
+  };
+  line([](const RigidColumn& column) { return fmt::format("{} [{}]", column.name, column.unit); });
   for (const RigidWheelset& row : rows)
-    text += fmt::format("{},{},{},{},{},{},{},{},{}{}\n", row.lateral_shift, row.roll,
-                        row.radius_left, row.radius_right, row.radius_difference(), row.angle_left,
-                        row.angle_right, row.y_wheel_left, row.y_wheel_right, conicity_cells(row));
+    line([&](const RigidColumn& column) { return csv_cell(column.value(row)); });
   return text;
 }
 

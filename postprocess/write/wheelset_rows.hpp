@@ -33,6 +33,14 @@ WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int 
 /// Rolling radius of the right wheel minus that of the left one at the most loaded patches, mm.
 std::optional<double> loaded_radius_difference(const WheelAt& left, const WheelAt& right);
 
+/// A column of a table of rigid wheelsets, written by `rollfem wheelset` and by a run beside its
+/// wheelset.csv.
+struct RigidColumn {
+  const char *name, *unit;
+  std::optional<double> (*value)(const RigidWheelset&);
+};
+const std::vector<RigidColumn>& rigid_columns();
+
 /// Names of the models, in the order of the results.
 std::vector<std::string> model_names(const RunRecord& run);
 

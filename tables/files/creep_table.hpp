@@ -54,7 +54,7 @@ struct TablePlace {
 };
 
 /// A point at which the interpolation error was computed.
-struct CheckedPoint {
+struct InterpolatedPoint {
   TablePlace place;
   Scaled creepage{}, interpolated{}, solved{};
 };
@@ -117,7 +117,7 @@ struct CreepTable {
   std::vector<std::array<double, 2>> bars;  ///< error bars of the force vector and the moment
   std::vector<int> elements_across;         ///< on the finest grid
   InterpolationError interpolation;
-  std::vector<CheckedPoint> checked;
+  std::vector<InterpolatedPoint> checked;
 
   bool over_shifts() const { return !lateral_shift.empty(); }
   const std::vector<double>& first_axis() const {

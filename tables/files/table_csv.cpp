@@ -57,7 +57,7 @@ std::string table_csv(const CreepTable& table) {
 std::string interpolation_csv(const CreepTable& table) {
   std::string text =
       first_columns(table) + creepage_columns + "force_error [mu F_n],moment_error [mu F_n c]\n";
-  for (const CheckedPoint& point : table.checked) {
+  for (const InterpolatedPoint& point : table.checked) {
     const auto& [x, y, z] = point.creepage;
     const Scaled& found = point.interpolated;
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{:.7g},{:.7g},{:.7g},{:.3g},{:.3g}\n",

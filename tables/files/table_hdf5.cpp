@@ -126,7 +126,7 @@ void write_interpolation(hid_t file, const CreepTable& table) {
     write_attribute(group, name, error.*member);
   if (table.checked.empty()) return;
   std::vector<std::array<double, 12>> rows;
-  for (const CheckedPoint& p : table.checked)
+  for (const InterpolatedPoint& p : table.checked)
     rows.push_back({p.place.first, p.creepage[0], p.creepage[1], p.creepage[2], p.interpolated[0],
                     p.interpolated[1], p.interpolated[2], p.solved[0], p.solved[1], p.solved[2],
                     p.place.load, p.place.speed});

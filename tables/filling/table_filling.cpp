@@ -189,7 +189,7 @@ struct Check {
   /// The only axis between whose nodes the point is (InterpolationError::by_axis); 0: any.
   std::size_t axis = 0;
   std::size_t node = 0;  ///< of the axes other than the creepages; unused where `axis` is of them
-  CheckedPoint point;
+  InterpolatedPoint point;
   bool of_creepage() const { return axis > 0 && axis < of_load; }
 };
 
@@ -286,7 +286,7 @@ void solve_checks(const CreepTableReader& reader, const TableSource& source, con
   };
   parts.done = [&](const TablePart& part, const std::vector<TablePoint>& solved) {
     for (std::size_t k = part.begin; k < part.end; ++k) {
-      CheckedPoint& point = checks[k].point;
+      InterpolatedPoint& point = checks[k].point;
       point.solved = solved[k - part.begin].forces;
       point.interpolated = reader.at(point.place, point.creepage).forces;
     }

@@ -33,19 +33,9 @@ TableWheel wheel_of(const track::PressedState& state) {
   return wheel;
 }
 
-/// Adds the shift to a failure message.
-template <class Work>
-auto at_shift(double shift, const Work& work) {
-  const auto where = [&](const std::exception& error) {
-    return fmt::format("at a lateral shift of {:g} mm: {}", shift, error.what());
-  };
-  try {
-    return work();
-  } catch (const contact::SolveError& error) {
-    throw contact::SolveError(where(error));
-  } catch (const contact::InputError& error) {
-    throw contact::InputError(where(error));
-  }
+/// For failures.
+std::string shifted_by(double shift) {
+  return fmt::format("at a lateral shift of {:g} mm: ", shift);
 }
 
 /// Factors of scaled creepages and forces.
@@ -91,15 +81,16 @@ class WheelSource : public TableSource {
     const std::size_t speeds = std::max<std::size_t>(speeds_.size(), 1), layer = node / shifts_;
     const std::size_t wheel = layer / speeds * shifts_ + node % shifts_;
     const double speed = speeds_.empty() ? 0.0 : speeds_[layer % speeds];
-    return at_shift(wheels_[wheel].state().place.lateral_shift,
-                    [&] { return solve(wheels_[wheel], units_[wheel], speed, creepages); });
+    return contact::at_place(shifted_by(wheels_[wheel].state().place.lateral_shift), [&] {
+      return solve(wheels_[wheel], units_[wheel], speed, creepages);
+    });
   }
 
   std::vector<TablePoint> between(const CreepTableReader& reader, const TablePlace& place,
                                   const std::vector<Scaled>& creepages) const override {
     const Units units = units_of(reader.wheel_at(place), reader.scale_at(place));
-    return at_shift(place.first,
-                    [&] { return solve(pressed(place), units, place.speed, creepages); });
+    return contact::at_place(shifted_by(place.first),
+                             [&] { return solve(pressed(place), units, place.speed, creepages); });
   }
 
  private:
@@ -108,7 +99,7 @@ class WheelSource : public TableSource {
     here.wheelset.lateral_shift.assign(1, place.first);
     if (place.load > 0.0)
       (here.load.vertical_force ? here.load.vertical_force : here.load.normal_force) = place.load;
-    return at_shift(place.first, [&] { return PressedWheel(here, search_); });
+    return contact::at_place(shifted_by(place.first), [&] { return PressedWheel(here, search_); });
   }
 
   Units units_of(const TableWheel& wheel, const Scaled& scale) const {

@@ -52,6 +52,22 @@ TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
   EXPECT_TRUE(folder.made().empty());
 }
 
+TEST(ToyModel, ConstantOfALawIsAKeyOfThatLaw) {
+  const Folder folder;
+  const auto check = [&](const std::string& law, const std::string& number) {
+    const std::string keys = "coefficient = 0.4\nlaw = \"" + law +
+                             "\"\nkinetic_coefficient = 0.2\nhalf_velocity = 500.0\n" + number;
+    const std::string text = with("coefficient = 0.55", keys) + "[rolling]\nspeed = 10e3\n";
+    return toy(folder, {"check", folder.file("law.toml", text)});
+  };
+  EXPECT_TRUE(says(checked(check("power", "power_of_slip = 2.0")).out, "power_of_slip"));
+  checked(check("power", ""));
+  expect_refused(check("power", "power_of_slip = 0.5"), "friction.power_of_slip = 0.5");
+  expect_refused(check("linear", "power_of_slip = 2.0"),
+                 "is of the law power, but friction.law is linear; allowed: with law = \"power\"");
+  EXPECT_TRUE(says(toy(folder, {"docs", "case-file"}).out, "1 with the law `power`"));
+}
+
 TEST(ToyModel, RunsBesideTheOthersWithItsReport) {
   const Folder folder;
   const Outcome outcome = checked(toy(

@@ -6,23 +6,18 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/worn_pairs.hpp"
-#include <cmath>
-
-namespace rollfem {
-namespace {
 
 TEST(BarCoverage, HoldsForEveryQuantity) {
   constexpr unsigned seed = 11, scenes = 75;
-  testing::RandomScenes random(seed);
-  testing::BarSamples samples;
+  RandomScenes random(seed);
+  BarSamples samples;
   for (unsigned number = 0; number < scenes; ++number) {
-    const testing::RandomScene scene = random.scene(number);
+    const RandomScene scene = random.scene(number);
     const int across = random.choose({12, 16, 16});
-    testing::add_scene(scene, across, number % 20 == 0, samples);
+    add_scene(scene, across, number % 20 == 0, samples);
   }
   // With a rate of 0.95, the count falls below this limit once in a thousand times at 3.1
   // deviations; the margin is larger because load points of a scene are not independent.
@@ -35,7 +30,7 @@ TEST(BarCoverage, HoldsForEveryQuantity) {
         "semi_axis_y", "contact_length", "contact_width", "contact_area", "adhesion_area",
         "elastic_energy", "frictional_work", "creepage_work"}) {
     ASSERT_GE(samples[name].size(), 40u) << name;
-    const testing::BarRow row(samples[name]);
+    const BarRow row(samples[name]);
     EXPECT_GE(row.covered, least(row.count)) << name << ", " << row.count << " numbers";
     // Bars must not hold by being uselessly large; the aim is 5.
     EXPECT_LE(row.bar_over_error, 13.0) << name;
@@ -48,26 +43,26 @@ TEST(BarCoverage, HoldsForEveryQuantity) {
 /// thousand times.
 TEST(BarCoverage, HoldsWithFallingFriction) {
   constexpr unsigned seed = 19, scenes = 40;
-  testing::RandomScenes random(seed);
-  testing::BarSamples samples;
+  RandomScenes random(seed);
+  BarSamples samples;
   int without_state = 0;
   for (unsigned number = 0; number < scenes; ++number) {
-    testing::RandomScene scene = random.scene(number);
+    RandomScene scene = random.scene(number);
     random.let_fall(scene);
     try {
-      testing::add_scene(scene, 12, false, samples);
+      add_scene(scene, 12, false, samples);
     } catch (const contact::SolveError&) {
       ++without_state;  // as steep laws may be on the finer grid
     }
   }
   EXPECT_LE(without_state, 2);
-  std::vector<testing::BarSample> all;
+  std::vector<BarSample> all;
   for (const char* name :
        {"longitudinal_force", "lateral_force", "spin_moment", "traction_coefficient",
         "max_traction", "adhesion_area", "frictional_work", "creepage_work"})
     all.insert(all.end(), samples[name].begin(), samples[name].end());
   ASSERT_GE(all.size(), 200u);
-  const testing::BarRow row(all);
+  const BarRow row(all);
   EXPECT_GE(row.covered, 0.92) << row.count;
   EXPECT_LE(row.bar_over_error, 13.0);
 }
@@ -77,14 +72,14 @@ TEST(BarCoverage, HoldsWithFallingFriction) {
 /// the largest pressures (docs/counts.md).
 TEST(BarCoverage, HoldsOnWornProfiles) {
   constexpr unsigned seed = 12, pairs = 24;
-  testing::BarSamples samples;
-  testing::WornPairs worn(seed);
+  BarSamples samples;
+  WornPairs worn(seed);
   for (unsigned number = 0; number < pairs; ++number)
-    testing::add_on_cells(worn.scene(number), 0.4, samples);
+    add_on_cells(worn.scene(number), 0.4, samples);
   for (const char* name : {"max_pressure", "contact_area", "approach", "contact_length",
                            "contact_width", "longitudinal_force", "lateral_force", "spin_moment"}) {
     ASSERT_GE(samples[name].size(), 20u) << name;
-    const testing::BarRow row(samples[name]);
+    const BarRow row(samples[name]);
     EXPECT_GE(row.covered, 20.0 / pairs) << name << ", " << row.count << " numbers";
     EXPECT_LE(row.bar_over_error, 10.0) << name;
   }
@@ -93,7 +88,7 @@ TEST(BarCoverage, HoldsOnWornProfiles) {
 /// Between unlike bodies pressure works as well, so that the works of friction and of the creepages
 /// never agree: that is no error of the grid.
 TEST(BarCoverage, OfUnlikeMaterialsFallsWithTheGrid) {
-  contact::Case input = testing::thesis_case('b');
+  contact::Case input = thesis_case('b');
   input.wheel.material.poisson_ratio = 0.2;
   input.rail.material.poisson_ratio = 0.4;
   input.rolling.creepages = {{2e-4, 0.0, 0.0}};
@@ -109,6 +104,3 @@ TEST(BarCoverage, OfUnlikeMaterialsFallsWithTheGrid) {
   EXPECT_LE(fine.error_estimate.at("traction_coefficient"), 0.3 * bar);
   EXPECT_GT(std::abs(*fine.frictional_work - *fine.creepage_work), 0.2 * *fine.creepage_work);
 }
-
-}  // namespace
-}  // namespace rollfem

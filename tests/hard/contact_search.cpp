@@ -5,15 +5,11 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
 using track::WheelRailContact;
 
 profiles::ProfileCurve cut(const profiles::ProfileCurve& curve, double first, double last) {
@@ -51,16 +47,15 @@ void expect_touching(const contact::Case& input, const track::SearchScene& scene
   EXPECT_NEAR(
       track::VerticalGap(scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head).smallest(),
       0.0, 1e-8);
-  const double brute =
-      rollfem::testing::brute_force_distance(scene, input.wheel.rolling_radius, axle);
+  const double brute = brute_force_distance(scene, input.wheel.rolling_radius, axle);
   EXPECT_GT(brute, -1e-7) << "shift " << input.wheelset.lateral_shift[0];
   EXPECT_LT(brute, 6e-5) << "shift " << input.wheelset.lateral_shift[0];
 }
 
 TEST(FlangeContact, OutlineOfAYawedWheelIsTheWheelItself) {
   for (const double shift : {-10.0, -7.0, -6.0, 3.0}) {
-    const contact::Case input = rollfem::testing::manchester_case(shift, shift * 2.4e-3);
-    const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
+    const contact::Case input = manchester_case(shift, shift * 2.4e-3);
+    const auto scene = track::make_search_scene(input, manchester_pair());
     expect_touching(input, scene, true);
   }
 }
@@ -70,8 +65,8 @@ TEST(FlangeContact, AngleRisesTowardsThatOfTheFlange) {
   // degrees. Every position has its contacts.
   double last = 0.0, largest = 0.0;
   for (double shift = -5.0; shift >= -10.0; shift -= 0.25) {
-    const contact::Case input = rollfem::testing::manchester_case(shift, 0.0);
-    const auto found = rollfem::testing::contacts_of(input);
+    const contact::Case input = manchester_case(shift, 0.0);
+    const auto found = contacts_of(input);
     ASSERT_GE(found.size(), 1u) << shift;
     const double angle = found[0].place.contact_angle;
     largest = std::max(largest, angle);
@@ -85,11 +80,11 @@ TEST(FlangeContact, AngleRisesTowardsThatOfTheFlange) {
 TEST(FlangeContact, PatchesWithDifferentNormalsStayApart) {
   // Tread and flange root touch together near 5 mm; their normals differ by 0.16 rad, and they are
   // 9 mm apart: one contact, unless less is taken for different.
-  contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
-  EXPECT_EQ(rollfem::testing::contacts_of(input).at(0).place.patches, 1);
+  contact::Case input = manchester_case(-5.0, -0.012);
+  EXPECT_EQ(contacts_of(input).at(0).place.patches, 1);
   track::SearchOptions options;
   options.merge_angle = 0.1;
-  const auto found = rollfem::testing::contacts_of(input, true, options);
+  const auto found = contacts_of(input, true, options);
   ASSERT_GE(found.size(), 2u);
   EXPECT_EQ(found[0].place.patches, 2);
   EXPECT_GT(std::abs(found[0].place.contact_angle - found[1].place.contact_angle), 0.1);
@@ -107,9 +102,9 @@ TEST(FlangeContact, PatchesWithDifferentNormalsStayApart) {
 
 TEST(GaugeCorner, ConformalContactIsOnePatchOverManyAngles) {
   // Rail radius 13 under the wheel's 13 to 15: at 6 mm the patch is wide for its load.
-  contact::Case input = rollfem::testing::manchester_case(-6.0, -0.0144);
+  contact::Case input = manchester_case(-6.0, -0.0144);
   input.load.vertical_force = 50e3;
-  const auto found = rollfem::testing::contacts_of(input);
+  const auto found = contacts_of(input);
   ASSERT_EQ(found[0].place.patches, 1);
   const auto& geometry = found[0].geometry;
   const double turned = std::atan(geometry.rail().at(found[0].reach[1]).slope) -
@@ -125,9 +120,8 @@ TEST(GaugeCorner, ConformalContactIsOnePatchOverManyAngles) {
 
 TEST(WornWheel, TouchesAtTheRimsOfItsHollow) {
   for (const double shift : {-3.0, 0.0, 2.0, 4.0}) {
-    const contact::Case input = rollfem::testing::manchester_case(shift, 0.0);
-    const auto scene =
-        track::make_search_scene(input, {worn_wheel(), rollfem::testing::manchester_pair().rail});
+    const contact::Case input = manchester_case(shift, 0.0);
+    const auto scene = track::make_search_scene(input, {worn_wheel(), manchester_pair().rail});
     expect_touching(input, scene, true);
     expect_touching(input, scene, false);
   }
@@ -136,40 +130,40 @@ TEST(WornWheel, TouchesAtTheRimsOfItsHollow) {
 template <class Error>
 void expect_refused(const contact::Case& input, const track::ProfilePair& pair, bool left,
                     const std::vector<std::string>& parts) {
-  const std::string text = rollfem::testing::refusal<Error>([&] {
+  const std::string text = refusal<Error>([&] {
     const auto scene = track::make_search_scene(input, pair);
     find_contacts(input, scene, find_pose(input, scene, 1), 1, left);
   });
-  EXPECT_TRUE(rollfem::testing::says(text, parts));
+  EXPECT_TRUE(says(text, parts));
   EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
 TEST(Refusal, WheelBesideItsRail) {
-  contact::Case input = rollfem::testing::manchester_case(120.0, 0.0);
+  contact::Case input = manchester_case(120.0, 0.0);
   input.wheelset.roll = {0.0};
   expect_refused<contact::SolveError>(
-      input, rollfem::testing::manchester_pair(), true,
+      input, manchester_pair(), true,
       {"lateral_shift = 120 (position 1), left wheel", "not above the rail", "do: check gauge"});
 }
 
 TEST(Refusal, WheelOnTheTipOfItsFlange) {
-  contact::Case input = rollfem::testing::manchester_case(40.0, 0.0);
+  contact::Case input = manchester_case(40.0, 0.0);
   input.wheelset.roll = {0.0};
-  expect_refused<contact::SolveError>(input, rollfem::testing::manchester_pair(), false,
+  expect_refused<contact::SolveError>(input, manchester_pair(), false,
                                       {"right wheel", "tip of its flange", "do: check gauge"});
 }
 
 TEST(Refusal, WheelsetThatFallsBetweenTheRails) {
-  contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
+  contact::Case input = manchester_case(0.0, 0.0);
   input.wheelset.roll = {0.0};
   input.wheelset.flange_back_distance = 1190.0;
-  expect_refused<contact::InputError>(input, rollfem::testing::manchester_pair(), true,
+  expect_refused<contact::InputError>(input, manchester_pair(), true,
                                       {"field-side end of the wheel profile", "do: "});
 }
 
 TEST(Refusal, RailProfileThatEndsBeforeTheContact) {
-  const auto pair = rollfem::testing::manchester_pair();
-  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0);
+  const auto pair = manchester_pair();
+  contact::Case input = manchester_case(2.0, 0.0);
   input.wheelset.roll = {0.0};
   expect_refused<contact::InputError>(
       input, {pair.wheel, cut(pair.rail, -100.0, 1.0)}, true,
@@ -177,8 +171,8 @@ TEST(Refusal, RailProfileThatEndsBeforeTheContact) {
 }
 
 TEST(Refusal, ProfileThatEndsWithinThePatch) {
-  const auto pair = rollfem::testing::manchester_pair();
-  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0);
+  const auto pair = manchester_pair();
+  contact::Case input = manchester_case(2.0, 0.0);
   input.wheelset.roll = {0.0};
   input.load.vertical_force = 100e3;
   expect_refused<contact::InputError>(
@@ -187,13 +181,11 @@ TEST(Refusal, ProfileThatEndsWithinThePatch) {
 }
 
 TEST(Refusal, BothWheelsMustFindTheirRails) {
-  contact::Case input = rollfem::testing::manchester_case(90.0, 0.0);
-  EXPECT_TRUE(rollfem::testing::says(
-      rollfem::testing::refusal<std::exception>([&] {
-        find_contacts(input, track::make_search_scene(input, rollfem::testing::manchester_pair()),
-                      1);
-      }),
-      "do: "));
+  contact::Case input = manchester_case(90.0, 0.0);
+  EXPECT_TRUE(says(refusal<std::exception>([&] {
+                     find_contacts(input, track::make_search_scene(input, manchester_pair()), 1);
+                   }),
+                   "do: "));
 }
 
 }  // namespace

@@ -7,21 +7,15 @@
 #include "postprocess/write/output.hpp"
 #include "tables/files/table_files.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/damage.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/shifted_table.hpp"
 #include "support/temporary_folder.hpp"
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <thread>
 
 namespace {
 
-using namespace rollfem;
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 TEST(DamagedResults, AreRefusedBeforeHdf5SeesThem) {

@@ -8,22 +8,10 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mpi_environment.hpp"
 #include "support/temporary_folder.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace {
-
-using namespace rollfem;
-using contact::Case;
-using contact::ElementState;
-using contact::PointResult;
 
 /// A wheel on a rail with transverse radius, mm; force in N: 50 N make a patch of 0.5 mm between
 /// radii of 400 mm, so that what the wheel's curvature adds to the slip is 1e-3 of mu F_z.
@@ -170,9 +158,8 @@ TEST(HardFem, PatchAtTheEdgeOfTheMeshIsRefused) {
   Case input = rollers(400, 400, 50);
   input.rolling.creepages = {{0, 0, 0}};
   input.fem.extent = 1.05 * smaller_semi_axis(input);
-  EXPECT_TRUE(
-      rollfem::testing::says(rollfem::testing::refusal<contact::InputError>([&] {
-                               fem::run_level(input, {smaller_semi_axis(input) / 3, "", false}, {});
-                             }),
-                             "fem.extent", "enlarge"));
+  EXPECT_TRUE(says(refusal<contact::InputError>([&] {
+                     fem::run_level(input, {smaller_semi_axis(input) / 3, "", false}, {});
+                   }),
+                   "fem.extent", "enlarge"));
 }

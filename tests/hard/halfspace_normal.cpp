@@ -5,20 +5,11 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
-#include <string>
 
-namespace rollfem {
 namespace {
 
-using contact::ContactGrid;
-using contact::Field;
-using contact::NormalProblem;
-using contact::NormalSolution;
 using halfspace::HalfspaceCompliance;
 using halfspace::HertzContact;
 
@@ -37,7 +28,7 @@ NormalSolution solve_hertz(double A, double B, const contact::CombinedMaterial& 
 
 TEST(HardNormal, ExtremeAspectRatiosGiveHertz) {
   for (const auto& [A, B] : {std::pair{1e-2, 1e-5}, {1e-5, 1e-2}}) {
-    const contact::CombinedMaterial material = testing::steel();
+    const contact::CombinedMaterial material = steel();
     const HertzContact hertz = halfspace::hertz_from_force(A, B, material.contact_modulus, 1e4);
     const double aspect = hertz.semi_axis_x / hertz.semi_axis_y;
     EXPECT_TRUE(aspect < 0.02 || aspect > 50.0) << aspect;
@@ -48,10 +39,10 @@ TEST(HardNormal, ExtremeAspectRatiosGiveHertz) {
 }
 
 TEST(HardNormal, OneNewtonToTenMeganewtonIsTheSameContact) {
-  const contact::Curvatures c = contact::relative_curvatures(testing::thesis_case('a'));
-  const NormalSolution reference = solve_hertz(c.A, c.B, testing::steel(), 1.0, 20, 20);
+  const contact::Curvatures c = contact::relative_curvatures(thesis_case('a'));
+  const NormalSolution reference = solve_hertz(c.A, c.B, steel(), 1.0, 20, 20);
   for (const double force : {1e-6, 50e3, 1e7, 1e12}) {
-    const NormalSolution s = solve_hertz(c.A, c.B, testing::steel(), force, 20, 20);
+    const NormalSolution s = solve_hertz(c.A, c.B, steel(), force, 20, 20);
     EXPECT_NEAR(s.pressure.maxCoeff() / std::cbrt(force) / reference.pressure.maxCoeff(), 1.0,
                 1e-6);
     EXPECT_EQ(s.contact_elements, reference.contact_elements);
@@ -72,16 +63,13 @@ TEST(HardNormal, PoissonRatiosAtBothEnds) {
 
 TEST(HardNormal, CellsOfEightToOneAndFewElements) {
   const double p0 =
-      halfspace::hertz_from_force(1e-3, 1e-3, testing::steel().contact_modulus, 1e4).max_pressure;
-  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, testing::steel(), 1e4, 10, 80).pressure.maxCoeff() / p0, 1.0,
-              0.01);
-  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, testing::steel(), 1e4, 80, 10).pressure.maxCoeff() / p0, 1.0,
-              0.01);
-  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, testing::steel(), 1e4, 4, 4).pressure.maxCoeff() / p0, 1.0,
-              0.07);
+      halfspace::hertz_from_force(1e-3, 1e-3, steel().contact_modulus, 1e4).max_pressure;
+  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, steel(), 1e4, 10, 80).pressure.maxCoeff() / p0, 1.0, 0.01);
+  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, steel(), 1e4, 80, 10).pressure.maxCoeff() / p0, 1.0, 0.01);
+  EXPECT_NEAR(solve_hertz(1e-3, 1e-3, steel(), 1e4, 4, 4).pressure.maxCoeff() / p0, 1.0, 0.07);
   // One element carries everything.
   const ContactGrid grid = ContactGrid::centred(5, 5, 1.0, 1.0);
-  const HalfspaceCompliance compliance(grid, testing::steel());
+  const HalfspaceCompliance compliance(grid, steel());
   NormalProblem problem;
   problem.undeformed_distance = grid.sample([](double x, double y) { return x * x + y * y; });
   problem.normal_force = 1.0;
@@ -93,13 +81,13 @@ TEST(HardNormal, CellsOfEightToOneAndFewElements) {
 TEST(HardNormal, TwoPatchesShareTheForce) {
   const double radius_term = 1e-3;
   const double force = 1e4;
-  const double modulus = testing::steel().contact_modulus;
+  const double modulus = steel().contact_modulus;
   const HertzContact half =
       halfspace::hertz_from_force(radius_term, radius_term, modulus, 0.5 * force);
   const double a = half.semi_axis_x;
   const double distance = 12.0 * a;
   const ContactGrid grid = ContactGrid::centred(180, 32, a / 12, a / 12);
-  const HalfspaceCompliance compliance(grid, testing::steel());
+  const HalfspaceCompliance compliance(grid, steel());
   NormalProblem problem;
   problem.undeformed_distance = grid.sample([&](double x, double y) {
     const double from_nearer = std::abs(x) - 0.5 * distance;
@@ -124,7 +112,7 @@ TEST(HardNormal, TwoPatchesShareTheForce) {
 
 TEST(HardNormal, AnyStartGivesTheSamePressure) {
   const ContactGrid grid = ContactGrid::centred(30, 30, 0.5, 0.5);
-  const HalfspaceCompliance compliance(grid, testing::steel());
+  const HalfspaceCompliance compliance(grid, steel());
   NormalProblem problem;
   problem.undeformed_distance =
       grid.sample([](double x, double y) { return 1e-3 * x * x + 2e-3 * y * y; });
@@ -147,7 +135,7 @@ TEST(HardNormal, AnyStartGivesTheSamePressure) {
 
 TEST(HardNormal, OffsetOfTheDistanceOnlyShiftsTheApproach) {
   const ContactGrid grid = ContactGrid::centred(30, 30, 0.5, 0.5);
-  const HalfspaceCompliance compliance(grid, testing::steel());
+  const HalfspaceCompliance compliance(grid, steel());
   NormalProblem problem;
   problem.undeformed_distance =
       grid.sample([](double x, double y) { return 1e-3 * (x * x + y * y); });
@@ -164,26 +152,26 @@ TEST(HardNormal, OffsetOfTheDistanceOnlyShiftsTheApproach) {
 
 TEST(HardNormal, NoContactIsAClearError) {
   const ContactGrid grid = ContactGrid::centred(8, 8, 0.5, 0.5);
-  const HalfspaceCompliance compliance(grid, testing::steel());
+  const HalfspaceCompliance compliance(grid, steel());
   NormalProblem problem;
   problem.undeformed_distance = grid.sample([](double x, double y) { return 0.1 + x * x + y * y; });
   const auto error = [&](const HalfspaceCompliance& of,
                          const contact::NormalOptions& options = {}) {
-    return testing::refusal<contact::SolveError>(
+    return refusal<contact::SolveError>(
         [&] { contact::solve_normal(of.normal(), problem, options); });
   };
   for (const double approach : {0.05, -1.0, std::nan("")}) {
     problem.approach = approach;
-    EXPECT_TRUE(testing::says(error(compliance), "no contact")) << approach;
+    EXPECT_TRUE(says(error(compliance), "no contact")) << approach;
   }
   problem.approach.reset();
   for (const double force : {0.0, -5.0, std::nan("")}) {
     problem.normal_force = force;
-    EXPECT_TRUE(testing::says(error(compliance), "no contact")) << force;
+    EXPECT_TRUE(says(error(compliance), "no contact")) << force;
   }
   problem.normal_force = 1.0;
   problem.approach = 1.0;
-  EXPECT_TRUE(testing::says(error(compliance), "exactly one"));
+  EXPECT_TRUE(says(error(compliance), "exactly one"));
   problem.approach.reset();
   const ContactGrid fine = ContactGrid::centred(30, 30, 0.2, 0.3);
   contact::NormalOptions options;
@@ -191,9 +179,7 @@ TEST(HardNormal, NoContactIsAClearError) {
   problem.undeformed_distance =
       fine.sample([](double x, double y) { return 1e-3 * x * x + 3e-3 * y * y; });
   problem.normal_force = 1e3;
-  EXPECT_TRUE(testing::says(error(HalfspaceCompliance(fine, testing::steel()), options),
-                            "did not converge"));
+  EXPECT_TRUE(says(error(HalfspaceCompliance(fine, steel()), options), "did not converge"));
 }
 
 }  // namespace
-}  // namespace rollfem

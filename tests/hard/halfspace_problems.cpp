@@ -9,36 +9,15 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
-#include <string>
 
-namespace rollfem {
 namespace {
-
-using contact::Case;
-using contact::ContactGrid;
-using contact::ElementState;
-using contact::Field;
-using contact::infinity;
-using contact::ModelResult;
-using contact::Motion;
-using contact::PointResult;
-using contact::PrescribedForce;
-using contact::Problem;
-using contact::SolveError;
-using contact::TangentialField;
-using contact::UpwindOrder;
 
 constexpr double sliding = 0.55 * 50e3;
 
 PointResult with_force(const PrescribedForce& force, double spin, int across = 20) {
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = across;
-  input.rolling.creepages = {{0.0, 0.0, spin}};
+  Case input = thesis_case('b', across, {{0.0, 0.0, spin}});
   input.rolling.forces = {force};
   return halfspace::run_halfspace(input, {}).points[0];
 }
@@ -64,9 +43,7 @@ TEST(HardForces, BeyondFrictionIsAnErrorThatSaysSo) {
                                        {{}, -1.001 * sliding},
                                        {0.8 * sliding, 0.8 * sliding},
                                        {sliding, {}}})
-    EXPECT_TRUE(rollfem::testing::says(
-        rollfem::testing::refusal<SolveError>([&] { with_force(force, 0.0); }),
-        "mu F_z = 27500 N"));
+    EXPECT_TRUE(says(refusal<SolveError>([&] { with_force(force, 0.0); }), "mu F_z = 27500 N"));
 }
 
 TEST(HardForces, UnderSpinUpToFullSlip) {
@@ -85,8 +62,7 @@ TEST(HardForces, UnderSpinUpToFullSlip) {
 }
 
 TEST(HardForces, WithoutFrictionTheyAreAnError) {
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 10;
+  Case input = thesis_case('b', 10);
   input.friction_coefficient = 0.0;
   input.rolling.forces = {{-10.0, {}}};
   EXPECT_THROW(halfspace::run_halfspace(input, {}), SolveError);
@@ -94,7 +70,7 @@ TEST(HardForces, WithoutFrictionTheyAreAnError) {
 
 ModelResult rolled(const contact::Material& wheel, const contact::Material& rail, double friction,
                    const contact::Creepage& creepage, int across = 20) {
-  Case input = rollfem::testing::thesis_case('b');
+  Case input = thesis_case('b');
   input.wheel.material = wheel;
   input.rail.material = rail;
   input.friction_coefficient = friction;
@@ -139,7 +115,7 @@ TEST(HardMaterials, ExchangingTheBodiesMirrorsTheTractions) {
 TEST(HardMaterials, FreeRollingOfUnlikeMaterialsAtAnyFriction) {
   // What is returned must hold the contact conditions with the whole, coupled compliance.
   for (const double friction : {1e-3, 0.3, 10.0}) {
-    Case input = rollfem::testing::thesis_case('b');
+    Case input = thesis_case('b');
     input.wheel.material = {2.0 * 23000.0 * 1.31, 0.31};
     input.rail.material = {2.0 * 82000.0 * 1.28, 0.28};
     input.friction_coefficient = friction;
@@ -180,7 +156,7 @@ TEST(HardMaterials, FrictionalPowerIsWhatTheMotionPutsIn) {
   // The elastic energy does not change in steady rolling: friction takes the work of the creep
   // forces and that of the pressure, which unlike materials shift towards an edge (a rolling
   // resistance): int p_n dh/dx.
-  Case input = rollfem::testing::thesis_case('b');
+  Case input = thesis_case('b');
   input.wheel.material = {70e3, 0.33};
   input.contact_grid.elements_across = 40;
   input.rolling.creepages = {{2e-3, 1e-3, 1e-4}};
@@ -199,14 +175,14 @@ TEST(HardMaterials, FrictionalPowerIsWhatTheMotionPutsIn) {
 TEST(HardShapes, TwoPatchesWithFrictionShareTheForces) {
   // Two equal balls side by side, ten patch radii apart: each as if alone under half the force.
   const double radius = 300.0;
-  const halfspace::HertzContact single = halfspace::hertz_from_force(
-      0.5 / radius, 0.5 / radius, rollfem::testing::steel().contact_modulus, 10e3);
+  const halfspace::HertzContact single =
+      halfspace::hertz_from_force(0.5 / radius, 0.5 / radius, steel().contact_modulus, 10e3);
   const double a = single.semi_axis_x;
   const double cell = a / 10.0;
   const auto run = [&](bool both, double force) {
     const ContactGrid grid = both ? ContactGrid::centred(28, 128, cell, cell)
                                   : ContactGrid::centred(28, 28, cell, cell, 0.0, 5.0 * a);
-    const halfspace::HalfspaceCompliance compliance(grid, rollfem::testing::steel());
+    const halfspace::HalfspaceCompliance compliance(grid, steel());
     contact::ContactConditions scene;
     scene.friction = contact::coulomb(0.3);
     scene.undeformed_distance = grid.sample([&](double x, double y) {
@@ -232,8 +208,7 @@ TEST(HardShapes, TwoPatchesWithFrictionShareTheForces) {
 }
 
 TEST(HardShapes, DistanceGivenPointByPointIsTheSameContact) {
-  Case input = rollfem::testing::thesis_case('b');
-  input.rolling.creepages = {{1e-3, 0.0, 0.0}};
+  Case input = thesis_case('b', 40, {{1e-3, 0.0, 0.0}});
   const PointResult quadratic = halfspace::run_halfspace(input, {}).points[0];
   contact::Lattice lattice;
   lattice.file = "h.csv";
@@ -247,8 +222,7 @@ TEST(HardShapes, DistanceGivenPointByPointIsTheSameContact) {
       lattice.values[0].push_back(
           contact::undeformed_distance(h, -10.0 + 0.5 * i, -10.0 + 0.5 * j));
   input.undeformed_distance.values = lattice;
-  const halfspace::HertzContact hertz =
-      halfspace::hertz_of_scene(rollfem::testing::thesis_case('b'));
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(thesis_case('b'));
   input.contact_grid.cell_size = {{2.0 * hertz.semi_axis_x / 40, 2.0 * hertz.semi_axis_y / 40}};
   const PointResult given = halfspace::run_halfspace(input, {}).points[0];
   EXPECT_NEAR(given.max_pressure / quadratic.max_pressure, 1.0, 1e-3);
@@ -256,8 +230,7 @@ TEST(HardShapes, DistanceGivenPointByPointIsTheSameContact) {
 }
 
 TEST(HardHistory, AnEmptyStepChangesNothingAndFullSlidingSaturates) {
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 16;
+  Case input = thesis_case('b', 16);
   input.rolling.problem = Problem::shift;
   for (const double shift : {0.002, 0.0, 1.0, -1e-9}) {
     contact::HistoryStep step;
@@ -274,12 +247,10 @@ TEST(HardHistory, AnEmptyStepChangesNothingAndFullSlidingSaturates) {
 }
 
 TEST(HardShapes, AGridBeyondAllMemoryIsRefusedAtOnceWithTheUsersCells) {
-  Case input = rollfem::testing::thesis_case('a');
+  Case input = thesis_case('a');
   input.contact_grid.cell_size = {{1e-5, 1e-5}};
-  EXPECT_TRUE(rollfem::testing::says(
-      rollfem::testing::refusal<contact::InputError>([&] { halfspace::run_halfspace(input, {}); }),
-      "[1e-05, 1e-05]"));
+  EXPECT_TRUE(says(refusal<contact::InputError>([&] { halfspace::run_halfspace(input, {}); }),
+                   "[1e-05, 1e-05]"));
 }
 
 }  // namespace
-}  // namespace rollfem

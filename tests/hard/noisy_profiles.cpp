@@ -6,21 +6,10 @@
 #include "profiles/profiles.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace {
-
-using namespace rollfem;
 
 constexpr double scatter = 0.01;  // mm
 constexpr int seeds = 6;          // 1, 2, ...: chosen before anything was run with them
@@ -107,7 +96,7 @@ class NoisyProfiles : public ::testing::Test {
   }
 
  private:
-  const rollfem::testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
 };
 
 }  // namespace

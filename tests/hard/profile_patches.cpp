@@ -5,20 +5,16 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
-
-#include <gtest/gtest.h>
-
 #include "support/half_space_models.hpp"
+
 #include "support/patch_case.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
 
-using namespace rollfem;
-
 namespace {
 
-rollfem::testing::PatchCase plain(double force) {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+PatchCase plain(double force) {
+  PatchCase input = thesis_case('b');
   input.load.normal_force = force;
   input.rolling.creepages = {{1e-3, 0.0, 1e-3}};
   input.contact_grid.elements_across = 24;
@@ -27,12 +23,11 @@ rollfem::testing::PatchCase plain(double force) {
 
 /// Rail with two crests at y = +-d, each of curvature 1/R, under a cylinder:
 /// h(0, y) = (y^2 - d^2)^2 / (8 R d^2).
-rollfem::testing::PatchCase two_crests(double force, double d, double radius) {
-  rollfem::testing::PatchCase input = plain(force);
-  const auto rail = rollfem::testing::sampled_curve(-25.0, 25.0, 0.05, [&](double y) {
+PatchCase two_crests(double force, double d, double radius) {
+  PatchCase input = plain(force);
+  const auto rail = sampled_curve(-25.0, 25.0, 0.05, [&](double y) {
     const double q = y * y - d * d;
-    return rollfem::testing::HeightAndSlope{-q * q / (8.0 * radius * d * d),
-                                            -q * y / (2.0 * radius * d * d)};
+    return HeightAndSlope{-q * q / (8.0 * radius * d * d), -q * y / (2.0 * radius * d * d)};
   });
   input.patch = std::make_shared<contact::PatchGeometry>(
       rail, contact::HeightCurve({-30.0, 30.0}, {405.0, 405.0}, {0.0, 0.0}),
@@ -61,13 +56,12 @@ TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
   double last_pressure = 0.0;
   for (const double hollow : {14.0, 15.0, 17.0}) {
     SCOPED_TRACE(hollow);
-    rollfem::testing::PatchCase input = plain(20e3);
+    PatchCase input = plain(20e3);
     input.wheel.transverse_radius = -hollow;
     input.rail.transverse_radius = 13.0;
     const auto hertz = halfspace::hertz_of_scene(input);
-    input.patch = rollfem::testing::circles(405.0, -hollow, 13.0, 11.0);
-    const auto point =
-        rollfem::testing::half_space_models().run("halfspace", input, {}).points.front();
+    input.patch = circles(405.0, -hollow, 13.0, 11.0);
+    const auto point = half_space_models().run("halfspace", input, {}).points.front();
     EXPECT_NEAR(point.normal_force, 20e3, 1.0);
     // Concentric arcs part faster than their parabolas: narrower and higher than Hertz.
     const double error = point.error_estimate.at("max_pressure");
@@ -75,66 +69,60 @@ TEST(ProfilePatches, GaugeCornerConformsAndIsSolved) {
     EXPECT_LT(point.contact_width, 2.0 * hertz.semi_axis_y);
     EXPECT_GT(point.max_pressure, last_pressure);
     last_pressure = point.max_pressure;
-    EXPECT_NO_THROW(rollfem::testing::half_space_models().run("strip", input, {}));
-    EXPECT_NO_THROW(rollfem::testing::half_space_models().run("fastsim", input, {}));
+    EXPECT_NO_THROW(half_space_models().run("strip", input, {}));
+    EXPECT_NO_THROW(half_space_models().run("fastsim", input, {}));
   }
 }
 
 TEST(ProfilePatches, FullyConformingCornerReachesTheEndOfItsProfiles) {
-  rollfem::testing::PatchCase input = plain(20e3);
-  input.patch = rollfem::testing::circles(405.0, -13.0, 13.0, 6.0);
+  PatchCase input = plain(20e3);
+  input.patch = circles(405.0, -13.0, 13.0, 6.0);
   for (const char* model : {"halfspace", "strip", "fastsim"})
-    EXPECT_THROW(rollfem::testing::half_space_models().run(model, input, {}), contact::InputError)
-        << model;
-  EXPECT_THROW(rollfem::testing::half_space_models().run("hertz", input, {}), contact::InputError);
+    EXPECT_THROW(half_space_models().run(model, input, {}), contact::InputError) << model;
+  EXPECT_THROW(half_space_models().run("hertz", input, {}), contact::InputError);
 }
 
 TEST(ProfilePatches, TwoRegionsBecomeOne) {
   const double d = 4.0, radius = 60.0;
-  const auto light =
-      rollfem::testing::half_space_models().run("halfspace", two_crests(12e3, d, radius), {});
+  const auto light = half_space_models().run("halfspace", two_crests(12e3, d, radius), {});
   // The undeformed bodies overlap from crest to crest, the deformed ones touch at the crests.
   EXPECT_EQ(regions(light), 2);
   // Two contacts of half the load each; one raises and tilts the surface under the other.
-  rollfem::testing::PatchCase half = plain(6e3);
+  PatchCase half = plain(6e3);
   half.rail.transverse_radius = radius;
   const auto hertz = halfspace::hertz_of_scene(half);
   EXPECT_NEAR(light.points.front().max_pressure, hertz.max_pressure, 0.03 * hertz.max_pressure);
   EXPECT_NEAR(light.points.front().contact_width, 2.0 * (d + hertz.semi_axis_y), 0.05 * 2.0 * d);
   EXPECT_NEAR(light.points.front().patch_y_middle.value(), 0.0, 0.02);
-  const auto heavy =
-      rollfem::testing::half_space_models().run("halfspace", two_crests(200e3, d, radius), {});
+  const auto heavy = half_space_models().run("halfspace", two_crests(200e3, d, radius), {});
   EXPECT_EQ(regions(heavy), 1);
   EXPECT_NEAR(heavy.points.front().normal_force, 200e3, 1.0);
 }
 
 TEST(ProfilePatches, PatchAtTheEndOfAProfileIsRefused) {
   const auto hertz = halfspace::hertz_of_scene(plain(50e3));
-  rollfem::testing::PatchCase input = plain(50e3);
-  input.patch =
-      rollfem::testing::circles(405.0, contact::infinity, 500.0, 0.95 * hertz.semi_axis_y);
+  PatchCase input = plain(50e3);
+  input.patch = circles(405.0, contact::infinity, 500.0, 0.95 * hertz.semi_axis_y);
   for (const char* model : {"linear", "vermeulen-johnson", "fastsim", "strip", "halfspace"})
-    EXPECT_TRUE(rollfem::testing::says(rollfem::testing::refusal<contact::InputError>([&] {
-                                         rollfem::testing::half_space_models().run(model, input,
-                                                                                   {});
-                                       }),
-                                       "profile too short for the contact"))
+    EXPECT_TRUE(
+        says(refusal<contact::InputError>([&] { half_space_models().run(model, input, {}); }),
+             "profile too short for the contact"))
         << model;
 }
 
 TEST(ProfilePatches, ModelsWithoutProfilesSaySo) {
-  rollfem::testing::PatchCase input = plain(50e3);
-  input.patch = rollfem::testing::circles(405.0, contact::infinity, 500.0);
+  PatchCase input = plain(50e3);
+  input.patch = circles(405.0, contact::infinity, 500.0);
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
-  EXPECT_THROW(rollfem::testing::half_space_models().run("carter", input, {}), contact::InputError);
-  EXPECT_NO_THROW(rollfem::testing::half_space_models().run("fastsim", input, {}));
-  EXPECT_NO_THROW(rollfem::testing::half_space_models().run("strip", input, {}));
-  EXPECT_NO_THROW(rollfem::testing::half_space_models().run("halfspace", input, {}));
+  EXPECT_THROW(half_space_models().run("carter", input, {}), contact::InputError);
+  EXPECT_NO_THROW(half_space_models().run("fastsim", input, {}));
+  EXPECT_NO_THROW(half_space_models().run("strip", input, {}));
+  EXPECT_NO_THROW(half_space_models().run("halfspace", input, {}));
 }
 
 TEST(ProfilePatches, HollowContactHasNoEllipseButAHalfSpaceSolution) {
   // Between two crests: curvature across is negative at the contact point.
-  const rollfem::testing::PatchCase input = two_crests(6e3, 4.0, 60.0);
-  EXPECT_THROW(rollfem::testing::half_space_models().run("hertz", input, {}), contact::InputError);
-  EXPECT_NO_THROW(rollfem::testing::half_space_models().run("halfspace", input, {}));
+  const PatchCase input = two_crests(6e3, 4.0, 60.0);
+  EXPECT_THROW(half_space_models().run("hertz", input, {}), contact::InputError);
+  EXPECT_NO_THROW(half_space_models().run("halfspace", input, {}));
 }

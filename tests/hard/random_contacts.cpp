@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Random contacts of half-spaces (support/random_contact.hpp): the tangential solver has to solve
 // them all, in few steps. benchmarks/random_contacts.cpp runs thousands.
-#include <gtest/gtest.h>
-
 #include "support/random_contact.hpp"
-#include <vector>
+#include "support/test.hpp"
 
-namespace rollfem {
 namespace {
-
-using testing::RandomContact;
-using testing::RandomContacts;
-using testing::RandomOutcome;
 
 constexpr unsigned seed = 20;
 
 RandomOutcome solve(const RandomContact& contact) {
-  return testing::run_random(contact, testing::RandomStart::nested);
+  return run_random(contact, RandomStart::nested);
 }
 
 void expect_solved(const RandomContact& contact) {
@@ -32,7 +25,7 @@ std::vector<int> steps_of(unsigned first, unsigned count, const Make& make) {
     const RandomContact contact = make(k);
     const RandomOutcome outcome = solve(contact);
     EXPECT_TRUE(outcome.solved) << "contact " << k << " at " << contact.across << " across, "
-                                << testing::name_of(contact.kind) << ": " << outcome.message;
+                                << name_of(contact.kind) << ": " << outcome.message;
     steps.push_back(outcome.newton_steps);
   }
   std::sort(steps.begin(), steps.end());
@@ -123,4 +116,3 @@ TEST(RandomContacts, AreMadeAgainFromSeedAndNumber) {
 }
 
 }  // namespace
-}  // namespace rollfem

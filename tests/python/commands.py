@@ -365,7 +365,8 @@ class Shown(unittest.TestCase):
             self.assertRegex(text, r"(?m)^>>> ", where)
             if getattr(signature.return_annotation, "__name__", None) not in rollfem.__all__:
                 self.assertRegex(text, r"(?m)^Returns:\n    \w", where)
-            entries = dict(re.findall(r"(?m)^    ([\w, *]+): (.+(?:\n     .+)*)$", text.partition("Args:\n")[2]))
+            section = re.search(r"(?m)^Args:\n((?:    .+\n?)+)", text)
+            entries = dict(re.findall(r"(?m)^    ([\w, *]+): (.+(?:\n     .+)*)$", section[1] if section else ""))
             said = {name.strip(" *"): words for names, words in entries.items() for name in names.split(",")}
             for name, parameter in signature.parameters.items():
                 if name != "self":

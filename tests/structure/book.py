@@ -1,12 +1,9 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks the verification book: that every test it names is there, and that docs/book holds every chapter
-with no number beyond what is allowed, unless the page gives the reason. Call: book.py SOURCE_DIR"""
+with no number beyond what is allowed, unless the page gives the reason."""
 
 import json
-import pathlib
 import re
-import sys
 
 
 def tests_of(root):
@@ -38,7 +35,7 @@ def problems(root):
             if not name.endswith(".") and name not in known:
                 yield f"{path.name}: there is no test {name}"
     if named < 40:
-        yield f"only {named} tests are named: the pattern of {pathlib.Path(__file__).name} has lost them"
+        yield f"only {named} tests are named: the pattern of book.py has lost them"
     chapters = re.search(r"ALL = \[(.*?)\]", (root / "benchmarks/book/chapters/__init__.py").read_text("utf-8"), re.S)
     wanted = [name.strip().replace("_", "-") for name in chapters[1].split(",")]
     book = json.loads((root / "docs" / "book" / "book.json").read_text("utf-8"))
@@ -54,9 +51,3 @@ def problems(root):
             if not row["holds"] and row["quantity"] not in explained:
                 yield (f"docs/book: {chapter['title']}: {row['quantity']} is beyond what is allowed, for no reason that "
                        "the page gives (SPENT in benchmarks/book/tolerances.py)")
-
-
-if __name__ == "__main__":
-    found = list(problems(pathlib.Path(sys.argv[1])))
-    print("\n".join(found) or "the book names tests that are there")
-    sys.exit(1 if found else 0)

@@ -1,15 +1,9 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Holds README, changelog and docs to the tree: tests that are named exist, links lead to a file and a
 heading, and a section with a table of measured numbers says how to get them again: by a command, a test,
-the book, or where they are from.
+the book, or where they are from."""
 
-Call: docs.py SOURCE_FOLDER
-"""
-
-import pathlib
 import re
-import sys
 
 TEST_NAME = re.compile(r"`(?:unit|verification|hard|cli|fuzz|install|structure)\.([A-Za-z0-9_/]+)")
 DECLARED = re.compile(r"TEST(?:_F|_P)?\(\s*(\w+)")
@@ -67,15 +61,7 @@ def faults(path, root, tests):
             yield f"'{heading}' has a table of numbers and says nothing of how to get them again"
 
 
-def main():
-    root = pathlib.Path(sys.argv[1])
+def problems(root):
     tests = declared_tests(root)
-    found = [f"{path.relative_to(root)}: {fault}"
-             for path in [*sorted(root.glob("*.md")), *sorted((root / "docs").rglob("*.md"))]
-             for fault in faults(path, root, tests)]
-    print("\n".join(found) or "docs: names, links and tables are true")
-    return 1 if found else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return [f"{path.relative_to(root)}: {fault}"
+            for path in [*root.glob("*.md"), *(root / "docs").rglob("*.md")] for fault in faults(path, root, tests)]

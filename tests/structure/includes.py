@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that includes between modules, and between the rooms of a module, run one way.
 
@@ -11,12 +10,9 @@ stands on interface; capi, the C interface, knows what track knows, and files of
 in hybrid/correction, which is built into the library of fem.
 No model is told apart by its name: what differs is a property of its entry in the registry (contact/solve/model.hpp).
 Inside contact: base <- case <- scene <- result <- iteration <- solve; the order of the other modules' rooms: ROOMS.
-Call: includes.py SOURCE_DIR
 """
 
-import pathlib
 import re
-import sys
 
 ANY = None  # every room of that module
 
@@ -123,7 +119,9 @@ def names_compared(root):
 
 
 def problems(root):
+    self_test()
     yield from names_compared(root)
+    yield from stale_names(root)
     for module in sorted(MODULES):
         files = sorted((root / module).rglob("*.[ch]pp"))
         if not files:
@@ -181,15 +179,3 @@ def self_test():
     assert not verdict("app/a.cpp", '"fem/elasticity/model.hpp')
     assert not verdict("contact/solve/a.cpp", '"contact/scene/geometry.hpp')
     assert not verdict("track/balance/a.cpp", '"track/motion/placed_scenes.hpp')
-
-
-def main():
-    self_test()
-    root = pathlib.Path(sys.argv[1])
-    found = [*problems(root), *stale_names(root)]
-    print("\n".join(found) if found else "includes run one way")
-    return 1 if found else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,34 +1,27 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every mutation of tests/mutations finds its text exactly once, and its suspects are test programs.
-
-    mutations.py ROOT
-"""
+"""Every mutation of tests/mutations finds its text exactly once, and its suspects are test programs."""
 
 import sys
-from pathlib import Path
 
-root = Path(sys.argv[1])
-sys.dont_write_bytecode = True
-sys.path.insert(0, str(root / "tests/mutations"))
-from mutations import MUTATIONS  # noqa: E402
 
-programs = {f"{path.relative_to(root / 'tests').parts[0]}_{path.stem}"
-            for group in ("unit", "verification", "hard", "cli")
-            for path in (root / "tests" / group).rglob("*.cpp")}
-wrong = []
-for mutation in MUTATIONS:
-    text = (root / mutation.file).read_text() if (root / mutation.file).is_file() else ""
-    if text.count(mutation.find) != 1:
-        wrong.append(f"{mutation.name}: its text occurs {text.count(mutation.find)} times in {mutation.file}; "
-                     "allowed: once; do: take the text that is there now")
-    if mutation.find == mutation.put:
-        wrong.append(f"{mutation.name}: it changes nothing")
-    for suspect in mutation.suspects:
-        if suspect.split(":")[0] not in programs:
-            wrong.append(f"{mutation.name}: {suspect} is no test program; allowed: GROUP_NAME of "
-                         "tests/GROUP/**/NAME.cpp")
-names = [mutation.name for mutation in MUTATIONS]
-wrong += [f"{name}: twice in the list" for name in {n for n in names if names.count(n) > 1}]
-print("\n".join(sorted(wrong)) or f"{len(MUTATIONS)} mutations")
-sys.exit(1 if wrong else 0)
+def problems(root):
+    sys.dont_write_bytecode = True
+    sys.path.insert(0, str(root / "tests/mutations"))
+    from mutations import MUTATIONS
+
+    programs = {f"{path.relative_to(root / 'tests').parts[0]}_{path.stem}"
+                for group in ("unit", "verification", "hard", "cli")
+                for path in (root / "tests" / group).rglob("*.cpp")}
+    for mutation in MUTATIONS:
+        text = (root / mutation.file).read_text() if (root / mutation.file).is_file() else ""
+        if text.count(mutation.find) != 1:
+            yield (f"{mutation.name}: its text occurs {text.count(mutation.find)} times in {mutation.file}; "
+                   "allowed: once; do: take the text that is there now")
+        if mutation.find == mutation.put:
+            yield f"{mutation.name}: it changes nothing"
+        for suspect in mutation.suspects:
+            if suspect.split(":")[0] not in programs:
+                yield (f"{mutation.name}: {suspect} is no test program; allowed: GROUP_NAME of "
+                       "tests/GROUP/**/NAME.cpp")
+    names = [mutation.name for mutation in MUTATIONS]
+    yield from (f"{name}: twice in the list" for name in {n for n in names if names.count(n) > 1})

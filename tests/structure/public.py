@@ -1,10 +1,7 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that what is installed of the headers (bindings/interface/public_headers.txt) is just what rollfem/rollfem.hpp includes, by
-itself or through others. Call: public.py SOURCE_DIR"""
-import pathlib
+itself or through others."""
 import re
-import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 
@@ -18,17 +15,12 @@ def included(root, header, found):
     return found
 
 
-def main():
-    root = pathlib.Path(sys.argv[1])
+def problems(root):
     listed = set((root / "bindings/interface/public_headers.txt").read_text(encoding="utf-8").split())
     needed = included(root, "bindings/interface/rollfem/rollfem.hpp", set())
-    wrong = [f"{name}: is included and not installed; do: add it to bindings/interface/public_headers.txt, or include less"
-             for name in sorted(needed - listed)]
-    wrong += [f"{name}: is installed and not included; do: take it off bindings/interface/public_headers.txt"
-              for name in sorted(listed - needed)]
-    print("\n".join(wrong) or f"{len(listed)} public headers, all included by rollfem/rollfem.hpp")
-    return 1 if wrong or not needed else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    if not needed:
+        yield "bindings/interface/rollfem/rollfem.hpp includes nothing"
+    for name in needed - listed:
+        yield f"{name}: is included and not installed; do: add it to bindings/interface/public_headers.txt, or include less"
+    for name in listed - needed:
+        yield f"{name}: is installed and not included; do: take it off bindings/interface/public_headers.txt"

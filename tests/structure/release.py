@@ -1,11 +1,8 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks what a release says of itself: every source file names the licence at its top, and CITATION.cff and the
-changelog have the version of CMakeLists.txt and one date. Call: release.py SOURCE_DIR"""
+changelog have the version of CMakeLists.txt and one date."""
 
-import pathlib
 import re
-import sys
 
 LICENCE = "SPDX-License-Identifier: LGPL-2.1-or-later"
 CODE = {".c", ".cmake", ".cpp", ".h", ".hpp", ".in", ".py", ".sh"}
@@ -38,12 +35,5 @@ def contradictions(root):
         yield f"CHANGELOG.md has no heading '## {version}, {date}', the version and date of CITATION.cff"
 
 
-def main():
-    root = pathlib.Path(sys.argv[1])
-    wrong = [*unlicensed(root), *contradictions(root)]
-    print("\n".join(wrong) or "every source file names the licence; version and date are the same everywhere")
-    return 1 if wrong else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+def problems(root):
+    return [*unlicensed(root), *contradictions(root)]

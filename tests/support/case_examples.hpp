@@ -5,12 +5,8 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 
@@ -61,6 +57,13 @@ inline std::string with(const std::string& piece, const std::string& replacement
 /// The small case with lines added at the end.
 inline std::string plus(const std::string& lines) {
   return small_case + lines;
+}
+
+/// The small case, or another, rolling with these creepages on this many elements across.
+inline std::string rolling(const std::string& creepages, int across,
+                           const std::string& text = small_case) {
+  return text + "[rolling]\nlongitudinal_creepage = " + creepages +
+         "\n[contact_grid]\nelements_across = " + std::to_string(across) + "\n";
 }
 
 /// What is wrong with the text of a case file, in the words of the program.

@@ -7,8 +7,7 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -5,7 +5,7 @@
 
 #include "halfspace/stress/cell_stress.hpp"
 
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -5,8 +5,8 @@
 #include "contact/case/case_reader.hpp"
 
 #include "support/places.hpp"
-#include <string>
-#include <vector>
+#include "support/test.hpp"
+#include "support/thesis_cases.hpp"
 
 namespace rollfem::testing {
 
@@ -17,8 +17,7 @@ inline contact::Case committed_case(const std::string& name) {
 /// Case a to f of the thesis, rolling with these longitudinal creepages.
 inline contact::Case committed_case(char name, const std::vector<double>& creepages) {
   contact::Case input = committed_case(std::string("thesis_") + name);
-  input.rolling.creepages.clear();
-  for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
+  input.rolling.creepages = along(creepages);
   return input;
 }
 

@@ -2,7 +2,7 @@
 // Small input files in CONTACT's format, made for the tests.
 #pragma once
 
-#include <string>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -2,10 +2,7 @@
 // CSV files that the program wrote.
 #pragma once
 
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -3,11 +3,7 @@
 // doubled, numbers of a text replaced by impossible ones.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <random>
-#include <string>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -7,8 +7,7 @@
 
 #include "support/output_in_folder.hpp"
 #include "support/output_python.hpp"
-#include <filesystem>
-#include <string>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

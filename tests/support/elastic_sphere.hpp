@@ -6,9 +6,8 @@
 
 #include "contact/iteration/compliance.hpp"
 
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
-#include <vector>
 
 namespace rollfem::testing {
 

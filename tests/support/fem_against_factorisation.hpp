@@ -5,9 +5,7 @@
 #include "fem/linear/factorisation.hpp"
 
 #include "support/fem_elastic_block.hpp"
-#include <algorithm>
-#include <cmath>
-#include <memory>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

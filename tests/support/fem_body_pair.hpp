@@ -7,7 +7,7 @@
 #include "fem/trace/compliance.hpp"
 
 #include "support/fem_test_support.hpp"
-#include <memory>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

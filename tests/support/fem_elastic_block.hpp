@@ -15,10 +15,7 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <array>
-#include <cmath>
-#include <functional>
-#include <map>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

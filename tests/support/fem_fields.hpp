@@ -8,9 +8,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <array>
-#include <cmath>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -9,11 +9,7 @@
 #include "halfspace/stress/subsurface.hpp"
 
 #include "support/fem_test_support.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

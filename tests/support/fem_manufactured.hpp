@@ -7,8 +7,7 @@
 
 #include "support/fem_fields.hpp"
 #include "support/fem_test_support.hpp"
-#include <array>
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

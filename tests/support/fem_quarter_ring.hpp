@@ -16,8 +16,7 @@
 #include <deal.II/grid/tria.h>
 
 #include "support/fem_fields.hpp"
-#include <cmath>
-#include <functional>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

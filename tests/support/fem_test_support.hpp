@@ -7,10 +7,9 @@
 #include "fem/discretisation/body.hpp"
 #include "fem/trace/compliance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mpi_environment.hpp"
 #include "support/random_field.hpp"
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

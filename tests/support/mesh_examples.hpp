@@ -6,10 +6,7 @@
 #include "meshes/msh_file.hpp"
 
 #include "support/temporary_folder.hpp"
-#include <array>
-#include <functional>
-#include <string>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

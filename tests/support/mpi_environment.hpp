@@ -5,11 +5,9 @@
 #pragma once
 
 #include <deal.II/base/mpi.h>
-#include <gtest/gtest.h>
 
+#include "support/test.hpp"
 #include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <sched.h>
 
 namespace rollfem::testing {

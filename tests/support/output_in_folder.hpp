@@ -2,12 +2,9 @@
 // A folder of its own for a test of output, and where the figures' Python package is.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include "support/places.hpp"
 #include "support/temporary_folder.hpp"
-#include <filesystem>
-#include <string>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -5,6 +5,7 @@
 #include "postprocess/write/output.hpp"
 
 #include "support/output_synthetic_run.hpp"
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

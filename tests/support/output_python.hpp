@@ -3,8 +3,8 @@
 #pragma once
 
 #include "support/temporary_folder.hpp"
+#include "support/test.hpp"
 #include <cstdio>
-#include <string>
 
 namespace rollfem::testing {
 

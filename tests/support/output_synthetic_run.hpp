@@ -5,11 +5,7 @@
 
 #include "postprocess/write/output.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

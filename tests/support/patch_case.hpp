@@ -5,9 +5,7 @@
 
 #include "contact/scene/scene.hpp"
 
-#include <memory>
-#include <optional>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

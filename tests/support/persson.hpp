@@ -3,7 +3,7 @@
 // strain, no friction, like materials, where Hertz's theory has errors of up to 17 %.
 #pragma once
 
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

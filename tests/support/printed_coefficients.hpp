@@ -6,9 +6,7 @@
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/brush.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -6,11 +6,7 @@
 #include "contact/case/case.hpp"
 #include "contact/scene/patch_geometry.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -5,9 +5,8 @@
 #include "contact/case/case.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <cmath>
-#include <optional>
-#include <vector>
+#include "support/test.hpp"
+#include "support/thesis_cases.hpp"
 
 namespace rollfem::testing {
 
@@ -26,8 +25,7 @@ inline std::vector<contact::Scene> left_wheel_scenes(double lateral_shift,
   input.wheelset.lateral_shift = {lateral_shift};
   input.wheelset.roll = {0.0};
   input.rolling.given.longitudinal = true;
-  input.rolling.creepages.clear();
-  for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
+  input.rolling.creepages = along(creepages);
   std::vector<contact::Scene> scenes;
   for (const track::PlacedScene& placed : track::make_scenes(input)) scenes.push_back(placed.scene);
   return scenes;

@@ -7,14 +7,7 @@
 #include "profiles/profiles.hpp"
 
 #include "support/temporary_folder.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

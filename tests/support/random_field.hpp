@@ -4,7 +4,7 @@
 
 #include "contact/base/grid.hpp"
 
-#include <random>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

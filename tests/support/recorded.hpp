@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#pragma once
 // Numbers that a test passes to the verification book (benchmarks/book), which quotes them beside
 // their closed form.
-#include <fmt/format.h>
-#include <gtest/gtest.h>
+#pragma once
 
-#include <string>
+#include <fmt/format.h>
+
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

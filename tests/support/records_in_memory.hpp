@@ -4,10 +4,8 @@
 
 #include "contact/base/checkpoint.hpp"
 
+#include "support/test.hpp"
 #include <iterator>
-#include <map>
-#include <optional>
-#include <string>
 
 namespace rollfem::testing {
 

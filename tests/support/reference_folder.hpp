@@ -3,8 +3,7 @@
 #pragma once
 
 #include "support/places.hpp"
-#include <cstdlib>
-#include <filesystem>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

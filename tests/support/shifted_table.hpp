@@ -4,7 +4,7 @@
 
 #include "tables/files/creep_table.hpp"
 
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

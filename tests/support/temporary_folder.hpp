@@ -2,15 +2,7 @@
 // A folder that is removed at the end, the content of files, and searches in texts.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -14,8 +14,16 @@
 
 namespace rollfem::testing {
 
+/// Longitudinal creepages alone.
+inline std::vector<contact::Creepage> along(const std::vector<double>& creepages) {
+  std::vector<contact::Creepage> all;
+  for (const double xi : creepages) all.push_back({xi, 0.0, 0.0});
+  return all;
+}
+
 /// Wheel of 405 mm on a rail of 2000, 500 or 100 mm, 50 kN, mu 0.55, like materials.
-inline contact::Case thesis_case(char name) {
+inline contact::Case thesis_case(char name, int across = 40,
+                                 const std::vector<contact::Creepage>& creepages = {}) {
   contact::Case input;
   input.title = std::string("case ") + name;
   input.file = "test.toml";
@@ -23,7 +31,18 @@ inline contact::Case thesis_case(char name) {
   input.friction_coefficient = 0.55;
   input.wheel.rolling_radius = 405.0;
   input.rail.transverse_radius = name == 'a' ? 2000.0 : name == 'b' ? 500.0 : 100.0;
+  input.contact_grid.elements_across = across;
+  if (!creepages.empty()) input.rolling.creepages = creepages;
   return input;
+}
+
+/// Turns a case into rolling on in equal steps of that length (mm), each with this creepage.
+inline void roll_on(contact::Case& input, std::size_t steps, double length,
+                    const contact::Creepage& creepage = {}) {
+  input.rolling.problem = contact::Problem::transient;
+  input.history.assign(steps, {});
+  for (contact::HistoryStep& step : input.history) step.step_length = length;
+  input.rolling.creepages.assign(steps, creepage);
 }
 
 /// Extra slip s_x = -y^2/(2 R_rail R), s_y = 0 as values on points: the drop of the rail's surface,

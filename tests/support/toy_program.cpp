@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The command-line program with an additional model, as in docs/developing.md under "Add a model".
-// tests/cli/toy_model.cpp calls it.
+// The command-line program with an additional model and friction law, as in docs/developing.md
+// under "Add a model". tests/cli/toy_model.cpp calls it.
 #include "app/program.hpp"
 #include "halfspace/registry.hpp"
 #include "models/registry.hpp"
+
+#include <cmath>
 
 namespace {
 
@@ -30,8 +32,16 @@ contact::ModelInfo stiff_model() {
   return stiff;
 }
 
+/// Friction falls as 2^(-(s/s_h)^n).
+contact::FallShape::Left power(std::size_t, double s, const contact::FallShape::Constants& own) {
+  const double n = own[0], left = std::exp2(-std::pow(s, n));
+  return {left, -std::log(2.0) * n * std::pow(s, n - 1.0) * left};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  contact::fall_shapes().push_back(
+      {"power", power, false, {{{"power_of_slip", "n", 1.0, 10.0, 1.0, "Power of s over s_h1."}}}});
   return app::run_program(argc, argv, modelling::built_in_models().add(stiff_model()));
 }

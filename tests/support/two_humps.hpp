@@ -4,9 +4,8 @@
 
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
-#include <memory>
 
 namespace rollfem::testing {
 

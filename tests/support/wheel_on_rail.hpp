@@ -4,13 +4,9 @@
 
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "rollfem/rollfem.h"
 #include "support/temporary_folder.hpp"
-#include <cmath>
-#include <memory>
-#include <string>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -7,11 +7,7 @@
 #include "profiles/formula_profiles.hpp"
 #include "track/search/contact_search.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

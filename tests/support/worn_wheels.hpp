@@ -6,7 +6,7 @@
 
 #include "contact/case/case.hpp"
 
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::testing {
 

@@ -5,14 +5,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <sstream>
-
-namespace {
-
-using namespace rollfem;
 
 /// Elements of 0.4 by 0.2 mm end 0.8 and 0.4 mm beyond the patch: less than one of the next coarser
 /// ones, of which only 11 by 11 fit whole into the extent.
@@ -38,7 +31,7 @@ TEST(CoarserLevels, AnExtentThatFitsTheGridAskedForIsTaken) {
 /// On points of a file no coarser grid can be made larger: it is left out, and with it the
 /// estimate.
 TEST(CoarserLevels, PointsThatOnlyTheGridAskedForFitsAreTaken) {
-  const rollfem::testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::ostringstream distance;
   for (int j = -5; j <= 5; ++j)
     for (int i = -5; i <= 5; ++i)
@@ -53,7 +46,5 @@ TEST(CoarserLevels, PointsThatOnlyTheGridAskedForFitsAreTaken) {
   // h is linear between the points: a sphere of 500 mm to 2 %.
   EXPECT_NEAR(point.semi_axis_x, 4.6, 0.1);
   EXPECT_TRUE(point.error_estimate.empty());
-  EXPECT_TRUE(rollfem::testing::says(result.notes.front(), "no error estimates"));
+  EXPECT_TRUE(says(result.notes.front(), "no error estimates"));
 }
-
-}  // namespace

@@ -4,14 +4,10 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {
-
-using namespace rollfem;
 
 contact::PointResult point_of(const contact::Case& input) {
   return halfspace::run_halfspace(input, {}).points.front();
@@ -19,7 +15,7 @@ contact::PointResult point_of(const contact::Case& input) {
 
 /// The groove's ball under no longitudinal force.
 contact::Case rolling_in_groove(double radius) {
-  contact::Case input = rollfem::testing::committed_case("conformal_groove");
+  contact::Case input = committed_case("conformal_groove");
   input.rail.transverse_radius = -radius;
   input.rolling.problem = contact::Problem::steady;
   input.rolling.forces = {{0.0, {}}};
@@ -45,7 +41,7 @@ TEST(DeepGroove, RollsFreelyAsInContact) {
     EXPECT_NEAR(point.creepage.longitudinal, creepage, 3e-3 * -creepage);
     EXPECT_NEAR(point.normal_force, 10e3, 1e-6 * 10e3);
     // Without friction 0.6 and 0.9 % more, which is no difference of half-spaces.
-    input.rolling = rollfem::testing::committed_case("conformal_groove").rolling;
+    input.rolling = committed_case("conformal_groove").rolling;
     EXPECT_GT(point_of(input).max_pressure, 1.004 * point.max_pressure);
   }
 }
@@ -55,7 +51,7 @@ TEST(CornerInARoot, SumOfPressureIsNotTheForce) {
   // along the approach, 1012 MPa. Its distance grows as x^2 along the normal where here the wheel
   // closes along z: 0.8 % in force, 0.5 % in p0.
   const contact::ModelResult result =
-      halfspace::run_halfspace(rollfem::testing::committed_case("conformal_corner"), {});
+      halfspace::run_halfspace(committed_case("conformal_corner"), {});
   const contact::PointResult& point = result.points.front();
   const double sum = point.fields.traction.n.sum() * result.grid.element_area();
   EXPECT_NEAR(sum, 91.84e3, 0.012 * 91.84e3);
@@ -75,11 +71,10 @@ TEST(DeepGroove, OfHalfAPatchOf44DegreesNeedsRounderBodies) {
 
 TEST(DeepGroove, ThatFitsTooWellIsRefusedWithTheReason) {
   // Half the patch is 44 degrees in a groove of 10.02 mm, where circles go on as straight flanks.
-  contact::Case input = rollfem::testing::committed_case("conformal_groove");
+  contact::Case input = committed_case("conformal_groove");
   input.rail.transverse_radius = -10.02;
   input.contact_grid.elements_across = 8;
   // Flanks touch along their whole length.
-  EXPECT_TRUE(rollfem::testing::says(
-      rollfem::testing::refusal<contact::SolveError>([&] { point_of(input); }), "straight flanks",
-      "round_to"));
+  EXPECT_TRUE(
+      says(refusal<contact::SolveError>([&] { point_of(input); }), "straight flanks", "round_to"));
 }

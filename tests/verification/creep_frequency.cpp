@@ -11,19 +11,11 @@
 #include "contact/solve/point_motion.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
 #include <complex>
 
-namespace rollfem {
 namespace {
-
-using contact::ContactGrid;
-using contact::Field;
-using contact::TangentialField;
 
 constexpr double semi_axis = 1.0;   // mm
 constexpr double reference = 20.0;  // mm
@@ -40,8 +32,7 @@ std::complex<double> rolled(double ka, int across) {
   const double cell = 2.0 * semi_axis / across;
   ContactGrid grid = ContactGrid::centred(across + 8, 1, cell, 1.0);
   grid.line_reference = reference;
-  const halfspace::HalfspaceCompliance compliance(grid,
-                                                  testing::alike(shear_modulus, poisson_ratio));
+  const halfspace::HalfspaceCompliance compliance(grid, alike(shear_modulus, poisson_ratio));
   contact::ContactConditions conditions;
   conditions.given_pressure = grid.sample([](double x, double) {
     return std::sqrt(std::max(0.0, 1.0 - x * x / (semi_axis * semi_axis)));
@@ -85,9 +76,7 @@ TEST(CreepFrequency, OfLineContactIsTheClosedForm) {
     EXPECT_LT(std::abs(fine - exact), 0.02 * std::abs(exact));
     EXPECT_LT(std::abs(fine - exact), 0.7 * std::abs(coarse - exact));
     const std::string at = "_" + fmt::format("{:g}", ka);
-    testing::record("amplitude" + at, std::abs(fine));
-    testing::record("phase" + at, std::arg(fine));
+    record("amplitude" + at, std::abs(fine));
+    record("phase" + at, std::arg(fine));
   }
 }
-
-}  // namespace rollfem

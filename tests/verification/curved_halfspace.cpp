@@ -4,45 +4,36 @@
 // CONTACT's extra slip and Persson's conforming cylinder.
 #include "contact/base/errors.hpp"
 #include "contact/scene/scene.hpp"
-
-#include <gtest/gtest.h>
-
 #include "support/half_space_models.hpp"
+
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
-#include <utility>
-
-using namespace rollfem;
-using contact::ContactGrid;
-using contact::PointResult;
-using contact::SurfaceForm;
 
 namespace {
 
-PointResult run(const rollfem::testing::PatchCase& input) {
-  return rollfem::testing::half_space_models().run("halfspace", input, {}).points.front();
+PointResult run(const PatchCase& input) {
+  return half_space_models().run("halfspace", input, {}).points.front();
 }
 
 /// Cases e and f: a convex rail in a hollow wheel.
-rollfem::testing::PatchCase conformal(char name) {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('a');
+PatchCase conformal(char name) {
+  PatchCase input = thesis_case('a');
   input.rail.transverse_radius = name == 'e' ? 100.0 : 50.0;
   input.wheel.transverse_radius = name == 'e' ? -105.263 : -51.282;
   return input;
 }
 
-rollfem::testing::PatchCase curved(rollfem::testing::PatchCase input) {
+PatchCase curved(PatchCase input) {
   input.halfspace.surface = SurfaceForm::curved;
   return input;
 }
 
 /// Tilted axle, lopsided profiles: S1002 on UIC60.
-rollfem::testing::PatchCase s1002() {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+PatchCase s1002() {
+  PatchCase input = thesis_case('b');
   input.wheel.rolling_radius = 450.0;
-  input.patch = rollfem::testing::s1002_on_uic60(-3.95, 8.58);
+  input.patch = s1002_on_uic60(-3.95, 8.58);
   return curved(input);
 }
 
@@ -50,8 +41,7 @@ rollfem::testing::PatchCase s1002() {
 
 TEST(CurvedHalfspace, IsThePlanarOneOnFlatBodies) {
   // Rail of 2000 mm under a cylinder: slopes of 0.003 at the edges, one rolling radius.
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('a');
-  input.rolling.creepages = {{1e-3, 5e-4, 1e-4}};
+  PatchCase input = thesis_case('a', 40, {{1e-3, 5e-4, 1e-4}});
   const PointResult plane = run(input);
   const PointResult bent = run(curved(input));
   EXPECT_NEAR(bent.max_pressure, plane.max_pressure, 1e-4 * plane.max_pressure);
@@ -60,7 +50,7 @@ TEST(CurvedHalfspace, IsThePlanarOneOnFlatBodies) {
 }
 
 TEST(CurvedHalfspace, SlipIsThatOfTheTurningWheel) {
-  const rollfem::testing::PatchCase input = s1002();
+  const PatchCase input = s1002();
   const contact::PatchGeometry& patch = *input.patch;
   const contact::ChartedGeometry surface(contact::Scene(input).geometry, contact::Chart::arc);
   const double xi = 2e-3;
@@ -91,7 +81,7 @@ TEST(CurvedHalfspace, SlipIsThatOfTheTurningWheel) {
 TEST(CurvedHalfspace, ArcAndDistanceOfConcentricCircles) {
   // R13 in a hollow of 14 mm: the common surface is close to a circle of 13.5 mm, the distance
   // along its normal 1 - cos of the angle times the distance of the centres.
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+  PatchCase input = thesis_case('b');
   input.rail.transverse_radius = 13.0;
   input.wheel.transverse_radius = -14.0;
   const contact::ChartedGeometry surface(contact::Scene(curved(input)).geometry,
@@ -110,7 +100,7 @@ TEST(CurvedHalfspace, ArcAndDistanceOfConcentricCircles) {
 TEST(CurvedHalfspace, ShiftsCreepCurvesLikeExtraSlipWithinItsOrder) {
   for (const char name : {'e', 'f'}) {
     SCOPED_TRACE(name);
-    rollfem::testing::PatchCase extra = conformal(name);
+    PatchCase extra = conformal(name);
     extra.rolling.extra_slip = contact::ExtraSlip::automatic;
     const PointResult planar = run(extra);
     const PointResult bent = run(curved(conformal(name)));
@@ -149,7 +139,7 @@ TEST(CurvedHalfspace, PressesHarderTheMoreThePatchIsBent) {
 
 TEST(CurvedHalfspace, ForcesBalanceThePressure) {
   // Frictionless: the force along z is the given one, and none is across on a symmetric patch.
-  rollfem::testing::PatchCase input = curved(conformal('f'));
+  PatchCase input = curved(conformal('f'));
   input.rolling.problem = contact::Problem::frictionless;
   const PointResult point = run(input);
   EXPECT_NEAR(point.normal_force, 50e3, 1e-6 * 50e3);
@@ -157,7 +147,7 @@ TEST(CurvedHalfspace, ForcesBalanceThePressure) {
 }
 
 TEST(CurvedHalfspace, RefusesWhatItLeavesOut) {
-  rollfem::testing::PatchCase quadratic = curved(conformal('e'));
+  PatchCase quadratic = curved(conformal('e'));
   quadratic.undeformed_distance.quadratic = {1e-3, 1e-3};
   EXPECT_THROW(run(quadratic), contact::InputError);
 }

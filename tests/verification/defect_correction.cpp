@@ -6,14 +6,11 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <vector>
 
 namespace {
 
-using namespace rollfem::contact;
 using rollfem::halfspace::HalfspaceCompliance;
 
 /// Rolling ball of 6 mm patch radius under 82 kN, braked and sliding sideways with spin.
@@ -26,7 +23,7 @@ struct Ball {
         grid.sample([](double x, double y) { return (x * x + y * y) / 800.0; });
     problem.load.force = 82e3;
     problem.friction = coulomb(0.3);
-    problem.motion.rigid_slip = rollfem::testing::slip_of(grid, {1e-3, 5e-4, 1e-4});
+    problem.motion.rigid_slip = slip_of(grid, {1e-3, 5e-4, 1e-4});
   }
 };
 
@@ -40,8 +37,8 @@ double relative_difference(const Field& a, const Field& b) {
 
 /// A compliance that is wanted, and the half-space of other bodies.
 struct Pair : Ball {
-  HalfspaceCompliance wanted{grid, rollfem::testing::alike(70e3, 0.33)};
-  HalfspaceCompliance other{grid, rollfem::testing::alike(82e3, 0.28)};
+  HalfspaceCompliance wanted{grid, alike(70e3, 0.33)};
+  HalfspaceCompliance other{grid, alike(82e3, 0.28)};
 };
 
 }  // namespace
@@ -88,7 +85,7 @@ TEST(DefectCorrection, SaysSoWhenItDoesNotConverge) {
 TEST(DefectCorrection, FrictionlessContactHasNoTangentialTractions) {
   Ball scene;
   scene.problem.motion.rigid_slip = {};
-  const HalfspaceCompliance half(scene.grid, rollfem::testing::alike(82e3, 0.28));
+  const HalfspaceCompliance half(scene.grid, alike(82e3, 0.28));
   const ContactState solution = solve_coupled(half, preconditioner(half), scene.problem);
   EXPECT_EQ(solution.tangential.traction.x.size(), 0);
   EXPECT_NEAR(solution.normal.pressure.sum() * scene.grid.element_area(), 82e3, 1e-3);

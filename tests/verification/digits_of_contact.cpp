@@ -7,20 +7,9 @@
 #include "halfspace/model/model.hpp"
 #include "theories/fastsim.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
-
-using namespace rollfem;
-using contact::Case;
-using contact::ElementState;
-using contact::ModelResult;
-using contact::PointResult;
-using contact::UpwindOrder;
 
 constexpr double steel_modulus = 82000.0, steel_ratio = 0.28;
 
@@ -143,13 +132,8 @@ TEST(DigitsOfContact, FromCattaneoToCarter) {
   input.contact_grid.extent = {8.5, 8.25};
   input.contact_grid.middle = {0.125, 0.0};
   input.rolling.upwind_order = UpwindOrder::first;
-  input.rolling.problem = contact::Problem::transient;
-  const double force = -0.657 * 0.4013 * 0.4705;
-  contact::HistoryStep each;
-  each.step_length = 0.25;
-  input.history.assign(57, each);
-  input.rolling.creepages.assign(57, {});
-  input.rolling.forces.assign(57, {force, {}});
+  roll_on(input, 57, 0.25);
+  input.rolling.forces.assign(57, {-0.657 * 0.4013 * 0.4705, {}});
   const ModelResult result = halfspace::run_halfspace(input, {});
   const PointResult& shifted = result.points[0];
   expect_printed(0.25 * shifted.creepage.longitudinal, 1.774e-2, "shift");
@@ -168,11 +152,7 @@ TEST(DigitsOfContact, StepsOfOneElementWithSpinEndInSteadyRolling) {
   input.friction_coefficient = 0.3;
   input.rolling.creepages = {{0.0, -6.25e-4, 6.25e-4}};
   const PointResult steady = halfspace::run_halfspace(input, {}).points[0];
-  contact::HistoryStep each;
-  each.step_length = (*input.contact_grid.cell_size)[0];
-  input.rolling.problem = contact::Problem::transient;
-  input.history.assign(120, each);
-  input.rolling.creepages.assign(120, input.rolling.creepages[0]);
+  roll_on(input, 120, (*input.contact_grid.cell_size)[0], {0.0, -6.25e-4, 6.25e-4});
   const PointResult last = halfspace::run_halfspace(input, {}).points.back();
   EXPECT_NEAR(last.lateral_force, steady.lateral_force, 5e-5 * 24600.0);
   EXPECT_NEAR(last.spin_moment, steady.spin_moment, 1e-4 * std::abs(steady.spin_moment));

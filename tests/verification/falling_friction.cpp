@@ -13,25 +13,13 @@
 
 #include <Eigen/LU>
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
 
-namespace rollfem {
 namespace {
 
-using contact::Case;
-using contact::ModelResult;
-using contact::PointResult;
-
-constexpr double steel_modulus = 82000.0, poisson = 0.28, force = 106.7e3;
+constexpr double locomotive_modulus = 82000.0, poisson = 0.28, force = 106.7e3;
 
 /// Eurosprinter (Polach, Wear 258 (2005)): A is given, 8e-4 per mm, and a/b = 1/2; the load then
 /// says how large the ellipse is.
@@ -39,8 +27,9 @@ Case locomotive(const std::vector<double>& creepages) {
   Case input;
   input.file = "test.toml";
   input.load.normal_force = force;
-  input.wheel.material = input.rail.material = {2.0 * steel_modulus * (1.0 + poisson), poisson};
-  const double modulus = steel_modulus / (1.0 - poisson);
+  input.wheel.material =
+      input.rail.material = {2.0 * locomotive_modulus * (1.0 + poisson), poisson};
+  const double modulus = locomotive_modulus / (1.0 - poisson);
   const auto curvatures = [&](double a, double b) {
     return halfspace::hertz_curvatures({a, b, 1.5 * force / (M_PI * a * b), 0.0, force}, modulus);
   };
@@ -51,8 +40,7 @@ Case locomotive(const std::vector<double>& creepages) {
   input.contact_grid.cell_size = {2.2 * a / 48, 4.4 * a / 44};
   input.friction_coefficient = 0.33;
   input.rolling.speed = 10e3;
-  input.rolling.creepages.clear();
-  for (const double creepage : creepages) input.rolling.creepages.push_back({creepage, 0.0, 0.0});
+  input.rolling.creepages = along(creepages);
   return input;
 }
 
@@ -88,7 +76,7 @@ TEST(FallingFriction, TractionCurveOfContactWithLayerAndMemory) {
     EXPECT_NEAR(ours / printed[k], 1.0, 3e-3) << creepages[k];
     worst = std::max(worst, std::abs(ours / printed[k] - 1.0));
   }
-  testing::record("largest_deviation_from_contact", worst);
+  record("largest_deviation_from_contact", worst);
 }
 
 TEST(FallingFriction, FullSlidingHasTheFrictionOfItsVelocity) {
@@ -126,10 +114,10 @@ TEST(FallingFriction, MemoryConvergesWithSecondOrder) {
     input.contact_grid.cell_size.reset();
     input.contact_grid.elements_across = across;
     forces.push_back(halfspace::run_halfspace(input, {}).points[0].longitudinal_force);
-    testing::record("force_at_" + std::to_string(across), forces.back());
+    record("force_at_" + std::to_string(across), forces.back());
   }
   const double order = std::log2((forces[1] - forces[0]) / (forces[2] - forces[1]));
-  testing::record("order", order);
+  record("order", order);
   EXPECT_GT(order, 1.5);
   EXPECT_NEAR(forces[2] / forces[3], 1.0, 1e-3);
 }
@@ -142,14 +130,9 @@ TEST(FallingFriction, TransientRollingSettlesToTheSteadyState) {
   input.contact_grid.cell_size.reset();
   input.contact_grid.elements_across = 24;
   const double steady = halfspace::run_halfspace(input, {}).points[0].longitudinal_force;
-  constexpr int steps = 40;
-  input.rolling.problem = contact::Problem::transient;
-  input.rolling.creepages.assign(steps, {0.008, 0.0, 0.0});
-  contact::HistoryStep each;
-  each.step_length = 0.5;
-  input.history.assign(steps, each);
+  roll_on(input, 40, 0.5, {0.008, 0.0, 0.0});
   const ModelResult result = halfspace::run_halfspace(input, {});
-  testing::record("settled_over_steady", result.points.back().longitudinal_force / steady);
+  record("settled_over_steady", result.points.back().longitudinal_force / steady);
   // The steady difference is fitted to the leading edge, which steps are not.
   EXPECT_NEAR(result.points.back().longitudinal_force / steady, 1.0, 0.01);
 }
@@ -203,7 +186,7 @@ TEST(Layer, SoftIsWinklers) {
     const PointResult point = halfspace::run_halfspace(input, {}).points[0];
     const double a = point.semi_axis_x, b = point.semi_axis_y;
     const double part = -point.longitudinal_force / (8.0 / 3.0 * a * a * b * 1e-6 * 8.2 / 1000.0);
-    testing::record("force_over_winklers_at_" + std::to_string(across), part);
+    record("force_over_winklers_at_" + std::to_string(across), part);
     EXPECT_NEAR(part, 1.0,
                 point.error_estimate.at("longitudinal_force") / std::abs(point.longitudinal_force));
     return part;
@@ -283,7 +266,7 @@ TEST(Fastsim, RemembersFrictionAlongEveryRow) {
         sum += pressure * (there + (0.33 - there) * std::exp(-slid / 0.5));
         all += pressure;
       }
-    testing::record(std::string("remembered_") + model, -point.longitudinal_force / force);
+    record(std::string("remembered_") + model, -point.longitudinal_force / force);
     EXPECT_NEAR(-point.longitudinal_force / force, sum / all, 0.01 * sum / all) << model;
     EXPECT_GT(sum / all, 1.2 * there);
   }
@@ -312,7 +295,7 @@ TEST(Fastsim, ReducedSlopeIsThatOfContact) {
   for (std::size_t k = 0; k < curve.size(); ++k) {
     const double coefficient = result.points[k].traction_coefficient / 0.36;
     EXPECT_NEAR(coefficient, curve[k].second, 0.003) << curve[k].first;
-    rollfem::testing::record(fmt::format("reduced_{:g}", curve[k].first), coefficient);
+    record(fmt::format("reduced_{:g}", curve[k].first), coefficient);
   }
   EXPECT_NEAR(result.points[0].traction_coefficient / 0.36, 0.003526, 0.01 * 0.003526);
 }
@@ -350,7 +333,7 @@ TEST(Layer, OfALineContactInFullAdhesion) {
   EXPECT_NEAR(1e3 * adhesion_integral(1e3, 400), 1.0, 2e-3);  // Carter's slope
   for (const double lambda : {0.1, 1.0, 10.0}) {
     // a = 1 mm (line_contact.cpp).
-    const double compliance = 2.0 * (1.0 - poisson) / (M_PI * steel_modulus * lambda);
+    const double compliance = 2.0 * (1.0 - poisson) / (M_PI * locomotive_modulus * lambda);
     const double creepage = 1e-7;
     const auto at = [&](int across) {
       const std::string text = fmt::format(
@@ -367,12 +350,11 @@ TEST(Layer, OfALineContactInFullAdhesion) {
                   .longitudinal_force;
     };
     const double exact = creepage / compliance * adhesion_integral(lambda, 400);
-    testing::record(fmt::format("error_of_lambda_{}_at_40", lambda), at(40) / exact - 1.0);
-    testing::record(fmt::format("error_of_lambda_{}_at_80", lambda), at(80) / exact - 1.0);
+    record(fmt::format("error_of_lambda_{}_at_40", lambda), at(40) / exact - 1.0);
+    record(fmt::format("error_of_lambda_{}_at_80", lambda), at(80) / exact - 1.0);
     EXPECT_NEAR(at(40) / exact, 1.0, 5e-3);
     EXPECT_NEAR(at(80) / exact, 1.0, 2e-3);
   }
 }
 
 }  // namespace
-}  // namespace rollfem

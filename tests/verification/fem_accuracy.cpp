@@ -4,19 +4,14 @@
 #include "contact/result/refinement.hpp"
 #include "fem/elasticity/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"
 #include "support/temporary_folder.hpp"
-#include <cstdlib>
 
 namespace {
 
-using namespace rollfem;
-
 contact::Case frictionless_case_a() {
-  contact::Case input = rollfem::testing::committed_case('a', {0.0});
+  contact::Case input = committed_case('a', {0.0});
   input.rolling.problem = contact::Problem::frictionless;
   input.output.fields = false;
   input.fem.cell_size.reset();
@@ -52,8 +47,7 @@ TEST(FemAccuracy, ThatMemoryDoesNotAllowIsSaidAndTheFinestResultIsThere) {
   const contact::ModelResult result = fem::run_fem(input, {});
   unsetenv("ROLLFEM_MEMORY_GB");
   ASSERT_EQ(result.points.size(), 1u);
-  EXPECT_TRUE(rollfem::testing::says(result.shortfall, "accuracy = 1e-05", "not reached",
-                                     "0.4 GB are available"));
+  EXPECT_TRUE(says(result.shortfall, "accuracy = 1e-05", "not reached", "0.4 GB are available"));
 }
 
 }  // namespace

@@ -4,20 +4,13 @@
 #include "contact/base/errors.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/fem_against_factorisation.hpp"
 #include "support/mpi_environment.hpp"
 
-namespace rollfem {
 namespace {
 
-using testing::Block;
-using testing::BlockOptions;
-using testing::uneven_load;
-
 double difference_from_factorisation(const BlockOptions& options, int& iterations) {
-  return testing::difference_from_factorisation(
+  return rollfem::testing::difference_from_factorisation(
       options,
       [](const fem::ElasticProblem& problem) {
         return fem::make_algebraic_multigrid(problem, {1e-11, 200});
@@ -48,11 +41,10 @@ TEST(AlgebraicMultigrid, CoarsensAMeshThatNobodyRefined) {
 }
 
 TEST(AlgebraicMultigrid, SaysSoWhenItDoesNotConverge) {
-  const Block block({}, testing::clamped_below());
+  const Block block({}, clamped_below());
   auto u = fem::make_vector(block.dofs());
   const auto solver = fem::make_algebraic_multigrid(block.problem(), {1e-12, 2});
   EXPECT_THROW(solver->solve(u, block.body_load(uneven_load)), contact::SolveError);
 }
 
 }  // namespace
-}  // namespace rollfem

@@ -4,31 +4,26 @@
 #include "fem/elasticity/model.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/bar_coverage.hpp"
 #include "support/mpi_environment.hpp"
 #include "support/random_wheel_rail.hpp"
 #include "support/records_in_memory.hpp"
 
-namespace rollfem {
-namespace {
-
 TEST(FemBars, HoldOutsideTheFamilyAndAreNotUseless) {
-  testing::RandomWheelRail contacts(1);
+  RandomWheelRail contacts(1);
   contact::Case input = contacts.contact(0);  // 3.0 by 1.4 mm, half of each body
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(contact::Scene(input));
   input.fem.extent = 3.0 * std::max(hertz.semi_axis_x, hertz.semi_axis_y);
-  input.subsurface = testing::points_below(hertz.semi_axis_x, hertz.semi_axis_y);
-  testing::RecordsInMemory levels;  // those that both runs have are solved once
+  input.subsurface = points_below(hertz.semi_axis_x, hertz.semi_axis_y);
+  RecordsInMemory levels;  // those that both runs have are solved once
   const auto run = [&](double parts) {
     input.fem.cell_size = std::min(hertz.semi_axis_x, hertz.semi_axis_y) / parts;
     return fem::run_fem(contact::Scene(input), {}, &levels).points.front();
   };
   const contact::PointResult point = run(4.0);
   const contact::PointResult fine = run(8.0);
-  testing::BarSamples samples;
-  testing::add_samples(point, fine, input.friction_coefficient, samples);
+  BarSamples samples;
+  add_samples(point, fine, input.friction_coefficient, samples);
   // Of 14 mm^2 one adheres, eight of the coarse elements: it jumps from grid to grid.
   samples.erase("adhesion_area");
   for (const char* name :
@@ -37,7 +32,7 @@ TEST(FemBars, HoldOutsideTheFamilyAndAreNotUseless) {
         "elastic_energy", "frictional_work", "creepage_work", "subsurface_stress"})
     EXPECT_GE(samples[name].size(), 1u) << name;
   for (const auto& [name, of_name] : samples)
-    for (const testing::BarSample& sample : of_name)
+    for (const BarSample& sample : of_name)
       EXPECT_LE(sample.error, std::hypot(sample.bar, sample.fine_bar)) << name;
   // By 8 elements across: a bar of everything would hold, too.
   EXPECT_LT(point.error_estimate.at("max_pressure"), 0.03 * point.max_pressure);
@@ -45,6 +40,3 @@ TEST(FemBars, HoldOutsideTheFamilyAndAreNotUseless) {
   EXPECT_LT(point.error_estimate.at("longitudinal_force"),
             0.1 * input.friction_coefficient * point.normal_force);
 }
-
-}  // namespace
-}  // namespace rollfem

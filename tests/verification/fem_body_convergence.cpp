@@ -5,10 +5,6 @@
 
 #include "support/fem_manufactured.hpp"
 #include "support/recorded.hpp"
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 
@@ -41,9 +37,9 @@ void expect_order(const fem::SurfaceShape& shape, double cell_size, int degree) 
   EXPECT_NEAR(order, degree + 1, 0.25) << coarse.displacement << " -> " << fine.displacement;
   EXPECT_NEAR(energy_order, degree, 0.2) << coarse.energy << " -> " << fine.energy;
   EXPECT_LT(fine.displacement, degree == 1 ? 0.05 : 2e-3);
-  rollfem::testing::record("order_of_displacement", order);
-  rollfem::testing::record("order_of_energy", energy_order);
-  rollfem::testing::record("error", fine.displacement);
+  record("order_of_displacement", order);
+  record("order_of_energy", energy_order);
+  record("error", fine.displacement);
 }
 
 TEST(ManufacturedSolution, QuadraticElementsOnAConvexWheel) {

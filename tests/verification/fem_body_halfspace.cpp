@@ -7,10 +7,6 @@
 #include "halfspace/elasticity/compliance.hpp"
 
 #include "support/fem_test_support.hpp"
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

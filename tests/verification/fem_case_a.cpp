@@ -4,24 +4,16 @@
 #include "contact/result/stress_measures.hpp"
 #include "fem/elasticity/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/contact_laws.hpp"
+#include "support/contact_of_case_a.hpp"
 #include "support/mpi_environment.hpp"
-#include <algorithm>
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-
-// Exact Hertz, and -Fx/Fz of CONTACT, 80 and 160 across extrapolated with order 1, +-5e-4.
-constexpr double exact_p0 = 578.967;
-constexpr double exact_a = 3.79236;
-constexpr double exact_b = 10.87295;
-constexpr double creepages[] = {0.0005, 0.001, 0.002, 0.003, 0.004, 0.006};
-constexpr double coefficients[] = {0.11542, 0.21565, 0.37221, 0.47467, 0.53016, 0.54952};
+using case_a::coefficients, case_a::creepages;
+constexpr double exact_p0 = case_a::p0, exact_a = case_a::semi_axis_x,
+                 exact_b = case_a::semi_axis_y;
 
 /// Of the wheel's surface under load at xi = 0, by a first-order perturbation of the half-space.
 constexpr double slip_of_strain = 1.45e-5;
@@ -38,26 +30,16 @@ double contact_at(double xi) {
   return f[k] + (xi - x[k]) * (one + (xi - x[k + 1]) * (two - one) / (x[k + 2] - x[k]));
 }
 
-/// shared/reference/contact_subsurface_a.csv: CONTACT below the middle, without friction, MPa.
-struct StressBelow {
-  double depth, xx, yy, zz, von_mises;
-};
-constexpr StressBelow stresses_below[] = {
-    {0.5, -383.311, -340.510, -573.375, 214.689}, {1.0, -276.966, -283.211, -557.459, 277.423},
-    {2.0, -137.465, -194.151, -503.644, 341.384}, {3.0, -64.6025, -132.593, -437.695, 344.171},
-    {4.0, -28.1380, -90.6904, -373.829, 319.047}, {6.0, -1.13786, -42.7999, -270.821, 251.454},
-    {8.0, 5.22582, -20.2541, -199.750, 193.498},  {12.0, 5.77334, -3.95558, -117.141, 118.350}};
-
-contact::Case case_a() {
-  contact::Case input = rollfem::testing::committed_case("thesis_a");
+contact::Case case_with_stresses() {
+  contact::Case input = committed_case("thesis_a");
   input.output.fields = false;
   input.output.stress_maxima = true;
   // Below the middle, in both bodies, where CONTACT's values are.
   for (const bool wheel : {true, false})
-    for (const StressBelow& row : stresses_below) {
+    for (const case_a::Below& row : case_a::below) {
       contact::SubsurfaceRequest request;
       request.wheel = wheel;
-      request.from = {0.0, 0.0, wheel ? row.depth : -row.depth};
+      request.from = {0.0, 0.0, wheel ? row.z : -row.z};
       input.subsurface.push_back(request);
     }
   return input;
@@ -65,7 +47,7 @@ contact::Case case_a() {
 
 /// Solved once for all tests of this program.
 const contact::ModelResult& solution() {
-  static const contact::ModelResult result = fem::run_fem(case_a(), {});
+  static const contact::ModelResult result = fem::run_fem(case_with_stresses(), {});
   return result;
 }
 
@@ -130,7 +112,7 @@ TEST(FemCaseA, EveryPointIsInEquilibriumClosedUnderPressureAndWithinTheTractionB
       const double gap = distance + f.displacement.n[k] - point.approach;
       EXPECT_NEAR(f.gap[k], gap, 2e-4 * distance + 1e-9);
     }
-    rollfem::testing::expect_contact_laws(point, 0.55, exact_p0);
+    expect_contact_laws(point, 0.55, exact_p0);
   }
 }
 
@@ -154,9 +136,9 @@ TEST(FemCaseA, ErrorEstimatesCoverTheTrueErrorsAndAreOfTheirSize) {
 TEST(FemCaseA, StressBelowTheMiddleAgreesWithContactWithinOnePercentOfThePressure) {
   // The first load point has no creepage: CONTACT's has no friction, ours all but none.
   const contact::PointResult& point = solution().points.front();
-  ASSERT_EQ(point.subsurface.size(), 2 * std::size(stresses_below));
+  ASSERT_EQ(point.subsurface.size(), 2 * std::size(case_a::below));
   for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
-    const StressBelow& row = stresses_below[k % std::size(stresses_below)];
+    const case_a::Below& row = case_a::below[k % std::size(case_a::below)];
     const contact::Stress s = contact::Stress::from_array(point.subsurface[k].stress.front());
     const double differences[] = {s.xx - row.xx,
                                   s.yy - row.yy,
@@ -166,8 +148,7 @@ TEST(FemCaseA, StressBelowTheMiddleAgreesWithContactWithinOnePercentOfThePressur
                                   s.xz,
                                   contact::von_mises(s) - row.von_mises};
     for (const double difference : differences)
-      EXPECT_LT(std::abs(difference), 0.01 * exact_p0)
-          << "request " << k << ", depth " << row.depth;
+      EXPECT_LT(std::abs(difference), 0.01 * exact_p0) << "request " << k << ", depth " << row.z;
   }
 }
 

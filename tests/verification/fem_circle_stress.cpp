@@ -5,15 +5,10 @@
 #include "contact/result/stress_measures.hpp"
 #include "fem/elasticity/run_level.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mpi_environment.hpp"
 #include "support/recorded.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
 
 constexpr double radius = 405.0;  // mm, of the wheel along x and of the rail across: a circle
 constexpr double force = 50e3;
@@ -51,8 +46,8 @@ TEST(FemCircle, LargestShearStressIsThatOfHertzAndItsPlace) {
       EXPECT_NEAR(0.5 * maximum.value / p0, 0.31002, 0.01 * 0.31002) << maximum.body;
       EXPECT_NEAR(depth, 0.4809, 0.02) << maximum.body;
       EXPECT_LT(std::hypot(maximum.place[0], maximum.place[1]), 0.1 * a) << maximum.body;
-      rollfem::testing::record(maximum.body + "_shear_over_p0", 0.5 * maximum.value / p0);
-      rollfem::testing::record(maximum.body + "_depth_over_a", depth);
+      record(maximum.body + "_shear_over_p0", 0.5 * maximum.value / p0);
+      record(maximum.body + "_depth_over_a", depth);
     }
     // On the axis xx = yy: both equivalent stresses are the same.
     if (maximum.measure == "von_mises") {

@@ -4,19 +4,14 @@
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"
-#include <cmath>
-
-using namespace rollfem;
 
 TEST(HybridInAGroove, HasThePressureOfDirectionsTurned) {
   // benchmarks/book/turned_half_space.py: the half-space with displacements taken along the normals
   // of where they are has 529.46 MPa and an approach of 0.02243 mm, rolled out flat 533.11 MPa;
   // both on elements of 0.2 by 0.25 mm.
-  contact::Case input = rollfem::testing::committed_case("conformal_groove");
+  contact::Case input = committed_case("conformal_groove");
   const auto flat = halfspace::run_halfspace(input, {}).points.front();
   const auto bodies =
       hybrid::run_hybrid(input, {}, nullptr, hybrid::find_smooth_parts).points.front();
@@ -31,7 +26,7 @@ TEST(HybridInAGroove, IsRoundAsFarAsTheCaseSays) {
   // A groove of 10.02 mm: half the patch is 47 degrees, beyond where circles end by default. The
   // half-space of directions turned has 295.91 MPa, rolled out flat 301.11 MPa, finite elements of
   // 0.24 mm 294.98 MPa.
-  contact::Case input = rollfem::testing::committed_case("conformal_groove");
+  contact::Case input = committed_case("conformal_groove");
   input.rail.transverse_radius = -10.02;
   input.wheel.round_to = input.rail.round_to = 0.85;
   input.contact_grid.elements_across = 30;

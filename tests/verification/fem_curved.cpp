@@ -5,16 +5,11 @@
 #include "fem/elasticity/run_level.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/contact_laws.hpp"
 #include "support/mpi_environment.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
 
 contact::ModelResult solve(const contact::Case& input, double cell) {
   return fem::run_level(input, {cell, "", false}, {});
@@ -22,15 +17,14 @@ contact::ModelResult solve(const contact::Case& input, double cell) {
 
 /// Solved once for all tests of this program.
 const contact::ModelResult& case_f() {
-  static const contact::ModelResult result =
-      solve(rollfem::testing::committed_case('f', {0.0, 0.002}), 0.94);
+  static const contact::ModelResult result = solve(committed_case('f', {0.0, 0.002}), 0.94);
   return result;
 }
 
 }  // namespace
 
 TEST(FemCurvedContact, OfVeryLargeRadiiIsThatOfFlatBodies) {
-  const contact::Case flat = rollfem::testing::committed_case('a', {0.002});
+  const contact::Case flat = committed_case('a', {0.002});
   contact::Case nearly = flat;
   nearly.wheel.transverse_radius = -1e6;
   nearly.rail.transverse_radius = 1.0 / (1.0 / 2000.0 + 1e-6);  // the same relative curvature
@@ -45,8 +39,8 @@ TEST(FemCurvedContact, OfVeryLargeRadiiIsThatOfFlatBodies) {
 
 TEST(FemCurvedContact, CarriesTheVerticalForceByPressureAndFriction) {
   const contact::ModelResult& result = case_f();
-  const contact::PatchShape shape = contact::patch_shape(
-      contact::Geometry(rollfem::testing::committed_case('f', {0.0})).surface, result.grid);
+  const contact::PatchShape shape =
+      contact::patch_shape(contact::Geometry(committed_case('f', {0.0})).surface, result.grid);
   const contact::Field sine = shape.climb.cwiseQuotient(shape.stretch);
   const contact::Field cosine = shape.stretch.cwiseInverse();
   for (const contact::PointResult& point : result.points) {
@@ -64,7 +58,7 @@ TEST(FemCurvedContact, CarriesTheVerticalForceByPressureAndFriction) {
 
 TEST(FemCurvedContact, KeepsCoulombAndComplementarityAtEveryElement) {
   for (const contact::PointResult& point : case_f().points) {
-    rollfem::testing::expect_contact_laws(point, 0.55, 578.97);
+    expect_contact_laws(point, 0.55, 578.97);
     EXPECT_GT(point.fields.gap.maxCoeff(), 0.05 * point.approach);
   }
 }
@@ -74,7 +68,7 @@ TEST(FemCurvedContact, OfCaseFShiftsTheCreepCurveAsTheCurvedHalfspaceOnTheSameCe
   // strain of a loaded wheel, 0.0030 to 0.0034, and on cells of 0.94 mm, an eighth of the patch,
   // what the cells do, 0.4 % of mu either way. Finite elements without that strain would be 0.0039
   // below, with its sign turned 0.0073.
-  contact::Case same_cells = rollfem::testing::committed_case('f', {0.0, 0.002});
+  contact::Case same_cells = committed_case('f', {0.0, 0.002});
   same_cells.contact_grid.cell_size = {{0.94, 0.94}};
   same_cells.halfspace.surface = contact::SurfaceForm::curved;
   const contact::ModelResult half = halfspace::run_halfspace(same_cells, {});

@@ -9,21 +9,15 @@
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/elastic_sphere.hpp"
 #include "support/mpi_environment.hpp"
 #include "support/recorded.hpp"
-#include <algorithm>
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-
 contact::Case study_on_40(char name, const std::vector<double>& creepages) {
-  contact::Case input = rollfem::testing::committed_case(name, creepages);
+  contact::Case input = committed_case(name, creepages);
   input.contact_grid.elements_across = 40;
   return input;
 }
@@ -37,7 +31,7 @@ contact::ModelResult hybrid_of(const contact::Case& input) {
 contact::SurfaceField beyond(const halfspace::SmoothMap& map) {
   const double a = map.loads.half_length, b = map.loads.half_width;
   const auto grid = contact::ContactGrid::centred(16, 16, 0.1 * a, 0.1 * b);
-  const contact::Field hertz = rollfem::testing::hertz_pressure(grid, a, b, 1e3);
+  const contact::Field hertz = hertz_pressure(grid, a, b, 1e3);
   // Half a body carries friction along rolling, and to both sides.
   const contact::Field sides =
       hertz.cwiseProduct(grid.sample([&](double, double y) { return y / b; }));
@@ -73,8 +67,8 @@ TEST(Hybrid, OfAFreeMeshIsThatOfTheBox) {
   EXPECT_NE(free.unknowns, boxes.unknowns);
   const double wheel = farthest(beyond(free.wheel), beyond(boxes.wheel));
   const double rail = farthest(beyond(free.rail), beyond(boxes.rail));
-  rollfem::testing::record("difference_wheel", wheel);
-  rollfem::testing::record("difference_rail", rail);
+  record("difference_wheel", wheel);
+  record("difference_rail", rail);
   EXPECT_LT(wheel, 0.1);
   EXPECT_LT(rail, 0.1);
   scene.output.stress_maxima = true;
@@ -98,7 +92,7 @@ TEST(Hybrid, AFlatRailIsNotMeshed) {
   const halfspace::SmoothParts meshed = hybrid::find_smooth_parts(scene, {});
   EXPECT_GT(meshed.unknowns, 1000);
   const double difference = farthest(beyond(plain.rail), beyond(meshed.rail));
-  rollfem::testing::record("difference", difference);
+  record("difference", difference);
   EXPECT_LT(difference, 0.05);
 }
 
@@ -113,7 +107,7 @@ TEST(Hybrid, LinearCellsFindWhatQuadraticOnesDo) {
   scene.options.fem.degree = 1;
   const auto linear = hybrid::find_smooth_parts(scene, {});
   const double difference = farthest(beyond(linear.wheel), beyond(quadratic.wheel));
-  rollfem::testing::record("difference", difference);
+  record("difference", difference);
   EXPECT_LT(difference, 0.1);
 }
 
@@ -171,7 +165,7 @@ TEST(Hybrid, MeetsFiniteElementsOnASmallWheelInAGroove) {
   const contact::PointResult hybrid = hybrid_of(input).points.front();
   const contact::PointResult whole =
       fem::run_fem(contact::Scene(input), {}, nullptr).points.front();
-  rollfem::testing::record("p0", hybrid.max_pressure / whole.max_pressure - 1.0);
+  record("p0", hybrid.max_pressure / whole.max_pressure - 1.0);
   EXPECT_NEAR(hybrid.max_pressure / whole.max_pressure, 1.0, 0.004);
   EXPECT_NEAR(hybrid.semi_axis_x / whole.semi_axis_x, 1.0, 0.004);
   EXPECT_NEAR(hybrid.semi_axis_y / whole.semi_axis_y, 1.0, 0.006);
@@ -191,8 +185,8 @@ TEST(Hybrid, HasTheSlipOfAnElasticSphere) {
   const hybrid::HybridCompliance compliance(scene, geometry, grid,
                                             hybrid::find_smooth_parts(scene, {}));
   const ElasticSphere slip(compliance, grid);
-  rollfem::testing::record("mean", slip.mean);
-  rollfem::testing::record("shape", slip.shape);
+  record("mean", slip.mean);
+  record("shape", slip.shape);
   EXPECT_NEAR(slip.mean, 1.0, 0.02);
   EXPECT_LT(slip.shape, 0.03);  // over the patch; 0.09 by a plain fit of degree 6
 }

@@ -7,22 +7,14 @@
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"
 #include "support/recorded.hpp"
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace {
 
-using namespace rollfem;
-
 contact::Case frictionless_case(char name) {
-  contact::Case input = rollfem::testing::committed_case(name, {0.0});
+  contact::Case input = committed_case(name, {0.0});
   input.contact_grid.elements_across = 40;
   input.rolling.problem = contact::Problem::frictionless;
   return input;
@@ -83,7 +75,7 @@ TEST(HybridStress, IsThatOfHertzInBodiesThatAreHalfSpaces) {
         worst =
             std::max(worst, std::abs(field.stress[static_cast<std::size_t>(k)][c] / p0 - exact[c]));
     }
-  rollfem::testing::record("worst", worst);
+  record("worst", worst);
   EXPECT_LT(worst, 1e-3);
 }
 
@@ -105,7 +97,7 @@ TEST(HybridStress, IsThatOfFiniteElementsOnSteepSurfaces) {
       worst = std::max(worst, std::abs(von_mises(point, body, k + 1) - exact));
       worst_half = std::max(worst_half, std::abs(von_mises(half, body, k + 1) - exact));
     }
-    rollfem::testing::record(body == 0 ? "wheel" : "rail", worst);
+    record(body == 0 ? "wheel" : "rail", worst);
     EXPECT_LT(worst, 0.006 * 583.0) << body;  // 0.4 % on the usual cells
     EXPECT_GT(worst_half, 0.03 * 583.0) << body;
   }

@@ -13,10 +13,6 @@
 #include "support/fem_test_support.hpp"
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 
@@ -141,8 +137,8 @@ TEST(NearlyIncompressible, ThickCylinderHasLamesDisplacementAndStress) {
     EXPECT_LT(projected.displacement, displacement) << "degree " << degree;
     EXPECT_LT(projected.stress, stress) << "degree " << degree;
     EXPECT_GT(plain.displacement, displacement) << "degree " << degree;
-    rollfem::testing::record(fmt::format("projected_degree_{}", degree), projected.displacement);
-    rollfem::testing::record(fmt::format("plain_degree_{}", degree), plain.displacement);
+    record(fmt::format("projected_degree_{}", degree), projected.displacement);
+    record(fmt::format("plain_degree_{}", degree), plain.displacement);
     EXPECT_GT(plain.stress, stress) << "degree " << degree;
     // At the one Gauss point of degree 1 the dilatation is its mean already.
     if (degree == 2) {

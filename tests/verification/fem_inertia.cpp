@@ -14,11 +14,6 @@
 #include "support/fem_quarter_ring.hpp"
 #include "support/fem_test_support.hpp"
 #include "support/recorded.hpp"
-#include <array>
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 
@@ -90,9 +85,9 @@ RingErrors ring_errors(double poisson_ratio, unsigned int cells) {
 
 TEST(SpinningRing, HasTheClosedFormsDisplacementAndHoopStress) {
   const auto coarse = ring_errors(0.3, 6), fine = ring_errors(0.3, 12);
-  rollfem::testing::record("displacement_error", fine.displacement);
-  rollfem::testing::record("order", std::log2(coarse.displacement / fine.displacement));
-  rollfem::testing::record("hoop_error", fine.hoop_stress);
+  record("displacement_error", fine.displacement);
+  record("order", std::log2(coarse.displacement / fine.displacement));
+  record("hoop_error", fine.hoop_stress);
   EXPECT_LT(fine.displacement, 1e-5) << coarse.displacement;
   EXPECT_NEAR(std::log2(coarse.displacement / fine.displacement), 3.0, 0.4);
   EXPECT_LT(fine.hoop_stress, 2e-3) << coarse.hoop_stress;
@@ -154,7 +149,7 @@ TEST(MovingPressure, DeflectsAHalfSpaceAsColeAndHuthSay) {
       const double computed = computed_wave(speed, nu, 8);
       EXPECT_NEAR(computed / moving_wave(speed, nu), 1, 5e-4)
           << fraction << " of the Rayleigh speed, nu = " << nu;
-      rollfem::testing::record(fmt::format("deflection_{}_{}", nu, fraction), computed);
+      record(fmt::format("deflection_{}_{}", nu, fraction), computed);
     }
 }
 
@@ -196,7 +191,7 @@ TEST(RollingInertia, VanishesAsTheSquareOfTheSpeed) {
   const auto slow = respond(1e5, p, grid) - rest, fast = respond(2e5, p, grid) - rest;
   const double size = std::sqrt(dot(slow, slow));
   EXPECT_NEAR(std::sqrt(dot(fast, fast)) / size, 4.0, 0.02);
-  rollfem::testing::record("ratio", std::sqrt(dot(fast, fast)) / size);
+  record("ratio", std::sqrt(dot(fast, fast)) / size);
   const double relative = size / std::sqrt(dot(rest, rest));
   // rho V^2 / G = 1e-3 times something of the order of one.
   EXPECT_GT(relative, 1e-4);

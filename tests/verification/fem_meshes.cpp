@@ -3,35 +3,28 @@
 // meshes of a user whose lines follow neither rolling nor the lateral direction.
 #include "fem/elasticity/run_level.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/mesh_examples.hpp"
 #include "support/mpi_environment.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
 
 /// A rail of transverse radius 2000 mm, with graded lines along and across that are turned by 20
 /// degrees about z, and every node inside moved by up to a fifth of a cell: distorted hexahedra.
 meshes::HexMesh distorted_rail() {
   constexpr double reach = 75, shift = 2.3;
   const std::vector<double> along{-reach, -45, -25, -11.6, 0, 11.6, 25, 45, reach};
-  return rollfem::testing::block(
-      along, along, {-reach, -46, -26, -11, 0}, true, [=](rollfem::testing::Point p) {
-        const double phase = 1.3 * p[0] + 2.1 * p[1] + 3.7 * p[2];
-        if (std::abs(p[0]) < reach && std::abs(p[1]) < reach && p[2] > -reach) {
-          p[0] += shift * std::sin(phase);
-          p[1] += shift * std::cos(2 * phase);
-          if (p[2] < 0) p[2] += shift * std::sin(3 * phase);
-        }
-        const double c = std::cos(20.0 * M_PI / 180.0), s = std::sin(20.0 * M_PI / 180.0);
-        const double y = s * p[0] + c * p[1];
-        return rollfem::testing::Point{c * p[0] - s * p[1], y,
-                                       p[2] - (2000.0 - std::sqrt(4e6 - y * y))};
-      });
+  return block(along, along, {-reach, -46, -26, -11, 0}, true, [=](Point p) {
+    const double phase = 1.3 * p[0] + 2.1 * p[1] + 3.7 * p[2];
+    if (std::abs(p[0]) < reach && std::abs(p[1]) < reach && p[2] > -reach) {
+      p[0] += shift * std::sin(phase);
+      p[1] += shift * std::cos(2 * phase);
+      if (p[2] < 0) p[2] += shift * std::sin(3 * phase);
+    }
+    const double c = std::cos(20.0 * M_PI / 180.0), s = std::sin(20.0 * M_PI / 180.0);
+    const double y = s * p[0] + c * p[1];
+    return Point{c * p[0] - s * p[1], y, p[2] - (2000.0 - std::sqrt(4e6 - y * y))};
+  });
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ TEST(FemMeshFamilies, AgreeOnTheCurvedCase) {
   // Faces of gmsh's meshes do not make up the contact elements, so that what cells of their size
   // lack of short waves stays in them: forces differ by what that is worth at four cells in the
   // semi-axis.
-  contact::Case input = rollfem::testing::committed_case('e', {0.002});
+  contact::Case input = committed_case('e', {0.002});
   const auto one = fem::run_level(input, {0.94, "", false}, {}).points.front();
   input.fem.mesh = contact::MeshFamily::gmsh;
   const auto other = fem::run_level(input, {0.94, "", false}, {}).points.front();
@@ -53,8 +46,8 @@ TEST(FemUserMeshes, GiveHertzOnTurnedAndDistortedHexahedra) {
   // The whole rail on the user's mesh under half a wheel of the program's. Cells of half of the
   // smaller semi-axis: p0 is off Hertz's by what four elements across bring (half-spaces have +0.8
   // % there, with edges elsewhere in the elements), and the distorted mesh must not add to it.
-  const rollfem::testing::TemporaryFolder folder;
-  contact::Case input = rollfem::testing::committed_case('a', {0.002});
+  const TemporaryFolder folder;
+  contact::Case input = committed_case('a', {0.002});
   const auto own = fem::run_level(input, {1.88, "", false}, {}).points.front();
   input.file = folder.path("case.toml");
   folder.file("rail.msh", meshes::msh_text(distorted_rail()));
@@ -69,7 +62,7 @@ TEST(FemSegments, LeaveTheForceWithoutCreepageWhereverTheyEnd) {
   // Four and eight larger semi-axes. The force is the strain of the wheel's circles under load,
   // which a perturbation of the half-space puts at 0.0030 of F_z; without -u_n/R it would be
   // -0.006.
-  contact::Case input = rollfem::testing::committed_case('a', {0.0});
+  contact::Case input = committed_case('a', {0.0});
   double coefficient[2];
   for (const int k : {0, 1}) {
     input.fem.extent = k == 0 ? 43.5 : 87.0;

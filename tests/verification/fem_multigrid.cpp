@@ -4,27 +4,20 @@
 #include "contact/base/errors.hpp"
 #include "fem/linear/multigrid.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/fem_against_factorisation.hpp"
 #include "support/mpi_environment.hpp"
-#include <cmath>
 
-namespace rollfem {
 namespace {
 
 using dealii::Point;
 using dealii::Tensor;
-using testing::Block;
-using testing::BlockOptions;
-using testing::uneven_load;
 
 double all_processes_max(double value) {
   return dealii::Utilities::MPI::max(value, MPI_COMM_WORLD);
 }
 
 double difference_from_factorisation(const BlockOptions& options, int* iterations = nullptr) {
-  return testing::difference_from_factorisation(
+  return rollfem::testing::difference_from_factorisation(
       options,
       [](const fem::ElasticProblem& problem) {
         return fem::make_multigrid(problem, {1e-11, 100});
@@ -68,7 +61,7 @@ TEST(Multigrid, RefusesNearlyIncompressibleBodies) {
   BlockOptions options;
   options.local_refinements = 0;
   options.material.poisson_ratio = 0.4999;
-  const Block block(options, testing::clamped_below());
+  const Block block(options, clamped_below());
   EXPECT_THROW(fem::make_multigrid(block.problem()), contact::InputError);
 }
 
@@ -119,7 +112,7 @@ TEST(Multigrid, NeedsNoMoreIterationsOnFinerMeshes) {
   for (const int refinements : {1, 2, 3}) {
     BlockOptions options;
     options.global_refinements = refinements;
-    const Block block(options, testing::clamped_below());
+    const Block block(options, clamped_below());
     const auto solver = fem::make_multigrid(block.problem());
     auto u = fem::make_vector(block.dofs());
     solver->solve(u, block.body_load(uneven_load));
@@ -132,7 +125,7 @@ TEST(Multigrid, NeedsNoMoreIterationsOnFinerMeshes) {
 
 // Betti: the work of one load on the displacement of another.
 TEST(Multigrid, IsSymmetricToTheTolerance) {
-  const Block block({}, testing::clamped_below());
+  const Block block({}, clamped_below());
   const auto solver = fem::make_multigrid(block.problem(), {1e-12, 100});
   const auto a = block.body_load(uneven_load);
   Tensor<1, 3> pressure;
@@ -145,7 +138,7 @@ TEST(Multigrid, IsSymmetricToTheTolerance) {
 }
 
 TEST(Multigrid, IsDeterministicAndGivesZeroForNoLoad) {
-  const Block block({}, testing::clamped_below());
+  const Block block({}, clamped_below());
   const auto solver = fem::make_multigrid(block.problem());
   auto u = fem::make_vector(block.dofs()), v = u, zero = u;
   const auto load = block.body_load(uneven_load);
@@ -160,7 +153,7 @@ TEST(Multigrid, IsDeterministicAndGivesZeroForNoLoad) {
 }
 
 TEST(Multigrid, SaysWhenItDoesNotConverge) {
-  const Block block({}, testing::clamped_below());
+  const Block block({}, clamped_below());
   auto u = fem::make_vector(block.dofs());
   const auto load = block.body_load(uneven_load);
   EXPECT_THROW(fem::make_multigrid(block.problem(), {1e-8, 2})->solve(u, load),
@@ -176,9 +169,8 @@ TEST(Multigrid, RejectsABodyThatNothingHoldsAndOtherElements) {
   const Block loose(options, {});
   EXPECT_THROW(fem::make_multigrid(loose.problem()), contact::SolveError);
   options.degree = 3;
-  const Block cubic(options, testing::clamped_below());
+  const Block cubic(options, clamped_below());
   EXPECT_THROW(fem::make_multigrid(cubic.problem()), contact::InputError);
 }
 
 }  // namespace
-}  // namespace rollfem

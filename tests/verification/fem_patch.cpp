@@ -9,11 +9,6 @@
 #include "support/fem_elastic_block.hpp"
 #include "support/fem_fields.hpp"
 #include "support/fem_test_support.hpp"
-#include <array>
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

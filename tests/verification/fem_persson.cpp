@@ -16,16 +16,10 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
-#include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
 #include "support/persson.hpp"
 #include "support/recorded.hpp"
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-using namespace rollfem;
 
 namespace {
 
@@ -188,9 +182,8 @@ Reached solve_persson(double half_angle, long elements) {
   const Eigen::MatrixXd vertical =
       cosine.cwiseInverse().asDiagonal() * a * cosine.cwiseInverse().asDiagonal();
 
-  const double clearance = rollfem::testing::PerssonContact{half_angle}.clearance_number() *
-                           line_load * (1 - steel.poisson_ratio * steel.poisson_ratio) /
-                           steel.young_modulus;
+  const double clearance = PerssonContact{half_angle}.clearance_number() * line_load *
+                           (1 - steel.poisson_ratio * steel.poisson_ratio) / steel.young_modulus;
   const DenseNormal compliance({1, count, thickness, radius * step, 0.0, 0.5 * radius * step},
                                vertical);
   const auto solution = contact::solve_normal(
@@ -208,7 +201,7 @@ Reached solve_persson(double half_angle, long elements) {
 
 TEST(PerssonPin, TouchesOverTheAngleAndWithThePressureOfTheClosedForm) {
   for (const double angle : {20.0, 40.0, 60.0}) {
-    const double exact = rollfem::testing::PerssonContact{angle * degree}.pressure(0);
+    const double exact = PerssonContact{angle * degree}.pressure(0);
     const Reached coarse = solve_persson(angle * degree, std::lround(angle / 3));
     const Reached fine = solve_persson(angle * degree, std::lround(angle / 1.5));
     EXPECT_NEAR(fine.half_angle / degree, angle, 0.5);
@@ -216,9 +209,8 @@ TEST(PerssonPin, TouchesOverTheAngleAndWithThePressureOfTheClosedForm) {
     EXPECT_LT(std::abs(fine.half_angle / degree - angle),
               0.7 * std::abs(coarse.half_angle / degree - angle));
     const std::string at = std::to_string(std::lround(angle));
-    rollfem::testing::record("pressure_at_" + at, fine.pressure);
-    rollfem::testing::record("half_angle_at_" + at, fine.half_angle / degree);
-    rollfem::testing::record("half_angle_with_elements_of_3_degrees_at_" + at,
-                             coarse.half_angle / degree);
+    record("pressure_at_" + at, fine.pressure);
+    record("half_angle_at_" + at, fine.half_angle / degree);
+    record("half_angle_with_elements_of_3_degrees_at_" + at, coarse.half_angle / degree);
   }
 }

@@ -8,26 +8,16 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mpi_environment.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
-#include <string>
 
 namespace {
-
-using namespace rollfem;
-using contact::Case;
-using contact::ModelResult;
-using contact::PointResult;
-using contact::Problem;
 
 constexpr double coarse = 1.5;  // mm, a quarter of the patch of case b
 constexpr double fine = 1.2;
 
 Case case_b(double cell = coarse) {
-  Case input = rollfem::testing::thesis_case('b');
+  Case input = thesis_case('b');
   input.fem.cell_size = cell;
   input.contact_grid.cell_size = {{cell, cell}};
   input.fem.extent = 30.0;
@@ -92,10 +82,7 @@ TEST(FemProblems, TransientRollingEndsInTheSteadyState) {
   steady.rolling.leading_edge = contact::LeadingEdge::plain;
   const PointResult end = finite_elements(steady).points.front();
   Case input = steady;
-  input.rolling.problem = Problem::transient;
-  input.rolling.creepages.assign(20, {1e-3, 5e-4, 0.0});
-  input.history.assign(20, {});
-  for (auto& step : input.history) step.step_length = coarse;
+  roll_on(input, 20, coarse, {1e-3, 5e-4, 0.0});
   const ModelResult rolled = finite_elements(input);
   EXPECT_LT(std::abs(rolled.points.front().longitudinal_force),
             0.4 * std::abs(end.longitudinal_force));
@@ -106,11 +93,8 @@ TEST(FemProblems, TransientRollingEndsInTheSteadyState) {
 
 TEST(FemProblems, BarsOfALongStepHoldTheSteadyStateThatGoesOn) {
   Case input = case_b();
-  input.rolling.problem = Problem::transient;
+  roll_on(input, 2, 12.0, {0.0015, 0.0007, 2e-4});  // twice the patch
   input.starts_steady = true;
-  input.history.assign(2, {});
-  input.history[1].step_length = 12.0;  // twice the patch
-  input.rolling.creepages.assign(2, {0.0015, 0.0007, 2e-4});
   const auto points = fem::run_fem(input, {}).points;
   const double error = std::abs(points[1].longitudinal_force - points[0].longitudinal_force);
   const double bar_of_start = points[0].error_estimate.at("longitudinal_force");

@@ -6,20 +6,13 @@
 #include "fem/mesh/run_layout.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mpi_environment.hpp"
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/profile_scenes.hpp"
 #include "support/recorded.hpp"
-#include <cmath>
-#include <memory>
-#include <vector>
 
 namespace {
-
-using namespace rollfem;
 
 contact::ModelResult solve(const contact::Scene& input, double cell) {
   return fem::run_level(input, {cell, "", false}, {});
@@ -37,7 +30,7 @@ contact::Case plain_case(double creepage) {
   return input;
 }
 
-void set_patch(rollfem::testing::PatchCase& input, contact::PatchGeometry geometry) {
+void set_patch(PatchCase& input, contact::PatchGeometry geometry) {
   input.patch = std::make_shared<contact::PatchGeometry>(std::move(geometry));
 }
 
@@ -47,8 +40,8 @@ TEST(FemOnProfiles, OfCirclesIsThatOfTheRadii) {
   contact::Case radii = plain_case(0.002);
   radii.wheel.rolling_radius = 405.0;
   radii.rail.transverse_radius = 500.0;
-  rollfem::testing::PatchCase curves = radii;
-  set_patch(curves, rollfem::testing::circle_pair(405.0, 1e9, 500.0, 60.0));
+  PatchCase curves = radii;
+  set_patch(curves, circle_pair(405.0, 1e9, 500.0, 60.0));
   const contact::PointResult one = solve(radii, 1.5).points.front();
   const contact::PointResult other = solve(curves, 1.5).points.front();
   // The fine regions differ by an element at most, and a full body replaces two halves.
@@ -63,10 +56,9 @@ TEST(FemOnProfiles, OfCirclesIsThatOfTheRadii) {
 TEST(FemOnProfiles, OfASphereIsTheSameAboutAnyAxle) {
   std::vector<contact::PointResult> results;
   for (const double tilt : {0.0, 0.6}) {
-    rollfem::testing::PatchCase input = plain_case(0.0);
+    PatchCase input = plain_case(0.0);
     input.rolling.problem = contact::Problem::frictionless;
-    set_patch(input, rollfem::testing::sphere_on_circle(
-                         405.0, 500.0, {0.0, std::cos(tilt), std::sin(tilt)}, 60.0));
+    set_patch(input, sphere_on_circle(405.0, 500.0, {0.0, std::cos(tilt), std::sin(tilt)}, 60.0));
     results.push_back(solve(input, 1.5).points.front());
   }
   // The chart's lines are other circles on the same sphere.
@@ -81,7 +73,7 @@ namespace {
 constexpr double coarse_cell = 1.6;
 
 contact::Scene left_wheel(contact::MeshFamily family) {
-  contact::Scene scene = rollfem::testing::left_wheel_scene({0.002});
+  contact::Scene scene = left_wheel_scene({0.002});
   scene.options.fem.mesh = family;
   scene.options.fem.linear_solver = contact::LinearSolver::factorisation;
   scene.options.fem.extent = 30.0;
@@ -89,7 +81,7 @@ contact::Scene left_wheel(contact::MeshFamily family) {
 }
 
 contact::PointResult half_space() {
-  contact::Scene scene = rollfem::testing::left_wheel_scene({0.002});
+  contact::Scene scene = left_wheel_scene({0.002});
   scene.contact_grid.cell_size = {{coarse_cell, coarse_cell}};
   return halfspace::run_halfspace(scene, {}).points.front();
 }
@@ -110,7 +102,7 @@ TEST(FemOnTheStudysLeftWheel, WithBoxesHasPressureAndForcesOfTheHalfSpace) {
 /// 6 mm to the left the profiles become steeper than 56 degrees beside the patch; the box follows
 /// them.
 TEST(FemNearTheFlange, ASteepBoxHasThePressureOfTheHalfSpace) {
-  contact::Scene scene = rollfem::testing::left_wheel_scenes(-6.0).at(0);
+  contact::Scene scene = left_wheel_scenes(-6.0).at(0);
   EXPECT_TRUE(halfspace::is_steep(scene));
   scene.problem = contact::Problem::frictionless;
   const double cell = 3.0 * fem::default_cell_size(scene);
@@ -122,9 +114,9 @@ TEST(FemNearTheFlange, ASteepBoxHasThePressureOfTheHalfSpace) {
   EXPECT_NEAR(fem.approach / half.approach, 1.0, 0.03);
   EXPECT_NEAR(fem.contact_area / half.contact_area, 1.0, 0.05);
   EXPECT_NEAR(fem.semi_axis_x / half.semi_axis_x, 1.0, 0.05);
-  rollfem::testing::record("max_pressure", fem.max_pressure / half.max_pressure);
-  rollfem::testing::record("approach", fem.approach / half.approach);
-  rollfem::testing::record("semi_axis_y", fem.semi_axis_y / half.semi_axis_y);
+  record("max_pressure", fem.max_pressure / half.max_pressure);
+  record("approach", fem.approach / half.approach);
+  record("semi_axis_y", fem.semi_axis_y / half.semi_axis_y);
 }
 
 TEST(FemOnTheStudysLeftWheel, WithTrueSectionsHasThePressureOfTheHalfSpace) {

@@ -11,27 +11,19 @@
 #include "hybrid/correction/smooth_parts.hpp"
 #include "hybrid/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mpi_environment.hpp"
 #include "support/recorded.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/two_humps.hpp"
-#include <algorithm>
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 constexpr double half_way_apart = 4.0;  // mm
 constexpr double patch_cell = 0.6;      // mm, three in the smaller semi-axis
 
 /// Rigid wheel over two humps, of which the lower one carries less.
 contact::Scene second_patch() {
-  rollfem::testing::PatchCase input = rollfem::testing::two_humps(0.01, 20e3, half_way_apart);
+  PatchCase input = rollfem::testing::two_humps(0.01, 20e3, half_way_apart);
   input.wheel.material.young_modulus = contact::infinity;
   input.rolling.problem = contact::Problem::steady;
   input.rolling.creepages = {{0.0, 0.0005, 0.0}};
@@ -49,8 +41,8 @@ void expect_like_half_spaces(const contact::ModelResult& result, const std::stri
   const double bound = 0.55 * half.normal_force;
   EXPECT_EQ(half.patch_count, 2);
   EXPECT_EQ(point.patch_count, 2);
-  rollfem::testing::record(name + "_area", point.contact_area / half.contact_area);
-  rollfem::testing::record(name + "_lateral", (point.lateral_force - half.lateral_force) / bound);
+  record(name + "_area", point.contact_area / half.contact_area);
+  record(name + "_lateral", (point.lateral_force - half.lateral_force) / bound);
   EXPECT_NEAR(point.contact_area, half.contact_area, 0.02 * half.contact_area);
   EXPECT_NEAR(point.lateral_force, half.lateral_force, 0.02 * bound);
 }
@@ -80,15 +72,15 @@ TEST(SecondPatch, FiniteElementsKeepToAnExtentAndSayWhatItLeavesOut) {
 TEST(SecondPatch, TheCorrectionStaysSmallOnALargeGrid) {
   // Curvature changes what half-spaces are displaced by a fraction of the order of the patch over
   // the radius, at the patch and wherever the grid ends: some 5 patches away.
-  contact::Case input = rollfem::testing::thesis_case('b');
+  contact::Case input = thesis_case('b');
   input.wheel.rolling_radius = 460.0;
   input.rail.transverse_radius = 300.0;
   contact::Scene scene(input);
   scene.follows_surface = 1.0;
   const auto hertz = halfspace::hertz_of_scene(scene);
   const auto grid = contact::ContactGrid::centred(80, 80, 0.75, 0.75);
-  const contact::Field pressure = rollfem::testing::hertz_pressure(
-      grid, hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure);
+  const contact::Field pressure =
+      hertz_pressure(grid, hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure);
   const contact::Field none = contact::Field::Zero(grid.size());
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
   const hybrid::HybridCompliance whole(scene, geometry, grid, hybrid::find_smooth_parts(scene, {}));
@@ -97,6 +89,6 @@ TEST(SecondPatch, TheCorrectionStaysSmallOnALargeGrid) {
       whole.apply({0.0 * pressure, none, pressure}).n - half.apply({none, none, pressure}).n;
   const double curvature = hertz.semi_axis_x / 300.0;
   const double most = correction.cwiseAbs().maxCoeff() / hertz.approach;
-  rollfem::testing::record("correction_in_curvature", most / curvature);
+  record("correction_in_curvature", most / curvature);
   EXPECT_LT(most, curvature);
 }

@@ -8,10 +8,6 @@
 #include "support/elastic_sphere.hpp"
 #include "support/fem_test_support.hpp"
 #include "support/recorded.hpp"
-#include <string>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

@@ -3,12 +3,8 @@
 // against a first-order perturbation of the half-space by the curvature of the bodies.
 #include "fem/elasticity/run_level.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"
-
-using namespace rollfem;
 
 TEST(FemStrain, OfPressureAloneSlipsAsAPerturbedHalfSpace) {
   // The perturbation has tractions -d_b (h sigma_ab) - p h_,a left on the curved surface, of height
@@ -19,7 +15,7 @@ TEST(FemStrain, OfPressureAloneSlipsAsAPerturbedHalfSpace) {
   } const rows[] = {{'a', 0.94, 1.45e-5}, {'b', 1.5, 2.45e-5}, {'c', 0.94, 3.58e-5}};
   for (const auto& row : rows) {
     SCOPED_TRACE(row.name);
-    contact::Case input = rollfem::testing::committed_case(row.name, {0.0});
+    contact::Case input = committed_case(row.name, {0.0});
     // Next to no friction: the slip is that of pressure.
     input.friction_coefficient = 1e-5;
     const contact::ModelResult result = fem::run_level(input, {row.cell, "", false}, {});

@@ -8,12 +8,6 @@
 
 #include "support/fem_loaded_rail.hpp"
 #include "support/fem_manufactured.hpp"
-#include <algorithm>
-#include <cmath>
-#include <random>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

@@ -7,11 +7,6 @@
 
 #include "support/fem_fields.hpp"
 #include "support/fem_loaded_rail.hpp"
-#include <algorithm>
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

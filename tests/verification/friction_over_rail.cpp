@@ -8,19 +8,10 @@
 #include "halfspace/model/model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
-namespace rollfem {
 namespace {
-
-using contact::Case;
-using contact::PointResult;
 
 constexpr double load = 80e3, rail_radius = 300.0, wheel_radius = 460.0;
 
@@ -78,8 +69,8 @@ TEST(FrictionOverRail, SlidingForceIsTheIntegralOfMuAndHertzsPressure) {
       input.halfspace.surface = surface;
       set_points(input, {-0.04, 0.0, 0.04}, {0.1, 0.1, 0.5});
       const PointResult point = solved(input);
-      testing::record("force_over_closed_form", -point.longitudinal_force / force);
-      testing::record("moment_over_closed_form", point.spin_moment / (left ? moment : -moment));
+      record("force_over_closed_form", -point.longitudinal_force / force);
+      record("moment_over_closed_form", point.spin_moment / (left ? moment : -moment));
       EXPECT_NEAR(-point.longitudinal_force / force, 1.0, 1e-3);
       // y points to the field on the left and to the middle on the right.
       EXPECT_NEAR(point.spin_moment / (left ? moment : -moment), 1.0, 5e-3);
@@ -207,10 +198,9 @@ TEST(FrictionOverRail, TheoriesOfOneCoefficientRefuseIt) {
   set_points(input, {-0.04, 0.04}, {0.1, 0.5});
   const contact::Scene scene = track::make_scenes(input).at(0).scene;
   for (const char* name : {"fastsim", "strip", "linear", "vermeulen-johnson"})
-    EXPECT_EQ(contact::first_beyond(rollfem::testing::half_space_models().at(name).takes, scene),
+    EXPECT_EQ(contact::first_beyond(half_space_models().at(name).takes, scene),
               "friction.inclination or lateral_position: it cannot handle friction that varies "
               "over the rail");
 }
 
 }  // namespace
-}  // namespace rollfem

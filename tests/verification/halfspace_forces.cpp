@@ -8,34 +8,18 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
-namespace rollfem {
 namespace {
 
-using contact::Case;
-using contact::ContactGrid;
-using contact::Creepage;
-using contact::Field;
-using contact::ModelResult;
-using contact::PointResult;
-using contact::TangentialProblem;
-using contact::UpwindOrder;
 using halfspace::HalfspaceCompliance;
 
 constexpr double sliding = 0.55 * 50e3;
 
 TEST(PrescribedForces, GiveBackTheCreepagesOfTheirForces) {
-  Case input = testing::thesis_case('b');
-  input.contact_grid.elements_across = 20;
-  input.rolling.creepages = {{1e-3, 0.0, 0.0}, {2e-3, 1e-3, 2e-4}, {-1e-3, 4e-3, 0.0}};
+  Case input = thesis_case('b', 20, {{1e-3, 0.0, 0.0}, {2e-3, 1e-3, 2e-4}, {-1e-3, 4e-3, 0.0}});
   const ModelResult forward = halfspace::run_halfspace(input, {});
   Case backward = input;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -55,8 +39,7 @@ TEST(PrescribedForces, GiveBackTheCreepagesOfTheirForces) {
 }
 
 TEST(PrescribedForces, WithAnApproachInsteadOfANormalForce) {
-  Case input = testing::thesis_case('a');
-  input.contact_grid.elements_across = 20;
+  Case input = thesis_case('a', 20);
   input.load.normal_force.reset();
   input.load.approach = 0.04731083;
   input.rolling.creepages = {{0.0, 0.0, 0.0}};
@@ -73,25 +56,25 @@ struct Coefficients : halfspace::KalkerCoefficients {
 
 /// On nx by ny elements over the axes of the ellipse.
 Coefficients from_solver(double a, double b, double nu, int nx, int ny) {
-  const contact::CombinedMaterial material = testing::alike(82000.0, nu);
+  const contact::CombinedMaterial material = alike(82000.0, nu);
   const ContactGrid grid = ContactGrid::centred(nx + 6, ny + 6, 2.0 * a / nx, 2.0 * b / ny);
   const HalfspaceCompliance compliance(grid, material);
-  const Field pressure = testing::hertz_pressure(grid, a, b, 1e9);
+  const Field pressure = hertz_pressure(grid, a, b, 1e9);
   const contact::EdgeFittedRolling rolling(compliance.rolling(UpwindOrder::first),
                                            compliance.rolling(UpwindOrder::second),
                                            contact::upwind_weights(grid, pressure));
   const double e = 1e-6;
   const auto run = [&](const Creepage& creepage) {
-    const TangentialProblem problem{
-        pressure, {testing::slip_of(grid, creepage)}, contact::coulomb(1.0)};
+    const TangentialProblem problem{pressure, {slip_of(grid, creepage)}, contact::coulomb(1.0)};
     contact::TangentialOptions options;
     options.tolerance = 1e-8;
-    return testing::forces(grid, contact::solve_tangential(rolling, problem, options).traction);
+    return rollfem::testing::forces(grid,
+                                    contact::solve_tangential(rolling, problem, options).traction);
   };
   const double unit = material.shear_modulus * e;  // c = sqrt(a b) = 1
-  const testing::Forces along = run({e, 0.0, 0.0});
-  const testing::Forces aside = run({0.0, e, 0.0});
-  const testing::Forces spin = run({0.0, 0.0, e});
+  const Forces along = run({e, 0.0, 0.0});
+  const Forces aside = run({0.0, e, 0.0});
+  const Forces spin = run({0.0, 0.0, e});
   // Longitudinal and lateral creepage do not mix without spin.
   EXPECT_NEAR(aside.x / unit, 0.0, 1e-6);
   EXPECT_NEAR(along.y / unit, 0.0, 1e-6);
@@ -113,11 +96,11 @@ TEST(KalkersCoefficients, FromTheSolverAt40ElementsForEveryAspectAndPoissonsRati
       EXPECT_NEAR(c.c23 / table.c23, 1.0, 0.015) << ratio << ", " << nu;
       EXPECT_NEAR(-c.c32 / table.c23, 1.0, 0.015) << ratio << ", " << nu;
       const std::string at = fmt::format("_{}_{}", ratio, nu);
-      testing::record("c11" + at, c.c11);
-      testing::record("c22" + at, c.c22);
-      testing::record("c23" + at, c.c23);
-      testing::record("c32" + at, c.c32);
-      testing::record("c33" + at, c.c33);
+      record("c11" + at, c.c11);
+      record("c22" + at, c.c22);
+      record("c23" + at, c.c23);
+      record("c32" + at, c.c32);
+      record("c33" + at, c.c33);
     }
 }
 
@@ -138,7 +121,7 @@ TEST(KalkersCoefficients, MomentOfSpinNeedsElementsOfAnEighthOfTheHalfWidth) {
       const int along = std::max(40, static_cast<int>(std::lround(16.0 * ratio)));
       const double error = error_of_c33(ratio, nu, along);
       EXPECT_NEAR(error, 0.0, 0.02) << ratio << ", " << nu;  // the staircase
-      testing::record(fmt::format("error_{}_{}", ratio, nu), error);
+      record(fmt::format("error_{}_{}", ratio, nu), error);
     }
 }
 
@@ -160,9 +143,9 @@ constexpr double case_e[][2] = {{-0.002, -0.40511670}, {-0.001, -0.26957764}, {0
                                 {0.004, 0.52678160}};
 
 ModelResult rolled_case_e(UpwindOrder order, int across) {
-  Case input = testing::thesis_case('c');  // rail of 100 mm
+  Case input = thesis_case('c');  // rail of 100 mm
   input.wheel.transverse_radius = -105.263;
-  rollfem::testing::give_slip_of_rail_drop(input);
+  give_slip_of_rail_drop(input);
   input.rolling.upwind_order = order;
   input.contact_grid.elements_across = across;
   input.rolling.creepages.clear();
@@ -185,7 +168,7 @@ TEST(ExtraSlip, OfCaseEAgainstContact) {
 }
 
 TEST(GivenPressure, GivesBenchmark9ThroughTheModel) {
-  const testing::Benchmark9 benchmark;
+  const Benchmark9 benchmark;
   Case input;
   input.file = "test.toml";
   input.wheel.rolling_radius = 500.0;
@@ -215,7 +198,7 @@ TEST(GivenPressure, CarriesTheForceOnAnyGrid) {
   for (const int across : {8, 15, 32, 63}) {
     input.contact_grid.elements_across = across;
     const PointResult point =
-        rollfem::testing::half_space_models().run("halfspace", input, {}).points.at(0);
+        half_space_models().run("halfspace", input, {}).points.at(0);
     EXPECT_NEAR(point.normal_force / force, 1.0, 1e-12) << across;
     // Everything slips; the elastic part of the slip turns it by less than 1e-2.
     EXPECT_NEAR(point.lateral_force / (friction * force), -1.0, 5e-5) << across;
@@ -228,8 +211,7 @@ TEST(GivenPressure, CarriesTheForceOnAnyGrid) {
 }
 
 TEST(Derived, FrictionalWorkIsWhatTheCreepForcesPutIn) {
-  Case input = testing::thesis_case('b');
-  input.rolling.creepages = {{0.002, 0.001, 1e-4}};
+  Case input = thesis_case('b', 40, {{0.002, 0.001, 1e-4}});
   PointResult point;
   std::vector<double> difference;
   for (const int across : {20, 40}) {
@@ -249,13 +231,10 @@ TEST(Derived, FrictionalWorkIsWhatTheCreepForcesPutIn) {
 }
 
 TEST(Derived, RichardsonValueIsNearerThanTheFineOne) {
-  Case input = testing::thesis_case('a');
-  input.contact_grid.elements_across = 40;
-  input.rolling.creepages = {{0.0, 0.0, 0.0}};
+  Case input = thesis_case('a', 40, {{0.0, 0.0, 0.0}});
   const PointResult point = halfspace::run_halfspace(input, {}).points[0];
   EXPECT_LT(std::abs(point.richardson.at("max_pressure") - 578.967),
             0.2 * std::abs(point.max_pressure - 578.967));
 }
 
 }  // namespace
-}  // namespace rollfem

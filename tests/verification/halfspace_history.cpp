@@ -8,26 +8,11 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/cattaneo_mindlin.hpp"
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
-#include <algorithm>
-#include <cmath>
 
-namespace rollfem {
 namespace {
-
-using contact::Case;
-using contact::ElementState;
-using contact::Field;
-using contact::HistoryStep;
-using contact::infinity;
-using contact::ModelResult;
-using contact::PointResult;
-using contact::Problem;
-using contact::UpwindOrder;
 
 /// Benchmark 3: two bodies of G = 200 with A = B = 0.01, a = 1, mu = 0.4.
 Case cattaneo(double poisson_ratio, int across) {
@@ -52,7 +37,7 @@ ModelResult pushed(Case input, const std::vector<double>& parts) {
   return halfspace::run_halfspace(input, {});
 }
 
-rollfem::testing::CattaneoMindlin exact(const Case& input) {
+CattaneoMindlin exact(const Case& input) {
   return {halfspace::hertz_of_scene(input),
           contact::combine(input.wheel.material, input.rail.material), 0.4};
 }
@@ -82,7 +67,7 @@ TEST(Cattaneo, ShiftAndStickRadiusOfTheBenchmarkAt40Elements) {
 
 TEST(Cattaneo, IsExactWithoutPoissonsRatio) {
   const Case input = cattaneo(0.0, 40);
-  const rollfem::testing::CattaneoMindlin theory = exact(input);
+  const CattaneoMindlin theory = exact(input);
   const double unit = 0.4 * *input.load.normal_force;
   const ModelResult result = pushed(input, {7.0 / 8.0, 0.0});
   const PointResult& loaded = result.points[0];
@@ -146,9 +131,9 @@ TEST(Cattaneo, UnloadingLoopLosesTheWorkOfTheClosedForm) {
   const double q = 0.875 * 0.4 * *benchmark.load.normal_force;
   const double lost_there = loop_loss(pushed(benchmark, loop));
   EXPECT_NEAR(lost_there / exact(benchmark).cyclic_loss(q), 1.0, 0.01);
-  rollfem::testing::record("loss", lost);
-  rollfem::testing::record("normal_force", *plain.load.normal_force);
-  rollfem::testing::record("loss_of_the_benchmark", lost_there);
+  record("loss", lost);
+  record("normal_force", *plain.load.normal_force);
+  record("loss_of_the_benchmark", lost_there);
 }
 
 /// An elastic sphere of Spence's pressed on a rigid one with the first and these further forces.
@@ -186,9 +171,9 @@ TEST(Spence, ElasticSpherePressedOnARigidOne) {
   EXPECT_NEAR(point.approach / 0.09874, 1.0, 0.002);
   EXPECT_NEAR(point.max_pressure / 0.02392, 1.0, 0.003);
   EXPECT_NEAR(point.longitudinal_force, 0.0, 1e-6 * force);
-  rollfem::testing::record("stick_ratio", std::sqrt(adhesion / contact));
-  rollfem::testing::record("pressure", point.max_pressure);
-  rollfem::testing::record("approach", point.approach);
+  record("stick_ratio", std::sqrt(adhesion / contact));
+  record("pressure", point.max_pressure);
+  record("approach", point.approach);
 }
 
 TEST(Spence, FirstStepOnFourElements) {
@@ -209,23 +194,17 @@ TEST(Spence, FirstStepOnFourElements) {
 
 /// Case b rolled over `lengths` patch lengths from rest, in steps of `step` elements.
 ModelResult transient(UpwindOrder order, double lengths, double step) {
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 24;
+  Case input = thesis_case('b', 24);
   input.rolling.upwind_order = order;
-  input.rolling.problem = Problem::transient;
-  HistoryStep each;
-  each.step_length = step * 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 24;
-  const auto steps = static_cast<std::size_t>(std::lround(24 * lengths / step));
-  input.history.assign(steps, each);
-  input.rolling.creepages.assign(steps, {0.002, 0.001, 0.0});
+  roll_on(input, static_cast<std::size_t>(std::lround(24 * lengths / step)),
+          step * 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 24, {0.002, 0.001, 0.0});
   return halfspace::run_halfspace(input, {});
 }
 
 /// F_x and F_y of steady rolling with the same difference everywhere, which is what equal steps of
 /// one element make: without the fit to the leading edge that the model has.
-rollfem::testing::Forces steady(UpwindOrder order) {
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 24;
+Forces steady(UpwindOrder order) {
+  Case input = thesis_case('b', 24);
   const contact::ContactGrid grid = halfspace::PatchSearch(input).grid();
   const halfspace::HalfspaceCompliance compliance(grid, rollfem::testing::steel());
   contact::ContactConditions scene;
@@ -242,7 +221,7 @@ rollfem::testing::Forces steady(UpwindOrder order) {
 TEST(TransientRolling, TendsToTheSteadySolutionOfTheSameOrder) {
   const double sliding = 0.55 * 50e3;
   for (const UpwindOrder order : {UpwindOrder::first, UpwindOrder::second}) {
-    const rollfem::testing::Forces end = steady(order);
+    const Forces end = steady(order);
     const ModelResult result = transient(order, 6.0, 1.0);
     const auto distance = [&](const PointResult& point) {
       return std::hypot(point.longitudinal_force - end.x, point.lateral_force - end.y) / sliding;
@@ -261,7 +240,7 @@ TEST(TransientRolling, TendsToTheSteadySolutionOfTheSameOrder) {
 }
 
 TEST(TransientRolling, OtherStepsEndWithinTheDiscretisationError) {
-  const rollfem::testing::Forces end = steady(UpwindOrder::second);
+  const Forces end = steady(UpwindOrder::second);
   for (const double step : {0.5, 1.7}) {
     const PointResult last = transient(UpwindOrder::second, 5.0, step).points.back();
     EXPECT_NEAR(last.longitudinal_force, end.x, 0.008 * 27500.0) << step;
@@ -271,13 +250,8 @@ TEST(TransientRolling, OtherStepsEndWithinTheDiscretisationError) {
 
 TEST(TransientRolling, NoTractionIsBeyondItsBoundAtAnyStep) {
   // cases/cattaneo_to_carter.toml, where 1.1e-6 of the largest bound was left once.
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 24;
-  input.rolling.problem = Problem::transient;
-  HistoryStep each;
-  each.step_length = 1.2;
-  input.history.assign(24, each);
-  input.rolling.creepages.assign(24, {0.001, 0.0, 0.0});
+  Case input = thesis_case('b', 24);
+  roll_on(input, 24, 1.2, {0.001, 0.0, 0.0});
   for (const PointResult& point : halfspace::run_halfspace(input, {}).points) {
     const contact::SurfaceField& traction = point.fields.traction;
     double beyond = 0.0;
@@ -291,18 +265,13 @@ TEST(TransientRolling, NoTractionIsBeyondItsBoundAtAnyStep) {
 TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
   // A prescribed force: the first step is nearly a shift, the creepage then falls to the steady
   // one.
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 20;
+  Case input = thesis_case('b', 20);
   const double force = -0.5 * 27500.0;
   Case rolling = input;
   rolling.rolling.forces = {{force, {}}};
   const double steady_creepage =
       halfspace::run_halfspace(rolling, {}).points[0].creepage.longitudinal;
-  input.rolling.problem = Problem::transient;
-  HistoryStep each;
-  each.step_length = 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 20;
-  input.history.assign(100, each);
-  input.rolling.creepages.assign(100, {});
+  roll_on(input, 100, 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 20);
   input.rolling.forces.assign(100, {force, {}});
   const ModelResult result = halfspace::run_halfspace(input, {});
   for (const PointResult& point : result.points)
@@ -324,16 +293,12 @@ TEST(TransientRolling, FromCattaneoToCarterAtConstantForce) {
 /// Case b rolled on from steady rolling in steps of an element, with the same difference
 /// everywhere; the longitudinal creepage of the last `changed` steps is half as large.
 Case rolled_on(UpwindOrder order, std::size_t steps, std::size_t changed) {
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 12;
+  Case input = thesis_case('b', 12);
   input.rolling.upwind_order = order;
   input.rolling.leading_edge = contact::LeadingEdge::plain;
-  input.rolling.problem = Problem::transient;
+  roll_on(input, steps, 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 12,
+          {0.002, 0.001, 0.0});
   input.starts_steady = true;
-  HistoryStep each;
-  each.step_length = 2.0 * halfspace::hertz_of_scene(input).semi_axis_x / 12;
-  input.history.assign(steps, each);
-  input.rolling.creepages.assign(steps, {0.002, 0.001, 0.0});
   for (std::size_t k = steps - changed; k < steps; ++k)
     input.rolling.creepages[k].longitudinal = 0.001;
   return input;
@@ -395,4 +360,3 @@ TEST(SteadyStart, KeepsCreepageUnderAForceAndFrictionThatRemembers) {
 }
 
 }  // namespace
-}  // namespace rollfem

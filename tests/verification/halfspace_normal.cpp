@@ -6,19 +6,11 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
 
-namespace rollfem {
 namespace {
 
-using contact::ContactGrid;
-using contact::Field;
-using contact::NormalProblem;
-using contact::NormalSolution;
 using halfspace::HalfspaceCompliance;
 using halfspace::HertzContact;
 
@@ -51,7 +43,7 @@ TEST(HalfspaceNormal, MaxPressureConvergesToHertzWithOrderTwoAsInContact) {
                                        {-2.119e-3, -5.579e-4, -1.357e-4}};
   const int contact_elements[3][3] = {{324, 1276, 5052}, {316, 1272, 5048}, {320, 1276, 5052}};
   for (int c = 0; c < 3; ++c) {
-    const contact::Case input = rollfem::testing::thesis_case("abc"[c]);
+    const contact::Case input = thesis_case("abc"[c]);
     const HertzContact hertz = halfspace::hertz_of_scene(input);
     double previous = 0.0;
     for (int level = 0; level < 3; ++level) {
@@ -73,7 +65,7 @@ TEST(HalfspaceNormal, MaxPressureConvergesToHertzWithOrderTwoAsInContact) {
 }
 
 TEST(HalfspaceNormal, ApproachConvergesToHertz) {
-  const contact::Case input = rollfem::testing::thesis_case('a');
+  const contact::Case input = thesis_case('a');
   const double exact = halfspace::hertz_of_scene(input).approach;
   EXPECT_NEAR(solve_case(input, 40).solution.approach / exact - 1.0, -1.424e-4, 2e-6);
   EXPECT_NEAR(solve_case(input, 80).solution.approach / exact - 1.0, -3.184e-5, 1e-6);
@@ -81,7 +73,7 @@ TEST(HalfspaceNormal, ApproachConvergesToHertz) {
 
 TEST(HalfspaceNormal, PatchSizeIsFoundBelowTheElementSize) {
   for (const char name : {'a', 'b', 'c'}) {
-    const contact::Case input = rollfem::testing::thesis_case(name);
+    const contact::Case input = thesis_case(name);
     const HertzContact hertz = halfspace::hertz_of_scene(input);
     for (const auto& [n, tolerance] : {std::pair{16, 0.01}, {40, 0.0025}, {80, 0.001}}) {
       const Solved run = solve_case(input, n);
@@ -94,7 +86,7 @@ TEST(HalfspaceNormal, PatchSizeIsFoundBelowTheElementSize) {
 }
 
 TEST(HalfspaceNormal, IterationsStayFewOnFineGrids) {
-  const contact::Case input = rollfem::testing::thesis_case('a');
+  const contact::Case input = thesis_case('a');
   contact::NormalOptions engineering;
   engineering.tolerance = 1e-5;
   EXPECT_LE(solve_case(input, 20, engineering).solution.iterations, 9);
@@ -103,7 +95,7 @@ TEST(HalfspaceNormal, IterationsStayFewOnFineGrids) {
 }
 
 TEST(HalfspaceNormal, GivenForceAndGivenApproachAreTheSameProblem) {
-  Solved run = solve_case(rollfem::testing::thesis_case('b'), 30);
+  Solved run = solve_case(thesis_case('b'), 30);
   const HalfspaceCompliance compliance(run.grid, rollfem::testing::steel());
   run.problem.normal_force.reset();
   run.problem.approach = run.solution.approach;
@@ -115,7 +107,7 @@ TEST(HalfspaceNormal, GivenForceAndGivenApproachAreTheSameProblem) {
 }
 
 TEST(HalfspaceNormal, HoldsEquilibriumAndComplementarityAtEveryElement) {
-  const Solved run = solve_case(rollfem::testing::thesis_case('c'), 25);
+  const Solved run = solve_case(thesis_case('c'), 25);
   const NormalSolution& s = run.solution;
   EXPECT_NEAR(s.pressure.sum() * run.grid.element_area(), 50e3, 1e-8 * 50e3);
   EXPECT_EQ(s.normal_force, s.pressure.sum() * run.grid.element_area());
@@ -132,7 +124,7 @@ TEST(HalfspaceNormal, HoldsEquilibriumAndComplementarityAtEveryElement) {
 }
 
 TEST(HalfspaceNormal, ScalesWithUnitsAndHasTheSymmetryOfThePatch) {
-  const contact::Case input = rollfem::testing::thesis_case('a');
+  const contact::Case input = thesis_case('a');
   const Solved run = solve_case(input, 21);
   contact::Case scaled = input;  // lengths times 1000, moduli times 1e-6: metres from kilometres
   scaled.wheel.rolling_radius *= 1e3;
@@ -172,11 +164,10 @@ TEST(HalfspaceNormal, FlatCircularPunchIsBoussinesqs) {
       EXPECT_LT(std::abs(error), 0.01);
       const double middle = s.pressure[grid.index(grid.nx / 2, grid.ny / 2)];
       EXPECT_NEAR(middle / (s.normal_force / (2.0 * M_PI * a * a)), 1.0, 0.01);
-      rollfem::testing::record("force", s.normal_force);
-      rollfem::testing::record("middle_pressure", middle);
+      record("force", s.normal_force);
+      record("middle_pressure", middle);
     }
   }
 }
 
 }  // namespace
-}  // namespace rollfem

@@ -4,25 +4,12 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/contact_of_case_a.hpp"
 #include "support/thesis_cases.hpp"
-#include <algorithm>
-#include <cmath>
 
-namespace rollfem {
 namespace {
 
-using contact::Case;
-using contact::ContactGrid;
-using contact::ElementState;
-using contact::Field;
-using contact::ModelResult;
-using contact::TangentialProblem;
-using contact::TangentialSolution;
-using contact::UpwindOrder;
 using halfspace::HalfspaceCompliance;
-using testing::Benchmark9;
 
 TangentialSolution solve_benchmark_9(int across, UpwindOrder order,
                                      const contact::Creepage& creepage = Benchmark9().creepage) {
@@ -33,10 +20,10 @@ TangentialSolution solve_benchmark_9(int across, UpwindOrder order,
   return contact::solve_tangential(compliance.rolling(order), benchmark.problem(grid));
 }
 
-testing::Forces forces_of_benchmark_9(int across, UpwindOrder order,
-                                      const contact::Creepage& creepage = Benchmark9().creepage) {
-  return testing::forces(Benchmark9().grid(across),
-                         solve_benchmark_9(across, order, creepage).traction);
+Forces forces_of_benchmark_9(int across, UpwindOrder order,
+                             const contact::Creepage& creepage = Benchmark9().creepage) {
+  return rollfem::testing::forces(Benchmark9().grid(across),
+                                  solve_benchmark_9(across, order, creepage).traction);
 }
 
 /// Root mean square of p - Proj(p - r w), with w of these tractions and the projection worked out
@@ -62,7 +49,7 @@ double left_of_coulomb(int across, const TangentialSolution& s) {
 
 TEST(SteadyRolling, SecondOrderReachesTheConvergedForcesAt20Across) {
   // Converged values of benchmark 9, reference/benchmarks.md: 10 240 +- 5 N, 1150 +- 10 N mm.
-  const testing::Forces f = forces_of_benchmark_9(20, UpwindOrder::second);
+  const Forces f = forces_of_benchmark_9(20, UpwindOrder::second);
   EXPECT_NEAR(f.x, 10240.0, 0.005 * 10240.0);  // negative creepage drives: F_x on the wheel > 0
   EXPECT_NEAR(f.y, -7057.0, 0.01 * 7057.0);
   EXPECT_NEAR(f.moment, -1150.0, 0.06 * 1150.0);
@@ -73,7 +60,7 @@ TEST(SteadyRolling, FirstOrderGivesTheValuesOfTheDesignAndOfContact) {
   const double fx[] = {10867.0, 10554.0, 10409.0};
   const double moment[] = {-3078.0, -2120.0, -1687.0};
   for (int level = 0; level < 3; ++level) {
-    const testing::Forces f = forces_of_benchmark_9(10 << level, UpwindOrder::first);
+    const Forces f = forces_of_benchmark_9(10 << level, UpwindOrder::first);
     EXPECT_NEAR(f.x / fx[level], 1.0, 0.005);
     EXPECT_NEAR(f.moment / moment[level], 1.0, 0.005);
   }
@@ -82,19 +69,19 @@ TEST(SteadyRolling, FirstOrderGivesTheValuesOfTheDesignAndOfContact) {
   const Benchmark9 benchmark;
   const ContactGrid grid = benchmark.grid(80);
   const HalfspaceCompliance compliance(grid, Benchmark9::material());
-  const testing::Forces f =
-      testing::forces(grid, contact::solve_tangential(compliance.rolling(UpwindOrder::first),
-                                                      benchmark.problem(grid, UpwindOrder::first))
-                                .traction);
+  const Forces f = rollfem::testing::forces(
+      grid, contact::solve_tangential(compliance.rolling(UpwindOrder::first),
+                                      benchmark.problem(grid, UpwindOrder::first))
+                .traction);
   EXPECT_NEAR(f.x / 10320.0, 1.0, 0.001);
   EXPECT_NEAR(f.y / -7126.0, 1.0, 0.002);
   EXPECT_NEAR(f.moment / -1364.0, 1.0, 0.003);
 }
 
 TEST(SteadyRolling, BothOrdersConvergeToTheSameForces) {
-  const testing::Forces first_40 = forces_of_benchmark_9(40, UpwindOrder::first);
-  const testing::Forces first_80 = forces_of_benchmark_9(80, UpwindOrder::first);
-  const testing::Forces second = forces_of_benchmark_9(80, UpwindOrder::second);
+  const Forces first_40 = forces_of_benchmark_9(40, UpwindOrder::first);
+  const Forces first_80 = forces_of_benchmark_9(80, UpwindOrder::first);
+  const Forces second = forces_of_benchmark_9(80, UpwindOrder::second);
   // First order by Richardson with order 1.
   EXPECT_NEAR((2.0 * first_80.x - first_40.x) / second.x, 1.0, 0.003);
   EXPECT_LT(std::abs(first_80.x - second.x), 0.6 * std::abs(first_40.x - second.x));
@@ -155,7 +142,7 @@ TEST(SteadyRolling, BrakingGivesANegativeForceOnTheWheel) {
   };
   EXPECT_LT(forces({1e-3, 0.0, 0.0}).x, 0.0);
   EXPECT_LT(forces({0.0, 1e-3, 0.0}).y, 0.0);
-  const testing::Forces spin = forces({0.0, 0.0, 1e-4});
+  const Forces spin = forces({0.0, 0.0, 1e-4});
   // Kalker: F_y = -G c^3 C23 phi, M_z = -G c^4 C33 phi.
   EXPECT_LT(spin.y, 0.0);
   EXPECT_LT(spin.moment, 0.0);
@@ -188,24 +175,23 @@ TEST(SteadyRolling, FullSlipIsElementary) {
   const TangentialSolution s = solve_benchmark_9(20, UpwindOrder::second, {0.05, 0.0, 0.0});
   const ContactGrid grid = Benchmark9().grid(20);
   const Field bound = Benchmark9().friction * Benchmark9().problem(grid).pressure;
-  EXPECT_NEAR(testing::forces(grid, s.traction).x, -bound.sum() * grid.element_area(), 1.0);
+  EXPECT_NEAR(rollfem::testing::forces(grid, s.traction).x, -bound.sum() * grid.element_area(),
+              1.0);
   EXPECT_EQ(std::count(s.state.begin(), s.state.end(), ElementState::adhesion), 0);
 }
 
 /// Creep curve of a thesis case by the model; {xi, Fx/Fz}.
 ModelResult creep_curve(char name, int across, const std::vector<double>& xi,
                         UpwindOrder order = UpwindOrder::second) {
-  Case input = testing::thesis_case(name);
+  Case input = thesis_case(name, across, along(xi));
   input.rolling.upwind_order = order;
-  input.contact_grid.elements_across = across;
-  input.rolling.creepages.clear();
-  for (const double value : xi) input.rolling.creepages.push_back({value, 0.0, 0.0});
   return halfspace::run_halfspace(input, {});
 }
 
 TEST(CreepCurve, OfCaseAIsWithinHalfAPercentOfTheLargest) {
-  const std::vector<double> xi{0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006};
-  const double exact[] = {0.0, 0.11542, 0.21565, 0.37221, 0.47467, 0.53016, 0.54952};
+  std::vector<double> xi = case_a::creepages, exact = case_a::coefficients;
+  xi.insert(xi.begin(), 0.0);
+  exact.insert(exact.begin(), 0.0);
   const ModelResult result = creep_curve('a', 40, xi);
   ASSERT_EQ(result.points.size(), xi.size());
   for (std::size_t k = 0; k < xi.size(); ++k) {
@@ -221,8 +207,8 @@ TEST(CreepCurve, OfCaseAIsWithinHalfAPercentOfTheLargest) {
 }
 
 TEST(CreepCurve, ErrorEstimatesCoverTheErrors) {
-  const std::vector<double> xi{0.0005, 0.001, 0.002, 0.003, 0.004};
-  const double exact[] = {0.11542, 0.21565, 0.37221, 0.47467, 0.53016};
+  const std::vector<double> xi(case_a::creepages.begin(), case_a::creepages.end() - 1);
+  const std::vector<double>& exact = case_a::coefficients;
   for (const int across : {20, 40}) {
     const ModelResult result = creep_curve('a', across, xi);
     for (std::size_t k = 0; k < xi.size(); ++k) {
@@ -250,8 +236,7 @@ TEST(CreepCurve, ErrorEstimatesCoverTheErrorsWithSpin) {
     contact::Creepage creepage;
   };
   for (const Row& row : {Row{'b', {2e-3, 1e-3, 2e-4}}, Row{'c', {1e-3, 1e-3, 3e-4}}}) {
-    Case input = testing::thesis_case(row.name);
-    input.rolling.creepages = {row.creepage};
+    Case input = thesis_case(row.name, 40, {row.creepage});
     const auto solved = [&](int across, UpwindOrder order) {
       input.contact_grid.elements_across = across;
       input.rolling.upwind_order = order;
@@ -303,9 +288,7 @@ TEST(CreepCurve, OfCaseCReachesAt80AcrossWhatContactExtrapolatesTo) {
 }
 
 TEST(CreepCurve, FrictionlessOrZeroCreepageGivesNoTractionAtOnce) {
-  Case input = testing::thesis_case('b');
-  input.contact_grid.elements_across = 12;
-  input.rolling.creepages = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
+  Case input = thesis_case('b', 12, {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}});
   const ModelResult still = halfspace::run_halfspace(input, {});
   EXPECT_EQ(still.points[0].max_traction, 0.0);
   EXPECT_EQ(still.points[0].iterations, 0);
@@ -318,4 +301,3 @@ TEST(CreepCurve, FrictionlessOrZeroCreepageGivesNoTractionAtOnce) {
 }
 
 }  // namespace
-}  // namespace rollfem

@@ -6,19 +6,12 @@
 #include "hybrid/model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/committed_cases.hpp"
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace {
 
-using namespace rollfem;
-
 contact::Case on_16_across(const std::string& name) {
-  contact::Case input = rollfem::testing::committed_case(name);
+  contact::Case input = committed_case(name);
   input.contact_grid.cell_size.reset();
   input.contact_grid.extent.reset();
   input.contact_grid.elements_across = 16;

@@ -12,29 +12,18 @@
 #include "track/balance/balance.hpp"
 #include "track/balance/position.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
 #include "support/two_humps.hpp"
 #include "support/worn_wheels.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <vector>
-
-using namespace rollfem;
 
 namespace {
-
-using contact::pi;
 
 constexpr double half_distance = 15.0;  // mm
 
 contact::Scene two_humps(double lower, double force) {
-  rollfem::testing::PatchCase input = rollfem::testing::two_humps(lower, force, half_distance);
+  PatchCase input = rollfem::testing::two_humps(lower, force, half_distance);
   input.contact_grid.cell_size = {0.25, 0.1};
   return input;
 }
@@ -56,12 +45,12 @@ double force_on_second(const Approach& first, const Approach& second, double mod
 }
 
 /// A contact of known bodies, `way` (mm) beside the first one along the surface.
-rollfem::testing::PatchCase hertzian(double rail_radius, double separation, double way) {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+PatchCase hertzian(double rail_radius, double separation, double way) {
+  PatchCase input = thesis_case('b');
   input.load = {};
   input.load.normal_force = 1.0;
   input.rail.transverse_radius = rail_radius;
-  input.patch = rollfem::testing::circles(405.0, contact::infinity, rail_radius);
+  input.patch = circles(405.0, contact::infinity, rail_radius);
   input.place.emplace();
   input.place->separation = separation;
   input.place->way_across = way;
@@ -124,7 +113,7 @@ OnTrack shallow_root(double shift, contact::SurfaceForm surface = contact::Surfa
 /// Left wheel S1002 on UIC60, 100 kN: at -4.4 mm it stands on the tread, at -6 mm on the flange
 /// root.
 contact::Case at_the_root(double shift) {
-  contact::Case input = rollfem::testing::steep_flange(shift);
+  contact::Case input = steep_flange(shift);
   input.load.vertical_force = 100e3;
   input.wheel.profile = {};
   input.wheel.profile.name = "S1002";
@@ -159,8 +148,6 @@ struct Sweep {
   static constexpr double micrometre = 1e-3;  // mm
 };
 
-}  // namespace
-
 TEST(JoinedPatches, ShareAsHertzAndTheirDistanceSay) {
   constexpr double force = 40e3;
   for (const double lower : {0.0, 0.01, 0.03}) {
@@ -172,8 +159,7 @@ TEST(JoinedPatches, ShareAsHertzAndTheirDistanceSay) {
     EXPECT_EQ(result.points[0].patch_count, 2);
     EXPECT_NEAR(parts[0].normal_force + parts[1].normal_force, force, 1e-6 * force);
     const double modulus = scene.material.contact_modulus;
-    const Approach hump =
-        approach_of(rollfem::testing::wheel_over_humps, rollfem::testing::hump_radius, modulus);
+    const Approach hump = approach_of(wheel_over_humps, hump_radius, modulus);
     const double exact = force_on_second(hump, hump, modulus, 2.0 * half_distance, -lower, force);
     // Each by itself: 1.7 % more on the higher hump at 0.01 mm, 5 % at 0.03 mm.
     EXPECT_NEAR(parts[0].normal_force, exact, 2e-3 * force);
@@ -183,7 +169,7 @@ TEST(JoinedPatches, ShareAsHertzAndTheirDistanceSay) {
 }
 
 TEST(JoinedPatches, ForcesAreContinuousAsPatchesComeAndGo) {
-  const Sweep sweep{rollfem::testing::hollow_tread, 80e3};
+  const Sweep sweep{hollow_tread, 80e3};
   constexpr double step = 0.2;
   int events = 0;
   double at = -1.2;
@@ -239,7 +225,7 @@ TEST(JoinedPatches, ReferenceMovesSteadilyWhereAnotherPatchBecomesTheDeepest) {
 }
 
 TEST(JoinedPatches, OfOtherPlanesShareTheLoadOfTheWheel) {
-  contact::Case input = rollfem::testing::steep_flange(-4.29);
+  contact::Case input = steep_flange(-4.29);
   input.load.vertical_force = 60e3;
   std::vector<contact::ModelResult> results;
   double vertical = 0.0;
@@ -261,7 +247,7 @@ TEST(JoinedPatches, OfOtherPlanesShareTheLoadOfTheWheel) {
 TEST(JoinedPatches, ReferenceDoesNotChangeForcesWhereNormalsAreTrue) {
   // On the common surface with its own normals the reference is a matter of description: forces on
   // the track are the same 1 mm beside it, where plane and spin are others.
-  contact::Case input = rollfem::testing::hollow_tread(-0.6);
+  contact::Case input = hollow_tread(-0.6);
   input.halfspace.surface = contact::SurfaceForm::curved;
   const auto with_reference = [&](double offset) {
     track::SearchOptions options;
@@ -299,7 +285,7 @@ TEST(ContactsOfOtherPlanes, FeelEachOtherAsPointLoads) {
 
 TEST(ContactsOfOtherPlanes, AreTheJointSolutionInNearlyOnePlane) {
   // The rims of a hollow tread as one contact, and as two that displace each other.
-  contact::Case input = rollfem::testing::hollow_tread(-0.2);
+  contact::Case input = hollow_tread(-0.2);
   track::SearchOptions apart;
   apart.merge_angle = 0.0;
   const auto two = track::make_scenes(input, apart);
@@ -341,3 +327,5 @@ TEST(ContactsOfOtherPlanes, ForcesPassTwentyDegreesSteadily) {
   EXPECT_EQ(surface.contacts, 1U);
   EXPECT_LT(apart.difference(surface), 1e-3 * load);
 }
+
+}  // namespace

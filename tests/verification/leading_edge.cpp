@@ -6,22 +6,11 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
 
-namespace rollfem {
 namespace {
 
-using contact::ContactGrid;
-using contact::EdgeFittedRolling;
-using contact::Field;
-using contact::TangentialProblem;
-using contact::TangentialSolution;
-using contact::UpwindOrder;
 using halfspace::HalfspaceCompliance;
 
 enum class Edge { usual, fitted };
@@ -35,24 +24,24 @@ TangentialSolution solve(const HalfspaceCompliance& compliance, const Tangential
   return contact::solve_tangential(fitted, problem);
 }
 
-rollfem::testing::Forces benchmark_9(int across, Edge edge) {
-  const rollfem::testing::Benchmark9 benchmark;
+Forces benchmark_9(int across, Edge edge) {
+  const Benchmark9 benchmark;
   const ContactGrid grid = benchmark.grid(across);
-  const HalfspaceCompliance compliance(grid, rollfem::testing::Benchmark9::material());
+  const HalfspaceCompliance compliance(grid, Benchmark9::material());
   return rollfem::testing::forces(grid, solve(compliance, benchmark.problem(grid), edge).traction);
 }
 
 TEST(LeadingEdge, ForcesConvergeWithOrderOneAndAHalfAtLeast) {
-  std::array<rollfem::testing::Forces, 4> f{};
+  std::array<Forces, 4> f{};
   for (std::size_t level = 0; level < f.size(); ++level)
     f[level] = benchmark_9(10 << level, Edge::fitted);
-  const auto order = [&](double rollfem::testing::Forces::*part, std::size_t level) {
+  const auto order = [&](double Forces::*part, std::size_t level) {
     return std::log2((f[level].*part - f[level + 1].*part) /
                      (f[level + 1].*part - f[level + 2].*part));
   };
   for (const std::size_t level : {0U, 1U}) {
-    EXPECT_GT(order(&rollfem::testing::Forces::x, level), 1.5);
-    EXPECT_GT(order(&rollfem::testing::Forces::moment, level), 1.4);
+    EXPECT_GT(order(&Forces::x, level), 1.5);
+    EXPECT_GT(order(&Forces::moment, level), 1.4);
   }
   // CONTACT, first order, from 80 and 120 across to elements of 0 (reference/benchmarks.md, 9);
   // without a fit and with other elements it is good to some 20 N.
@@ -83,7 +72,7 @@ double zigzag(const ContactGrid& grid, const Field& values, double half_width) {
 
 /// Zigzag of p_x across rolling at x = 0 for a thesis case at pure longitudinal creepage.
 double zigzag_of_case(char name, double creepage, int across, Edge edge) {
-  const contact::Case input = rollfem::testing::thesis_case(name);
+  const contact::Case input = thesis_case(name);
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(input);
   const contact::Curvatures curvatures = contact::relative_curvatures(input);
   const ContactGrid grid = ContactGrid::centred(
@@ -141,4 +130,3 @@ TEST(LeadingEdge, IsFoundFromTheBoundOnly) {
 }
 
 }  // namespace
-}  // namespace rollfem

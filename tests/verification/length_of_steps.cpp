@@ -5,25 +5,18 @@
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
 
-namespace rollfem {
 namespace {
 
 constexpr double sliding_of_long_steps = 0.55 * 50e3;
 
 /// Case b over `count` steps of `part` of its patch.
 contact::Case in_long_steps(double part, std::size_t count, int across) {
-  contact::Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = across;
-  input.rolling.problem = contact::Problem::transient;
-  contact::HistoryStep each;
-  each.step_length = part * 2.0 * halfspace::hertz_of_scene(input).semi_axis_x;
-  input.history.assign(count, each);
-  input.rolling.creepages.assign(count, {0.0015, 0.0007, 2e-4});
+  contact::Case input = thesis_case('b', across);
+  roll_on(input, count, part * 2.0 * halfspace::hertz_of_scene(input).semi_axis_x,
+          {0.0015, 0.0007, 2e-4});
   return input;
 }
 
@@ -82,4 +75,3 @@ TEST(LongSteps, AreDividedAtTheSameEnds) {
 }
 
 }  // namespace
-}  // namespace rollfem

@@ -10,22 +10,12 @@
 #include "theories/carter.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include "support/temporary_folder.hpp"
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
-#include <vector>
 
-namespace rollfem {
 namespace {
-
-using contact::ModelResult;
-using contact::PointResult;
 
 constexpr double modulus = 82000.0 / 0.72;  // E* of steel on steel, MPa
 constexpr double friction = 0.3;
@@ -103,7 +93,7 @@ TEST(Carter, ForceWithinATenthOfAPercentAt40ElementsOfSecondOrder) {
   std::map<int, double> error;
   for (const int n : {10, 20, 40, 80, 160}) {
     error[n] = carter_error(n, force, adhesion);
-    testing::record("error_at_" + std::to_string(n), error[n]);
+    record("error_at_" + std::to_string(n), error[n]);
   }
   EXPECT_LT(error[40], 0.001);
   EXPECT_LT(error[80], 2.5e-4);
@@ -240,7 +230,7 @@ TEST(BentallJohnson, CreepageOfFreeRollingWithHardlyAnyFriction) {
   EXPECT_NEAR(xi / 5.2631e-4, 1.0, 0.001);
   EXPECT_NEAR(xi / 5.260e-4, 1.0, 0.002);  // CONTACT, 200 elements
   EXPECT_NEAR(smooth.max_pressure / 103.145, 1.0, 5e-4);
-  testing::record("creepage", xi);
+  record("creepage", xi);
 }
 
 TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
@@ -255,9 +245,9 @@ TEST(BentallJohnson, FrictionLowersTheCreepageAndRaisesThePressure) {
   const double first_100 = creepage_of(unlike(10.0, 0.0, 100, "first"));
   const double second = creepage_of(unlike(10.0, 0.0));
   EXPECT_NEAR(second / (2.0 * first_200 - first_100), 1.0, 0.003);
-  testing::record("creepage_at_0.05", some);
-  testing::record("creepage_at_10", first_200);
-  testing::record("pressure_at_10", rough.max_pressure);
+  record("creepage_at_0.05", some);
+  record("creepage_at_10", first_200);
+  record("pressure_at_10", rough.max_pressure);
 }
 
 TEST(BentallJohnson, TractiveAndBrakedRolling) {
@@ -266,8 +256,8 @@ TEST(BentallJohnson, TractiveAndBrakedRolling) {
   EXPECT_NEAR(driven.max_pressure, 103.3, 0.05);
   EXPECT_NEAR(creepage_of(braked) / 2.108e-4, 1.0, 0.002);
   EXPECT_NEAR(braked.max_pressure, 103.2, 0.05);
-  testing::record("creepage_driven", creepage_of(driven));
-  testing::record("creepage_braked", creepage_of(braked));
+  record("creepage_driven", creepage_of(driven));
+  record("creepage_braked", creepage_of(braked));
 }
 
 /// xi and p_max by Gauss-Chebyshev quadrature (benchmarks/book/unlike_cylinders.py, 300 nodes),
@@ -292,8 +282,8 @@ TEST(NowellHills, TractiveRollingOfUnlikeCylindersAsByQuadrature) {
     const PointResult point = unlike(row.friction, row.ratio);
     EXPECT_NEAR(creepage_of(point), row.creepage, row.allowed * row.friction * 0.1 / 25.0);
     EXPECT_NEAR(point.max_pressure, row.pressure, 2e-4 * row.pressure);
-    testing::record("creepage_" + std::to_string(k), creepage_of(point));
-    testing::record("pressure_" + std::to_string(k), point.max_pressure);
+    record("creepage_" + std::to_string(k), creepage_of(point));
+    record("pressure_" + std::to_string(k), point.max_pressure);
   }
   // On half of the elements to 0.2 %.
   for (const int k : {0, 1, 2}) {
@@ -317,8 +307,8 @@ TEST(NowellHills, FreeRollingOfUnlikeCylindersThatAdhereEverywhere) {
   EXPECT_NEAR(creepage_of(point) / exact, 1.0, 0.016);
   EXPECT_NEAR(point.max_pressure / 103.145, std::cosh(M_PI * e) / std::sqrt(1.0 + 4.0 * e * e),
               2e-4);
-  testing::record("creepage", creepage_of(point));
-  testing::record("pressure", point.max_pressure);
+  record("creepage", creepage_of(point));
+  record("pressure", point.max_pressure);
 }
 
 TEST(Spence, StickRatioOfWeaklyCoupledLineContact) {
@@ -370,11 +360,10 @@ TEST(LineContact, RollsFromCattaneosShiftToCartersSteadyState) {
 
 TEST(LineContact, OtherModelsSayThatTheyCannotTakeIt) {
   for (const char* model : {"linear", "vermeulen-johnson", "fastsim", "strip"})
-    EXPECT_TRUE(testing::says(testing::refusal<std::runtime_error>(
-                                  [&] { run(steel("longitudinal_creepage = 1e-4\n"), model); }),
-                              "geometry.shape: it cannot handle a line contact"))
+    EXPECT_TRUE(says(
+        refusal<std::runtime_error>([&] { run(steel("longitudinal_creepage = 1e-4\n"), model); }),
+        "geometry.shape: it cannot handle a line contact"))
         << model;
 }
 
 }  // namespace
-}  // namespace rollfem

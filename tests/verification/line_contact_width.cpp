@@ -5,17 +5,13 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/half_space_models.hpp"
 #include "support/temporary_folder.hpp"
-#include <string>
 
-namespace rollfem {
 namespace {
 
 contact::PointResult by_halfspace(const std::string& text) {
-  return rollfem::testing::half_space_models()
+  return half_space_models()
       .run("halfspace", contact::Scene(contact::parse_case(text, "roller.toml")), {})
       .points.at(0);
 }
@@ -55,10 +51,9 @@ relative_radius = 35.0
 [rolling]
 problem = "frictionless"
 )";
-  const std::string message = testing::refusal<contact::InputError>([&] { by_halfspace(roller); });
-  EXPECT_TRUE(testing::says(message, "the patch of 82.", "relative radius is 35 mm", "do: check"));
-  EXPECT_FALSE(testing::says(message, "reference_distance"));
+  const std::string message = refusal<contact::InputError>([&] { by_halfspace(roller); });
+  EXPECT_TRUE(says(message, "the patch of 82.", "relative radius is 35 mm", "do: check"));
+  EXPECT_FALSE(says(message, "reference_distance"));
 }
 
 }  // namespace
-}  // namespace rollfem

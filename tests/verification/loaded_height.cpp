@@ -10,26 +10,16 @@
 #include "track/motion/placed_scenes.hpp"
 
 #include <Eigen/Cholesky>
-#include <gtest/gtest.h>
 
 #include "support/wheel_rail_cases.hpp"
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-using namespace rollfem;
 
 namespace {
-
-using contact::ContactGrid;
-using contact::Field;
-using contact::Vector3;
 
 constexpr double load = 10e3;  // N
 constexpr double cell = 0.2;   // mm
 
 contact::Case right_wheel(double shift, contact::SurfaceForm surface) {
-  contact::Case input = rollfem::testing::manchester_case(shift, 2.4e-3 * shift);
+  contact::Case input = manchester_case(shift, 2.4e-3 * shift);
   input.wheel.profile.name = "S1002";
   input.rail.profile.name = "UIC60-manchester";
   input.wheelset.side = contact::WheelSide::right;

@@ -7,14 +7,10 @@
 #include "track/motion/wheelset_motion.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/wheel_rail_cases.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
 
 struct Position {
   double shift, yaw;  // mm, rad
@@ -36,8 +32,8 @@ class Manchester : public ::testing::TestWithParam<Position> {};
 
 TEST_P(Manchester, ContactIsWhereContactFindsIt) {
   const Position& row = GetParam();
-  const contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
-  const auto found = rollfem::testing::contacts_of(input);
+  const contact::Case input = manchester_case(row.shift, row.yaw);
+  const auto found = contacts_of(input);
   const auto& place = found.at(0).place;
   EXPECT_EQ(place.patches, 1);
   EXPECT_NEAR(place.y_track, row.y_track, 0.03);
@@ -49,10 +45,10 @@ TEST_P(Manchester, ContactIsWhereContactFindsIt) {
 TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
   // Without the estimate of the approach, only the definition of the reference point remains.
   const Position& row = GetParam();
-  contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
+  contact::Case input = manchester_case(row.shift, row.yaw);
   input.load = {};
   input.load.approach = row.approach;
-  const auto found = rollfem::testing::contacts_of(input);
+  const auto found = contacts_of(input);
   EXPECT_NEAR(found.at(0).place.y_track, row.y_track, 0.007);
   // Theirs is the mean angle of the patch, with four digits, not the tangent at its mean place.
   EXPECT_NEAR(found[0].place.contact_angle, row.angle, 1.5e-4);
@@ -60,8 +56,8 @@ TEST_P(Manchester, ReferencePointIsExactAtTheApproachThatContactFinds) {
 
 TEST_P(Manchester, LateralCreepageAndSpinFollowFromTheMotion) {
   const Position& row = GetParam();
-  const contact::Case input = rollfem::testing::manchester_case(row.shift, row.yaw);
-  const auto found = rollfem::testing::contacts_of(input);
+  const contact::Case input = manchester_case(row.shift, row.yaw);
+  const auto found = contacts_of(input);
   const auto creepage = track::creepage_of(found.at(0), track::motion_of(input, 0.0));
   // Their rotation is that of free rolling, up to 2.5 % from ours where the flange runs.
   EXPECT_NEAR(creepage.lateral, row.eta, 0.025 * row.eta + 1e-9);
@@ -74,13 +70,13 @@ INSTANTIATE_TEST_SUITE_P(Rows, Manchester, ::testing::ValuesIn(positions), [](co
 
 TEST(ManchesterHeight, IsTheirsLessTheApproach) {
   // Height of the wheelset while the right wheel, which yields a little more, stands on its tread.
-  const contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
-  const auto found = rollfem::testing::contacts_of(input);
+  const contact::Case input = manchester_case(0.0, 0.0);
+  const auto found = contacts_of(input);
   EXPECT_NEAR(found.at(0).place.height, 0.1981 - 1.596e-2, 1e-4);
 }
 
 contact::Case shifted_wheel() {
-  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0);
+  contact::Case input = manchester_case(2.0, 0.0);
   input.wheel.rolling_radius = 450.0;
   input.wheel.material = input.rail.material = contact::Material{};
   input.load.vertical_force = 100e3;
@@ -90,14 +86,14 @@ contact::Case shifted_wheel() {
 
 TEST(LeftWheelAt100kN, ContactIsWhereContactFindsIt) {
   const contact::Case input = shifted_wheel();
-  auto found = rollfem::testing::contacts_of(input);
+  auto found = contacts_of(input);
   ASSERT_EQ(found.at(0).place.patches, 1);
   EXPECT_NEAR(found[0].place.y_track, -755.6210, 0.06);
   EXPECT_NEAR(found[0].place.contact_angle, 0.0164, 2e-4);
   contact::Case sunk = input;
   sunk.load = {};
   sunk.load.approach = 9.331e-2;
-  found = rollfem::testing::contacts_of(sunk);
+  found = contacts_of(sunk);
   EXPECT_NEAR(found.at(0).place.y_track, -755.6208, 0.003);
 }
 
@@ -110,7 +106,7 @@ TEST(LeftWheelAt100kN, CreepagesFollowTheRotation) {
   contact::Case input = shifted_wheel();
   input.load = {};
   input.load.approach = 9.331e-2;
-  const auto found = rollfem::testing::contacts_of(input);
+  const auto found = contacts_of(input);
   for (const auto& row : table) {
     const auto creepage = track::creepage_of(found.at(0), track::motion_of(input, row[0]));
     EXPECT_NEAR(creepage.longitudinal, -row[1], 1e-5);

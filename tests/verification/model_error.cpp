@@ -6,23 +6,17 @@
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/model/level.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/half_space_models.hpp"
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
 
 namespace {
 
-using namespace rollfem;
-using contact::Case;
-using contact::Field;
-using contact::LevelResult;
-using contact::Scene;
 using halfspace::ModelErrors;
 
 Case thesis(char name) {
-  if (name <= 'c') return rollfem::testing::thesis_case(name);
-  Case input = rollfem::testing::thesis_case('a');
+  if (name <= 'c') return thesis_case(name);
+  Case input = thesis_case('a');
   if (name == 'd') input.wheel.transverse_radius = 105.263;
   if (name == 'e') input.wheel.transverse_radius = -105.263, input.rail.transverse_radius = 100.0;
   if (name == 'f') input.wheel.transverse_radius = -51.282, input.rail.transverse_radius = 50.0;
@@ -137,7 +131,7 @@ TEST(ModelError, BodiesMustBeKnown) {
   scene.geometry.quadratic = std::array<double, 2>{1e-3, 1e-3};
   EXPECT_THROW(halfspace::model_errors(scene, half, {}), contact::InputError);
   scene.options.halfspace.model_error = true;
-  EXPECT_THROW(rollfem::testing::half_space_models().run("halfspace", scene, {}),
+  EXPECT_THROW(half_space_models().run("halfspace", scene, {}),
                contact::InputError);
 }
 
@@ -145,10 +139,10 @@ TEST(ModelError, IsInResultsWhereAskedFor) {
   Case input = thesis('b');
   input.rolling.creepages = {{1e-3, 0.0, 0.0}};
   input.contact_grid.elements_across = 12;
-  const auto without = rollfem::testing::half_space_models().run("halfspace", input, {});
+  const auto without = half_space_models().run("halfspace", input, {});
   EXPECT_TRUE(without.points.front().model_error.empty());
   input.halfspace.model_error = true;
-  const auto with = rollfem::testing::half_space_models().run("halfspace", input, {});
+  const auto with = half_space_models().run("halfspace", input, {});
   const auto& point = with.points.front();
   EXPECT_EQ(point.max_pressure, without.points.front().max_pressure);
   const auto expected = errors_of(input, halfspace::elements_of_model_error).front();

@@ -8,18 +8,10 @@
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <utility>
 
 namespace {
-
-using namespace rollfem;
-using contact::Case;
-using contact::PointResult;
-using contact::Problem;
-using contact::Scene;
 
 /// The half-space as if it could not be solved with: an unknown compliance, preconditioned by the
 /// half-space of other constants, as finite elements are.
@@ -88,8 +80,7 @@ void expect_alike(const Case& input) {
 }
 
 Case small_case() {
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 16;
+  Case input = thesis_case('b', 16);
   return input;
 }
 
@@ -140,10 +131,7 @@ TEST(OneDriver, ShiftAndTransientSteps) {
   input.history[0].longitudinal_shift = 2e-3;
   input.history[1].longitudinal_shift = -1e-3;
   expect_alike(input);
-  input.rolling.problem = Problem::transient;
-  input.rolling.creepages.assign(3, {1e-3, 5e-4, 0.0});
-  input.history.assign(3, {});
-  for (auto& step : input.history) step.step_length = 1.0;
+  roll_on(input, 3, 1.0, {1e-3, 5e-4, 0.0});
   expect_alike(input);
   input.starts_steady = true;
   input.rolling.creepages[2].longitudinal = 0.0;
@@ -158,8 +146,7 @@ TEST(OneDriver, AGivenPressure) {
 }
 
 TEST(OneDriver, CurvedSurfaceCarriesTheLoadWithFriction) {
-  Case input = rollfem::testing::thesis_case('b');
-  input.contact_grid.elements_across = 16;
+  Case input = thesis_case('b', 16);
   input.rail.transverse_radius = 50.0;
   input.wheel.transverse_radius = -51.282;
   input.halfspace.surface = contact::SurfaceForm::curved;

@@ -13,25 +13,12 @@
 #include "halfspace/model/model.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include "support/temporary_folder.hpp"
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
 
-namespace rollfem {
 namespace {
-
-using contact::Case;
-using contact::ElementState;
-using contact::Field;
-using contact::ModelResult;
-using contact::PointResult;
 
 /// Steps of a shift of one element of 1 mm^2 under 900 N, and F_x after each as CONTACT prints it.
 struct ShiftSeries {
@@ -100,7 +87,7 @@ TEST(PlasticLayer, SeriesOfContactOnOneElement) {
       history.advance(bodies.shift().apply(s.traction), 0.0);
     }
   }
-  testing::record("largest_deviation_from_contact", worst);
+  record("largest_deviation_from_contact", worst);
 }
 
 /// 100 kN on a wheel of 460 mm on a flat rail head of 300 mm.
@@ -112,8 +99,7 @@ Case wheel_on_rail(const std::vector<double>& creepages, int across) {
   input.rail.transverse_radius = 300.0;
   input.friction_coefficient = 0.4;
   input.contact_grid.elements_across = across;
-  input.rolling.creepages.clear();
-  for (const double creepage : creepages) input.rolling.creepages.push_back({creepage, 0.0, 0.0});
+  input.rolling.creepages = along(creepages);
   return input;
 }
 
@@ -149,7 +135,7 @@ TEST(PlasticLayer, ThatHardensFastIsElastic) {
     const std::vector<double> plastic = forces(input);
     for (std::size_t k = 0; k < elastic.size(); ++k) {
       const double missing = 1.0 - plastic[k] / elastic[k];
-      testing::record(fmt::format("missing_force_{}_at_{}", k, hardening), missing);
+      record(fmt::format("missing_force_{}_at_{}", k, hardening), missing);
       if (hardening > 1e6) {
         EXPECT_NEAR(missing / before[k], 0.1, 0.015);
       }
@@ -177,8 +163,8 @@ TEST(PlasticLayer, PerfectlyPlasticCarriesItsYieldStressOnTheWholePatch) {
     const auto& state = last.fields.state;
     EXPECT_GT(std::count(state.begin(), state.end(), ElementState::plastic), 800);
     const double exact = 150.0 * M_PI * last.semi_axis_x * last.semi_axis_y;
-    testing::record("plateau_over_yield_stress_times_area_at_" + std::to_string(across),
-                    -last.longitudinal_force / exact);
+    record("plateau_over_yield_stress_times_area_at_" + std::to_string(across),
+           -last.longitudinal_force / exact);
     return -last.longitudinal_force / exact;
   };
   // Elements are in contact or not.
@@ -220,8 +206,8 @@ TEST(PlasticLayer, SoftIsABrushInClosedForm) {
   for (const double hardening : {0.0, 0.0082, 0.1, -0.001, -0.004}) {
     const double coarse = deviation_from_brush(hardening, 40);
     const double fine = deviation_from_brush(hardening, 80);
-    testing::record(fmt::format("largest_deviation_of_{}_at_40", hardening), coarse);
-    testing::record(fmt::format("largest_deviation_of_{}_at_80", hardening), fine);
+    record(fmt::format("largest_deviation_of_{}_at_40", hardening), coarse);
+    record(fmt::format("largest_deviation_of_{}_at_80", hardening), fine);
     // Elements are coarser than the kinks of the brush, the second where it has lost all stress.
     const double kinks = hardening == -0.004 ? 2.0 : 1.0;
     EXPECT_LT(coarse, 0.04 * kinks) << hardening;
@@ -239,12 +225,12 @@ TEST(PlasticLayer, ForcesConvergeWithSecondOrder) {
       const PointResult point = halfspace::run_halfspace(input, {}).points[0];
       at.push_back(-point.longitudinal_force);
       bars.push_back(point.error_estimate.at("longitudinal_force"));
-      testing::record("force_of_" + std::to_string(static_cast<int>(hardening)) + "_at_" +
-                          std::to_string(across),
-                      at.back());
+      record("force_of_" + std::to_string(static_cast<int>(hardening)) + "_at_" +
+                 std::to_string(across),
+             at.back());
     }
     const double order = std::log2((at[1] - at[0]) / (at[2] - at[1]));
-    testing::record("order_of_" + std::to_string(static_cast<int>(hardening)), order);
+    record("order_of_" + std::to_string(static_cast<int>(hardening)), order);
     EXPECT_GT(order, 1.5);
     const double limit = at[3] + (at[3] - at[2]) / 3.0;
     for (std::size_t k = 1; k < at.size(); ++k) EXPECT_NEAR(at[k], limit, bars[k]) << k;
@@ -255,15 +241,11 @@ TEST(PlasticLayer, TransientRollingSettlesToTheSteadyState) {
   Case input = wheel_on_rail({0.004}, 48);
   input.layer = contact::Layer{0.02, 800.0, 100.0, 2e3};
   const double steady = forces(input)[0];
-  input.rolling.problem = contact::Problem::transient;
   const auto error = [&](double length) {
     const auto steps = static_cast<std::size_t>(20.0 / length);
-    input.rolling.creepages.assign(steps, {0.004, 0.0, 0.0});
-    contact::HistoryStep each;
-    each.step_length = length;
-    input.history.assign(steps, each);
+    roll_on(input, steps, length, {0.004, 0.0, 0.0});
     const double settled = forces(input).back();
-    testing::record(fmt::format("settled_over_steady_in_steps_of_{}", length), settled / steady);
+    record(fmt::format("settled_over_steady_in_steps_of_{}", length), settled / steady);
     return std::abs(settled / steady - 1.0);
   };
   // Steps are not fitted to the leading edge, and of first order.
@@ -321,9 +303,8 @@ TEST(PlasticLayer, TransmitsNoMoreThanItsYieldStress) {
   EXPECT_NEAR(point.longitudinal_force, -5e3, 5.0);
   input.rolling.forces = {{-1.05 * 60.0 * point.contact_area, {}}};
   const std::string message =
-      testing::refusal<contact::SolveError>([&] { halfspace::run_halfspace(input, {}); });
-  EXPECT_NE(message.find("the most that a layer with a yield stress of 60 MPa"), std::string::npos)
-      << message;
+      refusal<contact::SolveError>([&] { halfspace::run_halfspace(input, {}); });
+  EXPECT_TRUE(says(message, "the most that a layer with a yield stress of 60 MPa"));
 }
 
 TEST(PlasticLayer, IsRefusedByTheoriesWithoutIt) {
@@ -337,4 +318,3 @@ TEST(PlasticLayer, IsRefusedByTheoriesWithoutIt) {
 }
 
 }  // namespace
-}  // namespace rollfem

@@ -4,25 +4,19 @@
 #include "support/profile_patches.hpp"
 
 #include "halfspace/closed_forms/hertz.hpp"
-
-#include <gtest/gtest.h>
-
 #include "support/half_space_models.hpp"
+
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
 
-using namespace rollfem;
-using contact::ModelResult;
-using contact::PointResult;
-
 namespace {
 
-ModelResult run(const std::string& model, const rollfem::testing::PatchCase& input) {
-  return rollfem::testing::half_space_models().run(model, input, {});
+ModelResult run(const std::string& model, const PatchCase& input) {
+  return half_space_models().run(model, input, {});
 }
 
-rollfem::testing::PatchCase with_circles(char name) {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case(name);
+PatchCase with_circles(char name) {
+  PatchCase input = thesis_case(name);
   input.patch = rollfem::testing::circles(input.wheel.rolling_radius, contact::infinity,
                                           input.rail.transverse_radius, 40.0);
   return input;
@@ -35,11 +29,11 @@ rollfem::testing::PatchCase with_circles(char name) {
 /// 0.96 mm from the reference point of CONTACT.
 constexpr double rail_place = -3.95, wheel_place = 8.58, from_reference = 0.96;
 
-rollfem::testing::PatchCase s1002_left() {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+PatchCase s1002_left() {
+  PatchCase input = thesis_case('b');
   input.load.normal_force = 100e3;
   input.wheel.rolling_radius = 450.0;
-  input.patch = rollfem::testing::s1002_on_uic60(rail_place, wheel_place);
+  input.patch = s1002_on_uic60(rail_place, wheel_place);
   input.contact_grid.cell_size = {0.2, 0.2};
   // CONTACT lays the patch in a plane and knows creepages and spin alone.
   input.rolling.extra_slip = contact::ExtraSlip::none;
@@ -57,7 +51,7 @@ constexpr CreepPoint contact_curve[] = {{-4.401e-3, -3.634e-5, 46790.0},
                                         {1.605e-3, -3.645e-5, -22920.0},
                                         {3.599e-3, -3.649e-5, -41700.0}};
 
-void add_creep_curve(rollfem::testing::PatchCase& input) {
+void add_creep_curve(PatchCase& input) {
   input.rolling.creepages.clear();
   for (const CreepPoint& point : contact_curve)
     input.rolling.creepages.push_back(
@@ -69,10 +63,10 @@ void add_creep_curve(rollfem::testing::PatchCase& input) {
 TEST(ProfilePatches, CirclesRollLikeTheirRadii) {
   for (const char name : {'a', 'c'}) {
     SCOPED_TRACE(name);
-    rollfem::testing::PatchCase radii = rollfem::testing::thesis_case(name);
-    rollfem::testing::PatchCase circles = with_circles(name);
-    for (rollfem::testing::PatchCase* input : {&radii, &circles}) {
-      const auto hertz = halfspace::hertz_of_scene(rollfem::testing::thesis_case(name));
+    PatchCase radii = thesis_case(name);
+    PatchCase circles = with_circles(name);
+    for (PatchCase* input : {&radii, &circles}) {
+      const auto hertz = halfspace::hertz_of_scene(thesis_case(name));
       input->rolling.creepages = {{1e-3, 5e-4, 1e-4}};
       input->contact_grid.cell_size = {hertz.semi_axis_x / 16.0, hertz.semi_axis_y / 16.0};
       input->contact_grid.extent = {2.4 * hertz.semi_axis_x, 2.4 * hertz.semi_axis_y};
@@ -92,8 +86,8 @@ TEST(ProfilePatches, CirclesRollLikeTheirRadii) {
 TEST(ProfilePatches, TheoriesOfAnEllipseFindItAgain) {
   for (const char* model : {"hertz", "linear", "fastsim", "strip"}) {
     SCOPED_TRACE(model);
-    rollfem::testing::PatchCase radii = rollfem::testing::thesis_case('a');
-    rollfem::testing::PatchCase circles = with_circles('a');
+    PatchCase radii = thesis_case('a');
+    PatchCase circles = with_circles('a');
     radii.rolling.creepages = circles.rolling.creepages = {{1e-3, 5e-4, 1e-4}};
     const PointResult a = run(model, radii).points.front();
     const PointResult b = run(model, circles).points.front();
@@ -108,14 +102,14 @@ TEST(ProfilePatches, TheoriesOfAnEllipseFindItAgain) {
 
 TEST(ProfilePatches, YawTurnsTheEllipseAndKeepsItsPressure) {
   // A torus on a plane makes Hertz's contact of its two radii, whichever way it is turned.
-  rollfem::testing::PatchCase upright = rollfem::testing::thesis_case('b');
+  PatchCase upright = thesis_case('b');
   upright.wheel.transverse_radius = 150.0;
   upright.rail.transverse_radius = contact::infinity;
   const auto hertz = halfspace::hertz_of_scene(upright);
   const auto plain = rollfem::testing::circles(405.0, 150.0, contact::infinity, 30.0);
   for (const double yaw : {0.1, -0.5}) {
     SCOPED_TRACE(yaw);
-    rollfem::testing::PatchCase turned = upright;
+    PatchCase turned = upright;
     turned.patch = std::make_shared<contact::PatchGeometry>(
         plain->rail(), plain->wheel_radius(),
         contact::Axle{{0.0, 0.0, 405.0}, {std::sin(yaw), std::cos(yaw), 0.0}}, -25.0, 25.0);
@@ -144,10 +138,10 @@ TEST(ProfilePatches, S1002OnUic60HasContactsPatch) {
 }
 
 TEST(ProfilePatches, S1002OnUic60HasContactsCreepCurve) {
-  rollfem::testing::PatchCase input = s1002_left();
+  PatchCase input = s1002_left();
   add_creep_curve(input);
   const double bound = 0.55 * 100e3;
-  rollfem::testing::PatchCase like_contact = input;
+  PatchCase like_contact = input;
   like_contact.contact_grid.cell_size = {0.4, 0.4};
   like_contact.rolling.upwind_order = contact::UpwindOrder::first;
   const auto same = run("halfspace", like_contact).points;
@@ -163,7 +157,7 @@ TEST(ProfilePatches, S1002OnUic60HasContactsCreepCurve) {
 }
 
 TEST(ProfilePatches, FourThousandElementsTakeFewSteps) {
-  rollfem::testing::PatchCase input = s1002_left();
+  PatchCase input = s1002_left();
   input.rolling.creepages = {{1.4e-3, 0.0, 3.6e-5}};
   const ModelResult result = run("halfspace", input);
   EXPECT_GT(result.contact_elements, 3800);
@@ -171,7 +165,7 @@ TEST(ProfilePatches, FourThousandElementsTakeFewSteps) {
 }
 
 TEST(ProfilePatches, StripModelIsNearTheHalfSpace) {
-  rollfem::testing::PatchCase input = s1002_left();
+  PatchCase input = s1002_left();
   add_creep_curve(input);
   const auto exact = run("halfspace", input).points;
   const auto strips = run("strip", input).points;
@@ -188,7 +182,7 @@ TEST(ProfilePatches, StripModelIsNearTheHalfSpace) {
 
 TEST(ProfilePatches, MirroredProfilesGiveMirroredForces) {
   // Mirrored at y = 0: y, lateral force, spin and moment change their signs.
-  rollfem::testing::PatchCase input = s1002_left();
+  PatchCase input = s1002_left();
   input.contact_grid.cell_size.reset();
   input.contact_grid.elements_across = 24;
   input.rolling.creepages = {{1e-3, 4e-4, 1e-4}};
@@ -203,7 +197,7 @@ TEST(ProfilePatches, MirroredProfilesGiveMirroredForces) {
     }
     return contact::HeightCurve(y, z, slope);
   };
-  rollfem::testing::PatchCase other = input;
+  PatchCase other = input;
   contact::Axle axle = left.axle();
   axle.point[1] = -axle.point[1];
   axle.direction[2] = -axle.direction[2];
@@ -223,7 +217,7 @@ TEST(ProfilePatches, MirroredProfilesGiveMirroredForces) {
 }
 
 TEST(ProfilePatches, EveryLoadPointHasItsNormalForce) {
-  rollfem::testing::PatchCase input = s1002_left();
+  PatchCase input = s1002_left();
   input.contact_grid.cell_size.reset();
   input.contact_grid.elements_across = 20;
   input.rolling.creepages = {{1e-3, 0.0, 0.0}, {2e-3, 0.0, 0.0}};
@@ -239,7 +233,7 @@ TEST(ProfilePatches, EveryLoadPointHasItsNormalForce) {
 }
 
 TEST(ProfilePatches, WorksOfFrictionAndCreepageAgree) {
-  rollfem::testing::PatchCase input = s1002_left();
+  PatchCase input = s1002_left();
   input.rolling.creepages = {{2e-3, 1e-3, 1e-4}};
   const auto point = run("halfspace", input).points.front();
   EXPECT_GT(point.elastic_energy.value(), 0.0);

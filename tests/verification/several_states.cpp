@@ -11,20 +11,8 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/recorded.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
-namespace rollfem {
 namespace {
 
 constexpr double static_friction = 0.3, normal_force = 622216.0, speed = 45e3;
@@ -139,9 +127,9 @@ TEST(SeveralStates, RollersHaveTheThreeOfContact) {
   EXPECT_EQ(rollers.states(), 2);  // that one, and another that stays
   const contact::TangentialSolution above = rollers.from_above(steady, -0.001);
   EXPECT_NEAR(rollers.force(above.traction) / sliding_force, 0.5702, within);
-  testing::record("steady_force", rollers.force(steady.tangential.traction));
-  testing::record("force_from_below", rollers.force(below.tangential.traction));
-  testing::record("force_from_above", rollers.force(above.traction));
+  record("steady_force", rollers.force(steady.tangential.traction));
+  record("force_from_below", rollers.force(below.tangential.traction));
+  record("force_from_above", rollers.force(above.traction));
   // The steady state is a third one of the step: between two that stay lies one that does not.
   EXPECT_LT(*below.tangential.feedback, 1.0);
   EXPECT_LT(*above.feedback, 1.0);
@@ -261,4 +249,3 @@ TEST(SeveralStates, ResultsSayThatThereAreSeveral) {
 }
 
 }  // namespace
-}  // namespace rollfem

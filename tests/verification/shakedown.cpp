@@ -6,10 +6,7 @@
 #include "contact/result/stress_measures.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::postprocess {
 namespace {

@@ -6,16 +6,9 @@
 #include "contact/result/patch_size.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/recorded.hpp"
-#include <cmath>
 
-namespace rollfem {
 namespace {
-
-using contact::ContactGrid;
-using contact::Field;
 
 constexpr double half_width = 5.0;  // mm
 constexpr double steepness = 1e-3;  // h = 1e-3 mm at the edge
@@ -125,11 +118,10 @@ TEST_P(Steuermann, ApproachAndPressureConvergeToTheClosedFormWithOrderTwo) {
   EXPECT_LT(std::abs(coarse.radius), 1.25 * 2.0 / 81.0);
   EXPECT_LT(std::abs(fine.radius), 1.25 * 2.0 / 161.0);
   const std::string at = "_" + std::to_string(n);
-  testing::record("order_of_approach" + at, order(coarse.approach, fine.approach));
-  testing::record("order_of_middle" + at, order(coarse.middle, fine.middle));
+  record("order_of_approach" + at, order(coarse.approach, fine.approach));
+  record("order_of_middle" + at, order(coarse.middle, fine.middle));
 }
 
 INSTANTIATE_TEST_SUITE_P(Exponents, Steuermann, ::testing::Values(2, 3));
 
 }  // namespace
-}  // namespace rollfem

@@ -5,17 +5,10 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
-#include <gtest/gtest.h>
+#include "support/contact_of_case_a.hpp"
 
-#include <cmath>
-#include <functional>
-
-using namespace rollfem;
-using contact::ContactGrid;
-using halfspace::Body;
 using halfspace::LoadedBody;
 using halfspace::SubsurfaceState;
-using rollfem::contact::pi;
 
 namespace {
 
@@ -76,24 +69,12 @@ Ellipse hertz_ellipse(double A, double B, double modulus, double force) {
 }  // namespace
 
 TEST(SubsurfaceHertz, CaseAOfContact) {
-  // reference/contact_subsurface_a.csv: depth below the middle, u_z of the upper body, stresses.
-  struct Row {
-    double z, uz, hydrostatic, von_mises, xx, yy, zz;
-  };
-  const std::vector<Row> rows{{0.5, 2.2868e-2, -432.399, 214.689, -383.311, -340.510, -573.375},
-                              {1.0, 2.1976e-2, -372.545, 277.423, -276.966, -283.211, -557.459},
-                              {2.0, 2.0064e-2, -278.420, 341.384, -137.465, -194.151, -503.644},
-                              {3.0, 1.8190e-2, -211.630, 344.171, -64.6025, -132.593, -437.695},
-                              {4.0, 1.6481e-2, -164.219, 319.047, -28.1380, -90.6904, -373.829},
-                              {6.0, 1.3655e-2, -104.920, 251.454, -1.13786, -42.7999, -270.821},
-                              {8.0, 1.1514e-2, -71.5926, 193.498, 5.22582, -20.2541, -199.750},
-                              {12.0, 8.6137e-3, -38.4412, 118.350, 5.77334, -3.95558, -117.141}};
   const contact::Material steel{210e3, 0.3};
   const double modulus = contact::combine(steel, steel).contact_modulus;
   const Ellipse ellipse = hertz_ellipse(1.0 / 4000.0, 1.0 / 810.0, modulus, 50e3);
   EXPECT_NEAR(ellipse.p0, 578.97, 0.01);
   const LoadedBody body = hertzian(ellipse.short_axis, ellipse.long_axis, ellipse.p0, 0.3, 80);
-  for (const Row& row : rows) {
+  for (const case_a::Below& row : case_a::below) {
     const SubsurfaceState state = below(body, 0.0, 0.0, row.z);
     const contact::Stress& s = state.stress;
     const auto check = [&](double found, double expected) {
@@ -198,13 +179,13 @@ TEST(SubsurfaceHertz, SlidingLineContact) {
   // on the surface inside the patch xx = -2 q0 x in the wheel and the opposite in the rail; below
   // the middle xz = -q0 [(1 + 2 z^2)/sqrt(1 + z^2) - 2 z] in both.
   const double q0 = 0.3;
-  const auto errors = [&](Body side, int n) {
+  const auto errors = [&](halfspace::Body side, int n) {
     LoadedBody body;
     body.body = side;
     body.grid = ContactGrid::centred(n, 1, 2.0 / n, 2000.0);
     body.traction.x = body.grid.sample(
         [&](double x, double) { return q0 * std::sqrt(std::max(0.0, 1.0 - x * x)); });
-    const double sign = side == Body::wheel ? 1.0 : -1.0;
+    const double sign = side == halfspace::Body::wheel ? 1.0 : -1.0;
     std::array<double, 2> worst{};
     for (int i = 0; i < n; ++i) {
       const double x = body.grid.x(i);
@@ -219,7 +200,7 @@ TEST(SubsurfaceHertz, SlidingLineContact) {
     }
     return worst;
   };
-  for (const Body side : {Body::wheel, Body::rail}) {
+  for (const halfspace::Body side : {halfspace::Body::wheel, halfspace::Body::rail}) {
     const auto coarse = errors(side, 101), fine = errors(side, 404);
     EXPECT_LT(fine[0], 3e-3);
     EXPECT_LT(fine[1], 2e-4);

@@ -8,13 +8,10 @@
 #include "theories/fastsim.hpp"
 #include "theories/strip.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/contact_of_case_a.hpp"
 #include "support/printed_coefficients.hpp"
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
-#include <vector>
 
 namespace rollfem::theories {
 
@@ -23,10 +20,7 @@ using namespace halfspace;
 namespace {
 
 contact::Case creep_curve_of(char name, const std::vector<double>& creepages) {
-  contact::Case input = rollfem::testing::thesis_case(name);
-  input.rolling.creepages.clear();
-  for (const double xi : creepages) input.rolling.creepages.push_back({xi, 0.0, 0.0});
-  return input;
+  return thesis_case(name, 40, along(creepages));
 }
 
 struct FastsimRow {
@@ -44,17 +38,17 @@ void compare(const contact::Case& input, BoundShape bound, int n,
   options.bound = bound;
   options.elements = FastsimElements::grid;
   options.strips = options.strip_elements = n;
-  const auto flexibilities = rollfem::testing::printed_flexibilities(
-      patch.hertz.semi_axis_x, patch.hertz.semi_axis_y, patch.material.shear_modulus,
-      patch.material.poisson_ratio);
+  const auto flexibilities =
+      printed_flexibilities(patch.hertz.semi_axis_x, patch.hertz.semi_axis_y,
+                            patch.material.shear_modulus, patch.material.poisson_ratio);
   for (const FastsimRow& row : rows) {
     const BrushTotals totals = fastsim(patch, {row.creepage, 0, 0}, flexibilities, options);
     // 2e-5 where the target is 0.5 %: the algorithm is the same, the constants agree to 1e-5.
     EXPECT_NEAR(-totals.forces.longitudinal / 50e3 / row.force, 1.0, 2e-5) << row.creepage;
     EXPECT_NEAR(totals.max_traction / row.max_traction, 1.0, 2e-5) << row.creepage;
     const std::string at = fmt::format("_{}_{}", n, row.creepage);
-    rollfem::testing::record("force" + at, -totals.forces.longitudinal / 50e3);
-    rollfem::testing::record("traction" + at, totals.max_traction);
+    record("force" + at, -totals.forces.longitudinal / 50e3);
+    record("traction" + at, totals.max_traction);
   }
 }
 
@@ -87,21 +81,17 @@ TEST(FastsimAgainstContact, EllipticBound) {
           {{1e-3, 0.14181026, 336.42406}, {4e-3, 0.41727973, 836.54626}});
 }
 
-/// Converged half-space values of case a (Richardson from CONTACT).
-const std::vector<double> creepages_a{5e-4, 1e-3, 2e-3, 3e-3, 4e-3, 6e-3};
-const std::vector<double> contact_a{0.11542, 0.21565, 0.37221, 0.47467, 0.53016, 0.54952};
-
 /// Range of (model / CONTACT - 1) along the creep curve of case a.
 void expect_within(const contact::ModelResult& result, double lowest, double highest) {
-  for (std::size_t k = 0; k < contact_a.size(); ++k) {
-    const double error = result.points[k].traction_coefficient / contact_a[k] - 1.0;
-    EXPECT_GT(error, lowest) << result.name << " at " << creepages_a[k];
-    EXPECT_LT(error, highest) << result.name << " at " << creepages_a[k];
+  for (std::size_t k = 0; k < case_a::coefficients.size(); ++k) {
+    const double error = result.points[k].traction_coefficient / case_a::coefficients[k] - 1.0;
+    EXPECT_GT(error, lowest) << result.name << " at " << case_a::creepages[k];
+    EXPECT_LT(error, highest) << result.name << " at " << case_a::creepages[k];
   }
 }
 
 TEST(TheoriesOfCaseA, LieWithinFivePerCentOfTheHalfspaceAsTheSeedStudyFound) {
-  const contact::Case input = creep_curve_of('a', creepages_a);
+  const contact::Case input = creep_curve_of('a', case_a::creepages);
   expect_within(run_fastsim(input, {}), -0.055, 0.0);
   expect_within(run_strip(input, {}), -0.04, 0.0);
   expect_within(run_vermeulen_johnson(input, {}), -0.04, 0.0);
@@ -136,7 +126,7 @@ TEST(TheoriesOfCaseE, ShiftTheCreepCurveOfACurvedPatch) {
   // off at no creepage and 6 % of mu where it saturates.
   contact::Case input = creep_curve_of('c', {-0.002, -0.001, 0.0, 0.001, 0.002, 0.003, 0.004});
   input.wheel.transverse_radius = -105.263;
-  rollfem::testing::give_slip_of_rail_drop(input);
+  give_slip_of_rail_drop(input);
   const std::vector<double> contact_e{-0.40512, -0.26958, -0.07749, 0.14401,
                                       0.33114,  0.45747,  0.52678};
   for (const contact::ModelResult& result :

@@ -5,34 +5,20 @@
 #include "contact/result/validity.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
-#include <algorithm>
-#include <cmath>
 
-namespace rollfem {
 namespace {
 
-using contact::ContactGrid;
-using contact::ElementState;
-using contact::Field;
-using contact::ModelResult;
-using contact::PointResult;
-using contact::SurfaceField;
-using testing::PatchCase;
-
 PatchCase case_b(int across) {
-  PatchCase input = testing::thesis_case('b');
-  input.contact_grid.elements_across = across;
-  input.rolling.creepages = {{0.0, 0.0, 0.0}, {1e-3, -5e-4, 2e-4}, {5e-3, 0.0, 0.0}};
+  PatchCase input =
+      thesis_case('b', across, {{0.0, 0.0, 0.0}, {1e-3, -5e-4, 2e-4}, {5e-3, 0.0, 0.0}});
   return input;
 }
 
 ModelResult solve(const PatchCase& input) {
-  return rollfem::testing::half_space_models().run("halfspace", input, {});
+  return half_space_models().run("halfspace", input, {});
 }
 
 /// Love's displacement under a uniform pressure of 1 MPa on a rectangle, of both bodies: the
@@ -128,7 +114,7 @@ TEST(TrueGap, OfLikeMaterialsIsClosedUnderPressureByLovesSum) {
   const ModelResult result = solve(input);
   for (const PointResult& point : result.points)
     EXPECT_LT(gap_left(input, result, point,
-                       summed(result.grid, point.fields.traction, testing::steel())),
+                       summed(result.grid, point.fields.traction, rollfem::testing::steel())),
               2e-8);
 }
 
@@ -168,8 +154,8 @@ TEST(TrueGap, SlipOfTheSumKeepsCoulombsLaw) {
   const ModelResult result = solve(input);
   for (std::size_t k = 1; k < result.points.size(); ++k) {
     const PointResult& point = result.points[k];
-    const CoulombLeft left =
-        coulomb_left(result, point, summed(result.grid, point.fields.traction, testing::steel()));
+    const CoulombLeft left = coulomb_left(
+        result, point, summed(result.grid, point.fields.traction, rollfem::testing::steel()));
     EXPECT_LT(left.adhesion, 1e-5) << k;
     EXPECT_LT(left.direction, 1e-5) << k;
     EXPECT_LT(left.bound, 1e-5) << k;
@@ -180,4 +166,3 @@ TEST(TrueGap, SlipOfTheSumKeepsCoulombsLaw) {
 }
 
 }  // namespace
-}  // namespace rollfem

@@ -7,22 +7,10 @@
 #include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"
-#include <cmath>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
-
-using namespace rollfem;
-using contact::Case;
-using contact::FreeRolling;
-using contact::WheelSide;
 
 constexpr double load = 60e3;
 constexpr double mu = 0.3;
@@ -78,7 +66,7 @@ TEST(WheelsetBalance, VerticalForcesAddUpToTheLoadAlsoOnTheFlange) {
 
 TEST(WheelsetBalance, TwoContactsOfOneWheelShareItsLoad) {
   // Tread and flange, whose planes have nothing in common.
-  const auto balanced = track::balance(rollfem::testing::steep_flange(-4.29));
+  const auto balanced = track::balance(steep_flange(-4.29));
   const auto wheels = solved(balanced.scenes);
   EXPECT_EQ(wheels.at(true).patches, 2);
   EXPECT_NEAR(wheels.at(true).vertical, load, 1e-6 * load);
@@ -165,7 +153,6 @@ TEST(WheelsetBalance, FrictionThatCarriesTheWheelUpIsSaid) {
   ASSERT_EQ(balanced.scenes.size(), 1U);
   EXPECT_LT(halfspace::run_halfspace(balanced.scenes.front(), {}).points[0].normal_force, load);
   input.wheelset.yaw = {-0.02};
-  EXPECT_TRUE(rollfem::testing::says(
-      rollfem::testing::refusal<contact::SolveError>([&] { solved(track::balance(input).scenes); }),
-      "Nadal"));
+  EXPECT_TRUE(
+      says(refusal<contact::SolveError>([&] { solved(track::balance(input).scenes); }), "Nadal"));
 }

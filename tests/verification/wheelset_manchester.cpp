@@ -6,23 +6,16 @@
 #include "halfspace/model/model.hpp"
 #include "track/balance/balance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/wheel_rail_cases.hpp"
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace {
-
-using rollfem::contact::WheelSide;
 
 /// Yaw that the benchmark prescribes, rad/mm of lateral shift.
 constexpr double yaw_of_shift = 2.4e-3;
 
 /// One wheel at these lateral shifts, mm, with the profiles of the program.
 rollfem::contact::Case manchester_wheelset(WheelSide side, const std::vector<double>& shifts) {
-  auto input = rollfem::testing::manchester_case(0.0, 0.0);
+  auto input = manchester_case(0.0, 0.0);
   input.file = "manchester";
   // CONTACT lays the patch in a plane and knows creepages and spin alone.
   input.rolling.extra_slip = rollfem::contact::ExtraSlip::none;

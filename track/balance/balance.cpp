@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 #include "contact/result/record.hpp"
-#include "track/balance/flange_bending.hpp"
 #include "track/balance/position.hpp"
 
 #include <fmt/format.h>
@@ -35,19 +34,8 @@ bool asked_for(const Case& input, bool left) {
 }
 
 /// A failure in a long sweep names its position.
-template <class Work>
-auto at_position(const Case& input, int position, const Work& work) {
-  const auto where = [&](const std::exception& error) {
-    return input.wheelset.positions() > 1 ? fmt::format("position {}: {}", position, error.what())
-                                          : std::string(error.what());
-  };
-  try {
-    return work();
-  } catch (const contact::SolveError& error) {
-    throw contact::SolveError(where(error));
-  } catch (const contact::InputError& error) {
-    throw contact::InputError(where(error));
-  }
+std::string where(const Case& input, int position) {
+  return input.wheelset.positions() > 1 ? fmt::format("position {}: ", position) : "";
 }
 
 std::vector<std::string> notes_of(const Case& input) {
@@ -113,7 +101,8 @@ std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
   }
   constexpr auto worth_keeping = std::chrono::milliseconds(50);
   const auto begin = std::chrono::steady_clock::now();
-  scenes = at_position(input, position, [&] { return balanced_position(input, here); });
+  scenes =
+      contact::at_place(where(input, position), [&] { return balanced_position(input, here); });
   if (kept != nullptr && std::chrono::steady_clock::now() - begin > worth_keeping) {
     Record record;
     exchange(record, here, scenes);
@@ -135,7 +124,8 @@ std::vector<WheelRailContact> place_wheels(const Case& input, const SearchScene&
   std::vector<std::vector<WheelRailContact>> at(input.wheelset.positions());
   contact::for_each_index(at.size(), [&](std::size_t k) {
     const int position = static_cast<int>(k) + 1;
-    at[k] = at_position(input, position, [&] { return find_contacts(input, scene, position); });
+    at[k] = contact::at_place(where(input, position),
+                              [&] { return find_contacts(input, scene, position); });
   });
   std::vector<WheelRailContact> all;
   for (std::vector<WheelRailContact>& here : at)
@@ -293,8 +283,7 @@ void check_results(const contact::Case& input, const std::vector<ModelResult>& r
     check_alone(input, result);
     std::vector<const ModelResult*> wheel;
     for (const ModelResult& other : results)
-      if (other.place && other.name == result.name && other.place->left == result.place->left &&
-          other.place->position == result.place->position)
+      if (other.place && other.name == result.name && other.place->same_wheel(*result.place))
         wheel.push_back(&other);
     if (wheel.front() == &result) check_wheel(input, wheel);
   }

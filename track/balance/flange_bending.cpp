@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "track/balance/flange_bending.hpp"
-
 #include "halfspace/patch/load_sharing.hpp"
+#include "track/balance/balance.hpp"
 
 #include <fmt/format.h>
 
@@ -87,7 +86,7 @@ std::vector<std::string> bending_notes(const Case& input, const std::vector<Scen
       notes.push_back(fmt::format(
           "{} wheel{}: a flange 30 mm thick would bend by some {:.0f} um under this load, which no "
           "model includes: its contacts would carry {} kN",
-          left ? "left" : "right",
+          contact::side_word(left),
           input.wheelset.positions() > 1
               ? fmt::format(" at position {}", wheel.front().place->position)
               : "",

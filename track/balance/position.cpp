@@ -256,7 +256,7 @@ class Position {
     throw contact::SolveError(fmt::format(
         "the {} wheel: friction on the flange lifts it at any load (beyond Nadal's limit), so "
         "there is no equilibrium; do: use less friction, lateral_shift or yaw",
-        wheel.left ? "left" : "right"));
+        contact::side_word(wheel.left)));
   }
 
   static void drop_unloaded(Wheel& wheel, double load) {
@@ -273,7 +273,7 @@ class Position {
         throw contact::SolveError(
             fmt::format("the {} wheel: a second patch carries load at only {} of {} load points; "
                         "do: solve these load points in separate cases",
-                        wheel.left ? "left" : "right", count, of));
+                        contact::side_word(wheel.left), count, of));
     all.erase(std::remove_if(all.begin(), all.end(),
                              [&](const Patch& patch) { return loaded(patch) == 0; }),
               all.end());

@@ -32,8 +32,8 @@ contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) 
         "{}: load.normal_force: the {} wheel at position {} touches in {} patches, among which a "
         "normal force cannot be divided; allowed: load.vertical_force, carried by all of them "
         "together; do: write `vertical_force = {:.6g}` under [load]",
-        input.file.empty() ? "case" : input.file, contact.place.left ? "left" : "right",
-        contact.place.position, contact.place.patches, load.normal_force.value_or(0.0)));
+        input.file.empty() ? "case" : input.file, contact.place.side(), contact.place.position,
+        contact.place.patches, load.normal_force.value_or(0.0)));
   if (contact.place.patches > 1) return {contact.normal_force, {}};
   if (load.vertical_force) return {load.vertical_force, {}, upwards(contact.place)};
   return {load.normal_force, {}};
@@ -131,7 +131,7 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
       if (round > 0 && change <= near_enough) return;
       found = approaches(input, wheel);
     }
-  } catch (const std::runtime_error&) {
+  } catch (const contact::Failure&) {
     // Errors of the contact are reported when it is solved.
   }
 }

@@ -23,7 +23,7 @@ SearchScene search_scene_of(const contact::Case& input);
 
 /// Scenes in the order positions, left and right wheel, patches; near misses have no scene. A
 /// vertical force is the load of a wheel with one patch, along the vertical; where several patches
-/// share it, each has the estimate of load_estimate.hpp, which the caller corrects. Creepages given
+/// share it, each has the estimate of patch_groups.hpp, which the caller corrects. Creepages given
 /// by the case (Rolling::given) replace those of the motion. Throws as find_contacts, and
 /// contact::InputError when a normal force is given for a wheel with several patches.
 std::vector<PlacedScene> make_scenes(const contact::Case& input, const SearchScene& scene,

@@ -12,41 +12,40 @@ namespace rollfem::track {
 
 namespace {
 
-RigidTouch touch_of(const contact::Case& input, const SearchScene& search, WheelsetPose pose,
-                    int position, bool left) {
-  const VerticalGap gap = touching_gap(input, search, pose, position, left);
-  const GapMinimum lowest = gap.lowest();
-  const OutlinePoint at = gap.wheel().at(lowest.y);
-  return {at.radius, lowest.angle(), at.profile_y, lowest.y};
+/// The wheelset that touches at the lowest points of the gaps under its wheels.
+RigidWheelset touching(const contact::Case& input, const SearchScene& search, int position) {
+  const WheelsetPose pose = find_pose(input, search, position);
+  RigidWheelset touch;
+  touch.lateral_shift = pose.lateral_shift;
+  touch.roll = pose.roll;
+  for (const bool left : {true, false}) {
+    WheelsetPose lowered = pose;
+    const VerticalGap gap = touching_gap(input, search, lowered, position, left);
+    const GapMinimum lowest = gap.lowest();
+    const OutlinePoint at = gap.wheel().at(lowest.y);
+    (left ? touch.radius_left : touch.radius_right) = at.radius;
+    (left ? touch.angle_left : touch.angle_right) = lowest.angle();
+    (left ? touch.y_wheel_left : touch.y_wheel_right) = at.profile_y;
+    (left ? touch.y_track_left : touch.y_track_right) = lowest.y;
+  }
+  return touch;
 }
 
 }  // namespace
 
-std::vector<WheelsetTouch> rigid_touches(const contact::Case& input, const SearchScene& search,
+std::vector<RigidWheelset> rigid_touches(const contact::Case& input, const SearchScene& search,
                                          const std::vector<double>& lateral_shifts) {
   contact::Case moved = input;
   moved.wheelset.lateral_shift = lateral_shifts;
   moved.wheelset.yaw.assign(lateral_shifts.size(), 0.0);
   if (!input.wheelset.roll.empty())
     moved.wheelset.roll.assign(lateral_shifts.size(), input.wheelset.roll.front());
-  std::vector<WheelsetTouch> touches;
+  std::vector<RigidWheelset> touches;
   for (std::size_t k = 0; k < lateral_shifts.size(); ++k) {
-    const int position = static_cast<int>(k) + 1;
-    try {
-      const WheelsetPose pose = find_pose(moved, search, position);
-      WheelsetTouch touch;
-      touch.lateral_shift = lateral_shifts[k];
-      touch.roll = pose.roll;
-      touch.left = touch_of(moved, search, pose, position, true);
-      touch.right = touch_of(moved, search, pose, position, false);
-      touches.push_back(touch);
-    } catch (const contact::SolveError&) {
-      if (touches.empty()) throw;
-      break;
-    } catch (const contact::InputError&) {
-      if (touches.empty()) throw;
-      break;
-    }
+    auto touch = contact::attempt([&] { return touching(moved, search, static_cast<int>(k) + 1); });
+    if (!touch && touches.empty()) std::rethrow_exception(touch.failure);
+    if (!touch) break;
+    touches.push_back(*touch);
   }
   return touches;
 }
@@ -58,62 +57,60 @@ double contact_distance(const contact::Track& track) {
 namespace {
 
 /// Empty for fewer than two rows.
-std::optional<RadiusDifference> radii_of(const std::vector<WheelsetRow>& rows) {
+std::optional<RadiusDifference> radii_of(const std::vector<RigidWheelset>& rows) {
   std::vector<double> at, difference;
-  for (const WheelsetRow& row : rows) {
-    at.push_back(row.touch.lateral_shift);
+  for (const RigidWheelset& row : rows) {
+    at.push_back(row.lateral_shift);
     // In the middle both wheels are alike.
-    difference.push_back(at.size() == 1 ? 0.0 : row.touch.radius_difference());
+    difference.push_back(at.size() == 1 ? 0.0 : row.radius_difference());
   }
   if (at.size() < 2) return {};
   return RadiusDifference(std::move(at), std::move(difference));
 }
 
-void add_conicity(const contact::Case& input, const RadiusDifference& radii, WheelsetRow& row) {
-  const double amplitude = row.touch.lateral_shift;
+void add_conicity(const contact::Case& input, const RadiusDifference& radii, RigidWheelset& row) {
+  const double amplitude = row.lateral_shift;
   const double distance = contact_distance(input.track);
   const double radius = input.wheel.rolling_radius;
-  row.harmonic = radii.harmonic_conicity(amplitude);
+  row.conicity_harmonic = radii.harmonic_conicity(amplitude);
   row.wave_length = radii.wave_length(amplitude, distance, radius);
-  if (row.wave_length) row.wave = conicity_of_wave(*row.wave_length, distance, radius);
+  if (row.wave_length) row.conicity_wave = conicity_of_wave(*row.wave_length, distance, radius);
 }
 
-WheelsetTouch mirrored(const WheelsetTouch& touch) {
-  return {0.0 - touch.lateral_shift, 0.0 - touch.roll, touch.right, touch.left};
+RigidWheelset mirrored(RigidWheelset wheelset) {
+  wheelset.lateral_shift = 0.0 - wheelset.lateral_shift;
+  wheelset.roll = 0.0 - wheelset.roll;
+  std::swap(wheelset.radius_left, wheelset.radius_right);
+  std::swap(wheelset.angle_left, wheelset.angle_right);
+  std::swap(wheelset.y_wheel_left, wheelset.y_wheel_right);
+  std::swap(wheelset.y_track_left, wheelset.y_track_right);
+  return wheelset;
 }
 
 }  // namespace
 
-std::vector<WheelsetRow> wheelset_rows(const contact::Case& input, const SearchScene& search,
-                                       double reach, double step) {
+std::vector<RigidWheelset> wheelset_rows(const contact::Case& input, const SearchScene& search,
+                                         double reach, double step) {
   std::vector<double> shifts;
   for (int k = 0; k <= std::lround(reach / step); ++k) shifts.push_back(k * step);
-  std::vector<WheelsetRow> rows;
-  for (const WheelsetTouch& touch : rigid_touches(input, search, shifts))
-    rows.push_back({touch, {}, {}, {}});
+  std::vector<RigidWheelset> rows = rigid_touches(input, search, shifts);
   const std::optional<RadiusDifference> radii = radii_of(rows);
   for (std::size_t k = 1; k < rows.size(); ++k) add_conicity(input, *radii, rows[k]);
   return rows;
 }
 
-std::optional<WheelsetRow> wheelset_row(const contact::Case& input, const SearchScene& search,
-                                        const std::vector<WheelsetRow>& rows, double shift) {
+std::optional<RigidWheelset> wheelset_row(const contact::Case& input, const SearchScene& search,
+                                          const std::vector<RigidWheelset>& rows, double shift) {
   const double amplitude = std::abs(shift);
-  WheelsetRow row;
-  try {
-    row.touch = rigid_touches(input, search, {amplitude}).front();
-  } catch (const contact::SolveError&) {
-    return {};
-  } catch (const contact::InputError&) {
-    return {};
-  }
+  auto touch = contact::attempt([&] { return rigid_touches(input, search, {amplitude}).front(); });
+  if (!touch) return {};
+  RigidWheelset& row = *touch;
   const std::optional<RadiusDifference> radii = radii_of(rows);
   // Within the first piece the radii are known only at its ends.
-  if (radii && amplitude >= rows[1].touch.lateral_shift &&
+  if (radii && amplitude >= rows[1].lateral_shift &&
       amplitude <= radii->largest_shift() * (1.0 + 1e-12))
     add_conicity(input, *radii, row);
-  if (shift < 0.0) row.touch = mirrored(row.touch);
-  return row;
+  return shift < 0.0 ? mirrored(row) : row;
 }
 
 }  // namespace rollfem::track

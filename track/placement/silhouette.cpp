@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "track/placement/silhouette.hpp"
-
 #include "contact/base/errors.hpp"
+#include "track/placement/vertical_gap.hpp"
 
 #include <fmt/format.h>
 

@@ -22,7 +22,7 @@ std::string where(const Case& input, int position, bool left) {
   return fmt::format("{}: wheelset.lateral_shift = {:.6g} (position {}), {} wheel",
                      input.file.empty() ? "case" : input.file,
                      input.wheelset.lateral_shift.at(static_cast<std::size_t>(position - 1)),
-                     position, left ? "left" : "right");
+                     position, contact::side_word(left));
 }
 
 /// The tape line, wherever the profile has its origin; that origin where the profile does not reach

@@ -2,7 +2,6 @@
 #include "track/search/contact_search.hpp"
 
 #include "contact/scene/geometry.hpp"
-#include "track/search/load_estimate.hpp"
 #include "track/search/patch_groups.hpp"
 
 #include <algorithm>

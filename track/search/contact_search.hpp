@@ -32,7 +32,7 @@ struct WheelRailContact {
   bool reserve = false;
   /// Directions of the patch frame in the track frame.
   contact::Vector3 along{}, across{}, normal{};
-  /// Estimates (load_estimate.hpp) of the load's normal force and approach along the normal; 0 for
+  /// Estimates (patch_groups.hpp) of the load's normal force and approach along the normal; 0 for
   /// a near miss.
   double normal_force = 0.0;  ///< N
   double approach = 0.0;      ///< mm

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "track/search/load_estimate.hpp"
-
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 #include "halfspace/elasticity/influence.hpp"
+#include "track/search/patch_groups.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,6 @@ import copy
 import json
 import math
 import numbers
-import operator
 import os
 import re
 import tomllib
@@ -16,7 +15,7 @@ import numpy as np
 
 from . import _core
 from ._core import InputError
-from .frames import InFile
+from .frames import InFile, forwarded
 from .names import path_of, refuse_unused
 
 BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
@@ -107,11 +106,6 @@ def merged(data: dict[str, Any], changes: Mapping[str, Any], call: str = "") -> 
     refuse_unused(asked, data, call)
     _merge(data, asked, removing=True)
     return data
-
-
-def _forwarded(name: str, doc: str) -> Any:
-    """An attribute that is one of another's, which cannot be set."""
-    return property(operator.attrgetter(name), doc=doc)
 
 
 class Case(InFile):
@@ -242,11 +236,11 @@ class Case(InFile):
         """All keys as a dict of sections; a copy."""
         return copy.deepcopy(self._data)
 
-    file: str = _forwarded("_file", 'The case file, or "" for a case made in Python.')
-    title: str = _forwarded("_read.title", "As the case has it.")
-    text: str = _forwarded("_read.text", "The case as TOML.")
-    models: list[str] = _forwarded("core.models", "Names of the models that the case requests.")
-    load_points: int = _forwarded("core.load_points", "Number of load points of every scene.")
+    file: str = forwarded("_file", 'The case file, or "" for a case made in Python.')
+    title: str = forwarded("_read.title", "As the case has it.")
+    text: str = forwarded("_read.text", "The case as TOML.")
+    models: list[str] = forwarded("core.models", "Names of the models that the case requests.")
+    load_points: int = forwarded("core.load_points", "Number of load points of every scene.")
 
     def describe(self) -> str:
         """Every key as it was understood.

@@ -3,6 +3,7 @@
 folders and files, figures of the report."""
 import importlib
 import inspect
+import operator
 import os
 import tempfile
 import textwrap
@@ -32,6 +33,11 @@ def documented(kind: Kind) -> Kind:
                                   subsequent_indent=8 * " ", break_on_hyphens=False))
     kind.__doc__ = "\n".join([inspect.cleandoc(kind.__doc__ or ""), "", "Attributes:", *rows])
     return kind
+
+
+def forwarded(name: str, doc: str) -> Any:
+    """An attribute that is one of another's, which cannot be set."""
+    return property(operator.attrgetter(name), doc=doc)
 
 
 def package(name: str, user: str, otherwise: str = "") -> Any:

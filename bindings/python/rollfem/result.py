@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _core, plot
 from .case import Case
-from .frames import Written, documented, html_table
+from .frames import Written, documented, forwarded, html_table
 from .model import HEADS, SHOWN, ModelResult, count
 from .point import Point
 
@@ -26,6 +26,7 @@ class Result(Written):
     folder: Annotated[str, "of results that were read"]
     verdict: Annotated[str, "which contacts miss the accuracy, by how much, and what would help; empty if none does"]
 
+    title: str = forwarded("case.title", "The title of the case.")
     first_figure = "creep_curve"
 
     def __init__(self, case: Case, models: list[ModelResult], core: _core.Result | None = None,
@@ -45,11 +46,6 @@ class Result(Written):
         if self._core is None:
             return Result, (self.case, self.models, None, self.provenance, self.folder, (), self.verdict)
         return Result.of, (self.case, self._core, self.missing)
-
-    @property
-    def title(self) -> str:
-        """The title of the case."""
-        return self.case.title
 
     def __getitem__(self, key: str | int) -> ModelResult:
         """A model by its key, or the first of that name; or by number."""

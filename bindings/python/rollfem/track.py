@@ -132,9 +132,7 @@ class Profile(Tabular, InFile):
     def __init__(self, source: str | os.PathLike[str], body: str | None = None, **mend: Any) -> None:
         name = os.fspath(source)
         if body is None:
-            ending = os.path.splitext(name)[1].lower()
-            body = {".prw": "wheel", ".whl": "wheel", ".prr": "rail", ".ban": "rail"}.get(
-                ending, _core.built_in_profiles().get(name))
+            body = _core.body_of_profile(name)
         body = _body(body, f"Profile({name!r}, {body!r})")
         # Only this profile matters; the rest is a placeholder.
         bodies: dict[str, dict[str, Any]] = {

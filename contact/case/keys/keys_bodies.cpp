@@ -29,13 +29,13 @@ void add_material(Keys<Body>& keys) {
       "Mass density, of steel by default (1 t/mm^3 = 1e12 kg/m^3); matters only with fem.inertia.");
 }
 
-/// `names`: built-in profiles, `files`: formats besides two columns.
+/// `names`: built-in profiles.
 template <class Body>
-void add_shape_from_files(Keys<Body>& keys, const std::string& names, const std::string& files) {
+void add_shape_from_files(Keys<Body>& keys, const std::string& names) {
   keys.add("profile", inside(&Body::profile, &ProfileSource::name),
            otherwise("transverse_radius applies"),
            "The profile, instead of transverse_radius: " + names +
-               ", `arcs`, `polynomial`, or a file: columns y, z, " + files + ". Details: [" +
+               ", `arcs`, `polynomial`, or a file: columns y, z, or another format. Details: [" +
                keys.section().name + "_profile], docs/profiles.md.");
   keys.add("mesh", &Body::mesh, otherwise("meshed by the program"),
            "Hexahedral gmsh mesh (.msh 4.1 or 2.2, mm, contact point at the origin) with the "
@@ -51,7 +51,7 @@ SectionWithKeys wheel_section() {
              "Radius of the wheel's profile: positive convex, negative concave (a hollow tread; "
              "larger than the rail's), inf flat; not with `profile`.");
   add_material(keys);
-  add_shape_from_files(keys, "`S1002` or `S1002-smooth`", "SIMPACK .prw, MiniProf .whl");
+  add_shape_from_files(keys, "`S1002` or `S1002-smooth`");
   return keys;
 }
 
@@ -61,8 +61,7 @@ SectionWithKeys rail_section() {
              "Radius of the rail's head: positive convex, negative concave, inf flat; not with "
              "`profile`.");
   add_material(keys);
-  add_shape_from_files(keys, "`60E1` (the same as `UIC60`) or `UIC60-manchester`",
-                       "SIMPACK .prr, MiniProf .ban");
+  add_shape_from_files(keys, "`60E1` (the same as `UIC60`) or `UIC60-manchester`");
   return keys;
 }
 
@@ -124,7 +123,7 @@ void add_places(ProfileKeys& keys) {
 void add_mending(ProfileKeys& keys) {
   keys.add("unit", &Profile::unit,
            {{"mm", LengthUnit::mm}, {"m", LengthUnit::m}, {"inch", LengthUnit::inch}},
-           "Unit of the lengths in the file; SIMPACK files state their own.");
+           "Unit of the lengths in the file; some formats state their own.");
   keys.add("section", &Profile::section,
            otherwise("required by a MiniProf file with several profiles"),
            "Section of the points in a MiniProf file: `Profile1Points`.");

@@ -6,11 +6,7 @@
 #include "contact/result/quantities.hpp"
 #include "models/registry.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-using namespace rollfem;
+#include "support/test.hpp"
 
 namespace {
 

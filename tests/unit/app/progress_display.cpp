@@ -2,13 +2,9 @@
 // The progress line: elapsed time, and remaining time if load points allow an estimate.
 #include "app/frame/progress_display.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 
 using rollfem::app::progress_line;
-using rollfem::contact::ProgressEvent;
-using rollfem::testing::says;
 
 namespace {
 

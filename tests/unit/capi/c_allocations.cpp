@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Number of allocations by rollfem_solve after its first call, counted by this program's heap.
-#include <gtest/gtest.h>
-
 #include "rollfem/rollfem.h"
 #include "support/recorded.hpp"
-#include <algorithm>
+#include "support/wheel_on_rail.hpp"
 #include <atomic>
-#include <cstdlib>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
 constexpr bool counts = false;  // the heap is theirs, or another
@@ -34,12 +31,7 @@ namespace {
 
 long most_of(rollfem_side side) {
   char message[512];
-  rollfem_definition definition{};
-  definition.struct_size = sizeof definition;
-  rollfem_defaults(&definition, ROLLFEM_MM_N);
-  definition.side = side;
-  rollfem_pair* pair = rollfem_create(&definition, message, sizeof message);
-  EXPECT_NE(pair, nullptr) << message;
+  const Pair pair = make(defaults(side));
   long most = 0;
   struct Place {
     double shift, yaw;
@@ -61,21 +53,19 @@ long most_of(rollfem_side side) {
       const rollfem_state state = {sizeof state, shift, yaw,  roll, 20e3,
                                    30.0,         0.0,   43.5, 50e3, ROLLFEM_VERTICAL_FORCE,
                                    0.0,          0.0};
-      rollfem_result result;
-      result.struct_size = sizeof result;
+      auto result = sized<rollfem_result>();
       const long before = allocations;
-      EXPECT_EQ(rollfem_solve(pair, &state, &result, message, sizeof message), ROLLFEM_OK)
+      EXPECT_EQ(rollfem_solve(pair.get(), &state, &result, message, sizeof message), ROLLFEM_OK)
           << message;
       if (counted) most = std::max(most, allocations - before);
     }
-  rollfem_destroy(pair);
   return most;
 }
 
 TEST(CAllocations, OfACallAfterTheFirst) {
   if (!counts) GTEST_SKIP() << "this heap cannot be counted";
   const long most = std::max(most_of(ROLLFEM_LEFT), most_of(ROLLFEM_RIGHT));
-  rollfem::testing::record("allocations", static_cast<double>(most));
+  record("allocations", static_cast<double>(most));
   EXPECT_LE(most, 160);
 }
 

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Derivatives and stiffness of rollfem.h against Hertz, Kalker's printed coefficients and central
 // differences of rollfem_solve.
-#include <gtest/gtest.h>
-
 #include "rollfem/rollfem.h"
 #include "support/wheel_on_rail.hpp"
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace {
-
-using namespace rollfem::testing;
 
 rollfem_derivatives linearise(const Pair& pair, const rollfem_state& state) {
   char message[1000];

@@ -4,18 +4,11 @@
 #include "halfspace/model/model.hpp"
 #include "track/balance/balance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "rollfem/rollfem.h"
 #include "support/wheel_on_rail.hpp"
-#include <cmath>
 #include <cstddef>
-#include <string>
 
 namespace {
-
-using namespace rollfem::testing;
-namespace contact = rollfem::contact;
 
 rollfem_definition falling(rollfem_units units = ROLLFEM_MM_N) {
   const double mm = units == ROLLFEM_M_N ? 1e-3 : 1.0;
@@ -116,21 +109,19 @@ TEST(CFriction, IsInTheUnitsOfThePair) {
         &rollfem_state::lateral_velocity})
     in_m.*length *= 1e-3;
   rollfem_definition definition = falling(), definition_in_m = falling(ROLLFEM_M_N);
-  definition.second_part = definition_in_m.second_part = 0.05;
-  definition.second_half_velocity = 30.0;
-  definition_in_m.second_half_velocity = 0.03;
-  definition.memory_distance = 0.003;
-  definition_in_m.memory_distance = 3e-6;
-  definition.memory_velocity = 5.0;
-  definition_in_m.memory_velocity = 5e-3;
-  definition.layer_thickness = 1.0;
-  definition_in_m.layer_thickness = 1e-3;
-  definition.layer_shear_modulus = 8200.0;
-  definition_in_m.layer_shear_modulus = 8200e6;
-  definition.layer_yield_stress = 250.0;
-  definition_in_m.layer_yield_stress = 250e6;
-  definition.layer_hardening = 2000.0;
-  definition_in_m.layer_hardening = 2000e9;
+  using Member = double rollfem_definition::*;
+  for (const auto& [member, value, in_mm] :
+       {std::tuple<Member, double, double>{&rollfem_definition::second_part, 0.05, 1.0},
+        {&rollfem_definition::second_half_velocity, 30.0, 1e-3},
+        {&rollfem_definition::memory_distance, 0.003, 1e-3},
+        {&rollfem_definition::memory_velocity, 5.0, 1e-3},
+        {&rollfem_definition::layer_thickness, 1.0, 1e-3},
+        {&rollfem_definition::layer_shear_modulus, 8200.0, 1e6},
+        {&rollfem_definition::layer_yield_stress, 250.0, 1e6},
+        {&rollfem_definition::layer_hardening, 2000.0, 1e9}}) {
+    definition.*member = value;
+    definition_in_m.*member = value * in_mm;
+  }
   const rollfem_result one = solve(make(definition), state),
                        other = solve(make(definition_in_m), in_m);
   for (int d = 0; d < 3; ++d) EXPECT_NEAR(one.force[d], other.force[d], 1e-6 * 50e3);

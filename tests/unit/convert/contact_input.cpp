@@ -2,19 +2,14 @@
 // Reading CONTACT's input files: the layout of lines, data kept from previous cases, and messages.
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "convert/contact_reader.hpp"
 #include "convert/input_lines.hpp"
 #include "support/contact_inputs.hpp"
 #include "support/temporary_folder.hpp"
-#include <cmath>
 
 namespace {
 
 using namespace rollfem::convert;
-using namespace rollfem::testing;
-using rollfem::contact::InputError;
 
 std::string message_of(const std::string& text) {
   return refusal<InputError>([&] { read_contact_file(text, "made.inp"); });

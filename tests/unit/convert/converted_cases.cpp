@@ -4,20 +4,14 @@
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"
 #include "support/contact_inputs.hpp"
 #include "support/temporary_folder.hpp"
-#include <cmath>
-#include <vector>
 
 namespace {
 
-using namespace rollfem;
-using namespace rollfem::testing;
-using contact::Case;
 using convert::Conversion;
 
 Conversion converted(const std::string& text) {
@@ -33,7 +27,7 @@ Case only(const std::string& text) {
   return contact::parse_case(made.files.at(0).text, "made.toml");
 }
 
-std::string refusal(const std::string& text) {
+std::string refused(const std::string& text) {
   const Conversion made = converted(text);
   return made.refused.empty() ? "none" : made.refused[0].reasons.at(0);
 }
@@ -156,7 +150,7 @@ TEST(ConvertedCase, OneRowOfLongElementsIsALineContact) {
   EXPECT_DOUBLE_EQ(made.contact_grid.middle[0], 0.0);
   ASSERT_EQ(made.rolling.forces.size(), 1U);
   EXPECT_NEAR(*made.rolling.forces[0].longitudinal, -0.4 * 0.25 * 30000.0, 1e-9);  // CHI = 180
-  EXPECT_TRUE(says(refusal(replaced(driven_roller, "0.04 250.", "0.04 5.")),
+  EXPECT_TRUE(says(refused(replaced(driven_roller, "0.04 250.", "0.04 5.")),
                    "too short for a line contact"));
   // The same roller as a circle without height across: NN, XM, RX1, Y1, DY1 and two heights.
   const std::string circle = " 2 1\n 2 0.0 300.0 -125. 250.\n";
@@ -165,8 +159,8 @@ TEST(ConvertedCase, OneRowOfLongElementsIsALineContact) {
       *only(replaced(driven_roller, parabola, circle + " 0.0 0.0")).geometry.relative_radius, 300.0,
       1e-9);
   EXPECT_TRUE(
-      says(refusal(replaced(driven_roller, parabola, circle + " 0.0 0.1")), "no height across"));
-  EXPECT_TRUE(says(refusal(replaced(driven_roller, "667 0.0 0.0", "667 0.0 0.001")), "MY = 1"));
+      says(refused(replaced(driven_roller, parabola, circle + " 0.0 0.1")), "no height across"));
+  EXPECT_TRUE(says(refused(replaced(driven_roller, "667 0.0 0.0", "667 0.0 0.001")), "MY = 1"));
 }
 
 TEST(ConvertedCase, EllipsesAreTheSameHoweverTheyAreGiven) {
@@ -325,7 +319,7 @@ TEST(ConvertedCase, WhatHasNoEquivalentIsNamed) {
     if (row.reason == "digit M = 1: viscoelastic bodies")
       text = replaced(text, "82000. 82000.\n", "82000. 82000.\n 1. 1. 0.1 0.1\n");
     if (row.piece == " 203100 ") text = replaced(text, "82000. 82000.\n", "82000. 82000.\n 1e-4\n");
-    EXPECT_EQ(refusal(text), row.reason);
+    EXPECT_EQ(refused(text), row.reason);
   }
 }
 

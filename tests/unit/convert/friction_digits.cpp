@@ -6,19 +6,12 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/friction_law.hpp"
 
-#include <gtest/gtest.h>
-
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"
 #include "support/contact_inputs.hpp"
 #include "support/temporary_folder.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
-using namespace rollfem::testing;
-using contact::FallShape;
 
 /// rolling_ellipse with these digits, lines of friction and lines after those of the materials.
 std::string ellipse_with(int L, const std::string& friction, int M = 0,
@@ -170,23 +163,22 @@ TEST(FrictionDigits, M5IsFaStrip) {
 
 TEST(FrictionDigits, D4IsTheCurvedSurface) {
   const std::string planar = conversion_of(left_wheel).files.at(0).text;
-  EXPECT_NE(planar.find("surface = \"planar\""), std::string::npos);
-  EXPECT_NE(planar.find("extra_slip = \"none\""), std::string::npos);
+  EXPECT_TRUE(says(planar, "surface = \"planar\""));
+  EXPECT_TRUE(says(planar, "extra_slip = \"none\""));
   const std::string curved =
       conversion_of(replaced(left_wheel, " 0022033 ", " 0042033 ")).files.at(0).text;
-  EXPECT_NE(curved.find("surface = \"curved\""), std::string::npos);
-  EXPECT_EQ(curved.find("extra_slip"), std::string::npos);
+  EXPECT_TRUE(says(curved, "surface = \"curved\""));
+  EXPECT_FALSE(says(curved, "extra_slip"));
 }
 
 TEST(FrictionDigits, WrongNumbersNameTheLineAndWhatIsWanted) {
   const auto message = [](const std::string& text) {
-    return rollfem::testing::refusal<contact::InputError>(
-        [&] { convert::read_contact_file(text, "made.inp"); });
+    return refusal<contact::InputError>([&] { convert::read_contact_file(text, "made.inp"); });
   };
   for (int L = 2; L <= 4; ++L) {
     const std::string text = message(ellipse_with(L, " 0.10 0.20\n words\n"));
-    EXPECT_NE(text.find("made.inp"), std::string::npos) << text;
-    EXPECT_NE(text.find("SABSH1"), std::string::npos) << text;
+    EXPECT_TRUE(says(text, "made.inp"));
+    EXPECT_TRUE(says(text, "SABSH1"));
   }
   EXPECT_NE(message(ellipse_with(0, constant_line, 4, " 8200. layer\n")).find("LAYTHK"),
             std::string::npos);

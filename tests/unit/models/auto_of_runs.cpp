@@ -8,15 +8,10 @@
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {
-
-using namespace rollfem;
-using rollfem::testing::says;
 
 /// Half-spaces that count as finite bodies.
 contact::ModelInfo bodies() {
@@ -39,8 +34,7 @@ postprocess::RunRecord solve(const std::string& shifts, const std::string& head)
   models.add(modelling::auto_model()).add(halfspace::models().at("halfspace")).add(bodies());
   postprocess::RunRecord record;
   record.input = contact::parse_case(
-      head + rollfem::testing::edited(rollfem::testing::two_positions,
-                                      {"wheelset.side=right", "wheelset.lateral_shift=" + shifts}),
+      head + edited(two_positions, {"wheelset.side=right", "wheelset.lateral_shift=" + shifts}),
       "a.toml", modelling::model_words(models));
   modelling::Solving how;
   how.models = &models;

@@ -5,32 +5,25 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 
 namespace {
-
-using namespace rollfem;
-using rollfem::testing::plus;
-using rollfem::testing::says;
-using rollfem::testing::with;
 
 const contact::ModelRegistry& models() {
   static const contact::ModelRegistry all = modelling::built_in_models();
   return all;
 }
 
-std::string refusal(const contact::Scene& scene, const std::string& model) {
-  return rollfem::testing::refusal<contact::InputError>([&] { models().check(scene, model); });
+std::string refused(const contact::Scene& scene, const std::string& model) {
+  return refusal<contact::InputError>([&] { models().check(scene, model); });
 }
 
-std::string refusal(const std::string& text, const std::string& model) {
-  return refusal(contact::parse_case(text, "case.toml"), model);
+std::string refused(const std::string& text, const std::string& model) {
+  return refused(contact::parse_case(text, "case.toml"), model);
 }
 
 void expect_refusal(const std::string& text, const std::string& model, const std::string& part) {
-  EXPECT_TRUE(says(refusal(text, model), part));
+  EXPECT_TRUE(says(refused(text, model), part));
 }
 
 const std::string fast = "[rolling]\nspeed = 5e4\n[fem]\ninertia = true\n";
@@ -50,20 +43,20 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
       plus("[rolling]\nproblem = \"shift\"\n[history]\nlateral_shift = 0.1\n");
   const std::string force = plus("[rolling]\nlongitudinal_force = 1.0\n");
   for (const char* model : {"halfspace", "hybrid", "fem"}) {
-    EXPECT_EQ(refusal(shift, model), "");
-    EXPECT_EQ(refusal(force, model), "");
-    EXPECT_EQ(refusal(pressure, model) == "", std::string(model) != "hybrid") << model;
+    EXPECT_EQ(refused(shift, model), "");
+    EXPECT_EQ(refused(force, model), "");
+    EXPECT_EQ(refused(pressure, model) == "", std::string(model) != "hybrid") << model;
   }
   for (const char* model :
        {"linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"}) {
     expect_refusal(shift, model,
                    "allowed: hertz, halfspace, hybrid, fem; do: run with --model halfspace");
     expect_refusal(force, model, "prescribed tangential force");
-    EXPECT_EQ(refusal(rollfem::testing::small_case, model), "") << model;
+    EXPECT_EQ(refused(small_case, model), "") << model;
   }
-  EXPECT_EQ(refusal(pressure, "fastsim"), "");
+  EXPECT_EQ(refused(pressure, "fastsim"), "");
   const std::string rigid = with("[rail]\n", "[rail]\nyoung_modulus = inf\n");
-  EXPECT_EQ(refusal(rigid, "fem"), "");
+  EXPECT_EQ(refused(rigid, "fem"), "");
   const std::string point = "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0, -1]\n";
   expect_refusal(rigid + point, "fem",
                  "subsurface: it cannot handle the stress in a rigid body; allowed: hertz, linear");
@@ -72,8 +65,8 @@ TEST(ProgramModels, RefuseWhatTheyLeaveOutAndNameThoseThatCan) {
 TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
   // A speed alone is no more than that, however high.
   for (const char* model : {"hertz", "carter", "halfspace", "hybrid", "fem"})
-    EXPECT_EQ(refusal(plus("[rolling]\nspeed = 5e6\n"), model), "") << model;
-  EXPECT_EQ(refusal(plus(fast), "fem"), "");
+    EXPECT_EQ(refused(plus("[rolling]\nspeed = 5e6\n"), model), "") << model;
+  EXPECT_EQ(refused(plus(fast), "fem"), "");
   for (const char* model : {"hertz", "carter", "halfspace", "hybrid"})
     expect_refusal(plus(fast), model,
                    "fem.inertia: it cannot handle the inertia of moving bodies; allowed: fem; do: "
@@ -86,7 +79,7 @@ TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
                  "rolling.spin: it cannot handle spin; allowed: hertz, linear, fastsim, "
                  "fastrip, strip, halfspace, hybrid, fem; do: run with --model halfspace");
   expect_refusal(spin, "carter", "rolling.spin");
-  EXPECT_EQ(refusal(spin, "linear"), "");
+  EXPECT_EQ(refused(spin, "linear"), "");
   expect_refusal(
       plus("[rolling]\nlateral_creepage = 1e-4\n"), "carter",
       "rolling.lateral_creepage: it cannot handle lateral creepage; allowed: hertz, "
@@ -94,12 +87,12 @@ TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
 }
 
 TEST(ProgramModels, RefuseSlipFromAFileButNotWhatTheSurfaceBrings) {
-  contact::Scene scene = contact::parse_case(rollfem::testing::small_case, "case.toml");
-  EXPECT_EQ(refusal(scene, "linear"), "");
+  contact::Scene scene = contact::parse_case(small_case, "case.toml");
+  EXPECT_EQ(refused(scene, "linear"), "");
   scene.geometry.extra_slip = contact::ExtraSlip::file;
   scene.geometry.extra_slip_values = contact::Lattice{};
   scene.geometry.extra_slip_values->file = "slip.csv";
-  EXPECT_TRUE(says(refusal(scene, "linear"),
+  EXPECT_TRUE(says(refused(scene, "linear"),
                    "rolling.extra_slip: it cannot handle extra slip from a file; allowed: hertz, "
                    "carter, fastsim, fastrip, strip, halfspace, hybrid, fem; do: run with --model "
                    "halfspace"));
@@ -117,7 +110,7 @@ TEST(ProgramModels, HalfSpacesEndAtTheirSurface) {
   std::string text = with("transverse_radius = inf", "transverse_radius = -40.0");
   text.replace(text.find("2000.0"), 6, "35.0");
   text += "[[subsurface.point]]\nat = [0, 6, -0.4]\n";
-  for (const char* model : {"hybrid", "fem"}) EXPECT_EQ(refusal(text, model), "") << model;
+  for (const char* model : {"hybrid", "fem"}) EXPECT_EQ(refused(text, model), "") << model;
   for (const char* part : {"case.toml", "model halfspace", "beyond z = 0", "--model hybrid"})
     expect_refusal(text, "halfspace", part);
 }

@@ -3,18 +3,9 @@
 #include "contact/base/errors.hpp"
 #include "profiles/profiles.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/profile_texts.hpp"
-#include <cmath>
-#include <string>
 
 namespace rollfem::profiles {
-namespace {
-
-using contact::ProfileSource;
-using namespace rollfem::testing;
-
 TEST(FormulaProfiles, ArcsMakeTheHeadOf60E1) {
   ProfileSource source;
   source.name = "arcs";
@@ -114,6 +105,4 @@ TEST(Profiles, ARadiusIsAnArc) {
   EXPECT_EQ(wheel.at(wheel.parameter_at(20.0)).z, 0.0);
   EXPECT_NEAR(rail.at(rail.parameter_at(20.0)).z, 300.0 - std::sqrt(9e4 - 400.0), 1e-10);
 }
-
-}  // namespace
 }  // namespace rollfem::profiles

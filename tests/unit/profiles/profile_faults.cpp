@@ -4,19 +4,11 @@
 #include "contact/base/errors.hpp"
 #include "profiles/profiles.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/profile_texts.hpp"
-#include <functional>
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace rollfem::profiles {
 namespace {
-
-using contact::ProfileSource;
-using namespace rollfem::testing;
 
 struct Fault {
   const char* name;

@@ -5,27 +5,13 @@
 #include "profiles/profile_curve.hpp"
 #include "profiles/profiles.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/profile_texts.hpp"
 #include "support/reference_folder.hpp"
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace rollfem::profiles {
 namespace {
 
 namespace fs = std::filesystem;
-using contact::ProfileSource;
-using namespace rollfem::testing;
 
 TEST(ProfileFiles, ReadColumnsWithAnySeparatorHeaderAndComments) {
   const Points points = points_of("60E1");

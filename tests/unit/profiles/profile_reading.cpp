@@ -4,18 +4,12 @@
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/profile_texts.hpp"
-#include <random>
 #include <regex>
-#include <string>
 
 namespace rollfem::profiles {
 namespace {
-
-using contact::ProfileSource;
-using namespace rollfem::testing;
 
 /// Every third row with one of the comments behind it, and a row of comment after it.
 std::string commented(const std::string& rows) {

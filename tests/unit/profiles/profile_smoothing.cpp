@@ -4,12 +4,7 @@
 #include "profiles/formula_profiles.hpp"
 #include "profiles/smoothing_spline.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
+#include "support/test.hpp"
 
 namespace rollfem::profiles {
 namespace {

@@ -3,19 +3,12 @@
 // back, wherever they are.
 #include "profiles/profile_points.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/profile_texts.hpp"
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace rollfem::profiles {
 namespace {
 
-using namespace rollfem::testing;
-using PointList = rollfem::testing::Points;
+using PointList = Points;
 
 ProfilePoints listed(const PointList& points) {
   ProfilePoints list{"profile.txt", {}};

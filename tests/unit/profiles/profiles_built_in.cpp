@@ -4,17 +4,7 @@
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profiles.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/reference_folder.hpp"
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace rollfem::profiles {
 namespace {
@@ -51,7 +41,7 @@ double distance_to(const ProfileCurve& curve, double y, double z) {
 
 /// Points of one of the benchmark's files as listed; empty when the files are not here.
 PointList reference_points(const std::string& file) {
-  std::ifstream in(rollfem::testing::reference_folder() / file);
+  std::ifstream in(reference_folder() / file);
   PointList points;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {

@@ -3,9 +3,6 @@
 #include "support/cattaneo_mindlin.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace rollfem::testing {
 namespace {

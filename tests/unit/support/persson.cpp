@@ -3,12 +3,6 @@
 // independent Fourier solution gave) and against its limits.
 #include "support/persson.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-using rollfem::testing::PerssonContact;
-
 namespace {
 
 constexpr double degree = M_PI / 180;

@@ -7,16 +7,10 @@
 #include "tables/files/axis_weights.hpp"
 #include "tables/files/table_files.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace {
 
-using namespace rollfem;
 using tables::AxisWeights;
 using tables::CreepTable;
 using tables::CreepTableReader;
@@ -191,7 +185,7 @@ TEST(CreepTable, RefusesRatiosOutsideAndWhatIsNotFinite) {
 }
 
 TEST(CreepTable, ComesBackFromItsFileToTheLastBit) {
-  const rollfem::testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   CreepTable table = table_of_law(4);
   table.checked = {{0.7, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}}};
   table.interpolation.points = 1;
@@ -210,7 +204,7 @@ TEST(CreepTable, ComesBackFromItsFileToTheLastBit) {
 }
 
 TEST(CreepTable, DamagedAndForeignFilesAreRefused) {
-  const rollfem::testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string bytes = tables::table_hdf5(table_of_law(4));
   bytes[bytes.size() / 2] ^= 1;
   EXPECT_THROW(tables::read_table(folder.file("table.h5", bytes)), contact::InputError);

@@ -5,18 +5,13 @@
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-
 contact::Case falling_wheel() {
-  contact::Case input = rollfem::testing::hollow_tread(0.0);
+  contact::Case input = hollow_tread(0.0);
   input.file = "c.toml";
   input.load = {};
   input.load.normal_force = 80e3;
@@ -40,7 +35,7 @@ TEST(FallingTable, InFullSlidingHasTheFrictionOfTheSlipVelocity) {
   const contact::Case input = falling_wheel();
   tables::CreepTable table = tables::empty_table(input);
   tables::fill_table(table, input, {}, nullptr);
-  const rollfem::testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const tables::CreepTableReader reader(
       tables::read_table(folder.file("table.h5", tables::table_hdf5(table))));
   const tables::TableWheel wheel = reader.wheel_at(1.0);
@@ -52,13 +47,13 @@ TEST(FallingTable, InFullSlidingHasTheFrictionOfTheSlipVelocity) {
   EXPECT_NEAR(-found.forces[0] / wheel.normal_force, mu, 0.01 * mu);
 
   const auto refused = [&](double friction_bound, double creepage) {
-    return rollfem::testing::refusal<contact::InputError>([&] {
+    return refusal<contact::InputError>([&] {
       reader.of_wheel(1.0, friction_bound, {creepage, 0.0, 0.0});
     });
   };
-  EXPECT_TRUE(rollfem::testing::says(refused(0.5 * bound, 0.5 * end),
-                                     "falling friction at a speed of 20000 mm/s and a layer"));
-  EXPECT_TRUE(rollfem::testing::says(refused(bound, 2.0 * end), "2 times those at the end"));
+  EXPECT_TRUE(says(refused(0.5 * bound, 0.5 * end),
+                   "falling friction at a speed of 20000 mm/s and a layer"));
+  EXPECT_TRUE(says(refused(bound, 2.0 * end), "2 times those at the end"));
 }
 
 }  // namespace

@@ -7,20 +7,11 @@
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <utility>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 using tables::CreepTable;
 using tables::CreepTableReader;
 using tables::Scaled;
@@ -65,7 +56,7 @@ CreepTable filled_table(const contact::Case& input) {
 /// Through its file.
 const CreepTableReader& ellipses() {
   static const CreepTableReader reader = [] {
-    const rollfem::testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     return CreepTableReader(tables::read_table(
         folder.file("table.h5", tables::table_hdf5(filled_table(ellipse_case())))));
   }();
@@ -79,7 +70,7 @@ double between(const CreepTableReader& reader) {
 /// Otherwise the bars would be those of a single load and speed.
 TEST(LoadAndSpeed, FewCheckPointsAreAtManyLoadsAndSpeeds) {
   std::set<std::pair<double, double>> places;
-  for (const tables::CheckedPoint& point : ellipses().table().checked)
+  for (const tables::InterpolatedPoint& point : ellipses().table().checked)
     places.insert({point.place.load, point.place.speed});
   EXPECT_EQ(places.size(), 10U);
 }
@@ -158,7 +149,7 @@ TEST(LoadAndSpeed, OutsideIsRefused) {
 }
 
 TEST(LoadAndSpeed, OfAWheelAreThoseOfItsOwnTable) {
-  contact::Case input = rollfem::testing::hollow_tread(0.0);
+  contact::Case input = hollow_tread(0.0);
   input.load = {};
   input.load.normal_force = 80e3;
   add_law(input);

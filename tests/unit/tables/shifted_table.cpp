@@ -6,18 +6,11 @@
 #include "contact/base/errors.hpp"
 #include "tables/files/table_files.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::law_of_shift;
-using rollfem::testing::table_of_shifts;
 using tables::CreepTable;
 using tables::CreepTableReader;
 using tables::Scaled;
@@ -154,7 +147,7 @@ TEST(ShiftedTable, RefusesShiftsOutsideAndQuestionsOfTheOtherKind) {
 }
 
 TEST(ShiftedTable, ComesBackFromItsFileToTheLastBit) {
-  const rollfem::testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   CreepTable table = table_of_shifts(3);
   table.checked = {{0.7, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}}};
   const std::string file = folder.file("table.h5", tables::table_hdf5(table));

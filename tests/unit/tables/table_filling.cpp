@@ -8,14 +8,10 @@
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/rolling_ellipse.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/records_in_memory.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
 using tables::CreepTable;
 using tables::CreepTableReader;
 using tables::Scaled;
@@ -131,7 +127,7 @@ TEST(TableFilling, TakenUpItIsTheSameToTheLastBit) {
   const contact::Case input = case_of(
       "axis_ratio = [0.7, 1.4]\npoints = [4, 3, 7]\nlargest = [2.0, 1.5, 2.0]\ncheck_points = "
       "20\n");
-  rollfem::testing::RecordsInMemory memory;
+  RecordsInMemory memory;
   const CreepTable whole = filled(input, &memory);
   EXPECT_EQ(whole.forces, small_table().forces);
   const std::size_t all = memory.records.size();

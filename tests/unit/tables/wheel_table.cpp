@@ -7,19 +7,12 @@
 #include "tables/filling/table_filling.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/records_in_memory.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"
-#include <algorithm>
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 using tables::CreepTable;
 using tables::CreepTableReader;
 using tables::Scaled;
@@ -40,8 +33,7 @@ CreepTable filled_wheel(const contact::Case& input, contact::Checkpoint* checkpo
 }
 
 contact::Case rim_case() {
-  contact::Case input =
-      with_table(rollfem::testing::hollow_tread(0.0), {0.8, 1.0, 1.2}, {2, 2, 3}, 20);
+  contact::Case input = with_table(hollow_tread(0.0), {0.8, 1.0, 1.2}, {2, 2, 3}, 20);
   input.load = {};
   input.load.normal_force = 80e3;
   return input;
@@ -100,7 +92,7 @@ TEST(WheelTable, PointsAreSingleSolutions) {
 }
 
 TEST(WheelTable, TakenUpItIsTheSameToTheLastBit) {
-  rollfem::testing::RecordsInMemory memory;
+  RecordsInMemory memory;
   const CreepTable whole = filled_wheel(rim_case(), &memory);
   EXPECT_EQ(whole.forces, rim_table().forces);
   const std::size_t all = memory.records.size();
@@ -116,7 +108,7 @@ TEST(WheelTable, InterpolationIsJudgedAtShiftsBetween) {
   const CreepTable& table = rim_table();
   ASSERT_EQ(table.checked.size(), 20U);
   EXPECT_NE(table.checked.front().place.first, table.checked.back().place.first);
-  for (const tables::CheckedPoint& point : table.checked) {
+  for (const tables::InterpolatedPoint& point : table.checked) {
     EXPECT_GE(point.place.first, 0.8);
     EXPECT_LE(point.place.first, 1.2);
   }
@@ -126,7 +118,7 @@ TEST(WheelTable, InterpolationIsJudgedAtShiftsBetween) {
 
 /// A cylinder on a rail of radius 200 mm: Hertz's ellipse.
 TEST(WheelTable, OfCircularProfilesIsTheTableOfTheEllipse) {
-  contact::Case input = with_table(rollfem::testing::hollow_tread(0.0), {0.0}, {3, 3, 5}, 0);
+  contact::Case input = with_table(hollow_tread(0.0), {0.0}, {3, 3, 5}, 0);
   input.wheel.profile.radii = {contact::infinity};
   input.wheel.profile.ends = {-60.0, 60.0};
   input.wheelset.flange_back_position = -70.0;
@@ -210,15 +202,14 @@ TEST(WheelTable, WithoutSlipOfItsSurfaceHoldsForAnyFriction) {
 
 TEST(WheelTable, KnowsWhereAnotherContactComes) {
   // At -13.9 mm tread and root are two contacts, 0.01 mm further one.
-  const contact::Case input =
-      with_table(rollfem::testing::shallow_root(0.0), {-13.9, -13.89}, {2, 2, 2}, 10);
+  const contact::Case input = with_table(shallow_root(0.0), {-13.9, -13.89}, {2, 2, 2}, 10);
   const CreepTableReader reader(filled_wheel(input));
   const CreepTable& table = reader.table();
   ASSERT_EQ(table.wheels[0].contacts, 2.0);
   ASSERT_EQ(table.wheels[1].contacts, 1.0);
   EXPECT_EQ(table.wheels[0].jump_after, 1.0);
   EXPECT_EQ(table.wheels[1].jump_after, 0.0);
-  for (const tables::CheckedPoint& point : table.checked)
+  for (const tables::InterpolatedPoint& point : table.checked)
     EXPECT_TRUE(point.place.first == -13.9 || point.place.first == -13.89) << point.place.first;
   const Scaled creepage{0.002, 0.001, 0.0};
   const double bound = 0.3 * table.wheels[0].normal_force;

@@ -6,14 +6,8 @@
 #include "theories/closed_forms.hpp"
 #include "theories/fastsim.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/contact_laws.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <utility>
 
 namespace rollfem::theories {
 
@@ -28,7 +22,7 @@ const contact::ChartedGeometry& plane(const contact::Case& input) {
 TEST(Brush, FlexibilitiesGiveTheForcesOfTheLinearTheory) {
   const HertzContact ellipse{6.0, 2.5, 0, 0, 0};
   const BrushFlexibilities flexibilities = kalker_flexibilities(6.0, 2.5, 80769.0, 0.3);
-  const contact::Case input = testing::thesis_case('b');
+  const contact::Case input = thesis_case('b');
   const auto strip_at = [&](double y) {
     return ellipse_strip(ellipse, y, std::numeric_limits<double>::infinity(),
                          BoundShape::parabolic);
@@ -90,7 +84,7 @@ TEST(Brush, SlipOpposesTheTractionAndTractionStaysWithinTheBound) {
 
 double observed_order(BoundShape bound, const contact::Creepage& creepage,
                       double CreepForces::*member) {
-  const contact::Case input = testing::thesis_case('b');
+  const contact::Case input = thesis_case('b');
   const EllipticPatch patch = elliptic_patch(input);
   const auto force = [&](int n) {
     FastsimOptions options;
@@ -110,7 +104,7 @@ TEST(Fastsim, ConvergesAsItsHeaderSays) {
 }
 
 TEST(Fastsim, OneFlexibilityIsTheSameForOneCreepage) {
-  const contact::Case input = testing::thesis_case('b');
+  const contact::Case input = thesis_case('b');
   const EllipticPatch patch = elliptic_patch(input);
   FastsimOptions one;
   one.flexibilities = Flexibilities::one;
@@ -128,7 +122,7 @@ TEST(Fastsim, OneFlexibilityIsTheSameForOneCreepage) {
 }
 
 TEST(Fastsim, IsMirroredWithTheScene) {
-  const contact::Case input = testing::thesis_case('b');
+  const contact::Case input = thesis_case('b');
   const EllipticPatch patch = elliptic_patch(input);
   const CreepForces here = fastsim(patch, {1e-3, 5e-4, 1e-4}).forces;
   const CreepForces mirrored = fastsim(patch, {1e-3, -5e-4, -1e-4}).forces;
@@ -138,13 +132,11 @@ TEST(Fastsim, IsMirroredWithTheScene) {
 }
 
 TEST(Fastsim, ModelForcesAreThoseOfItsFields) {
-  contact::Case input = testing::thesis_case('c');
-  input.contact_grid.elements_across = 80;
-  input.rolling.creepages = {{0, 0, 0}, {1e-3, 5e-4, 1e-4}, {0.05, 0, 0}};
+  contact::Case input = thesis_case('c', 80, {{0, 0, 0}, {1e-3, 5e-4, 1e-4}, {0.05, 0, 0}});
   for (const BoundShape bound : {BoundShape::parabolic, BoundShape::elliptic}) {
     input.fastsim.bound = bound;
     const contact::ModelResult result = run_fastsim(input, {});
-    testing::expect_forces_of_fields(result, 2e-3 * 27500);
+    expect_forces_of_fields(result, 2e-3 * 27500);
     for (const contact::PointResult& point : result.points)
       EXPECT_LE(point.adhesion_area, point.contact_area * (1 + 1e-12));
     EXPECT_EQ(result.points[0].longitudinal_force, 0.0);
@@ -153,8 +145,7 @@ TEST(Fastsim, ModelForcesAreThoseOfItsFields) {
 }
 
 TEST(Fastsim, ErrorEstimateCoversTheErrorOfResolution) {
-  contact::Case input = testing::thesis_case('b');
-  input.rolling.creepages = {{1e-3, 0, 0}, {1e-3, 5e-4, 1e-4}, {0, 0, 5e-4}};
+  contact::Case input = thesis_case('b', 40, {{1e-3, 0, 0}, {1e-3, 5e-4, 1e-4}, {0, 0, 5e-4}});
   FastsimOptions fine;
   fine.strips = fine.strip_elements = 1600;
   const EllipticPatch patch = elliptic_patch(input);
@@ -173,7 +164,7 @@ TEST(Fastsim, HoldsFromNarrowToWidePatchesAndFromLittleToMuchFriction) {
   for (const double rail_radius : {0.5, 3e5})
     for (const double friction : {1e-4, 500.0})
       for (const double force : {1.0, 1e7}) {
-        contact::Case input = testing::thesis_case('b');
+        contact::Case input = thesis_case('b');
         input.rail.transverse_radius = rail_radius;
         input.friction_coefficient = friction;
         input.load.normal_force = force;
@@ -192,7 +183,7 @@ TEST(Fastsim, HoldsFromNarrowToWidePatchesAndFromLittleToMuchFriction) {
 }
 
 TEST(Fastsim, WithoutFrictionHasNoForce) {
-  contact::Case input = testing::thesis_case('b');
+  contact::Case input = thesis_case('b');
   input.friction_coefficient = 0.0;
   input.rolling.creepages = {{1e-3, 1e-3, 1e-4}};
   const contact::PointResult point = run_fastsim(input, {}).points[0];

@@ -6,13 +6,9 @@
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <gtest/gtest.h>
 
 #include "support/contact_laws.hpp"
 #include "support/thesis_cases.hpp"
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace rollfem::theories {
 
@@ -108,7 +104,7 @@ TEST(Carter, SlipOpposesTheTraction) {
 }
 
 contact::Case wide_patch() {
-  contact::Case input = testing::thesis_case('a');
+  contact::Case input = thesis_case('a');
   input.friction_coefficient = 0.3;
   input.rolling.creepages = {{0, 0, 0}, {5e-4, 0, 0}, {0.01, 0, 0}};
   return input;
@@ -126,7 +122,7 @@ TEST(Carter, ModelForcesAreThoseOfItsFields) {
   contact::Case input = wide_patch();
   input.contact_grid.elements_across = 80;
   const contact::ModelResult result = run_carter(input, {});
-  testing::expect_forces_of_fields(result, 2e-3 * 0.3 * 50e3);
+  expect_forces_of_fields(result, 2e-3 * 0.3 * 50e3);
 }
 
 TEST(Carter, ModelRefusesWhatItCannotSolve) {

@@ -4,15 +4,13 @@
 #include "contact/case/case_reader.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/half_space_models.hpp"
+#include "support/test.hpp"
 #include <cmath>
 #include <string>
 
 namespace {
-
-using namespace rollfem;
 
 /// Hertz's pressure of 82 kN on an ellipse; mu = 0.3, G = 82 000 MPa.
 contact::PointResult point_of(const std::string& model, double a, double b,
@@ -25,7 +23,7 @@ contact::PointResult point_of(const std::string& model, double a, double b,
       "[contact_grid]\nelements_across = 40\n[fastsim]\nstrips = 200\nstrip_elements = 400\n"
       "[rolling]\n{}",
       a, b, rolling);
-  return rollfem::testing::half_space_models()
+  return half_space_models()
       .run(model, contact::parse_case(text, "ellipse.toml"), {})
       .points[0];
 }

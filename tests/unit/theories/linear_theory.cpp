@@ -5,13 +5,8 @@
 #include "theories/brush.hpp"
 #include "theories/closed_forms.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/printed_coefficients.hpp"
 #include "support/thesis_cases.hpp"
-#include <array>
-#include <cmath>
-#include <vector>
 
 namespace rollfem::theories {
 
@@ -67,8 +62,8 @@ void each_printed(const Visitor& visit) {
   for (int k = 0; k < 10; ++k)
     for (int n = 0; n < 3; ++n)
       for (std::size_t c = 0; c < 4; ++c) {
-        visit(0.1 * (k + 1), 0.25 * n, c, testing::printed_short[k][n][c]);
-        if (k < 9) visit(10.0 / (k + 1), 0.25 * n, c, testing::printed_long[k][n][c]);
+        visit(0.1 * (k + 1), 0.25 * n, c, printed_short[k][n][c]);
+        if (k < 9) visit(10.0 / (k + 1), 0.25 * n, c, printed_long[k][n][c]);
       }
 }
 
@@ -190,9 +185,7 @@ TEST(LinearTheory, HasTheSignsOfForcesOnTheWheel) {
 }
 
 TEST(LinearTheory, ModelHasTractionsWithTheForcesOfTheCoefficients) {
-  contact::Case input = testing::thesis_case('b');
-  input.rolling.creepages = {{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, 1e-5}};
-  input.contact_grid.elements_across = 80;
+  contact::Case input = thesis_case('b', 80, {{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, 1e-5}});
   const contact::ModelResult result = run_linear(input, {});
   ASSERT_EQ(result.points.size(), 3u);
   for (const contact::PointResult& point : result.points) {
@@ -205,7 +198,7 @@ TEST(LinearTheory, ModelHasTractionsWithTheForcesOfTheCoefficients) {
 }
 
 TEST(LinearTheory, ModelRefusesExtraSlipFromAFile) {
-  contact::Case input = testing::thesis_case('b');
+  contact::Case input = thesis_case('b');
   input.rolling.extra_slip = contact::ExtraSlip::file;
   input.rolling.extra_slip_values = contact::Lattice{"slip.csv", 4, 4, -20, -20, 13, 13, {}};
   input.rolling.extra_slip_values->values.assign(2, std::vector<double>(16, 1e-4));

@@ -3,20 +3,16 @@
 #include "contact/case/case_reader.hpp"
 #include "theories/closed_forms.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/half_space_models.hpp"
 #include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::plus;
 using theories::polach_saturation;
 
 contact::PointResult point_of(const std::string& model, const std::string& more) {
-  return rollfem::testing::half_space_models()
+  return half_space_models()
       .run(model, contact::parse_case(plus(more), "a.toml"), {})
       .points[0];
 }
@@ -54,7 +50,7 @@ TEST(Polach, LargeCreepagesSlideUnderTheFrictionThatIsLeft) {
   input.friction_fall.polach_a = 0.4;
   input.friction_fall.polach_b = 0.1;
   const auto slower =
-      rollfem::testing::half_space_models().run("polach", contact::Scene(input), {}).points[0];
+      half_space_models().run("polach", contact::Scene(input), {}).points[0];
   EXPECT_NEAR(std::hypot(slower.longitudinal_force, slower.lateral_force) / bound,
               0.6 * std::exp(-0.5) + 0.4, 1e-3);
 }

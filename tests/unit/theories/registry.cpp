@@ -7,26 +7,19 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/half_space_models.hpp"
 #include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using contact::Case;
-using contact::parse_case;
-using rollfem::testing::plus;
-
 const std::string curve =
     "[rolling]\nlongitudinal_creepage = [0.001, 0.002]\n[contact_grid]\nelements_across = 20\n";
 
 TEST(Registry, EveryModelRunsThesisCaseA) {
   const Case input = parse_case(plus(curve), "a.toml");
-  for (const std::string& name : rollfem::testing::half_space_models().names()) {
-    const contact::ModelResult result = rollfem::testing::half_space_models().run(name, input, {});
+  for (const std::string& name : half_space_models().names()) {
+    const contact::ModelResult result = half_space_models().run(name, input, {});
     EXPECT_EQ(result.name, name);
     ASSERT_FALSE(result.points.empty()) << name;
     EXPECT_NEAR(result.points[0].normal_force, 50e3, 50.0) << name;
@@ -40,12 +33,12 @@ TEST(Registry, EveryModelRunsThesisCaseA) {
     else  // Polach's formula rises as steeply but bends later
       EXPECT_NEAR(first, 0.21565, (name == "polach" ? 0.06 : 0.05) * 0.21565) << name;
   }
-  EXPECT_THROW(rollfem::testing::half_space_models().run("abaqus", input, {}), contact::InputError);
+  EXPECT_THROW(half_space_models().run("abaqus", input, {}), contact::InputError);
 }
 
 TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   const auto coefficient = [](const std::string& model, const std::string& section) {
-    return rollfem::testing::half_space_models()
+    return half_space_models()
         .run(model, parse_case(plus(curve + section), "a.toml"), {})
         .points[1]
         .traction_coefficient;
@@ -64,7 +57,7 @@ TEST(Registry, OptionsOfTheCaseReachTheTheories) {
   const auto with_spin = [&](const std::string& section) {
     std::string text = curve;
     text.insert(text.find("[contact_grid]"), spin);
-    return rollfem::testing::half_space_models()
+    return half_space_models()
         .run("fastsim", parse_case(plus(text + section), "a.toml"), {})
         .points[1]
         .lateral_force;
@@ -82,7 +75,7 @@ TEST(TheoriesSay, WhatTheyLeaveOut) {
   input.friction_fall.memory_distance = 3e-3;
   const auto says = [&](const char* name, const std::string& words) {
     std::string all;
-    for (const std::string& note : rollfem::testing::half_space_models().run(name, input, {}).notes)
+    for (const std::string& note : half_space_models().run(name, input, {}).notes)
       all += note;
     return all.find(words) != std::string::npos;
   };
@@ -96,7 +89,7 @@ TEST(TheoriesSay, WhatTheyLeaveOut) {
 }
 
 TEST(GivenPressure, OfHertzsEllipseGivesHertzsContactBack) {
-  const Case bodies = parse_case(rollfem::testing::small_case, "a.toml");
+  const Case bodies = parse_case(small_case, "a.toml");
   const halfspace::HertzContact hertz = halfspace::hertz_of_scene(bodies);
   Case given = bodies;
   given.given_pressure =
@@ -117,8 +110,8 @@ TEST(GivenPressure, TheoriesOfTheEllipseAreTheSameByEitherWay) {
       contact::GivenPressure{hertz.semi_axis_x, hertz.semi_axis_y, hertz.max_pressure};
   for (const char* name :
        {"linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"}) {
-    const auto a = rollfem::testing::half_space_models().run(name, bodies, {}).points[1];
-    const auto b = rollfem::testing::half_space_models().run(name, given, {}).points[1];
+    const auto a = half_space_models().run(name, bodies, {}).points[1];
+    const auto b = half_space_models().run(name, given, {}).points[1];
     EXPECT_NEAR(b.longitudinal_force / a.longitudinal_force, 1.0, 1e-9) << name;
   }
 }
@@ -128,8 +121,8 @@ TEST(QuadraticDistance, OfTheRadiiGivesTheSameResult) {
   Case quadratic = radii;
   quadratic.undeformed_distance.quadratic = {0.5 / 405.0, 0.5 / 2000.0};
   for (const char* name : {"hertz", "fastsim", "halfspace"}) {
-    const auto a = rollfem::testing::half_space_models().run(name, radii, {}).points.back();
-    const auto b = rollfem::testing::half_space_models().run(name, quadratic, {}).points.back();
+    const auto a = half_space_models().run(name, radii, {}).points.back();
+    const auto b = half_space_models().run(name, quadratic, {}).points.back();
     EXPECT_NEAR(b.max_pressure, a.max_pressure, 1e-9 * a.max_pressure) << name;
     EXPECT_NEAR(b.longitudinal_force, a.longitudinal_force, 1e-6) << name;
   }
@@ -144,12 +137,12 @@ TEST(DistancePointByPoint, OfTheSameParabolaGivesTheSameContact) {
       lattice.values[0].push_back(std::pow(lattice.x_first + i * lattice.dx, 2) / 810.0 +
                                   std::pow(lattice.y_first + j * lattice.dy, 2) / 4000.0);
   points.undeformed_distance.values = lattice;
-  const auto a = rollfem::testing::half_space_models().run("halfspace", radii, {}).points.front();
-  const auto b = rollfem::testing::half_space_models().run("halfspace", points, {}).points.front();
+  const auto a = half_space_models().run("halfspace", radii, {}).points.front();
+  const auto b = half_space_models().run("halfspace", points, {}).points.front();
   // Not the same elements, so only as equal as the grid is good.
   EXPECT_NEAR(b.max_pressure / a.max_pressure, 1.0, 5e-3);
   EXPECT_NEAR(b.approach / a.approach, 1.0, 5e-3);
-  EXPECT_THROW(rollfem::testing::half_space_models().run("hertz", points, {}), contact::InputError);
+  EXPECT_THROW(half_space_models().run("hertz", points, {}), contact::InputError);
 }
 
 TEST(SubsurfacePoints, LieOnPointsLinesAndPlanes) {
@@ -176,7 +169,7 @@ TEST(SubsurfaceFields, BelowTheMiddleAreContacts) {
           "[[subsurface.line]]\nfrom = [0, 0, 1]\nto = [0, 0, 8]\npoints = 8\n"
           "[[subsurface.line]]\nbody = \"rail\"\nfrom = [0, 0, -1]\nto = [0, 0, -8]\npoints = 8\n"),
       "a.toml");
-  const auto result = rollfem::testing::half_space_models().run("halfspace", input, {});
+  const auto result = half_space_models().run("halfspace", input, {});
   const auto& fields = result.points.front().subsurface;
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_GT(result.seconds.at("subsurface"), 0.0);
@@ -203,7 +196,7 @@ TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
       "elements_across = 24\n[output]\nstress_maxima = true\n",
       "circle.toml");
   const contact::PointResult point =
-      rollfem::testing::half_space_models().run("halfspace", input, {}).points.front();
+      half_space_models().run("halfspace", input, {}).points.front();
   ASSERT_EQ(point.stress_maxima.size(), 12u);
   int found = 0;
   for (const contact::StressMaximum& maximum : point.stress_maxima) {
@@ -238,7 +231,7 @@ TEST(StressMaxima, ShearIsToldOnTheSurfaceAndBelowIt) {
       "across = [-8.0, 0.0, -6.3]\npoints = [81, 31]\n",
       "friction.toml");
   const contact::PointResult point =
-      rollfem::testing::half_space_models().run("halfspace", input, {}).points.front();
+      half_space_models().run("halfspace", input, {}).points.front();
   double largest = 0.0, most = 0.0;
   const auto& plane = point.subsurface.front().stress;
   for (std::size_t first = 0; first < plane.size(); first += 81) {

@@ -5,11 +5,8 @@
 #include "contact/base/errors.hpp"
 #include "theories/closed_forms.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/contact_laws.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
 
 namespace rollfem::theories {
 
@@ -128,8 +125,8 @@ TEST(StripNormal, SaysThatTheProfilesAreTooNarrow) {
 TEST(StripModel, OnAnEllipseIsVermeulenJohnson) {
   // A strip with a parabola of force mu P(y) slips over the same share of every strip, and the sum
   // is 1 - (1 - tau/3)^3: Vermeulen and Johnson's law, for any creepage without spin.
-  contact::Case input = testing::thesis_case('a');
-  input.rolling.creepages = {{1e-4, 0, 0}, {1e-3, 0, 0}, {0, 3e-3, 0}, {0.02, 0, 0}};
+  contact::Case input =
+      thesis_case('a', 40, {{1e-4, 0, 0}, {1e-3, 0, 0}, {0, 3e-3, 0}, {0.02, 0, 0}});
   const contact::ModelResult strip = run_strip(input, {});
   const contact::ModelResult closed = run_vermeulen_johnson(input, {});
   for (std::size_t k = 0; k < strip.points.size(); ++k) {
@@ -140,19 +137,16 @@ TEST(StripModel, OnAnEllipseIsVermeulenJohnson) {
 }
 
 TEST(StripModel, LargestTractionIsThreePiOverEightOfMuP0) {
-  contact::Case input = testing::thesis_case('a');
-  input.rolling.creepages = {{0.02, 0, 0}};
+  contact::Case input = thesis_case('a', 40, {{0.02, 0, 0}});
   const contact::PointResult point = run_strip(input, {}).points[0];
   const double expected = 3.0 * std::acos(-1.0) / 8.0 * 0.55 * point.max_pressure;
   EXPECT_NEAR(point.max_traction / expected, 1.0, 1e-3);
 }
 
 TEST(StripModel, ForcesAreThoseOfItsFields) {
-  contact::Case input = testing::thesis_case('c');
-  input.contact_grid.elements_across = 80;
-  input.rolling.creepages = {{0, 0, 0}, {1e-3, 5e-4, 1e-4}};
+  contact::Case input = thesis_case('c', 80, {{0, 0, 0}, {1e-3, 5e-4, 1e-4}});
   const contact::ModelResult result = run_strip(input, {});
-  testing::expect_forces_of_fields(result, 2e-3 * 27500);
+  expect_forces_of_fields(result, 2e-3 * 27500);
   const double area = result.grid.element_area();
   for (const contact::PointResult& point : result.points) {
     EXPECT_NEAR(area * point.fields.traction.n.sum(), 50e3, 1e-3 * 50e3);
@@ -162,7 +156,7 @@ TEST(StripModel, ForcesAreThoseOfItsFields) {
 }
 
 TEST(StripModel, RunsForAGivenApproach) {
-  contact::Case input = testing::thesis_case('a');
+  contact::Case input = thesis_case('a');
   input.load.normal_force.reset();
   input.load.approach = 0.0473108;
   EXPECT_NEAR(run_strip(input, {}).points[0].normal_force, 50e3, 50.0);

@@ -4,16 +4,12 @@
 #include "halfspace/closed_forms/kalker.hpp"
 #include "theories/closed_forms.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/contact_laws.hpp"
 #include "support/thesis_cases.hpp"
 
 namespace rollfem::theories {
 
 using namespace halfspace;
-namespace {
-
 TEST(VermeulenJohnson, GivesTheBenchmark) {
   // a = b = 6, G = 82000, nu = 0.25, N = 82000, mu = 0.3: tau = 120 C11 xi by hand, C11 = 4.11282.
   const double xi[] = {1e-4, 5e-4, 1e-3, 2e-3, 3e-3};
@@ -34,15 +30,14 @@ TEST(VermeulenJohnson, TendsToTheLinearTheoryAndToFullSlip) {
 }
 
 TEST(VermeulenJohnson, ModelForcesAndMomentAreThoseOfItsTractions) {
-  contact::Case input = testing::thesis_case('b');
-  input.rolling.creepages = {{0, 0, 0}, {1e-3, 5e-4, 0}, {0, -2e-3, 0}, {0.05, 0, 0}};
-  input.contact_grid.elements_across = 120;
+  contact::Case input =
+      thesis_case('b', 120, {{0, 0, 0}, {1e-3, 5e-4, 0}, {0, -2e-3, 0}, {0.05, 0, 0}});
   const contact::ModelResult result = run_vermeulen_johnson(input, {});
   const contact::ContactGrid& grid = result.grid;
-  testing::expect_forces_of_fields(result, 2e-3 * 27500);
+  expect_forces_of_fields(result, 2e-3 * 27500);
   for (const contact::PointResult& point : result.points) {
     const contact::SurfaceField& p = point.fields.traction;
-    EXPECT_NEAR(testing::forces(grid, {p.x, p.y}).moment, point.spin_moment,
+    EXPECT_NEAR(forces(grid, {p.x, p.y}).moment, point.spin_moment,
                 2e-3 * 27500 * point.semi_axis_x);
   }
   EXPECT_EQ(result.points[0].traction_coefficient, 0.0);
@@ -50,10 +45,7 @@ TEST(VermeulenJohnson, ModelForcesAndMomentAreThoseOfItsTractions) {
 }
 
 TEST(VermeulenJohnson, ModelRefusesSpin) {
-  contact::Case input = testing::thesis_case('b');
-  input.rolling.creepages = {{1e-3, 0, 1e-5}};
+  contact::Case input = thesis_case('b', 40, {{1e-3, 0, 1e-5}});
   EXPECT_THROW(run_vermeulen_johnson(input, {}), contact::InputError);
 }
-
-}  // namespace
 }  // namespace rollfem::theories

@@ -6,17 +6,12 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cstdlib>
 
 namespace {
 
-using namespace rollfem;
-
 /// Folders that stand for /proc and /sys/fs/cgroup.
-class Machine : public rollfem::testing::TemporaryFolder {
+class Machine : public TemporaryFolder {
  public:
   Machine() { file("proc/meminfo", "MemTotal: 9000000 kB\nMemAvailable: 4000000 kB\n"); }
   double available() const { return contact::available_bytes(path("proc"), path("cgroup")); }

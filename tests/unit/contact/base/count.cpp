@@ -4,15 +4,7 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cmath>
-
-namespace {
-
-using namespace rollfem::contact;
-using rollfem::testing::refusal;
 
 TEST(Count, IsTheWholeNumber) {
   for (const double number : {0.0, 1.0, -7.0, 1e8, -1e8})
@@ -29,5 +21,3 @@ TEST(Count, IsRefusedWhereAnIntWouldOverflow) {
         << number;
   }
 }
-
-}  // namespace

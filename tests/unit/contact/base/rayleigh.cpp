@@ -2,12 +2,7 @@
 // Rayleigh's wave speed against the ratios to the shear wave speed that have a closed form.
 #include "contact/base/material.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
-using namespace rollfem;
+#include "support/test.hpp"
 
 namespace {
 

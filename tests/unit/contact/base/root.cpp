@@ -5,17 +5,7 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cmath>
-#include <limits>
-#include <string>
-
-using namespace rollfem;
-using contact::bracketed_root;
-using contact::root_from;
-using rollfem::testing::refusal;
 
 namespace {
 

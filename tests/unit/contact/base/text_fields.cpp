@@ -2,16 +2,10 @@
 // Lines, fields and numbers of delimited text.
 #include "contact/base/text_fields.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include <clocale>
-#include <string>
-#include <vector>
 
-using namespace rollfem::contact;
 using Fields = std::vector<std::string_view>;
-
-namespace {
 
 TEST(TextLines, AreTrimmedAndCounted) {
   std::vector<std::string> lines;
@@ -75,5 +69,3 @@ TEST(FieldInAMessage, IsShortAndPrintable) {
   EXPECT_EQ(printable("a\tb\xff"), "a?b?");
   EXPECT_EQ(printable(std::string(100, 'x')).size(), 40u);
 }
-
-}  // namespace

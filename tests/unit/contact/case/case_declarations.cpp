@@ -7,15 +7,9 @@
 #include "contact/case/keys/key_builder.hpp"
 #include "contact/case/toml/toml_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 
 namespace {
-
-using namespace rollfem::contact;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 /// A value that each key of that kind takes and that is no default.
 KeyValue other_value(const Key& key) {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Keys of a case file changed in its text: the edited text reads as requested.
-
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-
-using namespace rollfem::contact;
-using rollfem::testing::says;
 
 namespace {
 
@@ -36,8 +30,8 @@ std::string changed(const std::vector<std::string>& changes, const std::string& 
   return with_changes(from, "case.toml", changes);
 }
 
-std::string refusal(const std::string& change, const std::string& from = text) {
-  return rollfem::testing::refusal<InputError>([&] { changed({change}, from); });
+std::string refused(const std::string& change, const std::string& from = text) {
+  return refusal<InputError>([&] { changed({change}, from); });
 }
 
 }  // namespace
@@ -81,37 +75,37 @@ TEST(CaseEdit, AddsToSectionsWrittenWithDots) {
   const std::string dotted = "friction.coefficient = 0.3\nload.normal_force = 1e4\n";
   EXPECT_EQ(changed({"load.approach=0.1"}, dotted),
             "friction.coefficient = 0.3\nload.approach = 0.1\nload.normal_force = 1e4\n");
-  EXPECT_TRUE(says(refusal("load.approach=0.1", "load = {normal_force = 1e4}\n"),
+  EXPECT_TRUE(says(refused("load.approach=0.1", "load = {normal_force = 1e4}\n"),
                    "case.toml:1: load: the section is an inline table"));
 }
 
 TEST(CaseEdit, SaysOfTheCallWhatIsWrongWithIt) {
-  EXPECT_EQ(refusal("friction.coefficient").find("--set friction.coefficient: expected KEY=VALUE"),
+  EXPECT_EQ(refused("friction.coefficient").find("--set friction.coefficient: expected KEY=VALUE"),
             0u);
-  EXPECT_EQ(refusal("friction.coefficent=0.3")
+  EXPECT_EQ(refused("friction.coefficent=0.3")
                 .find("--set friction.coefficent=0.3: friction.coefficent is not a key"),
             0u);
-  EXPECT_TRUE(says(refusal("friction.coefficent=0.3"), "did you mean `coefficient`?"));
-  EXPECT_EQ(refusal("friction.coefficient=much")
+  EXPECT_TRUE(says(refused("friction.coefficent=0.3"), "did you mean `coefficient`?"));
+  EXPECT_EQ(refused("friction.coefficient=much")
                 .find("--set friction.coefficient=much: expected a number"),
             0u);
   EXPECT_EQ(
-      refusal("friction.coefficient=-1").find("--set friction.coefficient=-1: is out of bounds"),
+      refused("friction.coefficient=-1").find("--set friction.coefficient=-1: is out of bounds"),
       0u);
   EXPECT_EQ(
-      refusal("friction.coefficient=").find("--set friction.coefficient=: the value is missing"),
+      refused("friction.coefficient=").find("--set friction.coefficient=: the value is missing"),
       0u);
   EXPECT_EQ(
-      refusal("friction.coefficient=[").find("--set friction.coefficient=[: not a value in TOML"),
+      refused("friction.coefficient=[").find("--set friction.coefficient=[: not a value in TOML"),
       0u);
-  EXPECT_TRUE(says(refusal("width=2"), "do: write geometry.width or fem.width"));
-  EXPECT_TRUE(says(refusal("subsurface.line.points=3"), "do: change it in the case file"));
-  EXPECT_EQ(refusal("title=\"a\"\n[load]"), refusal("title=\x7f"));
-  EXPECT_EQ(refusal("load.normal_force=1", "x = \n").find("case.toml:1"), 0u);
+  EXPECT_TRUE(says(refused("width=2"), "do: write geometry.width or fem.width"));
+  EXPECT_TRUE(says(refused("subsurface.line.points=3"), "do: change it in the case file"));
+  EXPECT_EQ(refused("title=\"a\"\n[load]"), refused("title=\x7f"));
+  EXPECT_EQ(refused("load.normal_force=1", "x = \n").find("case.toml:1"), 0u);
 }
 
 TEST(TextInFolder, PathsLeadFromThere) {
-  const rollfem::testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::string points;
   for (int k = 0; k < 16; ++k)
     points +=

@@ -6,22 +6,10 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/case/case_text.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"
-#include <filesystem>
 
 namespace {
-
-using namespace rollfem;
-using rollfem::testing::error_of;
-using rollfem::testing::expect_error;
-using rollfem::testing::plus;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
-using rollfem::testing::small_case;
-using rollfem::testing::with;
 
 std::string file_error(const std::string& path) {
   return refusal<contact::InputError>([&] { contact::read_case(path); });
@@ -274,7 +262,7 @@ TEST(CaseFile, MissingFileFolderAndDeviceAreRefused) {
 }
 
 TEST(CaseFile, HugeFileIsRefusedWithoutReadingIt) {
-  const rollfem::testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string path = folder.file("huge.toml", "#");
   std::filesystem::resize_file(path, std::uintmax_t{1} << 40);  // sparse: takes no space
   const std::string message = file_error(path);

@@ -7,24 +7,10 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/scene/scene.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"
-#include <cmath>
-#include <fstream>
 
 namespace {
-
-using namespace rollfem;
-using contact::Case;
-using contact::parse_case;
-using contact::Problem;
-using rollfem::testing::error_of;
-using rollfem::testing::expect_error;
-using rollfem::testing::plus;
-using rollfem::testing::says;
-using rollfem::testing::with;
 
 const std::string pressure = R"([friction]
 coefficient = 0.3
@@ -207,7 +193,7 @@ class PointFiles : public ::testing::Test {
       }
   }
   std::string name() const { return folder_.path("case.toml"); }
-  const rollfem::testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(PointFiles, AreFoundBesideTheCaseFileAndEvaluated) {

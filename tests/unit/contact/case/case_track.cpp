@@ -4,22 +4,11 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace {
 
-using namespace rollfem;
-using contact::Case;
-using contact::parse_case;
-using rollfem::testing::expect_error;
-using rollfem::testing::says;
-
-const std::string& pair = rollfem::testing::wheel_on_rail;
+const std::string& pair = wheel_on_rail;
 
 std::string with_pair(const std::string& piece, const std::string& replacement) {
   std::string text = pair;

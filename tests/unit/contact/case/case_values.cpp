@@ -5,20 +5,10 @@
 #include "contact/case/keys/case_keys.hpp"
 #include "contact/scene/scene.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/places.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
-using contact::Case;
-using contact::parse_case;
-using rollfem::testing::plus;
-using rollfem::testing::says;
-using rollfem::testing::small_case;
 
 /// As the program has them from its registry.
 const contact::ModelWords models{{"hertz", "strip", "halfspace", "fem"},

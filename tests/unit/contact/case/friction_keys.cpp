@@ -5,35 +5,17 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
-#include <cmath>
 #include <string>
 #include <vector>
 
-namespace rollfem {
 namespace {
-
-using contact::Case;
-using contact::FallShape;
-using contact::parse_case;
-using testing::expect_error;
-using testing::plus;
-using testing::with;
 
 /// The example case with more keys of friction and of rolling.
 std::string falling(const std::string& keys, const std::string& rolling = "speed = 10e3\n",
                     const std::string& more = "") {
   return with("coefficient = 0.55", "coefficient = 0.4\n" + keys) + "[rolling]\n" + rolling + more;
 }
-
-/// A law with a constant of its own, added before the first case is read.
-FallShape::Left power(std::size_t, double s, const FallShape::Constants& own) {
-  return {std::exp2(-std::pow(s, own[0])), 0.0};
-}
-const FallShape& power_law = contact::fall_shapes().emplace_back(
-    FallShape{"power", power, false, {{{"power_of_slip", "n", 1.0, 10.0, 1.0, "Of s/s_h."}}}});
 
 const std::string exponential =
     "law = \"exponential\"\nkinetic_coefficient = 0.2\nhalf_velocity = 900.0\n";
@@ -157,26 +139,6 @@ TEST(FrictionKeys, BetweenPointsTheNumbersAreLinearAndOutsideConstant) {
   EXPECT_NEAR(contact::friction_of(input)->coefficient(), 0.4, 1e-15);
 }
 
-TEST(FrictionKeys, AConstantOfOneLawIsAKeyOfThatLaw) {
-  const std::string law = "law = \"power\"\nkinetic_coefficient = 0.2\nhalf_velocity = 500.0\n";
-  const auto twice_half = [](const Case& input) {  // at 1000 mm/s, of 10 m/s
-    return contact::friction_of(input)->at(0.1).value;
-  };
-  EXPECT_NEAR(twice_half(parse_case(falling(law), "case.toml")), 0.2 + 0.2 / 4.0, 1e-15);
-  const Case input = parse_case(falling(law + "power_of_slip = 2.0"), "case.toml");
-  EXPECT_NEAR(twice_half(input), 0.2 + 0.2 / 16.0, 1e-15);
-  EXPECT_NE(contact::describe(input).find("power_of_slip"), std::string::npos);
-  expect_error(falling(law + "power_of_slip = 0.5"), {"friction.power_of_slip = 0.5", "1 to 10"});
-  expect_error(
-      falling(exponential + "power_of_slip = 2.0"),
-      {"friction.power_of_slip = 2.0: is of the law power, but friction.law is exponential"});
-  const Case over = parse_case(over_rail("coefficient = 0.4\n" + law +
-                                         "power_of_slip = [1.0, 3.0]\ninclination = [-1, 0]\n"),
-                               "case.toml");
-  const auto middle = contact::friction_of(over, 0, [](double) { return -0.5; })->of_row(0.0);
-  EXPECT_NEAR(middle->at(0.1).value, 0.2 + 0.2 / 16.0, 1e-15);
-}
-
 TEST(FrictionKeys, WhatIsRefusedOfFrictionOverTheRail) {
   const std::string two = "coefficient = [0.1, 0.4]\n";
   expect_error(over_rail(two),
@@ -208,4 +170,3 @@ TEST(FrictionKeys, WhatIsRefusedOfFrictionOverTheRail) {
 }
 
 }  // namespace
-}  // namespace rollfem

@@ -4,19 +4,10 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cmath>
 #include <cstdio>
-#include <functional>
-#include <sstream>
 
 namespace {
-
-using namespace rollfem::contact;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 class LatticeFile : public ::testing::Test {
  protected:
@@ -41,7 +32,7 @@ class LatticeFile : public ::testing::Test {
     return text.str();
   }
 
-  const rollfem::testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
 };
 
 double cubic(double x, double y) {

@@ -4,16 +4,10 @@
 
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/places.hpp"
 #include "support/temporary_folder.hpp"
-#include <filesystem>
 
 namespace {
-
-using namespace rollfem::contact;
-using rollfem::testing::says;
 
 struct Values {
   std::string wheel = "460", rail = "300", force = "80e3", creepage = "0.001", spin = "0",

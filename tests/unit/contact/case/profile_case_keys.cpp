@@ -3,16 +3,9 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
-#include <string>
-#include <vector>
 
 namespace {
-
-using namespace rollfem;
-using rollfem::testing::says;
 
 const std::string rest = R"([load]
 normal_force = 50e3
@@ -105,11 +98,10 @@ TEST(ProfileKeys, WhatContradictsIsRefused) {
            {both + "[wheel_profile]\nsmoothing = -1\n", {"wheel_profile.smoothing = -1", "bounds"}},
            {both + "[undeformed_distance]\nquadratic = [1e-3, 1e-3]\n",
             {"wheel.profile", "contradicts undeformed_distance"}}}) {
-    rollfem::testing::expect_error(rest + wrong.text, wrong.parts);
+    expect_error(rest + wrong.text, wrong.parts);
   }
-  EXPECT_EQ(rollfem::testing::error_of(rest + both + track), "");
-  EXPECT_EQ(rollfem::testing::error_of(rest + both + track + "[wheel_profile]\nmirror = true\n"),
-            "");
+  EXPECT_EQ(error_of(rest + both + track), "");
+  EXPECT_EQ(error_of(rest + both + track + "[wheel_profile]\nmirror = true\n"), "");
 }
 
 }  // namespace

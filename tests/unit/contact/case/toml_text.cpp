@@ -4,44 +4,51 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include <algorithm>
+#include <cctype>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::error_of;
-using rollfem::testing::expect_error;
-using rollfem::testing::says;
-using rollfem::testing::small_case;
+struct Text {
+  const char* name;
+  std::string text;
+};
 
-class Valid : public ::testing::TestWithParam<std::string> {};
+class ValidText : public ::testing::TestWithParam<Text> {};
 
 /// None of them is a case file: refused for an unknown or a missing key.
-TEST_P(Valid, IsRead) {
-  EXPECT_FALSE(says(error_of(GetParam()), "not valid TOML"));
+TEST_P(ValidText, IsRead) {
+  EXPECT_FALSE(says(error_of(GetParam().text), "not valid TOML"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Toml, Valid,
+    Grammar, ValidText,
     ::testing::Values(
-        "", "\n", "# only a comment",
-        "\xEF\xBB\xBF"
-        "a = 1",
-        "a = 1\r\n\r\nb = 2\r\n",
-        "# r\xC3\xA9sum\xC3\xA9 \xE2\x80\xA8 \xC2\x85 \xF0\x9F\x9A\x83\nt = \"\xC2\xB5 = 0.3\"",
-        "\"\xC3\xA9\" = 1\n'\xC2\xB5' . \"b c\".d-e_5 = 2",
-        "a.b.c = 1\n[ x . y ]\n[[z]] # end\n[[z]]",
-        "a = [1, 2,\n # comment ]\n 3,\n]\nb = []\nc = [ [ ], [\"]\"], {d = 1} ]",
-        "p = {x = 1, y.z = [2, 3], \"w\" = {}}", "q = { }",
-        "d = 1979-05-27 07:32:00.5Z\ne = 07:32:00\nf = 1979-05-27 # day\ng = "
-        "1979-05-27T00:32:00-07:00",
-        "h = 0xDEAD_BEEF\ni = -1_000.5e-3\nj = +inf\nk = -nan\nl = true",
-        "m = \"\\b\\t\\n\\f\\r\\\"\\\\ \\u00b5 \\U0001F683\"\nn = 'C:\\x'\no = \"\"\np = ''",
-        "q = \"\"\"\nfirst \"two\"\" \\\n  \n  goes on\"\"\"\"\"\nr = '''a\r\n'b''c'''''",
-        "s = \"tab\there\"\n\t[\tt\t]\t", "a = \"\"\"b\\\n\xC3\xA9\"\"\""));
+        Text{"Empty", ""}, Text{"EmptyLine", "\n"}, Text{"OnlyAComment", "# only a comment"},
+        Text{"ByteOrderMark",
+             "\xEF\xBB\xBF"
+             "a = 1"},
+        Text{"LinesOfWindows", "a = 1\r\n\r\nb = 2\r\n"},
+        Text{"CommentsBeyondAscii",
+             "# r\xC3\xA9sum\xC3\xA9 \xE2\x80\xA8 \xC2\x85 \xF0\x9F\x9A\x83\nt = \"\xC2\xB5 = "
+             "0.3\""},
+        Text{"KeysInQuotes", "\"\xC3\xA9\" = 1\n'\xC2\xB5' . \"b c\".d-e_5 = 2"},
+        Text{"Tables", "a.b.c = 1\n[ x . y ]\n[[z]] # end\n[[z]]"},
+        Text{"Lists", "a = [1, 2,\n # comment ]\n 3,\n]\nb = []\nc = [ [ ], [\"]\"], {d = 1} ]"},
+        Text{"InlineTables", "p = {x = 1, y.z = [2, 3], \"w\" = {}}"},
+        Text{"EmptyInlineTable", "q = { }"},
+        Text{"DatesAndTimes",
+             "d = 1979-05-27 07:32:00.5Z\ne = 07:32:00\nf = 1979-05-27 # day\ng = "
+             "1979-05-27T00:32:00-07:00"},
+        Text{"Numbers", "h = 0xDEAD_BEEF\ni = -1_000.5e-3\nj = +inf\nk = -nan\nl = true"},
+        Text{"Escapes",
+             "m = \"\\b\\t\\n\\f\\r\\\"\\\\ \\u00b5 \\U0001F683\"\nn = 'C:\\x'\no = \"\"\np = ''"},
+        Text{"LongTexts",
+             "q = \"\"\"\nfirst \"two\"\" \\\n  \n  goes on\"\"\"\"\"\nr = '''a\r\n'b''c'''''"},
+        Text{"Tabs", "s = \"tab\there\"\n\t[\tt\t]\t"},
+        Text{"LettersAfterALineEnd", "a = \"\"\"b\\\n\xC3\xA9\"\"\""}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 struct Fault {
   std::string text, expected;
@@ -51,16 +58,24 @@ void PrintTo(const Fault& fault, std::ostream* stream) {
   *stream << fault.expected;
 }
 
-class Invalid : public ::testing::TestWithParam<Fault> {};
+class WrongText : public ::testing::TestWithParam<Fault> {};
 
-TEST_P(Invalid, IsRefusedWhereItDeparts) {
+TEST_P(WrongText, IsRefusedWhereItDeparts) {
   const std::string place = GetParam().expected.substr(0, GetParam().expected.find(' ') + 1);
   expect_error(GetParam().text, {"case.toml:" + place + "not valid TOML in `",
                                  GetParam().expected.substr(place.size())});
 }
 
+/// "3_1_7__expected_a_number__true_or_false"
+std::string name_of(const ::testing::TestParamInfo<Fault>& test) {
+  std::string name = std::to_string(test.index) + '_' + test.param.expected;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(
-    Toml, Invalid,
+    Grammar, WrongText,
     ::testing::Values(
         // All of these make toml++ 3.3 abort by its asserts.
         Fault{"[#", "1:2: expected a key"}, Fault{"a = 1\n[[ # b", "2:4: expected a key"},
@@ -126,7 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"a = 1/40", "1:6: expected a digit or the end of the number, found '/'"},
         Fault{"a = 1e400", "1:10: floating-point: '1e400' could not"},
         Fault{"a = 1\na = 2", "2:5: key-value pair: cannot redefine existing integer 'a'"},
-        Fault{"a = []\n[a.b]\n", "2:7: table header: cannot redefine existing array"}));
+        Fault{"a = []\n[a.b]\n", "2:7: table header: cannot redefine existing array"}),
+    name_of);
 
 TEST(Toml, DottedKeysNestNoDeeperThanLists) {
   std::string key = "a";

@@ -7,14 +7,7 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-using namespace rollfem;
-using contact::ContactGrid;
-using contact::SurfaceField;
-using rollfem::contact::pi;
+#include "support/test.hpp"
 
 namespace {
 

@@ -4,14 +4,9 @@
 #include "contact/result/patch_size.hpp"
 #include "contact/result/result.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-using namespace rollfem::contact;
+#include "support/test.hpp"
 
 namespace {
-using rollfem::contact::pi;
 
 double ellipsoid(double x, double y, double a, double b) {
   const double rest = 1.0 - x * x / (a * a) - y * y / (b * b);

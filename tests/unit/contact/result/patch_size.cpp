@@ -5,9 +5,7 @@
 #include "contact/iteration/compliance.hpp"
 #include "contact/result/result.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::contact {
 namespace {

@@ -4,15 +4,7 @@
 
 #include "contact/base/accuracy.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
-namespace {
-
-using namespace rollfem::contact;
+#include "support/test.hpp"
 
 TEST(Quantities, EachReachesAMemberOfItsOwn) {
   PointResult point;
@@ -79,5 +71,3 @@ TEST(Quantities, WhatAModelDoesNotGiveHasNoValue) {
   point.elastic_energy = 3.0;
   EXPECT_EQ(quantity(point, "elastic_energy"), 3.0);
 }
-
-}  // namespace

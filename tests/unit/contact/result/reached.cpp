@@ -2,14 +2,9 @@
 // Errors of a result relative to the scale of each quantity.
 #include "contact/result/refinement.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
-
-using namespace rollfem;
-using contact::reached_by;
 
 contact::ModelResult result() {
   contact::ModelResult made;

@@ -6,16 +6,12 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/output.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/output_synthetic_run.hpp"
 
 namespace {
 
-using namespace rollfem;
-
 contact::PointResult full_point() {
-  contact::PointResult point = rollfem::testing::synthetic_run().models[2].points[3];
+  contact::PointResult point = synthetic_run().models[2].points[3];
   point.step = 2;
   point.longitudinal_shift = 0.1;
   point.lateral_shift = 0.2;
@@ -40,7 +36,7 @@ std::string bytes_of(contact::PointResult point) {
 }
 
 TEST(Record, APointComesBackToTheLastBit) {
-  postprocess::RunRecord run = rollfem::testing::synthetic_run();
+  postprocess::RunRecord run = synthetic_run();
   run.input.subsurface = {full_point().subsurface.front().request};
   auto& point = run.models[2].points[3];
   point = full_point();

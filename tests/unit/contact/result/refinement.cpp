@@ -3,15 +3,9 @@
 // load point that decides the accuracy of a case.
 #include "contact/result/refinement.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem::contact;
-using rollfem::testing::says;
 
 std::vector<double> sequence(double order, int levels) {
   std::vector<double> values;

@@ -2,13 +2,7 @@
 // The range of xz along rolling and the largest traction, of fields with known extremes.
 #include "contact/result/stress_extremes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-namespace {
-
-using namespace rollfem::contact;
+#include "support/test.hpp"
 
 TEST(StressExtremes, TheRangeOfXzIsThatOfOneLineAtItsDepth) {
   // z exp(-z) sin(x - 0.3) cos(y - 0.1): the largest and the smallest xz of a line lie at x = 0.3
@@ -46,5 +40,3 @@ TEST(StressExtremes, ShearOnTheSurfaceIsTheLargestTraction) {
   EXPECT_DOUBLE_EQ(found.value, 5.0);
   EXPECT_EQ(found.place, (std::array<double, 3>{grid.x(1), grid.y(0), 0.0}));
 }
-
-}  // namespace

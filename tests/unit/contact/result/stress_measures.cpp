@@ -3,11 +3,8 @@
 #include "contact/result/stress_measures.hpp"
 
 #include <Eigen/Geometry>
-#include <gtest/gtest.h>
 
-#include <cmath>
-
-using namespace rollfem::contact;
+#include "support/test.hpp"
 
 namespace {
 

@@ -2,13 +2,9 @@
 // Force of tractions on a tilted surface against vectors turned by hand.
 #include "contact/result/result.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
-
-using namespace rollfem::contact;
 
 /// One row of elements that climbs by 0.3 along y, and one level; tractions along the tangents and
 /// the normal into the wheel.

@@ -5,17 +5,10 @@
 #include "contact/base/errors.hpp"
 #include "contact/solve/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "tests/support/persson.hpp"
-#include <cmath>
-#include <functional>
 
 namespace {
-
-using namespace rollfem::contact;
-using rollfem::testing::says;
 
 /// A ball of 405 mm on a rail of 500 mm under 50 kN, to the accuracy that this test needs.
 Scene scene() {
@@ -51,38 +44,38 @@ ModelResult result() {
 }
 
 /// Message of the checks on the second load point after `spoil`; empty if it passes.
-std::string refusal(const std::function<void(PointResult&, ModelResult&)>& spoil,
+std::string refused(const std::function<void(PointResult&, ModelResult&)>& spoil,
                     const ResultKind& kind = {}) {
   ModelResult spoiled = result();
   spoil(spoiled.points.back(), spoiled);
-  return rollfem::testing::refusal<SolveError>([&] { check_validity(scene(), spoiled, kind); });
+  return refusal<SolveError>([&] { check_validity(scene(), spoiled, kind); });
 }
 
 TEST(Validity, LetsASoundResultPass) {
-  EXPECT_EQ(refusal([](PointResult&, ModelResult&) {}), "");
+  EXPECT_EQ(refused([](PointResult&, ModelResult&) {}), "");
   EXPECT_TRUE(validity_warnings(scene(), result()).empty());
 }
 
 TEST(Validity, RefusesNumbersThatAreNoneAndIterationsThatDidNotEnd) {
   const double none = std::nan("");
-  EXPECT_TRUE(says(refusal([&](PointResult& p, ModelResult&) { p.spin_moment = none; }),
+  EXPECT_TRUE(says(refused([&](PointResult& p, ModelResult&) { p.spin_moment = none; }),
                    "load point 2 of 2", "spin_moment = nan", "do: "));
-  EXPECT_TRUE(says(refusal([&](PointResult& p, ModelResult&) { p.fields.traction.x[3] = none; }),
+  EXPECT_TRUE(says(refused([&](PointResult& p, ModelResult&) { p.fields.traction.x[3] = none; }),
                    "load point 2 of 2", "tractions that are not finite"));
   EXPECT_TRUE(
-      says(refusal([&](PointResult& p, ModelResult&) { p.fields.gap = Field::Constant(1, none); }),
+      says(refused([&](PointResult& p, ModelResult&) { p.fields.gap = Field::Constant(1, none); }),
            "gaps that are not finite"));
-  EXPECT_TRUE(says(refusal([&](PointResult& p, ModelResult&) {
+  EXPECT_TRUE(says(refused([&](PointResult& p, ModelResult&) {
                      p.stress_maxima = {{"wheel", "von_mises", none, {}}};
                    }),
                    "stresses that are not finite"));
   EXPECT_TRUE(
-      says(refusal([](PointResult& p, ModelResult&) { p.converged = false; }), "not converged"));
+      says(refused([](PointResult& p, ModelResult&) { p.converged = false; }), "not converged"));
 }
 
 TEST(Validity, RefusesFewerThanFourElementsAcross) {
   const auto narrow = [](int columns) {
-    return refusal([&](PointResult& p, ModelResult& r) {
+    return refused([&](PointResult& p, ModelResult& r) {
       for (int k = 0; k < r.grid.size(); ++k)
         if (std::abs(r.grid.x(k % r.grid.nx)) > 0.5 * columns)
           for (Field* f : {&p.fields.traction.n, &p.fields.traction.x, &p.fields.traction.y})
@@ -98,7 +91,7 @@ TEST(Validity, RefusesFewerThanFourElementsAcross) {
 }
 
 TEST(Validity, RefusesAPatchThatTheGridDoesNotHold) {
-  EXPECT_TRUE(says(refusal([](PointResult& p, ModelResult&) {
+  EXPECT_TRUE(says(refused([](PointResult& p, ModelResult&) {
                      p.fields.traction.n[20] = 0.0;
                      p.fields.traction.n[0] = 1.0;
                    }),
@@ -106,30 +99,30 @@ TEST(Validity, RefusesAPatchThatTheGridDoesNotHold) {
   // What is sampled may fill its grid, and lie off its middle.
   ResultKind sampled;
   sampled.elastic = false;
-  EXPECT_EQ(refusal([](PointResult& p, ModelResult&) { p.contact_width = 16.0; }, sampled), "");
-  EXPECT_NE(refusal([](PointResult& p, ModelResult&) { p.contact_width = 20.0; }, sampled), "");
-  EXPECT_NE(refusal([](PointResult& p, ModelResult&) { p.patch_x_middle = 4.0; }, sampled), "");
+  EXPECT_EQ(refused([](PointResult& p, ModelResult&) { p.contact_width = 16.0; }, sampled), "");
+  EXPECT_NE(refused([](PointResult& p, ModelResult&) { p.contact_width = 20.0; }, sampled), "");
+  EXPECT_NE(refused([](PointResult& p, ModelResult&) { p.patch_x_middle = 4.0; }, sampled), "");
 }
 
 TEST(Validity, RefusesTensionAndTractionsBeyondTheBound) {
-  EXPECT_TRUE(says(refusal([](PointResult& p, ModelResult&) { p.fields.traction.n[0] = -0.1; }),
+  EXPECT_TRUE(says(refused([](PointResult& p, ModelResult&) { p.fields.traction.n[0] = -0.1; }),
                    "pressure falls to -0.1 MPa"));
   const auto beyond = [](PointResult& p, ModelResult&) { p.fields.traction.x *= 1.5; };
-  EXPECT_TRUE(says(refusal(beyond), "exceeds the bound of friction by "));
+  EXPECT_TRUE(says(refused(beyond), "exceeds the bound of friction by "));
   ResultKind linear;
   linear.bounded = false;
-  EXPECT_EQ(refusal(beyond, linear), "");
+  EXPECT_EQ(refused(beyond, linear), "");
   const auto rounded = [](PointResult& p, ModelResult&) {
     p.fields.traction.x = (1.0 + 1e-8) * p.fields.traction_bound;
     p.fields.traction.y.setZero();
   };
-  EXPECT_EQ(refusal(rounded), "");
+  EXPECT_EQ(refused(rounded), "");
 }
 
 TEST(Validity, RefusesAGapUnderPressureAndAnOverlapBesideIt) {
   // An element of the middle and one beyond the patch; 2e-3 of the displacement is allowed.
   const auto with_gap = [](int i, int j, double gap) {
-    return refusal([&](PointResult& p, ModelResult& r) {
+    return refused([&](PointResult& p, ModelResult& r) {
       p.fields.gap = Field::Zero(r.grid.size());
       p.fields.displacement.n = Field::Constant(r.grid.size(), 0.05);
       p.fields.gap[r.grid.index(i, j)] = gap;
@@ -145,9 +138,9 @@ TEST(Validity, RefusesAGapUnderPressureAndAnOverlapBesideIt) {
 }
 
 TEST(Validity, RefusesAForceThatIsNotTheLoad) {
-  EXPECT_TRUE(says(refusal([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 1e-5; }),
+  EXPECT_TRUE(says(refused([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 1e-5; }),
                    "carries 50000.5 N instead of 50000 N", "1e-06"));
-  EXPECT_EQ(refusal([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 5e-7; }), "");
+  EXPECT_EQ(refused([](PointResult& p, ModelResult&) { p.normal_force *= 1.0 + 5e-7; }), "");
   // Along the load: friction carries a part of a vertical force on a tilted patch.
   Scene tilted = scene();
   ModelResult shared = result();
@@ -167,7 +160,7 @@ TEST(Validity, RefusesAForceThatIsNotTheLoad) {
 }
 
 TEST(Validity, RefusesBodiesThatHaveNotComeTogether) {
-  EXPECT_TRUE(says(refusal([](PointResult& p, ModelResult&) { p.approach = -0.011; }),
+  EXPECT_TRUE(says(refused([](PointResult& p, ModelResult&) { p.approach = -0.011; }),
                    "load point 2 of 2", "come together by -0.011 mm"));
 }
 
@@ -208,7 +201,7 @@ TEST(Validity, WarnsOfStepsBeyondAnElementAndATenthOfThePatch) {
 /// The limit of the patch: the half-space is some 4 % off there, by Persson's closed form at the
 /// same load and clearance.
 TEST(Validity, LimitOfThePatchIsWhereHalfSpacesAreFourPerCentOff) {
-  const rollfem::testing::PerssonContact pin{std::asin(largest_patch_part)};
+  const PerssonContact pin{std::asin(largest_patch_part)};
   const double hertz = std::sqrt(pin.clearance_number() / (2.0 * M_PI));
   EXPECT_NEAR(hertz / pin.pressure(0.0) - 1.0, -0.0367, 1e-4);
 }

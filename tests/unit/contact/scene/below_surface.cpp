@@ -2,13 +2,9 @@
 // Coordinates that follow a curved surface: there and back, and those of circles in closed form.
 #include "contact/scene/below_surface.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
-
-using namespace rollfem::contact;
 
 Geometry radii(double rolling, double wheel, double rail) {
   Geometry geometry;

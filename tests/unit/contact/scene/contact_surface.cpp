@@ -7,14 +7,9 @@
 #include "contact/result/result.hpp"
 #include "contact/scene/geometry.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem::contact;
 
 constexpr double rolling_radius = 405.0;
 const ContactSurface case_e{rolling_radius, -105.263, 100.0};
@@ -45,7 +40,7 @@ TEST(ContactSurface, IsTheMeanOfBothProfilesWithTheSlopeOfItsHeight) {
 }
 
 TEST(ContactSurface, IsRoundAsFarAsTheCaseSays) {
-  Case input = parse_case(rollfem::testing::small_case, "s");
+  Case input = parse_case(small_case, "s");
   input.wheel.transverse_radius = 10.0;
   input.wheel.round_to = 0.9;
   input.rail.transverse_radius = -10.25;
@@ -111,7 +106,7 @@ TEST(UndeformedDistanceOfCircles, AlongRollingIsTheWheelsCircleOfTheLocalRadius)
 }
 
 TEST(UndeformedDistanceOfCircles, TendsToTheParabolaOfFlatBodies) {
-  const Case input = parse_case(rollfem::testing::small_case, "s");
+  const Case input = parse_case(small_case, "s");
   const Curvatures curvatures = relative_curvatures(input);
   for (const double y : {0.0, 5.0, 11.0})
     EXPECT_NEAR(undeformed_distance(Geometry(input).surface, 3.0, y),
@@ -150,7 +145,7 @@ TEST(RigidSlipOfRotatingWheel, IsTheDifferenceOfVelocities) {
 }
 
 TEST(RigidSlipOfRotatingWheel, OfFlatProfilesIsThatOfThePlane) {
-  Case input = parse_case(rollfem::testing::small_case, "s");
+  Case input = parse_case(small_case, "s");
   input.rail.transverse_radius = infinity;
   const ContactGrid grid = ContactGrid::centred(4, 6, 1.0, 2.0);
   const Creepage creepage{0.002, 0.001, 3e-4};

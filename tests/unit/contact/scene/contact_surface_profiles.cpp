@@ -3,17 +3,9 @@
 // axles, the case of radii given as curves, rigid slip against velocities of a turning body.
 #include "contact/scene/geometry.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/profile_patches.hpp"
-#include <array>
-#include <cmath>
 
 namespace {
-
-using namespace rollfem::contact;
-using rollfem::testing::circle_pair;
-using rollfem::testing::sphere_on_circle;
 
 TangentialField slip_of_the_surface(const ContactSurface& surface, const Creepage& creepage,
                                     const ContactGrid& grid) {

@@ -4,17 +4,8 @@
 
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/places.hpp"
-#include <cmath>
-
-namespace {
-
-using namespace rollfem::contact;
-using rollfem::testing::small_case;
-using rollfem::testing::with;
 
 TEST(CombinedConstants, OfLikeMaterialsAreThoseOfTheMaterial) {
   const Material steel{210e3, 0.3};
@@ -96,5 +87,3 @@ TEST(RigidSlip, OfACurvedWheelIsThatOfItsRollingRadii) {
     EXPECT_EQ(ChartedGeometry(input, Chart::plane).rigid_slip({}, grid).x.norm(), 0.0);
   }
 }
-
-}  // namespace

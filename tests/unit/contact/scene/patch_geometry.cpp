@@ -5,18 +5,7 @@
 
 #include "contact/scene/geometry.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <utility>
-#include <vector>
-
-using rollfem::contact::Axle;
-using rollfem::contact::CurveValue;
-using rollfem::contact::HeightCurve;
-using rollfem::contact::PatchGeometry;
+#include "support/test.hpp"
 
 namespace {
 

@@ -2,9 +2,7 @@
 // Which elements are made to adhere behind a border of adhesion that moves downstream.
 #include "contact/iteration/adhesion_fronts.hpp"
 
-#include <gtest/gtest.h>
-
-#include <string>
+#include "support/test.hpp"
 
 namespace rollfem::contact {
 namespace {

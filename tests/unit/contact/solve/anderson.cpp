@@ -4,11 +4,10 @@
 #include "contact/solve/defect_correction.hpp"
 
 #include <Eigen/Dense>
-#include <gtest/gtest.h>
+
+#include "support/test.hpp"
 
 namespace {
-
-using rollfem::contact::Anderson;
 
 /// d <- M d + c with eigenvalues 0.9, -0.7, 0.5: the plain iteration gains a decimal in 22 steps.
 struct LinearMap {

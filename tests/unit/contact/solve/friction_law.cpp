@@ -5,15 +5,8 @@
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 
-#include <gtest/gtest.h>
-
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace rollfem::contact {
 namespace {
@@ -89,6 +82,30 @@ TEST(FrictionLaws, OfACaseTakeSpeedAndPolachsSpelling) {
   EXPECT_NEAR(friction_of(input)->at(100.0).value, 0.2 + 0.13 * 0.5, 1e-15);
 }
 
+TEST(FrictionLaws, HaveConstantsOfTheirOwn) {
+  const FallShape power{"power",
+                        [](std::size_t, double s, const FallShape::Constants& own) {
+                          return FallShape::Left{std::exp2(-std::pow(s, own[1])), 0.0};
+                        },
+                        false,
+                        {{{}, {"power_of_slip", "n", 1.0, 10.0, 1.0, ""}}}};
+  Case input;
+  input.friction_coefficient = 0.4;
+  input.rolling.speed = 10e3;
+  FrictionFall& fall = input.friction_fall;
+  fall.shape = power;
+  fall.kinetic_coefficient = 0.2;
+  fall.half_velocity = 500.0;
+  EXPECT_NEAR(friction_of(input)->at(0.1).value, 0.2 + 0.2 / 4.0, 1e-15);  // at twice s_h
+  fall.constants[1] = 2.0;
+  EXPECT_NEAR(friction_of(input)->at(0.1).value, 0.2 + 0.2 / 16.0, 1e-15);
+  input.friction_variation.lateral_position = {0.0, 1.0};
+  input.friction_variation.points = {{0.4, fall}, {0.4, fall}};
+  input.friction_variation.points[0].fall.constants[1] = 1.0;
+  EXPECT_NEAR(friction_of(input)->of_row(0.5)->at(0.1).value, 0.2 + 0.2 / std::exp2(std::exp2(1.5)),
+              1e-15);
+}
+
 TEST(FrictionLaws, CoulombsBoundIsThePressureTimesMu) {
   const ContactGrid grid{5, 1, 0.1, 0.1, 0.0, 0.0};
   const Field pressure = Field::LinSpaced(5, 0.0, 1000.0);
@@ -151,13 +168,12 @@ TEST(FallingFriction, OfSeveralStatesTheOneWithTheMostFrictionIsGiven) {
 }
 
 TEST(FallingFriction, OfARollingBallHoldsTheLawAtEveryElement) {
-  const rollfem::testing::Benchmark9 ball;
+  const Benchmark9 ball;
   const ContactGrid grid = ball.grid(24);
   const halfspace::HalfspaceCompliance compliance(grid, ball.material());
   TangentialProblem problem = ball.problem(grid);
   const TangentialOperator& rolling = compliance.rolling(UpwindOrder::second);
-  const double coulomb_force =
-      rollfem::testing::forces(grid, solve_tangential(rolling, problem).traction).x;
+  const double coulomb_force = forces(grid, solve_tangential(rolling, problem).traction).x;
   const FallingFriction law = hyperbola(ball.friction, 1.5e-2);
   problem.friction = std::make_shared<FallingFriction>(law);
   const TangentialSolution s = solve_tangential(rolling, problem);
@@ -176,12 +192,12 @@ TEST(FallingFriction, OfARollingBallHoldsTheLawAtEveryElement) {
                 1e-4 * g * w);
   }
   EXPECT_GT(slipping, 100);
-  const double force = rollfem::testing::forces(grid, s.traction).x;
+  const double force = forces(grid, s.traction).x;
   EXPECT_LT(std::abs(force), 0.99 * std::abs(coulomb_force));  // less friction where it slips
   // A scale of slip beyond all slips is Coulomb's law.
   problem.friction = std::make_shared<FallingFriction>(hyperbola(ball.friction, 1e6));
-  EXPECT_NEAR(rollfem::testing::forces(grid, solve_tangential(rolling, problem).traction).x,
-              coulomb_force, 1e-5 * std::abs(coulomb_force));
+  EXPECT_NEAR(forces(grid, solve_tangential(rolling, problem).traction).x, coulomb_force,
+              1e-5 * std::abs(coulomb_force));
 }
 
 }  // namespace

@@ -3,11 +3,8 @@
 // order, its derivative, and steps of a history.
 #include "contact/iteration/friction_state.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "support/test.hpp"
 #include <numeric>
-#include <optional>
 
 namespace rollfem::contact {
 namespace {

@@ -4,9 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/solve/point_motion.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::contact {
 namespace {

@@ -3,14 +3,9 @@
 #include "contact/base/errors.hpp"
 #include "contact/solve/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <stdexcept>
 
 namespace {
-
-using namespace rollfem::contact;
 
 ModelInfo model(const std::string& name, const Demands& takes, bool has_stress) {
   ModelInfo info{name, "", "a model"};
@@ -24,7 +19,7 @@ ModelInfo model(const std::string& name, const Demands& takes, bool has_stress) 
   return info;
 }
 
-std::string refusal(const ModelRegistry& models, const ModelInput& input, const char* name) {
+std::string refused(const ModelRegistry& models, const ModelInput& input, const char* name) {
   try {
     return models.run(name, input, {}).name + " ran";
   } catch (const InputError& error) {
@@ -46,8 +41,7 @@ TEST(ModelRegistry, KeepsTheOrderAndRefusesWhatCouldNotBeNamed) {
   ModelInfo no_run{"empty", "", ""};
   EXPECT_THROW(models.add(no_run), std::logic_error);
   EXPECT_THROW(static_cast<void>(ModelRegistry().reference()), std::logic_error);
-  EXPECT_EQ(rollfem::testing::refusal<InputError>(
-                [&] { static_cast<void>(models.at("none", "--model")); }),
+  EXPECT_EQ(refusal<InputError>([&] { static_cast<void>(models.at("none", "--model")); }),
             "--model none: no such model; allowed: theory, solver; do: name one of them");
 }
 
@@ -58,15 +52,15 @@ TEST(ModelRegistry, RefusesAndNamesTheModelsThatCan) {
       .add(model("solver", {Demand::rigid_body}, true));
   ModelInput input;
   input.file = "a.toml";
-  EXPECT_EQ(refusal(models, input, "theory"), "theory ran");
+  EXPECT_EQ(refused(models, input, "theory"), "theory ran");
   input.rail.material.young_modulus = infinity;
-  EXPECT_EQ(refusal(models, input, "solver"), "solver ran");
-  EXPECT_EQ(refusal(models, input, "theory"),
+  EXPECT_EQ(refused(models, input, "solver"), "solver ran");
+  EXPECT_EQ(refused(models, input, "theory"),
             "a.toml: model theory: young_modulus = inf: it cannot handle a rigid body; allowed: "
             "rough, solver; do: run with --model solver, or change the case");
   input.speed = 1.0;
   input.options.fem.inertia = true;
-  EXPECT_EQ(refusal(models, input, "solver"),
+  EXPECT_EQ(refused(models, input, "solver"),
             "a.toml: model solver: fem.inertia: it cannot handle the inertia of moving bodies; "
             "allowed: no model can solve all of this case; do: change it");
 }

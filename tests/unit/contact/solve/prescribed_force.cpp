@@ -4,17 +4,12 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cmath>
 
 namespace rollfem::contact {
 namespace {
 
 using Eigen::Vector2d;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 constexpr double bound = 1000.0;
 

@@ -6,9 +6,8 @@
 #include "contact/iteration/gmres.hpp"
 
 #include <Eigen/LU>
-#include <gtest/gtest.h>
 
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::contact {
 namespace {

@@ -4,12 +4,8 @@
 
 #include "contact/iteration/friction_state.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <memory>
+#include "support/test.hpp"
 #include <numeric>
-#include <vector>
 
 namespace rollfem::contact {
 namespace {

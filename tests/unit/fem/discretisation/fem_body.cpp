@@ -7,11 +7,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include "support/fem_test_support.hpp"
-#include <cmath>
-#include <vector>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

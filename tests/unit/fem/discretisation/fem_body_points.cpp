@@ -10,10 +10,6 @@
 
 #include "support/fem_test_support.hpp"
 #include "support/temporary_folder.hpp"
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

@@ -2,20 +2,11 @@
 #include "contact/base/errors.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cstdlib>
-#include <limits>
-#include <memory>
-#include <random>
 
 namespace {
 
-using namespace rollfem;
 using fem::lanes;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 /// Numbers at random, the same in every run, from a multiple of 64 bytes.
 template <typename Number>

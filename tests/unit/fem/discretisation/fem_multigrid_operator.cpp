@@ -4,20 +4,15 @@
 #include "fem/discretisation/elasticity_operator.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "support/fem_elastic_block.hpp"
 #include "support/mpi_environment.hpp"
-#include <cmath>
 
-namespace rollfem {
 namespace {
 
 using dealii::Point;
 using dealii::Tensor;
 using fem::Vector;
-using testing::Block;
-using testing::BlockOptions;
 
 /// Every variant of the kernel: degree, projected dilatation, inertia.
 struct Variant {
@@ -164,4 +159,3 @@ INSTANTIATE_TEST_SUITE_P(Variants, Stiffness,
                          });
 
 }  // namespace
-}  // namespace rollfem

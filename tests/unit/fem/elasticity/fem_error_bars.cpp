@@ -3,14 +3,9 @@
 // computed by hand.
 #include "fem/elasticity/error_bars.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mpi_environment.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem;
 
 /// What half-spaces leave when their bar is 0.2 and they are off by `known`.
 double of_the_grid(double known) {

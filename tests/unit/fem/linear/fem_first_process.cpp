@@ -5,20 +5,14 @@
 #include "fem/linear/first_process.hpp"
 
 #include <deal.II/base/mpi.h>
-#include <gtest/gtest.h>
 
 #include "support/mpi_environment.hpp"
-#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <new>
-#include <stdexcept>
-#include <string>
 #include <sys/resource.h>
 #include <thread>
-#include <vector>
 
-namespace rollfem {
 namespace {
 
 int processes() {
@@ -123,4 +117,3 @@ TEST(FirstProcess, HasTheThreadsOfAllWhileItWorksAlone) {
 }
 
 }  // namespace
-}  // namespace rollfem

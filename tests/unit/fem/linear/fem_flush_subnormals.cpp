@@ -2,9 +2,7 @@
 // Numbers below the normal range: zero within the scope, themselves again after it.
 #include "fem/linear/flush_subnormals.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
 

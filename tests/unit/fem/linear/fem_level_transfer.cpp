@@ -4,13 +4,10 @@
 #include "fem/linear/level_transfer.hpp"
 
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
-#include <gtest/gtest.h>
 
 #include "support/fem_elastic_block.hpp"
 #include "support/mpi_environment.hpp"
-#include <cmath>
 
-namespace rollfem {
 namespace {
 
 using dealii::Point;
@@ -30,8 +27,8 @@ class Levels : public ::testing::TestWithParam<unsigned int> {
     transfer = fem::make_level_transfer(
         block.problem(), {dofs, block.problem().mapping, constraints, boundary(), {}});
   }
-  static testing::BlockOptions options() {
-    testing::BlockOptions result;
+  static BlockOptions options() {
+    BlockOptions result;
     result.degree = GetParam();
     result.local_refinements = 3;
     return result;
@@ -59,7 +56,7 @@ class Levels : public ::testing::TestWithParam<unsigned int> {
     }
   }
 
-  testing::Block block;
+  Block block;
   std::vector<std::shared_ptr<const dealii::Triangulation<3>>> meshes;
   dealii::DoFHandler<3> dofs;
   dealii::AffineConstraints<double> constraints;
@@ -99,4 +96,3 @@ TEST_P(Levels, TakeForcesBackByTheTranspose) {
 INSTANTIATE_TEST_SUITE_P(Degrees, Levels, ::testing::Values(1u, 2u));
 
 }  // namespace
-}  // namespace rollfem

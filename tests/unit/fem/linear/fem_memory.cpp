@@ -5,18 +5,10 @@
 #include "fem/linear/memory.hpp"
 #include "fem/mesh/body_mesh.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mpi_environment.hpp"
 #include "support/temporary_folder.hpp"
-#include <cstdlib>
-#include <string>
 
 namespace {
-
-using namespace rollfem;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 fem::BodyOptions options_of(double cell_size, bool half) {
   fem::BodyOptions options;

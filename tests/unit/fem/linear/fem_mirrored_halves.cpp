@@ -6,15 +6,9 @@
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/mirrored_halves.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/fem_elastic_block.hpp"
 #include "support/mpi_environment.hpp"
-#include <algorithm>
-#include <random>
-#include <vector>
 
-namespace rollfem {
 namespace {
 
 fem::BodyOptions coarse(bool half) {
@@ -90,9 +84,9 @@ TEST(MirroredHalves, SolveForManyLoadsAsForEach) {
 }
 
 TEST(MirroredHalves, AreNotTakenOfWhatIsNoMirrorImage) {
-  testing::BlockOptions options;  // on one side of x = 0
+  BlockOptions options;  // on one side of x = 0
   options.communicator = MPI_COMM_SELF;
-  const testing::Block block(options, {});
+  const Block block(options, {});
   EXPECT_FALSE(fem::find_mirrored_halves(block.problem()).has_value());
 
   const fem::Body body({false, contact::infinity, 100.0}, {}, coarse(true), MPI_COMM_WORLD);
@@ -114,4 +108,3 @@ TEST(MirroredHalves, AreNotTakenOfWhatIsNoMirrorImage) {
 }
 
 }  // namespace
-}  // namespace rollfem

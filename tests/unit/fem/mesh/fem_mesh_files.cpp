@@ -5,14 +5,8 @@
 #include "meshes/grading.hpp"
 #include "meshes/segment_mesh.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/mesh_examples.hpp"
-#include <algorithm>
-#include <cmath>
 
-using namespace rollfem;
-using namespace rollfem::testing;
 using meshes::HexMesh;
 using meshes::Side;
 

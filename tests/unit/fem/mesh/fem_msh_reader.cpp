@@ -6,15 +6,9 @@
 #include "meshes/msh_file.hpp"
 
 #include <gmsh.h>
-#include <gtest/gtest.h>
 
 #include "support/mesh_examples.hpp"
-#include <algorithm>
-#include <cmath>
-#include <map>
 
-using namespace rollfem;
-using namespace rollfem::testing;
 using meshes::HexMesh;
 using meshes::Side;
 

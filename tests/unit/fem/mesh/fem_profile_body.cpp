@@ -16,11 +16,6 @@
 #include "support/mesh_examples.hpp"
 #include "support/profile_patches.hpp"
 #include "support/profile_scenes.hpp"
-#include <cmath>
-#include <vector>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

@@ -3,11 +3,9 @@
 #include "contact/case/case_reader.hpp"
 #include "fem/mesh/run_layout.hpp"
 
-#include <gtest/gtest.h>
+#include "support/test.hpp"
 
 namespace {
-
-using namespace rollfem;
 
 /// A roller of this radius on a crown of 500 mm, with a patch some 4 mm long each way.
 double extent_of(double radius, const std::string& fem = {}) {

@@ -7,10 +7,6 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include "support/fem_body_pair.hpp"
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

@@ -10,12 +10,6 @@
 
 #include "support/fem_body_pair.hpp"
 #include "support/places.hpp"
-#include <cmath>
-#include <functional>
-#include <string>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

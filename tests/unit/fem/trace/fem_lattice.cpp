@@ -7,10 +7,6 @@
 #include "halfspace/elasticity/compliance.hpp"
 
 #include "support/fem_body_pair.hpp"
-#include <cmath>
-
-using namespace rollfem;
-using namespace rollfem::testing;
 
 namespace {
 

@@ -8,16 +8,13 @@
 #include "theories/elliptic_patch.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <gtest/gtest.h>
 
+#include "support/test.hpp"
 #include "support/thesis_cases.hpp"
-#include <cmath>
 
 namespace rollfem::halfspace {
-namespace {
-
 TEST(Hertz, GivesCaseAToAllDigitsShown) {
-  const HertzContact hertz = hertz_of_scene(testing::thesis_case('a'));
+  const HertzContact hertz = hertz_of_scene(thesis_case('a'));
   EXPECT_NEAR(hertz.semi_axis_x, 3.79236, 5e-6);
   EXPECT_NEAR(hertz.semi_axis_y, 10.87295, 5e-6);
   EXPECT_NEAR(hertz.max_pressure, 578.967, 5e-4);
@@ -125,8 +122,7 @@ TEST(Hertz, RefusesWhatIsNoEllipticContact) {
 }
 
 TEST(HertzModel, HasOnePointWithTheFieldsOfTheClosedForm) {
-  contact::Case input = testing::thesis_case('a');
-  input.rolling.creepages = {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}};
+  contact::Case input = thesis_case('a', 40, {{0.0, 0.0, 0.0}, {1e-3, 0.0, 0.0}});
   const contact::ModelResult result = theories::run_hertz(input, {});
   ASSERT_EQ(result.points.size(), 1u);
   const contact::PointResult& point = result.points.front();
@@ -140,6 +136,4 @@ TEST(HertzModel, HasOnePointWithTheFieldsOfTheClosedForm) {
   EXPECT_GT(point.fields.gap.maxCoeff(), 0.01 * point.approach);
   EXPECT_EQ(point.fields.traction.x.cwiseAbs().maxCoeff(), 0.0);
 }
-
-}  // namespace
 }  // namespace rollfem::halfspace

@@ -4,13 +4,11 @@
 #include "halfspace/closed_forms/hertz.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <gtest/gtest.h>
 
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::halfspace {
 namespace {
-using rollfem::contact::pi;
 
 constexpr double modulus = 115384.6;
 

@@ -5,14 +5,10 @@
 
 #include "contact/base/pi.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/cell_state.hpp"
-#include <cmath>
 
 namespace rollfem::halfspace {
 namespace {
-using rollfem::contact::pi;
 
 const ElasticHalfspace steel{80769.0, 0.3};
 constexpr double load = 1000.0;
@@ -21,9 +17,8 @@ TEST(PointLoads, AreThoseOfThePotentials) {
   for (const ElasticHalfspace& body : {steel, ElasticHalfspace{500.0, 0.0}})
     for (const Position& at : {Position{1.0, 0.5, 0.7}, Position{-2.0, 0.3, 1.5},
                                Position{0.01, -0.02, 2.0}, Position{0.8, -1.1, 0.02}}) {
-      const auto state = [&](const testing::LocalLoad& force) {
-        return testing::point_state(at.x, at.y, at.z, force, body.shear_modulus,
-                                    body.poisson_ratio);
+      const auto state = [&](const LocalLoad& force) {
+        return point_state(at.x, at.y, at.z, force, body.shear_modulus, body.poisson_ratio);
       };
       const Displacement normal = boussinesq_displacement(body, load, at);
       const Displacement along = cerruti_displacement(body, load, at);

@@ -5,18 +5,11 @@
 #include "halfspace/curvature/curved_body.hpp"
 
 #include <Eigen/LU>
-#include <gtest/gtest.h>
 
 #include "support/random_field.hpp"
-#include <cmath>
-#include <vector>
 
 namespace {
 
-using namespace rollfem;
-using contact::ContactGrid;
-using contact::Field;
-using contact::SurfaceField;
 using halfspace::BodySurface;
 using halfspace::CurvedBody;
 
@@ -38,12 +31,11 @@ const ContactGrid skewed{11, 7, 0.3, 0.5, -1.2, -1.9};
 
 TEST(CurvedBody, IsSymmetric) {
   const CurvedBody body(skewed, paraboloid(1.0 / 40.0, -1.0 / 70.0));
-  const SurfaceField p = rollfem::testing::random_field(skewed, 1),
-                     q = rollfem::testing::random_field(skewed, 2);
+  const SurfaceField p = random_field(skewed, 1), q = random_field(skewed, 2);
   const SurfaceField of_p = body.apply(p).correction, of_q = body.apply(q).correction;
-  const double size = std::sqrt(rollfem::testing::dot(of_p, of_p) * rollfem::testing::dot(q, q));
-  EXPECT_NEAR(rollfem::testing::dot(q, of_p), rollfem::testing::dot(p, of_q), 1e-12 * size);
-  EXPECT_GT(std::abs(rollfem::testing::dot(q, of_p)), 1e-6 * size);
+  const double size = std::sqrt(dot(of_p, of_p) * dot(q, q));
+  EXPECT_NEAR(dot(q, of_p), dot(p, of_q), 1e-12 * size);
+  EXPECT_GT(std::abs(dot(q, of_p)), 1e-6 * size);
 }
 
 TEST(CurvedBody, TractionsOfChequeredElementsMoveItLessThanTheHalfSpace) {
@@ -59,27 +51,26 @@ TEST(CurvedBody, TractionsOfChequeredElementsMoveItLessThanTheHalfSpace) {
   const Field none = Field::Zero(flat.size());
   for (const SurfaceField& t : {SurfaceField{chequered, none, none}, {none, chequered, none}}) {
     const CurvedBody::Displacement moved = body.apply(t);
-    EXPECT_LT(std::abs(rollfem::testing::dot(t, moved.correction)),
-              rollfem::testing::dot(t, moved.plane));
+    EXPECT_LT(std::abs(dot(t, moved.correction)), dot(t, moved.plane));
   }
 }
 
 TEST(CurvedBody, FlatOneIsTheHalfSpace) {
   const CurvedBody body(skewed, paraboloid(0.0, 0.0));
-  const SurfaceField c = body.apply(rollfem::testing::random_field(skewed, 3)).correction;
-  EXPECT_EQ(rollfem::testing::dot(c, c), 0.0);
+  const SurfaceField c = body.apply(random_field(skewed, 3)).correction;
+  EXPECT_EQ(dot(c, c), 0.0);
 }
 
 TEST(CurvedBody, IsLinearInTheHeight) {
   // As long as heights stay below a quarter of the elements.
-  const SurfaceField t = rollfem::testing::random_field(skewed, 4);
+  const SurfaceField t = random_field(skewed, 4);
   const SurfaceField c = CurvedBody(skewed, paraboloid(0.005, 0.01)).apply(t).correction;
   const SurfaceField along = CurvedBody(skewed, paraboloid(0.01, 0.0)).apply(t).correction;
   const SurfaceField across = CurvedBody(skewed, paraboloid(0.0, 0.02)).apply(t).correction;
   const SurfaceField half{0.5 * (along.x + across.x), 0.5 * (along.y + across.y),
                           0.5 * (along.n + across.n)};
   const SurfaceField difference{c.x - half.x, c.y - half.y, c.n - half.n};
-  EXPECT_LT(rollfem::testing::dot(difference, difference), 1e-24 * rollfem::testing::dot(c, c));
+  EXPECT_LT(dot(difference, difference), 1e-24 * dot(c, c));
 }
 
 /// Strain along a meridian at the pole of a sphere of radius 1 under two opposite Hertz caps of

@@ -12,16 +12,10 @@
 #include "halfspace/elasticity/influence.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
+#include "support/test.hpp"
 
 namespace {
 
-using namespace rollfem;
-using contact::ContactGrid;
-using contact::Field;
 using halfspace::InfluenceTable;
 using halfspace::InfluenceTables;
 

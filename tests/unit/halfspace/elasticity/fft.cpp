@@ -7,22 +7,13 @@
 #include "halfspace/elasticity/influence.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <gtest/gtest.h>
 
 #include "support/random_field.hpp"
-#include <array>
 #include <complex>
 #include <future>
-#include <vector>
 
 namespace rollfem::halfspace {
 namespace {
-
-using contact::ContactGrid;
-using contact::Field;
-using contact::SurfaceField;
-using contact::TangentialField;
-using contact::UpwindOrder;
 
 /// Displacement at any (also exterior) column and row by summing over all elements.
 void direct(const ContactGrid& grid, const contact::CombinedMaterial& material,
@@ -54,7 +45,7 @@ TEST(Fft, SizesAreEvenSmoothAndLargeEnough) {
 
 TEST(Fft, RoundTripGivesTheFieldBack) {
   const PaddedFft fft(13, 7, 30, 16);
-  const Field field = testing::random_field(ContactGrid::centred(13, 7, 1.0, 1.0), 5).n;
+  const Field field = random_field(ContactGrid::centred(13, 7, 1.0, 1.0), 5).n;
   PaddedFft::Spectrum spectrum;
   fft.forward(field, spectrum);
   Field back;
@@ -67,7 +58,7 @@ TEST(Fft, SpectrumIsTheSumOverAllElements) {
   for (const auto& [nx, ny, px, py] : {std::array{5, 1, 8, 2}, std::array{6, 7, 12, 14},
                                        std::array{4, 19, 10, 20}, std::array{6, 10, 6, 10}}) {
     const PaddedFft fft(nx, ny, px, py);
-    const Field field = testing::random_field(ContactGrid::centred(nx, ny, 1.0, 1.0), 7).n;
+    const Field field = random_field(ContactGrid::centred(nx, ny, 1.0, 1.0), 7).n;
     PaddedFft::Spectrum spectrum;
     fft.forward(field, spectrum);
     for (int kx = 0; kx <= px / 2; ++kx)
@@ -87,7 +78,7 @@ TEST(Fft, SpectrumIsTheSumOverAllElements) {
 TEST(Fft, ThreadsThatPlanAndTransformAtOnceGetWhatOneGets) {
   const auto round_trip = [](int n) {
     const PaddedFft fft(n, n + 3, 2 * n, 2 * n + 6);
-    const Field field = testing::random_field(ContactGrid::centred(n, n + 3, 1.0, 1.0), 9).n;
+    const Field field = random_field(ContactGrid::centred(n, n + 3, 1.0, 1.0), 9).n;
     PaddedFft::Spectrum spectrum;
     Field back;
     fft.forward(field, spectrum);
@@ -118,7 +109,7 @@ class ComplianceOfGrid : public ::testing::TestWithParam<std::pair<int, int>> {
 };
 
 TEST_P(ComplianceOfGrid, EqualsDirectSummation) {
-  const SurfaceField p = testing::random_field(grid, 1);
+  const SurfaceField p = random_field(grid, 1);
   const SurfaceField u = compliance.apply(p);
   const double scale = u.n.cwiseAbs().maxCoeff();
   Field normal;
@@ -143,7 +134,7 @@ TEST_P(ComplianceOfGrid, EqualsDirectSummation) {
 }
 
 TEST_P(ComplianceOfGrid, RollingIsTheUpwindDifferenceUpToTheBorder) {
-  SurfaceField p = testing::random_field(grid, 3);
+  SurfaceField p = random_field(grid, 3);
   p.n.setZero();
   for (const UpwindOrder order : {UpwindOrder::first, UpwindOrder::second}) {
     const TangentialField w = compliance.rolling(order).apply({p.x, p.y});
@@ -167,20 +158,18 @@ TEST_P(ComplianceOfGrid, RollingIsTheUpwindDifferenceUpToTheBorder) {
 
 TEST_P(ComplianceOfGrid, IsSymmetricAndPositiveDefinite) {
   for (unsigned seed = 10; seed < 20; ++seed) {
-    const SurfaceField p = testing::random_field(grid, seed);
-    const SurfaceField q = testing::random_field(grid, seed + 100);
-    const double energy = testing::dot(p, compliance.apply(p));
+    const SurfaceField p = random_field(grid, seed);
+    const SurfaceField q = random_field(grid, seed + 100);
+    const double energy = dot(p, compliance.apply(p));
     EXPECT_GT(energy, 0.0);
-    EXPECT_NEAR(testing::dot(q, compliance.apply(p)), testing::dot(p, compliance.apply(q)),
-                1e-12 * energy);
+    EXPECT_NEAR(dot(q, compliance.apply(p)), dot(p, compliance.apply(q)), 1e-12 * energy);
   }
 }
 
 TEST_P(ComplianceOfGrid, NormalPreconditionerIsSymmetricPositiveDefinite) {
   const contact::NormalOperator& normal = compliance.normal();
   for (unsigned seed = 30; seed < 40; ++seed) {
-    const Field p = testing::random_field(grid, seed).n,
-                q = testing::random_field(grid, seed + 100).n;
+    const Field p = random_field(grid, seed).n, q = random_field(grid, seed + 100).n;
     Field of_p, of_q;
     normal.precondition(p, of_p);
     normal.precondition(q, of_q);

@@ -3,9 +3,8 @@
 #include "halfspace/elasticity/influence.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <gtest/gtest.h>
 
-#include <cmath>
+#include "support/test.hpp"
 
 namespace rollfem::halfspace {
 namespace {

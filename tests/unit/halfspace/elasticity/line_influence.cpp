@@ -4,18 +4,9 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/random_field.hpp"
-#include <cmath>
 
-namespace rollfem {
 namespace {
-
-using contact::ContactGrid;
-using contact::Field;
-using contact::SurfaceField;
-using contact::UpwindOrder;
 
 /// Aluminium on steel.
 contact::CombinedMaterial unlike() {
@@ -61,7 +52,7 @@ TEST(LineInfluence, OfAFourierSumIsThatOfADenseMatrix) {
   const ContactGrid grid = line_of(53);
   const int n = grid.nx;
   const halfspace::HalfspaceCompliance fast(grid, unlike());
-  const SurfaceField p = testing::random_field(grid, 7);
+  const SurfaceField p = random_field(grid, 7);
   const SurfaceField u = fast.apply(p), v = summed(grid, unlike(), p);
   expect_same(u.x, v.x.head(n));
   expect_same(u.y, v.y.head(n));
@@ -96,9 +87,9 @@ TEST(LineInfluence, OfAFourierSumIsThatOfADenseMatrix) {
 TEST(LineInfluence, IsSymmetricAndPositive) {
   const ContactGrid grid = line_of(40);
   const halfspace::HalfspaceCompliance line(grid, unlike());
-  const SurfaceField p = testing::random_field(grid, 1), q = testing::random_field(grid, 2);
-  const double pp = testing::dot(p, line.apply(p));
-  EXPECT_NEAR(testing::dot(p, line.apply(q)), testing::dot(line.apply(p), q), 1e-12 * pp);
+  const SurfaceField p = random_field(grid, 1), q = random_field(grid, 2);
+  const double pp = dot(p, line.apply(p));
+  EXPECT_NEAR(dot(p, line.apply(q)), dot(line.apply(p), q), 1e-12 * pp);
   EXPECT_GT(pp, 0.0);
 }
 
@@ -137,8 +128,8 @@ TEST(LineInfluence, OfFiniteWidthIsPositive) {
   ContactGrid grid = ContactGrid::centred(40, 1, 0.05, 10.0);
   grid.line_reference = contact::infinity;
   const halfspace::HalfspaceCompliance line(grid, unlike());
-  const SurfaceField p = testing::random_field(grid, 1);
-  EXPECT_GT(testing::dot(p, line.apply(p)), 0.0);
+  const SurfaceField p = random_field(grid, 1);
+  EXPECT_GT(dot(p, line.apply(p)), 0.0);
 }
 
 TEST(LineInfluence, AWidenedLineStaysOneRow) {
@@ -149,4 +140,3 @@ TEST(LineInfluence, AWidenedLineStaysOneRow) {
 }
 
 }  // namespace
-}  // namespace rollfem

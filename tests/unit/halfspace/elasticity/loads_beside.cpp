@@ -5,12 +5,7 @@
 #include "halfspace/closed_forms/point_loads.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <utility>
-
-using namespace rollfem;
+#include "support/test.hpp"
 
 namespace {
 

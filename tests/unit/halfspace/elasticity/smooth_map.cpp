@@ -2,17 +2,9 @@
 // Polynomials of a smooth map are reproduced on any grid.
 #include "halfspace/elasticity/smooth_map.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
-
-using namespace rollfem;
-using contact::ContactGrid;
-using contact::Field;
-using contact::SurfaceField;
 
 constexpr halfspace::SmoothBox box{4.0, 9.0, 1.5};
 

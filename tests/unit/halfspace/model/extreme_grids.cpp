@@ -6,21 +6,14 @@
 #include "contact/scene/scene.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"
-#include <cstdlib>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
-
 std::string refused(const std::string& grid) {
   const contact::Case input =
-      contact::parse_case(rollfem::testing::plus("[contact_grid]\n" + grid + "\n"), "case.toml");
+      contact::parse_case(plus("[contact_grid]\n" + grid + "\n"), "case.toml");
   return refusal<contact::InputError>([&] { halfspace::run_halfspace(contact::Scene(input), {}); });
 }
 
@@ -36,8 +29,8 @@ TEST(ExtremeGrids, AreRefusedAtOnce) {
 }
 
 TEST(ExtremeGrids, BeyondTheMemoryOfTheMachineAreRefusedAtOnce) {
-  const contact::Case input = contact::parse_case(
-      rollfem::testing::plus("[contact_grid]\nelements_across = 2000\n"), "case.toml");
+  const contact::Case input =
+      contact::parse_case(plus("[contact_grid]\nelements_across = 2000\n"), "case.toml");
   setenv("ROLLFEM_MEMORY_GB", "5", 1);
   const std::string text =
       refusal<contact::SolveError>([&] { halfspace::run_halfspace(contact::Scene(input), {}); });
@@ -48,8 +41,7 @@ TEST(ExtremeGrids, BeyondTheMemoryOfTheMachineAreRefusedAtOnce) {
 
 TEST(ExtremeGrids, AnAccuracyIsNotClimbedForBeyondThatMemory) {
   const contact::Case input = contact::parse_case(
-      "accuracy = 1e-5\n" + rollfem::testing::plus("[contact_grid]\nelements_across = 20\n"),
-      "case.toml");
+      "accuracy = 1e-5\n" + plus("[contact_grid]\nelements_across = 20\n"), "case.toml");
   setenv("ROLLFEM_MEMORY_GB", "0.04", 1);  // some 6 700 elements
   const contact::ModelResult result = halfspace::run_halfspace(contact::Scene(input), {});
   unsetenv("ROLLFEM_MEMORY_GB");

@@ -6,14 +6,10 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "support/test.hpp"
 
 namespace {
 
-using namespace rollfem;
 using halfspace::EllipseForces;
 using halfspace::roll_ellipse;
 using halfspace::ScaledCreepage;

@@ -4,17 +4,10 @@
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/model.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/profile_scenes.hpp"
 #include "support/worn_pairs.hpp"
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace {
-
-using namespace rollfem;
 
 contact::ModelResult solved(contact::Scene scene, double dx, double dy) {
   scene.contact_grid.cell_size = {{dx, dy}};
@@ -28,7 +21,7 @@ bool warns(const contact::ModelResult& result) {
 }
 
 TEST(WaveErrors, OfNewProfilesAreNone) {
-  const contact::Scene scene = rollfem::testing::left_wheel_scene();
+  const contact::Scene scene = left_wheel_scene();
   for (const double cell : {0.4, 0.8}) {
     const contact::ModelResult result = solved(scene, cell, cell);
     EXPECT_FALSE(halfspace::wave_errors(scene, 0, result.grid, result.points.front())) << cell;
@@ -38,7 +31,7 @@ TEST(WaveErrors, OfNewProfilesAreNone) {
 
 TEST(WaveErrors, AreWhatTheModelChangesOnNarrowerElements) {
   constexpr double cell = 0.4;
-  rollfem::testing::WornPairs pairs(12);
+  WornPairs pairs(12);
   bool any_warning = false;
   for (const unsigned number : {0u, 1u, 2u}) {
     SCOPED_TRACE(number);

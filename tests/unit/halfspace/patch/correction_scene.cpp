@@ -3,14 +3,10 @@
 
 #include "contact/case/case_reader.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/places.hpp"
-#include <string>
+#include "support/test.hpp"
 
 namespace {
-
-using namespace rollfem;
 
 contact::Case case_of(const std::string& name) {
   return contact::read_case(std::string(ROLLFEM_SOURCE_DIR) + "/cases/" + name + ".toml");

@@ -6,24 +6,20 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"
-
-using namespace rollfem;
 
 namespace {
 
 /// Forces of the coarse solutions: 0.3 % against Hertz.
 constexpr double coarse = 3e-3;
 
-rollfem::testing::PatchCase scene(double rail_radius, double separation, double angle) {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+PatchCase scene(double rail_radius, double separation, double angle) {
+  PatchCase input = thesis_case('b');
   input.load = {};
   input.rail.transverse_radius = rail_radius;
-  input.patch = rollfem::testing::circles(405.0, contact::infinity, rail_radius);
+  input.patch = circles(405.0, contact::infinity, rail_radius);
   input.place.emplace();
   input.place->separation = separation;
   input.place->contact_angle = angle;
@@ -35,7 +31,7 @@ rollfem::testing::PatchCase scene(double rail_radius, double separation, double 
 
 /// N at an approach by Hertz.
 double hertz_force(double rail_radius, double approach) {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+  PatchCase input = thesis_case('b');
   input.rail.transverse_radius = rail_radius;
   input.load = {};
   input.load.approach = approach;
@@ -58,7 +54,7 @@ TEST(LoadSharing, TwoEqualPatchesShareEqually) {
 
 TEST(LoadSharing, NearMissIsLoadedOnlyBeyondItsSeparation) {
   // Sinking of the first patch alone at 50 kN, by Hertz: 0.0666 mm.
-  rollfem::testing::PatchCase alone = rollfem::testing::thesis_case('b');
+  PatchCase alone = thesis_case('b');
   alone.rail.transverse_radius = 300.0;
   const double approach = halfspace::hertz_of_scene(alone).approach;
   const auto beyond =
@@ -86,8 +82,7 @@ TEST(LoadSharing, UnequalTiltedPatchesFollowHertzsLaw) {
 }
 
 TEST(LoadSharing, RefusesWhatIsNoScene) {
-  EXPECT_THROW(halfspace::share_load({rollfem::testing::thesis_case('b')}, 50e3),
-               contact::InputError);
+  EXPECT_THROW(halfspace::share_load({thesis_case('b')}, 50e3), contact::InputError);
   EXPECT_THROW(halfspace::share_load({}, 50e3), contact::InputError);
   EXPECT_THROW(halfspace::share_load({scene(300.0, 0.0, 0.0)}, 0.0), contact::InputError);
 }

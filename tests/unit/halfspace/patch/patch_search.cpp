@@ -12,8 +12,6 @@
 #include "halfspace/patch/correction_scene.hpp"
 #include "track/motion/placed_scenes.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/temporary_folder.hpp"
@@ -21,11 +19,8 @@
 #include "support/two_humps.hpp"
 #include "support/worn_wheels.hpp"
 
-using namespace rollfem;
 using halfspace::ExpectedPatch;
 using halfspace::PatchSearch;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 namespace {
 
@@ -34,8 +29,8 @@ constexpr double of_extents = 0.01;
 constexpr double of_area = 0.02;
 constexpr double of_pressure = 0.005;
 
-rollfem::testing::PatchCase with_circles(char name, double reach = 30.0) {
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case(name);
+PatchCase with_circles(char name, double reach = 30.0) {
+  PatchCase input = thesis_case(name);
   input.patch = rollfem::testing::circles(input.wheel.rolling_radius, contact::infinity,
                                           input.rail.transverse_radius, reach);
   return input;
@@ -56,7 +51,7 @@ void expect_like(const ExpectedPatch& found, const ExpectedPatch& exact) {
 }  // namespace
 
 TEST(ExpectedPatch, OfRadiiIsHertzs) {
-  const rollfem::testing::PatchCase input = rollfem::testing::thesis_case('a');
+  const PatchCase input = thesis_case('a');
   const auto hertz = halfspace::hertz_of_scene(input);
   const ExpectedPatch patch = PatchSearch(input).patch();
   EXPECT_DOUBLE_EQ(patch.x_upper, hertz.semi_axis_x);
@@ -68,14 +63,13 @@ TEST(ExpectedPatch, OfRadiiIsHertzs) {
 TEST(ExpectedPatch, OfCirclesIsThatOfTheirRadii) {
   for (const char name : {'a', 'b', 'c'}) {
     SCOPED_TRACE(name);
-    expect_like(PatchSearch(with_circles(name)).patch(),
-                PatchSearch(rollfem::testing::thesis_case(name)).patch());
+    expect_like(PatchSearch(with_circles(name)).patch(), PatchSearch(thesis_case(name)).patch());
   }
 }
 
 TEST(ExpectedPatch, TakesAnApproach) {
-  rollfem::testing::PatchCase circles = with_circles('b');
-  rollfem::testing::PatchCase radii = rollfem::testing::thesis_case('b');
+  PatchCase circles = with_circles('b');
+  PatchCase radii = thesis_case('b');
   circles.load = radii.load = {};
   circles.load.approach = radii.load.approach = 0.05;
   expect_like(PatchSearch(circles).patch(), PatchSearch(radii).patch());
@@ -84,8 +78,8 @@ TEST(ExpectedPatch, TakesAnApproach) {
 TEST(ExpectedPatch, HoldsOverManyOrdersOfTheLoad) {
   for (const double force : {1.0, 1e3, 1e6}) {
     SCOPED_TRACE(force);
-    rollfem::testing::PatchCase circles = with_circles('c', 60.0);
-    rollfem::testing::PatchCase radii = rollfem::testing::thesis_case('c');
+    PatchCase circles = with_circles('c', 60.0);
+    PatchCase radii = thesis_case('c');
     circles.load.normal_force = radii.load.normal_force = force;
     // At 1 MN the patch is 35 mm long and 14 mm wide: circle and parabola differ by 2e-3.
     expect_like(PatchSearch(circles).patch(), PatchSearch(radii).patch());
@@ -93,7 +87,7 @@ TEST(ExpectedPatch, HoldsOverManyOrdersOfTheLoad) {
 }
 
 TEST(ExpectedPatch, TakesTheLargestOfTheLoads) {
-  rollfem::testing::PatchCase input = with_circles('b');
+  PatchCase input = with_circles('b');
   const ExpectedPatch single = PatchSearch(input).patch();
   input.load.normal_force = 30e3;
   input.rolling.creepages.resize(3);
@@ -103,10 +97,10 @@ TEST(ExpectedPatch, TakesTheLargestOfTheLoads) {
 
 TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
   // S1002 on UIC60: stiffer on the side of R80, so that the patch lies on the other.
-  rollfem::testing::PatchCase input = rollfem::testing::thesis_case('b');
+  PatchCase input = thesis_case('b');
   input.load.normal_force = 100e3;
   input.wheel.rolling_radius = 450.0;
-  input.patch = rollfem::testing::s1002_on_uic60(-3.95, 8.58);
+  input.patch = s1002_on_uic60(-3.95, 8.58);
   const ExpectedPatch patch = PatchSearch(input).patch();
   EXPECT_LT(patch.y_middle(), -1.0);
   EXPECT_NEAR(patch.x_middle(), 0.0, 1e-9);
@@ -114,7 +108,7 @@ TEST(ExpectedPatch, IsOffTheContactPointWhereProfilesAreLopsided) {
 }
 
 TEST(ExpectedPatch, ComesNearWithFewElements) {
-  const ExpectedPatch exact = PatchSearch(rollfem::testing::thesis_case('a')).patch();
+  const ExpectedPatch exact = PatchSearch(thesis_case('a')).patch();
   const ExpectedPatch sharp = PatchSearch(with_circles('a')).patch();
   EXPECT_NEAR(sharp.width, exact.width, 0.002 * exact.width);
   EXPECT_NEAR(sharp.max_pressure, exact.max_pressure, 0.002 * exact.max_pressure);
@@ -135,7 +129,7 @@ TEST(ExpectedPatch, IsSearchedOnceForTheSameContact) {
 
 TEST(ExpectedPatch, RefusesAProfileThatEndsWithinThePatch) {
   // Hertz's patch of case b is 6.1 mm wide to each side.
-  const double half = halfspace::hertz_of_scene(rollfem::testing::thesis_case('b')).semi_axis_y;
+  const double half = halfspace::hertz_of_scene(thesis_case('b')).semi_axis_y;
   EXPECT_NO_THROW(PatchSearch(with_circles('b', 1.1 * half)).patch());
   EXPECT_TRUE(says(
       refusal<contact::InputError>([&] { PatchSearch(with_circles('b', 0.9 * half)).patch(); }),
@@ -143,7 +137,7 @@ TEST(ExpectedPatch, RefusesAProfileThatEndsWithinThePatch) {
 }
 
 TEST(ExpectedPatch, RefusesAnApproachThatDoesNotTouch) {
-  rollfem::testing::PatchCase input = with_circles('b');
+  PatchCase input = with_circles('b');
   input.load = {};
   input.load.approach = -0.01;
   EXPECT_THROW(PatchSearch(input).patch(), contact::SolveError);
@@ -152,11 +146,10 @@ TEST(ExpectedPatch, RefusesAnApproachThatDoesNotTouch) {
 TEST(ExpectedPatch, SaysWhichRowsOfSeveralPatchesAreLoaded) {
   // Two equal humps, 30 mm apart, under a cylinder: each carries half, and is as wide as Hertz has
   // it under half the load.
-  const contact::Scene input = rollfem::testing::two_humps(0.0, 50e3);
+  const contact::Scene input = two_humps(0.0, 50e3);
   const ExpectedPatch patch = PatchSearch(input).patch();
   ASSERT_EQ(patch.loaded.size(), 2U);
-  const auto half = halfspace::hertz_from_force(0.5 / rollfem::testing::wheel_over_humps,
-                                                0.5 / rollfem::testing::hump_radius,
+  const auto half = halfspace::hertz_from_force(0.5 / wheel_over_humps, 0.5 / hump_radius,
                                                 contact::combine({}, {}).contact_modulus, 25e3);
   EXPECT_NEAR(patch.covered_width(), 4.0 * half.semi_axis_y, 0.03 * 4.0 * half.semi_axis_y);
   EXPECT_NEAR(patch.loaded[0][0], -15.0 - half.semi_axis_y, 0.05 * half.semi_axis_y);
@@ -186,7 +179,7 @@ TEST(ExpectedPatch, WhatCarriesTheLoadChangesSteadily) {
   double length = 0.0, width = 0.0;
   bool one = false, two = false;
   for (int k = 0; k <= 20; ++k) {
-    const contact::Case input = rollfem::testing::hollow_tread(-1.05 + 0.01 * k);
+    const contact::Case input = hollow_tread(-1.05 + 0.01 * k);
     const ExpectedPatch patch = PatchSearch(track::make_scenes(input).at(0).scene).patch();
     if (k > 0) {
       EXPECT_NEAR(patch.carrying_length, length, 0.01 * length) << k;
@@ -205,11 +198,10 @@ TEST(ExpectedPatch, BodiesAreLaidOutAroundNearMissesToo) {
   constexpr double force = 20e3, half_distance = 6.0;
   const double modulus = contact::combine({}, {}).contact_modulus;
   const auto hertz =
-      halfspace::hertz_from_force(0.5 / rollfem::testing::wheel_over_humps,
-                                  0.5 / rollfem::testing::hump_radius, modulus, force);
+      halfspace::hertz_from_force(0.5 / wheel_over_humps, 0.5 / hump_radius, modulus, force);
   const double displaced = force / (contact::pi * modulus * 2.0 * half_distance);
   const auto search = [&](double lower) {
-    const contact::Scene scene = rollfem::testing::two_humps(lower, force, half_distance);
+    const contact::Scene scene = two_humps(lower, force, half_distance);
     const PatchSearch found(scene);
     EXPECT_EQ(found.patch().loaded.size(), 1U) << lower;
     EXPECT_NEAR(found.box().smaller(), hertz.semi_axis_y, 0.02 * hertz.semi_axis_y) << lower;

@@ -7,15 +7,10 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <gtest/gtest.h>
 
 #include "support/cell_state.hpp"
-#include <cmath>
-#include <vector>
 
 using namespace rollfem::halfspace;
-using namespace rollfem::testing;
-using rollfem::contact::InputError;
 
 namespace {
 

@@ -8,18 +8,14 @@
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/stress/cell_stress.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/cell_state.hpp"
-#include <cmath>
 
-using namespace rollfem;
+namespace {
+
 using halfspace::Body;
 using halfspace::LoadedBody;
 using halfspace::SubsurfaceState;
 using halfspace::Summation;
-
-namespace {
 
 /// Tractions without any symmetry on a patch that leaves part of the grid unloaded.
 LoadedBody example(Body body) {
@@ -49,8 +45,6 @@ halfspace::SubsurfaceLayer plane(const LoadedBody& body, const contact::ContactG
   return halfspace::subsurface_box(body, points, {depth}, summation).front();
 }
 
-}  // namespace
-
 TEST(Subsurface, SumIsThatOfItsElements) {
   const LoadedBody body = example(Body::wheel);
   const double G = contact::shear_modulus(body.material);
@@ -62,7 +56,7 @@ TEST(Subsurface, SumIsThatOfItsElements) {
     for (int j = 0; j < body.grid.ny; ++j)
       for (int i = 0; i < body.grid.nx; ++i) {
         const int k = body.grid.index(i, j);
-        const halfspace::LocalState one = rollfem::testing::rectangle_state(
+        const halfspace::LocalState one = rectangle_state(
             point.x - body.grid.x(i), point.y - body.grid.y(j), point.depth, body.grid.dx,
             body.grid.dy, {body.traction.x[k], body.traction.y[k], body.traction.n[k]}, G, 0.3);
         for (std::size_t c = 0; c < halfspace::component_count; ++c) sum[c] += one[c];
@@ -172,3 +166,5 @@ TEST(Subsurface, WrongInputIsRefused) {
   body.traction.n[4] = std::nan("");
   EXPECT_THROW(halfspace::subsurface_at(body, {{0.0, 0.0, 1.0}}), contact::InputError);
 }
+
+}  // namespace

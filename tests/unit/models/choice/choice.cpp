@@ -5,18 +5,15 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace {
 
-using namespace rollfem;
 using namespace rollfem::modelling;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 /// Errors of a toy on 16 elements across; they fall with 1/n^1.5.
 struct Toy {
@@ -42,6 +39,11 @@ contact::ModelResult result_of(const std::string& name, const Toy& toy, int acro
   return result;
 }
 
+struct Candidate {
+  Forecast forecast;
+  std::function<contact::ModelResult(int across)> solve;
+};
+
 /// Expectations are those of the toys as they are made, seconds 1, 10 and 100 times (n/16)^2.
 std::vector<Candidate> candidates(Toys& toys) {
   std::vector<Candidate> all;
@@ -62,7 +64,7 @@ std::vector<Candidate> candidates(Toys& toys) {
     times *= 10.0;
     all.push_back(std::move(candidate));
   }
-  all[0].estimates_model_error = true;
+  all[0].forecast.estimates_model_error = true;
   all[1].forecast.corrects = "plain";
   all[1].forecast.uncertain_part = 0.1;
   return all;
@@ -76,10 +78,18 @@ Wanted wanted(double accuracy) {
 
 using Solved = std::vector<std::pair<std::string, int>>;
 
-Chosen choose_all(std::vector<std::vector<Candidate>> contacts, const Wanted& what) {
+Chosen choose_all(const std::vector<std::vector<Candidate>>& contacts, const Wanted& what) {
   std::vector<Subject> subjects;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    subjects.push_back({std::move(contacts[c]), 0.3, "contact " + std::to_string(c + 1) + ": "});
+  for (const std::vector<Candidate>& candidates : contacts) {
+    Subject& subject = subjects.emplace_back();
+    for (const Candidate& candidate : candidates) subject.forecasts.push_back(candidate.forecast);
+    subject.solve = [&candidates](const Forecast& model, int across) {
+      const auto same = [&](const Candidate& one) { return one.forecast.model == model.model; };
+      return std::find_if(candidates.begin(), candidates.end(), same)->solve(across);
+    };
+    subject.friction_coefficient = 0.3;
+    subject.name = "contact " + std::to_string(subjects.size()) + ": ";
+  }
   return choose(std::move(subjects), what);
 }
 

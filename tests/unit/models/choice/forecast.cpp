@@ -3,10 +3,7 @@
 // grid.
 #include "models/choice/forecast.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "support/test.hpp"
 
 namespace {
 

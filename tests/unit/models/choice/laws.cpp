@@ -4,16 +4,11 @@
 // and 24 across; seconds of the finite elements as the cases have them).
 #include "models/choice/laws.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <array>
-#include <limits>
 
 namespace {
 
 using namespace rollfem::modelling;
-using rollfem::testing::says;
 
 ContactSize thesis(double half_length, double half_width, double radius_across) {
   ContactSize size;

@@ -3,13 +3,8 @@
 // registers of the processor, whether it knows the processor or not.
 #include "models/fem/fem_library.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
+#include "support/test.hpp"
 #include <dlfcn.h>
-#include <fstream>
-#include <sstream>
-#include <string>
 
 namespace {
 

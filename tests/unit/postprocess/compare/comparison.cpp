@@ -2,22 +2,15 @@
 // Differences, scales and error bars of a comparison, against numbers worked out by hand.
 #include "postprocess/compare/comparison.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "support/test.hpp"
 
 namespace {
 
 using namespace rollfem::postprocess;
 using nlohmann::json;
 
-using rollfem::contact::ModelResult;
-using rollfem::contact::PointResult;
 using Bars = std::map<std::string, double>;
 
 PointResult point(double xi, double p0, double traction, double largest, const Bars& errors) {

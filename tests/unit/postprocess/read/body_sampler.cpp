@@ -5,18 +5,10 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <cmath>
-#include <random>
 
 namespace rollfem::postprocess {
 namespace {
-
-using contact::BodyField;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 /// A block of nx by ny by nz cells over [-3, 3] x [-2, 2] x [-4, 0]: `bend` maps the places.
 template <class Bend, class Field>

@@ -9,22 +9,14 @@
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/places.hpp"
-#include <filesystem>
-#include <fstream>
 
 namespace fs = std::filesystem;
 
 namespace rollfem::postprocess {
 namespace {
-
-using contact::InputError;
-using contact::PointResult;
-using rollfem::testing::says;
 
 class ResultsReaderTest : public ::testing::Test {
  protected:
@@ -46,12 +38,12 @@ class ResultsReaderTest : public ::testing::Test {
   }
 
  private:
-  const testing::TemporaryFolder folder_;
+  const TemporaryFolder folder_;
   int made_ = 0;
 };
 
 RunRecord full_run() {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.input.wheel.material = {207e3, 0.28};
   run.input.rail.material = {211e3, 0.29};
   PointResult& point = run.models[1].points[3];
@@ -173,7 +165,7 @@ TEST_F(ResultsReaderTest, RefusesWhatIsNoWholeResult) {
 
 /// Gives a file that was changed on purpose the checksum of what it is now.
 void seal_again(const std::string& path) {
-  const std::string data = testing::contents(path).substr(seal_size);
+  const std::string data = contents(path).substr(seal_size);
   std::ofstream(path, std::ios::binary) << hdf5_seal(data) << data;
 }
 
@@ -194,13 +186,12 @@ TEST_F(ResultsReaderTest, AFileWithoutAChecksumIsRefused) {
 }
 
 TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
-  if (!testing::python_can_import("h5py"))
+  if (!python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
   const std::string whole = results_hdf5(full_run());
   const auto changed = [&](const std::string& change) {
     const std::string path = file(whole);
-    EXPECT_EQ(testing::python("import sys, h5py\nf = h5py.File(sys.argv[1], 'a')\n" + change, path),
-              "");
+    EXPECT_EQ(python("import sys, h5py\nf = h5py.File(sys.argv[1], 'a')\n" + change, path), "");
     EXPECT_TRUE(says(refusal(path), "its checksum is missing or does not match"));
     seal_again(path);
     return refusal(path);
@@ -238,11 +229,11 @@ TEST_F(ResultsReaderTest, RefusesOtherFormatsAndIncompleteFiles) {
 }
 
 TEST_F(ResultsReaderTest, RefusesDamagedFields) {
-  if (!testing::python_can_import("h5py"))
+  if (!python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
   // Bytes of a compressed field overwritten. (HDF5 does not guard its own structures like that.)
   const std::string path = file(results_hdf5(full_run()));
-  EXPECT_EQ(testing::python(R"(
+  EXPECT_EQ(python(R"(
 import sys, h5py
 with h5py.File(sys.argv[1]) as f:
     chunk = f['models/fem/points/0002/pressure'].id.get_chunk_info(0)
@@ -250,7 +241,7 @@ with open(sys.argv[1], 'r+b') as f:
     f.seek(chunk.byte_offset + chunk.size // 2)
     f.write(b'\xff' * 64)
 )",
-                            path),
+                   path),
             "");
   seal_again(path);
   const std::string said = refusal(path);

@@ -6,23 +6,15 @@
 #include "postprocess/files/seal.hpp"
 #include "postprocess/study/study.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/drawn_pages.hpp"
 #include "support/output_placed_run.hpp"
-#include <cmath>
-#include <fstream>
 
 namespace fs = std::filesystem;
 
 namespace rollfem::postprocess {
 namespace {
 
-using rollfem::testing::says;
-using testing::contents;
-using testing::scripts;
-
-class PagesTest : public testing::DrawnPages {
+class PagesTest : public DrawnPages {
  protected:
   ComparedCase written(const std::string& name, const RunRecord& run) {
     write_results((base_ / name).string(), run);
@@ -37,9 +29,9 @@ class PagesTest : public testing::DrawnPages {
 };
 
 TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   ComparisonRecord record;
-  record.provenance.labels = rollfem::testing::labels;
+  record.provenance.labels = labels;
   record.models = {"hertz", "halfspace", "fem", "strip"};
   record.references = {"halfspace", "fem"};
   record.cases.push_back(written("one", run));
@@ -64,7 +56,7 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
            "largest longitudinal traction |p<sub>x</sub>|<br><span class=d>% of μ p<sub>0</sub>"));
   // Ten figures in the first case, one less in the second without Hertz, and differences against
   // cost.
-  EXPECT_EQ(testing::count(page, "<figure>"), 20U);
+  EXPECT_EQ(count(page, "<figure>"), 20U);
   // Names of the page, not of the program, and no symbols of a terminal.
   EXPECT_FALSE(says(page, "bars of halfspace"));
   EXPECT_FALSE(says(page, " of mu"));
@@ -72,14 +64,14 @@ TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
 }
 
 TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByPlace) {
-  RunRecord run = testing::placed_run(1);  // two patches
+  RunRecord run = placed_run(1);  // two patches
   for (contact::ModelResult& model : run.models) {
     model.points.resize(2);
     if (model.name == "fem" && model.place->patch == 2)
       for (contact::PointResult& point : model.points) point.max_pressure *= 1.3;
   }
   ComparisonRecord record;
-  record.provenance.labels = rollfem::testing::labels;
+  record.provenance.labels = labels;
   record.models = {"halfspace", "fem"};
   record.references = {"halfspace", "fem"};
   record.cases.push_back(written("wheels", run));
@@ -94,7 +86,7 @@ TEST_F(PagesTest, AComparisonOnProfilesShowsWhereTheyTouchAndDifferencesPlaceByP
 
 TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
   StudyRecord study;
-  study.provenance.labels = rollfem::testing::labels;
+  study.provenance.labels = labels;
   study.title = "a <study>";
   study.friction = 0.5;
   StudyPlace place;
@@ -128,7 +120,7 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
       "no order", "exact", "extrapolated", "<th scope=col>largest pressure p<sub>0</sub> [MPa]"));
   EXPECT_TRUE(
       says(page, "model difference from half-space", "+1.80 % of μ"));  // 0.309 and 0.3 at mu = 0.5
-  EXPECT_EQ(testing::count(page, "<figure>"), 3U);
+  EXPECT_EQ(count(page, "<figure>"), 3U);
   for (const char* name : {"values.svg", "speed_error.svg", "error_unknowns.svg"})
     EXPECT_TRUE(says(contents(base_ / "figures" / name), "</svg>")) << name;
 }
@@ -142,7 +134,7 @@ print(*[row['name'] for each in known for row in each['patch'] + each['creep_cur
 )";
 
 TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.input.load.normal_force = 50e3;
   run.input.friction_coefficient = 0.55;
   run.input.wheel.rolling_radius = 405.0;
@@ -163,7 +155,7 @@ TEST_F(PagesTest, PublishedValuesStandBesideTheCaseTheyBelongToOnly) {
 }
 
 TEST_F(PagesTest, PublishedValuesOfProfilesBelongToAPlace) {
-  RunRecord run = testing::placed_run(1);
+  RunRecord run = placed_run(1);
   run.models.resize(2);
   run.input.load.vertical_force = 100e3;
   run.input.friction_coefficient = 0.55;

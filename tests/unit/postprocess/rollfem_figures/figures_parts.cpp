@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Parts of figures and pages, tested one by one in Debian's Python: scales, contours, words, the
 // structure of a page.
-#include <gtest/gtest.h>
-
 #include "support/drawn_pages.hpp"
 #include "support/output_placed_run.hpp"
 
 namespace rollfem::postprocess {
 namespace {
 
-class PartsTest : public testing::DrawnPages {};
+class PartsTest : public DrawnPages {};
 
 TEST_F(PartsTest, AScaleDoesNotBlowUpAConstantAndHasRoundTicks) {
   EXPECT_EQ(said(R"(
@@ -70,7 +68,7 @@ assert labels.plain(labels.math('phi')) == 'φ' and labels.plain(labels.math('p_
 }
 
 TEST_F(PartsTest, APageIsReadByEarAndHasEveryPatchOfARow) {
-  const std::string folder = draw(testing::placed_run(3)).string();
+  const std::string folder = draw(placed_run(3)).string();
   EXPECT_EQ(said(R"(
 import re
 from html.parser import HTMLParser
@@ -128,7 +126,7 @@ RunRecord with_cones(RunRecord run) {
 }
 
 TEST_F(PartsTest, ARowOfShiftsHasItsWheelsetInATableAndAFigure) {
-  const std::string folder = draw(with_cones(testing::placed_run(3))).string();
+  const std::string folder = draw(with_cones(placed_run(3))).string();
   EXPECT_EQ(said(R"(
 import csv, re
 text = open(sys.argv[1] + '/report.html', encoding='utf-8').read()

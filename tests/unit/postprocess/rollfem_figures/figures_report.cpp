@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Figures and report are made from a written result by Debian's Python, whatever the result holds.
-#include <gtest/gtest.h>
-
 #include "support/drawn_pages.hpp"
 #include "support/output_synthetic_run.hpp"
-#include <cstdlib>
-#include <fstream>
 
 namespace fs = std::filesystem;
 
 namespace rollfem::postprocess {
 namespace {
 
-using rollfem::testing::says;
-using testing::contents;
-using testing::scripts;
-
-class FiguresTest : public testing::DrawnPages {};
+class FiguresTest : public DrawnPages {};
 
 TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
-  const fs::path folder = draw(testing::synthetic_run());
+  const fs::path folder = draw(synthetic_run());
   for (const char* name :
        {"creep_curve", "path_x", "path_y", "path_lateral", "outlines", "contact_area",
         "strip_force", "oblique_px_halfspace", "oblique_px_fem"}) {
@@ -34,19 +26,19 @@ TEST_F(FiguresTest, AreAllDrawnAndTheReportHoldsThemWithoutTheNetwork) {
 
   const std::string report = contents(folder / "report.html");
   expect_self_contained(report);
-  EXPECT_EQ(testing::count(report, "<figure>"), 10U);
+  EXPECT_EQ(count(report, "<figure>"), 10U);
   EXPECT_TRUE(says(report, "thesis case a: conforming plane", "578.7", "0.51136", "half-space",
                    "FEM", "446 000", "symmetry plane y = 0 used", "normal_force = 50e3",
                    // headings from what the file says of its scalars
                    "<th scope=row>largest pressure p<sub>0</sub> [MPa]",
                    "<th scope=col>−F<sub>x</sub>/F<sub>z</sub></th>",
                    "<th scope=col>|p<sub>t</sub>| [MPa]</th>", "<th scope=row>contact area [mm²]"));
-  EXPECT_EQ(testing::count(report, "not converged"), 0U);
+  EXPECT_EQ(count(report, "not converged"), 0U);
 }
 
 /// A patch that lies 8 mm beside the contact point, as between tread and flange.
 TEST_F(FiguresTest, LinesGoThroughTheLargestPressureAndObliqueViewsHaveRoomForIt) {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   for (contact::ModelResult& model : run.models) model.grid.y_first += 8.0;
   EXPECT_EQ(said(R"(
 from rollfem_figures import curves, load_points, maps, read_result
@@ -70,7 +62,7 @@ assert panel.y.limits[1] > view(0, model.y[:, None], pressure)[..., 1].max()
 }
 
 TEST_F(FiguresTest, HertzAloneHasNoCreepCurveAndBreaksNothing) {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.models.resize(1);
   const fs::path folder = draw(run);
   for (const char* drawn : {"path_x", "outlines"})
@@ -81,7 +73,7 @@ TEST_F(FiguresTest, HertzAloneHasNoCreepCurveAndBreaksNothing) {
 }
 
 TEST_F(FiguresTest, OnePointWithoutFieldsBreaksNothing) {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.models = {run.models[1]};
   run.models[0].points.resize(2);
   for (contact::PointResult& point : run.models[0].points) point.fields = {};
@@ -110,7 +102,7 @@ contact::SubsurfaceField tension_along(contact::SubsurfaceRequest::Kind kind, bo
 
 TEST_F(FiguresTest, StressAlongLinesIsDrawnAndTheLargestIsTabulated) {
   using Kind = contact::SubsurfaceRequest::Kind;
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   for (contact::ModelResult& model : run.models)
     for (contact::PointResult& point : model.points) {
       if (model.name == "hertz") continue;
@@ -151,7 +143,7 @@ assert first['value'] == 456.7 and first['place'][2] == 1.25
 }
 
 TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.models = {run.models[1]};
   run.models[0].name = "some-new-model";
   run.input.title = "<b>markup</b> & \"quotes\"";
@@ -171,7 +163,7 @@ TEST_F(FiguresTest, LateralCreepageSpinAndAnUnknownModelAreDrawn) {
 
 /// The rise is Vermeulen and Johnson's with the slope 0.55 * 300, the summit a parabola's.
 TEST_F(FiguresTest, AFallingLawIsDrawnWithInitialSlopeAndPeakOfTheCreepCurve) {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.models.pop_back();
   run.input.friction_fall.shape = contact::FallShape::exponential;
   run.input.friction_fall.kinetic_coefficient = 0.2;
@@ -203,13 +195,13 @@ assert np.allclose(np.interp([0, 1000, 1e9], *law.T), [0.55, 0.375, 0.2], rtol=1
 }
 
 TEST_F(FiguresTest, AModelThatDidNotConvergeIsNamed) {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.models[1].points[3].converged = false;
   EXPECT_TRUE(says(contents(draw(run) / "report.html"), "half-space at ξ = 0.2 %"));
 }
 
 TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
-  const fs::path folder = draw(testing::synthetic_run());
+  const fs::path folder = draw(synthetic_run());
   fs::resize_file(folder / "results.h5", fs::file_size(folder / "results.h5") / 2);
   const std::string message = make_report(folder.string(), scripts);
   EXPECT_TRUE(says(message, "is truncated or damaged", "run the case again"));
@@ -219,7 +211,7 @@ TEST_F(FiguresTest, AFileCutShortIsRecognisedAndSaid) {
 }
 
 TEST_F(FiguresTest, ADefectOfThePlottingIsOneLineAndATextInAFile) {
-  const fs::path folder = draw(testing::synthetic_run());
+  const fs::path folder = draw(synthetic_run());
   const fs::path scripts_here = base_ / "rollfem_figures";
   fs::create_directory(scripts_here);
   std::ofstream(scripts_here / "__init__.py") << "";

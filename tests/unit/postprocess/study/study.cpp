@@ -3,18 +3,14 @@
 // study.
 #include "postprocess/study/study.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "support/csv_rows.hpp"
 #include "support/temporary_folder.hpp"
-#include <cmath>
-#include <stdexcept>
 
 namespace {
 
 using namespace rollfem::postprocess;
-using rollfem::testing::says;
 
 /// limit + 0.1 ratio^(-order k)
 std::vector<double> sequence(double order, int levels, double ratio = 2.0, double limit = 3.0) {
@@ -277,7 +273,7 @@ TEST(Study, FilesHoldValuesErrorsOrdersAndTheVerdict) {
                   .get<double>(),
               0.2, 1e-9);
   const std::string csv = study_csv(study);
-  const auto finest = rollfem::testing::csv_records(csv).at(6);
+  const auto finest = csv_records(csv).at(6);
   EXPECT_EQ(finest.at("quantity"), "max_pressure");
   EXPECT_NEAR(std::stod(finest.at("error")), 1.0 / 6400.0, 1e-12);
   EXPECT_NEAR(std::stod(finest.at("order")), 2.0, 1e-9);

@@ -4,23 +4,14 @@
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "support/csv_rows.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/temporary_folder.hpp"
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <limits>
 
 namespace rollfem::postprocess {
 namespace {
-
-using rollfem::testing::says;
-using testing::csv_records;
-using testing::synthetic_run;
 
 double number(const std::string& text) {
   return std::strtod(text.c_str(), nullptr);
@@ -78,7 +69,7 @@ TEST(PathCsv, SumsAlongTheMiddleLinesGiveTheForcePerLength) {
   const RunRecord run = synthetic_run();
   for (const Path path : {Path::x, Path::y}) {
     const auto rows = csv_records(path_csv(run, path));
-    const testing::SyntheticPatch patch;
+    const SyntheticPatch patch;
     double sum = 0.0;
     for (const auto& row : rows)
       if (row.at("model") == "halfspace" && row.at("point") == "3")
@@ -108,11 +99,10 @@ TEST(MiddleLines, AreTheNearestRowOrTheTwoEquallyNearOnes) {
 }
 
 /// The text of the logic_error with which a record is refused, empty when it is not.
-std::string refusal(const RunRecord& run) {
-  const testing::TemporaryFolder folder;
+std::string refused(const RunRecord& run) {
+  const TemporaryFolder folder;
   const std::string result = folder.path("result");
-  const std::string text =
-      rollfem::testing::refusal<std::logic_error>([&] { write_results(result, run); });
+  const std::string text = refusal<std::logic_error>([&] { write_results(result, run); });
   EXPECT_EQ(std::filesystem::exists(result), text.empty());
   return text;
 }
@@ -141,9 +131,9 @@ TEST(WriteResults, RefusesWhatIsNotFiniteDoesNotFitOrMakesNoFileNameAndNamesIt) 
            {[&](auto& m) { m[1].name = "fem"; }, "twice"}}) {
     RunRecord run = synthetic_run();
     change(run.models);
-    EXPECT_TRUE(says(refusal(run), named));
+    EXPECT_TRUE(says(refused(run), named));
   }
-  EXPECT_EQ(refusal(synthetic_run()), "");
+  EXPECT_EQ(refused(synthetic_run()), "");
 }
 
 }  // namespace

@@ -5,30 +5,19 @@
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/output.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/output_in_folder.hpp"
 #include "support/output_synthetic_run.hpp"
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
-#include <vector>
 
 namespace fs = std::filesystem;
 
 namespace rollfem::postprocess {
 namespace {
 
-using contact::InputError;
-using rollfem::testing::says;
-using testing::contents;
-using testing::synthetic_run;
-
-class ResultFolderTest : public testing::InFolder {
+class ResultFolderTest : public InFolder {
  protected:
   std::string target() const { return (base_ / "result").string(); }
   std::size_t entries() const {

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // results.h5 read back with h5py, as users do: fields bit by bit, scalars, units, completeness.
-
 #include "postprocess/write/output.hpp"
-
-#include <gtest/gtest.h>
 
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 namespace rollfem::postprocess {
 namespace {
-
-using rollfem::testing::says;
-using testing::python;
-using testing::python_can_import;
 
 const char* const reading = R"(
 import sys, h5py, numpy
@@ -51,8 +42,8 @@ f.visititems(comment)
 TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
   if (!python_can_import("h5py, numpy"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
-  const RunRecord run = testing::synthetic_run();
-  const testing::TemporaryFolder folder;
+  const RunRecord run = synthetic_run();
+  const TemporaryFolder folder;
   const std::string path = folder.file("results.h5", results_hdf5(run));
   const contact::ModelResult& model = run.models[1];
   const contact::PointResult& point = model.points[3];
@@ -76,7 +67,7 @@ TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
 }
 
 TEST(ResultsHdf5, TheSameRunGivesTheSameBytes) {
-  EXPECT_EQ(results_hdf5(testing::synthetic_run()), results_hdf5(testing::synthetic_run()));
+  EXPECT_EQ(results_hdf5(synthetic_run()), results_hdf5(synthetic_run()));
 }
 
 TEST(ResultsHdf5, TakesARunWithoutModelsPointsOrFields) {

@@ -3,21 +3,16 @@
 #include "postprocess/read/results_reader.hpp"
 #include "postprocess/write/output.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/output_synthetic_run.hpp"
 #include "support/temporary_folder.hpp"
-#include <filesystem>
 
 namespace fs = std::filesystem;
 
 namespace rollfem::postprocess {
-namespace {
-
 TEST(GridFields, ALongListKeepsTheFieldsOfSomeOfItsLoadPoints) {
-  const testing::TemporaryFolder folder;
-  RunRecord run = testing::synthetic_run();
-  run.models = {testing::synthetic_model("halfspace", {}, 12, 12, {0.0, 0.001, 0.002, 0.003})};
+  const TemporaryFolder folder;
+  RunRecord run = synthetic_run();
+  run.models = {synthetic_model("halfspace", {}, 12, 12, {0.0, 0.001, 0.002, 0.003})};
   run.models[0].points.assign(101, run.models[0].points[3]);
   const auto kept = [&](contact::GridFields which, std::size_t count) {
     run.input.output.grid_fields = which;
@@ -52,6 +47,4 @@ TEST(GridFields, ALongListKeepsTheFieldsOfSomeOfItsLoadPoints) {
   run.models[0].points.assign(101, run.models[0].points[3]);
   EXPECT_EQ(kept(GridFields::all, 101).size(), 101U);
 }
-
-}  // namespace
 }  // namespace rollfem::postprocess

@@ -2,33 +2,24 @@
 // Results of several patches: each has its own group, rows and figures, and all say where it is.
 #include "postprocess/write/output.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "support/output_in_folder.hpp"
 #include "support/output_placed_run.hpp"
 #include "support/output_python.hpp"
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
 namespace rollfem::postprocess {
 namespace {
 
-using rollfem::testing::says;
-using testing::contents;
-using testing::scripts;
-
-class PlacesTest : public testing::InFolder {
+class PlacesTest : public InFolder {
  protected:
 };
 
 TEST_F(PlacesTest, SummaryAndTablesSayWhereEveryPatchIs) {
   const fs::path folder = base_ / "result";
-  write_results(folder.string(), testing::placed_run(3));
+  write_results(folder.string(), placed_run(3));
   const auto summary = nlohmann::json::parse(contents(folder / "summary.json"));
   ASSERT_EQ(summary["models"].size(), 8U);
   const auto& last = summary["models"][7];
@@ -54,16 +45,16 @@ TEST_F(PlacesTest, SummaryAndTablesSayWhereEveryPatchIs) {
 }
 
 TEST_F(PlacesTest, TwoResultsOfOnePatchAndModelAreRefused) {
-  RunRecord run = testing::placed_run(2);
+  RunRecord run = placed_run(2);
   run.models.push_back(run.models.front());
   EXPECT_THROW(write_results((base_ / "result").string(), run), std::logic_error);
 }
 
 TEST_F(PlacesTest, ReportHasAFigureOfEveryPatchAndOneOfTheRow) {
-  if (!testing::python_can_import("h5py, numpy"))
+  if (!python_can_import("h5py, numpy"))
     GTEST_SKIP() << "no figures without apt install python3-numpy python3-h5py";
   const fs::path folder = base_ / "result";
-  write_results(folder.string(), testing::placed_run(3));
+  write_results(folder.string(), placed_run(3));
   ASSERT_EQ(make_report(folder.string(), scripts), "");
   for (const char* name : {"pair_left_1", "pair_left_3", "positions", "s1_creep_curve",
                            "s4_contact_area", "s4_oblique_px_fem"})
@@ -75,9 +66,9 @@ TEST_F(PlacesTest, ReportHasAFigureOfEveryPatchAndOneOfTheRow) {
 }
 
 TEST_F(PlacesTest, OnePatchIsReportedAsACaseWithRadii) {
-  if (!testing::python_can_import("h5py, numpy"))
+  if (!python_can_import("h5py, numpy"))
     GTEST_SKIP() << "no figures without apt install python3-numpy python3-h5py";
-  RunRecord run = testing::placed_run(1);
+  RunRecord run = placed_run(1);
   run.models.resize(2);
   const fs::path folder = base_ / "result";
   write_results(folder.string(), run);

@@ -8,28 +8,19 @@
 #include "postprocess/write/output.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "support/csv_rows.hpp"
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/places.hpp"
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
 namespace rollfem::postprocess {
 namespace {
 
-using contact::PointResult;
-using contact::quantities;
-using contact::Quantity;
-using rollfem::testing::says;
-
 /// Another number in every scalar of its first point; the second has none that may be absent.
 RunRecord numbered_run() {
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.models = {run.models[1]};
   run.models[0].points.resize(2);
   double number = 0.25;
@@ -66,15 +57,15 @@ TEST(EveryQuantity, IsInSummaryJsonAndComesBack) {
 
 TEST(EveryQuantity, IsInResultsHdf5WithUnitAndMeaningAndComesBack) {
   const RunRecord run = numbered_run();
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string path = folder.file("quantities.h5", results_hdf5(run));
   const ResultsFile file(path);
   const contact::ModelResult read = file.read(file.models().at(0));
   for (std::size_t k = 0; k < 2; ++k) expect_same(read.points.at(k), run.models[0].points[k]);
 
-  if (!testing::python_can_import("h5py"))
+  if (!python_can_import("h5py"))
     GTEST_SKIP() << "needs /usr/bin/python3 with h5py (apt install python3-h5py)";
-  const std::string printed = testing::python(R"(
+  const std::string printed = python(R"(
 import sys, h5py
 f = h5py.File(sys.argv[1])
 point = f['models/halfspace/points/0000']
@@ -82,7 +73,7 @@ columns = [f['quantities'][n].asstr()[()] for n in ('name', 'title', 'symbol', '
 for row in zip(*columns):
     print('%.17g' % point.attrs[row[0]], *row, sep='\t')
 )",
-                                              path);
+                                     path);
   std::string expected;
   for (const Quantity& quantity : quantities())
     expected += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", *quantity.value(run.models[0].points[0]),
@@ -93,7 +84,7 @@ for row in zip(*columns):
 
 TEST(EveryQuantity, HasAColumnOfCreepCurveCsvWithItsUnit) {
   const RunRecord run = numbered_run();
-  const auto rows = testing::csv_rows(creep_curve_csv(run));
+  const auto rows = csv_rows(creep_curve_csv(run));
   const std::vector<std::string>& names = rows.at(0);
   ASSERT_GT(names.size(), 2 + quantities().size());  // model, point; bars behind
   for (std::size_t k = 0; k < 2; ++k)
@@ -114,7 +105,7 @@ TEST(EveryQuantity, HasItsBarInCreepCurveCsvOrTheWordInItsPlace) {
   run.models[0].points[0].error_estimate = {{"max_pressure", 1.25}};
   run.models[0].points[0].no_bar = {{"approach", "given"}};
   run.models[0].points[0].model_error = {{"semi_axis_x", 0.5}};
-  const auto row = testing::csv_records(creep_curve_csv(run), false).at(0);
+  const auto row = csv_records(creep_curve_csv(run), false).at(0);
   EXPECT_EQ(row.at("error_estimate max_pressure [MPa]"), "1.25");
   EXPECT_EQ(row.at("error_estimate approach [mm]"), "given");
   EXPECT_EQ(row.at("error_estimate semi_axis_x [mm]"), "");
@@ -139,7 +130,7 @@ TEST(EveryQuantity, ComesBackFromACheckpoint) {
 
 TEST(EveryQuantity, StandsInTheDocumentation) {
   const auto page = std::filesystem::path(ROLLFEM_SOURCE_DIR) / "docs/results.md";
-  EXPECT_TRUE(says(testing::contents(page), "\n" + contact::quantities_markdown() + "\n"))
+  EXPECT_TRUE(says(contents(page), "\n" + contact::quantities_markdown() + "\n"))
       << "docs/results.md does not hold the table; do: put there what `rollfem docs quantities` "
          "prints";
 }

@@ -3,23 +3,12 @@
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/vtu.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <sstream>
 
 namespace rollfem::postprocess {
 namespace {
-
-using rollfem::testing::says;
-using testing::python;
-using testing::python_can_import;
-using testing::python_on;
 
 /// Prints every array as "name components count sum", decoded with Python's standard library.
 const char* const decode = R"(
@@ -56,8 +45,8 @@ if g.GetCell(0).GetClassName() == 'vtkHexahedron':
 )";
 
 std::string rail_vtu() {
-  const contact::BodyValues values = testing::synthetic_values();
-  return BodyVtu(testing::synthetic_body("rail")).text(&values);
+  const contact::BodyValues values = synthetic_values();
+  return BodyVtu(synthetic_body("rail")).text(&values);
 }
 
 TEST(BodyVtu, DecodesToTheSameNumbers) {
@@ -70,7 +59,7 @@ TEST(BodyVtu, DecodesToTheSameNumbers) {
 
 TEST(ContactVtu, DecodesToTheSameNumbersOverManyBlocks) {
   if (!python_can_import("zlib")) GTEST_SKIP() << "needs /usr/bin/python3";
-  const contact::ModelResult model = testing::synthetic_model("halfspace", {}, 201, 301, {0.002});
+  const contact::ModelResult model = synthetic_model("halfspace", {}, 201, 301, {0.002});
   const contact::PointResult& point = model.points[0];
   const std::string printed = python_on(decode, "contact.vtu", contact_vtu(model.grid, point));
   double sum = 0.0;
@@ -85,7 +74,7 @@ TEST(Vtu, IsReadByVtk) {
     GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
   std::string printed = python_on(vtk_reading, "body.vtu", rail_vtu());
   EXPECT_TRUE(says(printed, "12 2 vtkHexahedron", "stress [MPa] 6", "volumes (1.0, 1.0)"));
-  const contact::ModelResult model = testing::synthetic_model("halfspace", {}, 21, 31, {0.002});
+  const contact::ModelResult model = synthetic_model("halfspace", {}, 21, 31, {0.002});
   printed = python_on(vtk_reading, "contact.vtu", contact_vtu(model.grid, model.points[0]));
   EXPECT_TRUE(says(printed, "704 651 vtkQuad",
                    "state (0 exterior, 1 adhesion, 2 slip, 3 plastic) 1 (0.0, 2.0)"));
@@ -109,8 +98,8 @@ for d in root.iter('DataSet'):
 TEST(Series, OfAllLoadPointsIsReadByVtk) {
   if (!python_can_import("vtkmodules.vtkIOXML"))
     GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
-  const RunRecord run = testing::synthetic_run();
-  const testing::TemporaryFolder folder;
+  const RunRecord run = synthetic_run();
+  const TemporaryFolder folder;
   write_results(folder.path("result"), run);
   const std::string printed =
       python(series_reading, folder.path("result") + "/fields/halfspace_contact.pvd");
@@ -148,9 +137,9 @@ for d in root.iter('DataSet'):
 TEST(Series, OfTheBodiesIsReadByVtk) {
   if (!python_can_import("vtkmodules.vtkIOXML"))
     GTEST_SKIP() << "VTK's Python module is not installed (apt install python3-vtk9)";
-  RunRecord run = testing::synthetic_run();
+  RunRecord run = synthetic_run();
   run.models[2].points[1].bodies.clear();  // what keeps none is not in the series
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_results(folder.path("result"), run);
   const std::filesystem::path fields = folder.path("result") + "/fields";
   std::istringstream lines(python(bodies_reading, fields / "fem_bodies.pvd"));

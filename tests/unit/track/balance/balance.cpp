@@ -2,17 +2,12 @@
 // The start of a balance: wheels placed once, for a check of the case and for the balance.
 #include "track/balance/balance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/wheel_rail_cases.hpp"
-#include <algorithm>
 
 namespace {
 
-using namespace rollfem;
-
 contact::Case free_left_wheel() {
-  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
+  contact::Case input = manchester_case(2.0, 0.0048);
   input.wheel.profile.name = "S1002";
   input.rail.profile.name = "UIC60-manchester";
   input.wheelset.side = contact::WheelSide::left;

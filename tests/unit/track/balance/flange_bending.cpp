@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bending of a flange under shared load, against finite elements of the sections of wheel and rail.
-#include "track/balance/flange_bending.hpp"
-
 #include "track/balance/balance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/wheel_rail_cases.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-
 /// S1002 on UIC60, flange and root under 50 kN at a yaw of 30 mrad.
 contact::Case two_contacts(double lateral_shift) {
-  contact::Case input = rollfem::testing::manchester_case(lateral_shift, 0.0);
+  contact::Case input = manchester_case(lateral_shift, 0.0);
   input.wheel.profile.name = "S1002";
   input.rail.profile.name = "UIC60-manchester";
   input.wheelset.side = contact::WheelSide::right;

@@ -7,15 +7,10 @@
 #include "halfspace/model/model.hpp"
 #include "track/balance/position.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/worn_wheels.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using contact::Creepage;
 using track::FrictionForce;
 using track::PressedWheel;
 
@@ -29,7 +24,7 @@ contact::Case on_grid(contact::Case input, int across = 16) {
 }
 
 TEST(PressedWheel, OfOneContactIsTheModelHalfspace) {
-  contact::Case input = on_grid(rollfem::testing::hollow_tread(1.0));
+  contact::Case input = on_grid(hollow_tread(1.0));
   input.load = {};
   input.load.normal_force = 80e3;
   input.rolling.given = {true, true, true};
@@ -68,7 +63,7 @@ struct OnTrack {
 };
 
 TEST(PressedWheel, OfTwoPlanesIsTheSumOfBothUnderOneMotion) {
-  contact::Case input = on_grid(rollfem::testing::steep_flange(-4.3));
+  contact::Case input = on_grid(steep_flange(-4.3));
   const PressedWheel wheel = pressed(input);
   ASSERT_EQ(wheel.state().contacts, 2);
   // The wheelset's motion gives both contacts their creepages.
@@ -108,7 +103,7 @@ TEST(PressedWheel, IsOddWhereItsSurfaceBringsNoSlip) {
   const Creepage creepage{0.0007, -0.0004, 1.5e-4};
   const std::vector<Creepage> both{creepage,
                                    {-creepage.longitudinal, -creepage.lateral, -creepage.spin}};
-  contact::Case input = on_grid(rollfem::testing::hollow_tread(1.0));
+  contact::Case input = on_grid(hollow_tread(1.0));
   const auto sum_of = [&] {
     const auto found = pressed(input).forces(both, contact::coulomb(0.3));
     return std::hypot(found[0].longitudinal + found[1].longitudinal,
@@ -120,7 +115,7 @@ TEST(PressedWheel, IsOddWhereItsSurfaceBringsNoSlip) {
 }
 
 TEST(PressedWheel, ThatHasLeftItsRailIsRefused) {
-  EXPECT_ANY_THROW(pressed(rollfem::testing::hollow_tread(90.0)));
+  EXPECT_ANY_THROW(pressed(hollow_tread(90.0)));
 }
 
 }  // namespace

@@ -4,15 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "track/balance/balance.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
-#include <functional>
-#include <string>
-
-using namespace rollfem;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 
 namespace {
 

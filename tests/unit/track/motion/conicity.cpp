@@ -2,14 +2,7 @@
 // Equivalent conicity of radius differences whose waves are known in closed form.
 #include "track/motion/wheelset_motion.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <utility>
-#include <vector>
-
-using namespace rollfem;
+#include "support/test.hpp"
 
 namespace {
 

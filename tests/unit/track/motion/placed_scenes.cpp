@@ -4,24 +4,17 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
 #include "support/worn_wheels.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 using track::PlacedScene;
 
 std::vector<PlacedScene> scenes_of(const contact::Case& input,
                                    const track::SearchOptions& options = {}) {
-  return make_scenes(input, track::make_search_scene(input, rollfem::testing::manchester_pair()),
-                     options);
+  return make_scenes(input, track::make_search_scene(input, manchester_pair()), options);
 }
 
 /// Tread and flange root of S1002, whose normals differ by 0.16 rad, as contacts of their own.
@@ -38,7 +31,7 @@ std::vector<contact::Creepage> creepages_of(const PlacedScene& placed) {
 }
 
 TEST(Scenes, ComeByPositionWheelAndPatch) {
-  contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
+  contact::Case input = manchester_case(0.0, 0.0);
   input.wheelset.side = contact::WheelSide::both;
   input.wheelset.lateral_shift = {0.0, 5.0};
   input.wheelset.yaw = {0.0, 0.012};
@@ -55,7 +48,7 @@ TEST(Scenes, ComeByPositionWheelAndPatch) {
 }
 
 TEST(Scenes, PatchesOfNearlyOnePlaneAreOneScene) {
-  const auto scenes = scenes_of(rollfem::testing::manchester_case(-5.0, -0.012));
+  const auto scenes = scenes_of(manchester_case(-5.0, -0.012));
   ASSERT_EQ(scenes.size(), 1u);
   EXPECT_EQ(scenes[0].contact.touching.size(), 2u);
   EXPECT_EQ(*scenes[0].scene.points[0].load.force, 10e3);
@@ -67,27 +60,27 @@ TEST(Scenes, FollowTheSurfaceAsFarAsTheirNormalsSpread) {
     EXPECT_EQ(scenes.size(), 1u);
     return scenes.at(0).scene.follows_surface;
   };
-  contact::Case root = rollfem::testing::shallow_root(-13.88);  // normals 0.35 rad apart
+  contact::Case root = shallow_root(-13.88);  // normals 0.35 rad apart
   EXPECT_EQ(followed(root), 1.0);
   root.halfspace.surface = contact::SurfaceForm::planar;
   EXPECT_EQ(followed(root), 0.0);
   root.halfspace.surface = contact::SurfaceForm::automatic;
   root.output.stress_maxima = true;
   EXPECT_EQ(followed(root), 0.0);
-  contact::Case one_rim = rollfem::testing::hollow_tread(1.2);
+  contact::Case one_rim = hollow_tread(1.2);
   EXPECT_EQ(followed(one_rim), 0.0);
   one_rim.halfspace.surface = contact::SurfaceForm::curved;
   EXPECT_EQ(followed(one_rim), 1.0);
   // Rims of 0.1 rad, the more evenly loaded the farther.
-  const double uneven = followed(rollfem::testing::hollow_tread(-0.4));
-  const double even = followed(rollfem::testing::hollow_tread(-0.1));
+  const double uneven = followed(hollow_tread(-0.4));
+  const double even = followed(hollow_tread(-0.1));
   EXPECT_GT(uneven, 0.0);
   EXPECT_GT(even, uneven);
   EXPECT_LT(even, 1.0);
 }
 
 TEST(Scenes, OnePatchCarriesTheVerticalForceByItsNormal) {
-  const auto scenes = scenes_of(rollfem::testing::manchester_case(0.0, 0.0));
+  const auto scenes = scenes_of(manchester_case(0.0, 0.0));
   ASSERT_EQ(scenes.size(), 1u);
   // Which part of it is normal is a matter of friction: the load asks for the vertical itself.
   const contact::NormalLoad& load = scenes[0].scene.points[0].load;
@@ -98,7 +91,7 @@ TEST(Scenes, OnePatchCarriesTheVerticalForceByItsNormal) {
 }
 
 TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
-  contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
+  contact::Case input = manchester_case(-5.0, -0.012);
   const auto scenes = scenes_of(input, apart());
   ASSERT_EQ(scenes.size(), 2u);
   double sum = 0.0;
@@ -113,7 +106,7 @@ TEST(Scenes, SeveralPatchesShareTheVerticalForce) {
 }
 
 TEST(Scenes, NormalForceCannotBeSharedByTwoPatches) {
-  contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
+  contact::Case input = manchester_case(-5.0, -0.012);
   input.load = {};
   input.load.normal_force = 10e3;
   EXPECT_TRUE(says(refusal<contact::InputError>([&] { scenes_of(input, apart()); }), "2 patches",
@@ -121,7 +114,7 @@ TEST(Scenes, NormalForceCannotBeSharedByTwoPatches) {
 }
 
 TEST(Scenes, ApproachIsThatOfTheFirstPatchAndOneSinking) {
-  contact::Case input = rollfem::testing::manchester_case(-5.0, -0.012);
+  contact::Case input = manchester_case(-5.0, -0.012);
   input.load = {};
   input.load.approach = 0.03;
   const auto scenes = scenes_of(input, apart());
@@ -139,7 +132,7 @@ TEST(Scenes, ApproachIsThatOfTheFirstPatchAndOneSinking) {
 }
 
 TEST(Scenes, RotationChangesMakeACreepCurve) {
-  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
+  contact::Case input = manchester_case(2.0, 0.0048);
   input.rolling.creepages.resize(3);
   input.wheelset.rotation_change = {-0.002, 0.0, 0.002};
   const auto scenes = scenes_of(input);
@@ -160,7 +153,7 @@ TEST(Scenes, RotationChangesMakeACreepCurve) {
 }
 
 TEST(Scenes, GivenCreepagesStayAndTheOthersFollowFromTheMotion) {
-  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
+  contact::Case input = manchester_case(2.0, 0.0048);
   input.rolling.creepages = {{0.001, 0.0, 0.0}, {0.002, 0.0, 0.0}};
   input.rolling.given.longitudinal = true;
   const auto curve = creepages_of(scenes_of(input).at(0));
@@ -172,7 +165,7 @@ TEST(Scenes, GivenCreepagesStayAndTheOthersFollowFromTheMotion) {
 }
 
 TEST(Scenes, PrescribedForceStandsInPlaceOfItsCreepage) {
-  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
+  contact::Case input = manchester_case(2.0, 0.0048);
   input.rolling.forces.resize(1);
   input.rolling.forces[0].longitudinal = -100.0;
   const auto creepage = creepages_of(scenes_of(input).at(0)).at(0);

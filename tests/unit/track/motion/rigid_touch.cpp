@@ -6,18 +6,13 @@
 #include "track/motion/placed_scenes.hpp"
 #include "track/motion/wheelset_motion.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/worn_wheels.hpp"
-#include <cmath>
-
-using namespace rollfem;
 
 namespace {
 
 /// Coned wheel that is concave with radius `wheel` on a rail of radius `rail`, mm.
 contact::Case circles(double wheel, double rail) {
-  contact::Case input = rollfem::testing::hollow_tread(0.0);
+  contact::Case input = hollow_tread(0.0);
   input.wheel.profile.radii = {-wheel};
   input.wheel.profile.ends = {-60.0, 60.0};
   input.wheel.profile.slope = -0.05;
@@ -41,13 +36,13 @@ TEST(RigidTouch, CircularProfilesHaveWickensConicity) {
     const contact::Case input = circles(wheel, rail);
     const auto touches = track::rigid_touches(input, track::search_scene_of(input), {0.0, 0.1});
     ASSERT_EQ(touches.size(), 2u);
-    const track::RigidTouch& middle = touches[0].right;
+    const track::RigidWheelset& middle = touches[0];
     EXPECT_NEAR(touches[0].radius_difference(), 0.0, 1e-9);
     EXPECT_NEAR(touches[0].roll, 0.0, 1e-12);
-    const double slope = std::tan(middle.contact_angle);
+    const double slope = std::tan(middle.angle_right);
     ASSERT_GT(slope, 0.06);
-    const double expected = wheel * slope / (wheel - rail) * (middle.y_track + rail * slope) /
-                            (middle.y_track - middle.rolling_radius * slope);
+    const double expected = wheel * slope / (wheel - rail) * (middle.y_track_right + rail * slope) /
+                            (middle.y_track_right - middle.radius_right * slope);
     EXPECT_NEAR(touches[1].radius_difference() / 0.2, expected, 5e-4 * expected) << wheel;
   }
 }
@@ -56,8 +51,8 @@ TEST(RigidTouch, TheOtherSideIsTheMirrorImage) {
   const contact::Case input = circles(300.0, 200.0);
   const auto touches = track::rigid_touches(input, track::search_scene_of(input), {-1.5, 1.5});
   ASSERT_EQ(touches.size(), 2u);
-  EXPECT_NEAR(touches[0].left.rolling_radius, touches[1].right.rolling_radius, 1e-9);
-  EXPECT_NEAR(touches[0].right.contact_angle, touches[1].left.contact_angle, 1e-9);
+  EXPECT_NEAR(touches[0].radius_left, touches[1].radius_right, 1e-9);
+  EXPECT_NEAR(touches[0].angle_right, touches[1].angle_left, 1e-9);
   EXPECT_NEAR(touches[0].roll, -touches[1].roll, 1e-12);
 }
 
@@ -77,14 +72,15 @@ TEST(RigidTouch, ARowHasEveryShiftOnEitherSide) {
   const auto right = track::wheelset_row(input, search, rows, 2.0);
   const auto left = track::wheelset_row(input, search, rows, -2.0);
   ASSERT_TRUE(right && left);
-  EXPECT_NEAR(right->touch.radius_difference(), rows[10].touch.radius_difference(), 1e-9);
-  EXPECT_NEAR(right->wave.value(), rows[10].wave.value(), 1e-6);
-  EXPECT_EQ(left->touch.lateral_shift, -2.0);
-  EXPECT_NEAR(left->touch.radius_difference(), -right->touch.radius_difference(), 1e-12);
-  EXPECT_EQ(left->wave, right->wave);
+  EXPECT_NEAR(right->radius_difference(), rows[10].radius_difference(), 1e-9);
+  EXPECT_NEAR(right->conicity_wave.value(), rows[10].conicity_wave.value(), 1e-6);
+  EXPECT_EQ(left->lateral_shift, -2.0);
+  EXPECT_NEAR(left->radius_difference(), -right->radius_difference(), 1e-12);
+  EXPECT_EQ(left->conicity_wave, right->conicity_wave);
   // Between the steps, near the conicity of both neighbours.
   const auto between = track::wheelset_row(input, search, rows, 2.1);
-  EXPECT_NEAR(between->harmonic.value(), 0.5 * (*rows[10].harmonic + *rows[11].harmonic), 1e-5);
-  EXPECT_FALSE(track::wheelset_row(input, search, rows, 0.0)->wave.has_value());
+  EXPECT_NEAR(between->conicity_harmonic.value(),
+              0.5 * (*rows[10].conicity_harmonic + *rows[11].conicity_harmonic), 1e-5);
+  EXPECT_FALSE(track::wheelset_row(input, search, rows, 0.0)->conicity_wave.has_value());
   EXPECT_FALSE(track::wheelset_row(input, search, rows, 70.0).has_value());
 }

@@ -2,15 +2,10 @@
 // Slip of wheel over rail from the motion of the wheelset, and the forces back on the wheelset.
 #include "track/motion/wheelset_motion.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/wheel_rail_cases.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::contacts_of;
 using track::Motion;
 using track::WheelRailContact;
 
@@ -20,7 +15,7 @@ WheelRailContact contact_of(const contact::Case& input, bool left) {
 
 TEST(Slip, WheelThatDoesNotTurnSlidesForward) {
   for (const bool left : {true, false}) {
-    const auto contact = contact_of(rollfem::testing::manchester_case(2.0, 0.0), left);
+    const auto contact = contact_of(manchester_case(2.0, 0.0), left);
     const auto creepage = track::creepage_of(contact, {0.0, 0.0, 0.0});
     EXPECT_NEAR(creepage.longitudinal, 1.0, 1e-12);
     EXPECT_NEAR(creepage.lateral, 0.0, 1e-12);
@@ -29,7 +24,7 @@ TEST(Slip, WheelThatDoesNotTurnSlidesForward) {
 }
 
 TEST(Slip, StraightRollingSlipsByTheRollingRadiusAndSpinsByTheContactAngle) {
-  contact::Case input = rollfem::testing::manchester_case(2.0, 0.0);
+  contact::Case input = manchester_case(2.0, 0.0);
   input.wheelset.roll = {0.0};
   for (const bool left : {true, false}) {
     const auto contact = contact_of(input, left);
@@ -45,7 +40,7 @@ TEST(Slip, YawMakesLateralCreepageToTheOtherSide) {
   // The wheel rolls to the right, so its surface slips to the left, where the patch's y points;
   // along an inclined tangent the more, as the contact runs ahead: psi / cos(angle).
   for (const bool left : {true, false}) {
-    contact::Case input = rollfem::testing::manchester_case(-3.0, 0.01);
+    contact::Case input = manchester_case(-3.0, 0.01);
     input.load = {};
     input.load.approach = 1e-7;
     const auto contact = contact_of(input, left);
@@ -57,7 +52,7 @@ TEST(Slip, YawMakesLateralCreepageToTheOtherSide) {
 }
 
 TEST(Slip, LateralVelocityToTheRightIsSlipAgainstThePatchesY) {
-  contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
+  contact::Case input = manchester_case(0.0, 0.0);
   for (const bool left : {true, false}) {
     const auto contact = contact_of(input, left);
     input.wheelset.lateral_velocity = 0.0;
@@ -71,7 +66,7 @@ TEST(Slip, LateralVelocityToTheRightIsSlipAgainstThePatchesY) {
 }
 
 TEST(Slip, YawVelocitySpeedsUpTheLeftWheelAndSpinsBoth) {
-  contact::Case input = rollfem::testing::manchester_case(0.0, 0.0);
+  contact::Case input = manchester_case(0.0, 0.0);
   const double rate = 1e-6;
   for (const bool left : {true, false}) {
     const auto contact = contact_of(input, left);
@@ -86,7 +81,7 @@ TEST(Slip, YawVelocitySpeedsUpTheLeftWheelAndSpinsBoth) {
 }
 
 TEST(Slip, AtOtherPlacesIsThatOfARotation) {
-  const contact::Case input = rollfem::testing::manchester_case(2.0, 0.0048);
+  const contact::Case input = manchester_case(2.0, 0.0048);
   for (const bool left : {true, false}) {
     const auto contact = contact_of(input, left);
     const Motion motion = track::motion_of(input, 0.0);
@@ -104,7 +99,7 @@ TEST(Slip, AtOtherPlacesIsThatOfARotation) {
 
 TEST(Slip, AgreesWithTheMovementOfAMaterialPoint) {
   // Turn the wheelset by a small angle about its axle, move it, and see where the point went.
-  const contact::Case input = rollfem::testing::manchester_case(-6.0, 0.012);
+  const contact::Case input = manchester_case(-6.0, 0.012);
   const auto contact = contact_of(input, true);
   const Motion motion{1.002 / 460.0, 0.0, 0.0};
   const double step = 1e-4;
@@ -141,7 +136,7 @@ TEST(Force, VerticalForceOfManchesterCaseOneIsTenKilonewtons) {
 }
 
 TEST(Force, VerticalForceIsThatOfTheFrame) {
-  const contact::Case input = rollfem::testing::manchester_case(-6.0, 0.0);
+  const contact::Case input = manchester_case(-6.0, 0.0);
   for (const bool left : {true, false}) {
     const auto contact = contact_of(input, left);
     const double up = -(1000.0 * contact.normal[2] + 300.0 * contact.across[2]);
@@ -152,7 +147,7 @@ TEST(Force, VerticalForceIsThatOfTheFrame) {
 TEST(Force, DrivesByItsArmAndPowerIsSlip) {
   // Work of the tangential forces on the wheel per distance is force times slip; of it, moment
   // times rotation plus the forward force.
-  const contact::Case input = rollfem::testing::manchester_case(-6.0, 0.01);
+  const contact::Case input = manchester_case(-6.0, 0.01);
   for (const bool left : {true, false})
     for (const auto& contact : contacts_of(input, left)) {
       const track::PatchForce force{-700.0, 400.0, 9000.0, 1200.0};

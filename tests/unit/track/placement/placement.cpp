@@ -4,17 +4,11 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::refusal;
-using rollfem::testing::says;
 using track::RailPlace;
 
 contact::Track track_of(double inclination) {
@@ -34,15 +28,14 @@ TEST(RailPlace, FaceOfAnUprightRailIsHalfTheGaugeFromTheMiddle) {
 TEST(RailPlace, ManchesterRailStandsWhereTheBenchmarkPutsIt) {
   // Crown of the upright rail at (-7.49170, 0.09371) of the benchmark's frame, which CONTACT puts
   // 760.5326 from the middle (profiles.md, manchester_left.csv: y_track + y_rail).
-  const RailPlace place =
-      track::rail_place(rollfem::testing::manchester_pair().rail, track_of(1.0 / 40.0));
+  const RailPlace place = track::rail_place(manchester_pair().rail, track_of(1.0 / 40.0));
   EXPECT_NEAR(place.shift_y + 7.49170, 760.5326, 2e-4);
   EXPECT_NEAR(place.shift_z, 0.09371, 1e-5);
   EXPECT_NEAR(place.angle, -std::atan(0.025), 1e-15);
 }
 
 TEST(RailPlace, TopOfTheInclinedRailIsLevelAndItsFootLeansOut) {
-  const auto rail = rollfem::testing::manchester_pair().rail;
+  const auto rail = manchester_pair().rail;
   for (const double inclination : {0.0, 1.0 / 40.0, 1.0 / 20.0}) {
     const RailPlace place = track::rail_place(rail, track_of(inclination));
     const auto placed = track::place_rail(rail, place);
@@ -63,7 +56,7 @@ TEST(RailPlace, TopOfTheInclinedRailIsLevelAndItsFootLeansOut) {
 }
 
 TEST(RailPlace, ProfileCoordinatesComeBack) {
-  const auto rail = rollfem::testing::manchester_pair().rail;
+  const auto rail = manchester_pair().rail;
   const RailPlace place = track::rail_place(rail, track_of(1.0 / 20.0));
   const auto placed = track::place_rail(rail, place);
   for (const double part : {0.1, 0.5, 0.83}) {
@@ -75,8 +68,8 @@ TEST(RailPlace, ProfileCoordinatesComeBack) {
 }
 
 TEST(RailPlace, RefusesAProfileThatEndsAboveTheGaugeHeight) {
-  const auto flat = rollfem::testing::profile_of([](double y) { return y * y / 600.0; },
-                                                 [](double y) { return y / 300.0; }, -30.0, 30.0);
+  const auto flat = profile_of([](double y) { return y * y / 600.0; },
+                               [](double y) { return y / 300.0; }, -30.0, 30.0);
   EXPECT_TRUE(says(refusal<contact::InputError>([&] { track::rail_place(flat, track_of(0.0)); }),
                    "ends 1.5 mm below its top", "do: "));
 }

@@ -4,23 +4,18 @@
 
 #include "contact/base/errors.hpp"
 
-#include <gtest/gtest.h>
-
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem;
-using rollfem::testing::contacts_of;
 using track::WheelRailContact;
 
 constexpr double radius = 460.0, rail_radius = 80.0;
 
 /// A load so small that the patch is a point.
 contact::Case light_case(double shift, double yaw) {
-  contact::Case input = rollfem::testing::manchester_case(shift, yaw);
+  contact::Case input = manchester_case(shift, yaw);
   input.load = {};
   input.load.approach = 1e-7;
   input.track.inclination = 0.0;
@@ -38,7 +33,7 @@ class SphereOnCylinder : public ::testing::TestWithParam<std::array<double, 3>> 
   const double shift_ = GetParam()[0], yaw_ = GetParam()[1], roll_ = GetParam()[2];
   contact::Case input_ = light_case(shift_, yaw_);
   const track::SearchScene scene_ =
-      track::make_search_scene(input_, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
+      track::make_search_scene(input_, sphere_on_cylinder(radius, rail_radius));
 };
 
 TEST_P(SphereOnCylinder, TouchesOnTheLineBetweenTheCentres) {
@@ -99,8 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Poses, SphereOnCylinder,
 TEST(Roll, IsFoundSuchThatBothSpheresTouch) {
   // Spheres about the ends of the axle: the centres stand on circles about the rails' middles.
   const contact::Case input = light_case(6.0, 0.0);
-  const auto scene =
-      track::make_search_scene(input, rollfem::testing::sphere_on_cylinder(radius, rail_radius));
+  const auto scene = track::make_search_scene(input, sphere_on_cylinder(radius, rail_radius));
   const track::WheelsetPose pose = find_pose(input, scene, 1);
   const double reach = radius + rail_radius;
   const auto height = [&](double sign) {
@@ -114,24 +108,23 @@ TEST(Roll, IsFoundSuchThatBothSpheresTouch) {
 TEST(Origin, AWheelMeasuredFromTheBackOfItsFlangeIsPlacedTheSame) {
   // From the tread to the flange, and one that has climbed onto its tip.
   for (const double shift : {0.0, -6.0, 9.0, 24.0}) {
-    const contact::Case given = rollfem::testing::manchester_case(shift, 0.01);
+    const contact::Case given = manchester_case(shift, 0.01);
     contact::Case from_back = given;
     from_back.wheelset.flange_back_position = 0.0;
-    track::ProfilePair pair = rollfem::testing::manchester_pair();
+    track::ProfilePair pair = manchester_pair();
     const auto scene = track::make_search_scene(given, pair);
     pair.wheel = pair.wheel.moved(0.0, 70.0, 0.0);
     const auto scene_from_back = track::make_search_scene(from_back, pair);
     for (const bool left : {true, false}) {
       if (shift > 20.0 && !left) {
         const auto message = [](const contact::Case& input, const track::SearchScene& of) {
-          return rollfem::testing::refusal<contact::SolveError>([&] {
+          return refusal<contact::SolveError>([&] {
             track::WheelsetPose pose{24.0, 0.0, 0.0, 0.0};
             touching_gap(input, of, pose, 1, false);
           });
         };
-        EXPECT_TRUE(rollfem::testing::says(message(given, scene), "on the tip of its flange"));
-        EXPECT_TRUE(rollfem::testing::says(message(from_back, scene_from_back),
-                                           "on the tip of its flange"));
+        EXPECT_TRUE(says(message(given, scene), "on the tip of its flange"));
+        EXPECT_TRUE(says(message(from_back, scene_from_back), "on the tip of its flange"));
       }
       if (shift > 20.0) continue;
       const auto one = contacts_of(given, scene, left);
@@ -149,9 +142,9 @@ TEST(Origin, AWheelMeasuredFromTheBackOfItsFlangeIsPlacedTheSame) {
 }
 
 TEST(Mirror, RightWheelIsTheMirrorImageOfTheLeftOne) {
-  const contact::Case input = rollfem::testing::manchester_case(3.3, 0.008);
-  const contact::Case mirrored = rollfem::testing::manchester_case(-3.3, -0.008);
-  const auto scene = track::make_search_scene(input, rollfem::testing::manchester_pair());
+  const contact::Case input = manchester_case(3.3, 0.008);
+  const contact::Case mirrored = manchester_case(-3.3, -0.008);
+  const auto scene = track::make_search_scene(input, manchester_pair());
   const auto left = contacts_of(input, scene, true);
   const auto right = contacts_of(mirrored, scene, false);
   ASSERT_EQ(left.size(), right.size());
@@ -174,9 +167,8 @@ TEST(Mirror, RightWheelIsTheMirrorImageOfTheLeftOne) {
 track::ProfilePair two_humps(double depth) {
   const auto z = [=](double y) { return depth * std::pow(y * y / 25.0 - 1.0, 2); };
   const auto slope = [=](double y) { return depth * 4.0 * y / 25.0 * (y * y / 25.0 - 1.0); };
-  return {rollfem::testing::profile_of([](double) { return 0.0; }, [](double) { return 0.0; },
-                                       -70.0, 80.0),
-          rollfem::testing::profile_of(z, slope, -40.0, 40.0)};
+  return {profile_of([](double) { return 0.0; }, [](double) { return 0.0; }, -70.0, 80.0),
+          profile_of(z, slope, -40.0, 40.0)};
 }
 
 TEST(Patches, TwoHumpsAreOneContactWhetherTheyMeetOrNot) {
@@ -232,9 +224,8 @@ TEST(Patches, PlaneIsThatOfTheWholeOverlap) {
   const auto z = [](double y) { return y * y / (y < 0.0 ? 100.0 : 600.0); };
   const auto slope = [](double y) { return 2.0 * y / (y < 0.0 ? 100.0 : 600.0); };
   const track::ProfilePair pair{
-      rollfem::testing::profile_of([](double) { return 0.0; }, [](double) { return 0.0; }, -70.0,
-                                   80.0),
-      rollfem::testing::profile_of(z, slope, -45.0, 45.0)};
+      profile_of([](double) { return 0.0; }, [](double) { return 0.0; }, -70.0, 80.0),
+      profile_of(z, slope, -45.0, 45.0)};
   contact::Case input = light_case(0.0, 0.0);
   input.wheelset.roll = {0.0};
   input.load.approach = 0.06;
@@ -276,11 +267,10 @@ TEST(Patches, HumpThatDoesNotTouchIsANearMissWithItsSeparation) {
 TEST(Load, EstimateIsCloseToHertzForASphereOnACylinder) {
   // Equal radii 460: a sphere of radius 460 on a plane has R = 460 both ways.
   contact::Case input = light_case(0.0, 0.0);
-  const auto flat =
-      track::ProfilePair{rollfem::testing::sphere_on_cylinder(radius, rail_radius).wheel,
-                         rollfem::testing::profile_of(
-                             [](double y) { return 2e-7 * std::pow(y, 5) * y / 40.0; },
-                             [](double y) { return 12e-7 * std::pow(y, 5) / 40.0; }, -45.0, 45.0)};
+  const auto flat = track::ProfilePair{
+      sphere_on_cylinder(radius, rail_radius).wheel,
+      profile_of([](double y) { return 2e-7 * std::pow(y, 5) * y / 40.0; },
+                 [](double y) { return 12e-7 * std::pow(y, 5) / 40.0; }, -45.0, 45.0)};
   const auto scene = track::make_search_scene(input, flat);
   input.load = {};
   input.load.vertical_force = 10e3;

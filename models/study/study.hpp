@@ -6,8 +6,11 @@
 #include "contact/case/case.hpp"
 #include "contact/solve/model.hpp"
 #include "models/solving/case_scenes.hpp"
+#include "models/solving/solving.hpp"
+#include "postprocess/files/checkpoint_folder.hpp"
 #include "postprocess/study/study.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +26,7 @@ struct LevelPlan {
 /// case.
 struct StudyWishes {
   std::vector<std::string> models;
+  bool all() const { return models == std::vector<std::string>{"all"}; }
   std::vector<std::string> vary;  ///< grid, cell, degree, domain; empty: the model's default
   bool together = false;          ///< refine all of `vary` at once, not one at a time
   int levels = 0;                 ///< 0: the model's default
@@ -65,5 +69,37 @@ bool can_vary(const contact::ModelInfo& model, const std::string& word);
 std::vector<LevelPlan> level_plans(const contact::ModelInput& input,
                                    const contact::ModelInfo& model,
                                    const std::vector<std::string>& vary, bool together, int levels);
+
+// Runs a refinement study: every model of every place on its levels.
+
+/// How the levels of a study are solved.
+struct StudyRun {
+  Solving how;
+  postprocess::CheckpointFolder* kept = nullptr;  ///< of the first process; may be null
+  std::function<void(const std::string&)> say = [](const std::string&) {};
+};
+
+class Study {
+ public:
+  /// Places the wheels of a case with profiles. Throws contact::InputError for wishes that the case
+  /// does not meet.
+  Study(StudyWishes wishes, const contact::Case& input, const contact::ModelRegistry& known,
+        postprocess::Provenance provenance, const contact::Progress& progress);
+
+  /// Adds the series of all models. Levels that fail are part of their series. Every process of a
+  /// parallel run calls it.
+  void solve(const StudyRun& run);
+  /// Adds what `auto` would choose, and drops places without series. Returns the failures of all
+  /// series in one text; throws contact::SolveError when no level at all was solved.
+  std::string finish(const Solving& how);
+
+  const postprocess::StudyRecord& record() const { return record_; }
+
+ private:
+  StudyWishes wishes_;
+  Scenes scenes_;
+  std::vector<std::string> models_;
+  postprocess::StudyRecord record_;
+};
 
 }  // namespace rollfem::modelling
