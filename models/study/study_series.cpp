@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <exception>
+#include <mutex>
 #include <optional>
 #include <tuple>
 
@@ -181,12 +184,26 @@ StudySeries run_series(const LevelPlan& plan, const std::string& place,
   const contact::ModelInfo& model = work.how.models->at(series.model);
   series.measures_others = model.name == work.how.models->reference().name;
   series.limit_of_its_own = !model.half_spaces;
-  if (!parallel(plan, work) && !work.how.first) return series;
-  for (std::size_t k = 0; k < plan.levels.size(); ++k) {
+  const bool on_all_threads = parallel(plan, work);
+  if (!on_all_threads && !work.how.first) return series;
+  std::vector<StudyLevel> levels(plan.levels.size());
+  std::vector<std::exception_ptr> errors(levels.size());
+  const auto solve = [&](std::size_t k) {
+    if (!work.how.share.holds(k)) return;
+    try {
+      levels[k] = level_of(plan, plan.levels[k], series, place, notes, work);
+    } catch (const contact::Failure&) {
+      errors[k] = std::current_exception();
+    }
+  };
+  if (!on_all_threads) contact::for_each_index(levels.size(), solve);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
     if (!work.how.share.holds(k)) continue;
     const contact::RefinedInput& wanted = plan.levels[k];
+    if (on_all_threads) solve(k);
     try {
-      series.levels.push_back(level_of(plan, wanted, series, place, notes, work));
+      if (errors[k]) std::rethrow_exception(errors[k]);
+      series.levels.push_back(std::move(levels[k]));
       continue;
     } catch (const contact::Failure& error) {
       if (!work.how.together) throw;  // the others may be inside a collective call
@@ -226,7 +243,11 @@ void run_place(const StudyWishes& wishes, const std::vector<std::string>& models
                StudyPlace& place, StudyRun work) {
   const std::string name = place_name(place);
   const auto say = work.say;
-  work.say = [&](const std::string& text) { say(name.empty() ? text : name + ": " + text); };
+  std::mutex one_at_a_time;
+  work.say = [&](const std::string& text) {
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    say(name.empty() ? text : name + ": " + text);
+  };
   for (const std::string& model : models)
     for (const LevelPlan& plan : level_plans(scene, work.how.models->at(model), wishes.vary,
                                              wishes.together, wishes.levels)) {
