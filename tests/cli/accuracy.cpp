@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The key accuracy through the program: it is reached, or the results are written with status 1.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
 #include "support/program.hpp"
 
 namespace {
 
-using namespace rollfem::testing;
-
 std::string with_accuracy(const std::string& accuracy) {
-  return "models = [\"halfspace\"]\naccuracy = " + accuracy + "\n" + small_case +
-         "[rolling]\nlongitudinal_creepage = 0.001\n[contact_grid]\nelements_across = 10\n";
+  return "models = [\"halfspace\"]\naccuracy = " + accuracy + "\n" + rolling("0.001", 10);
 }
 
-TEST(Accuracy, IsReachedByAsManyElementsAsItTakes) {
-  const Folder folder;
+using Accuracy = ProgramTest;
+
+TEST_F(Accuracy, IsReachedByAsManyElementsAsItTakes) {
   const std::string file = folder.file("case.toml", with_accuracy("0.005"));
-  done(folder, {"run", file, "-o", "out", "--no-report"});
+  done({"run", file, "-o", "out", "--no-report"});
   const auto summary = folder.json("out/summary.json");
   const auto& point = summary["models"][0]["points"][0];
   const auto& errors = point["error_estimate"];
@@ -28,23 +23,19 @@ TEST(Accuracy, IsReachedByAsManyElementsAsItTakes) {
   EXPECT_GT(summary["models"][0]["contact_elements"].get<int>(), 320);
 }
 
-TEST(Accuracy, NotReachedIsAFailureWhoseResultsAreThere) {
-  const Folder folder;
+TEST_F(Accuracy, NotReachedIsAFailureWhoseResultsAreThere) {
   const std::string file = folder.file("case.toml", with_accuracy("1e-5"));
-  const Outcome outcome = call(folder, {"run", file, "-o", "out", "--no-report", "-q"});
+  const Outcome outcome = call({"run", file, "-o", "out", "--no-report", "-q"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(says(outcome.err, "the results were written, but model halfspace: accuracy = 1e-05"));
   EXPECT_TRUE(folder.holds("out/summary.json"));
   EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 
-TEST(Accuracy, OfWhatIsNotAQuantityIsAnInputError) {
-  const Folder folder;
+TEST_F(Accuracy, OfWhatIsNotAQuantityIsAnInputError) {
   const std::string file =
       folder.file("case.toml", "accuracy = 0.01\naccuracy_of = [\"beauty\"]\n" + small_case);
-  const Outcome outcome = call(folder, {"check", file});
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_TRUE(says(outcome.err, "accuracy_of"));
+  refuses({"check", file}, "accuracy_of");
 }
 
 }  // namespace

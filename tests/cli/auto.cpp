@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The model auto through the program: its choice at 5, 1 and 0.2 %, and where the choice is
 // reported.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/resume.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem::testing;
 
 /// A nearly circular patch, one load point: the model error of the half-space is 0.6 % of mu.
 const std::string quick = with("2000.0", "500.0") + "[rolling]\nlongitudinal_creepage = 0.001\n";
 
 nlohmann::json model_of(const Folder& folder, const std::string& text, int status = 0) {
   const Outcome outcome =
-      call(folder, {"run", folder.file("case.toml", text), "-o", "out", "--no-report", "-q"});
+      folder.call({"run", folder.file("case.toml", text), "-o", "out", "--no-report", "-q"});
   EXPECT_EQ(outcome.status, status) << outcome.err;
   return folder.json("out/summary.json")["models"][0];
 }
@@ -37,8 +31,9 @@ void expect_within(const nlohmann::json& model, double accuracy) {
         << name;
 }
 
-TEST(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
-  const Folder folder;
+using Auto = ProgramTest;
+
+TEST_F(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
   int elements = 0;
   for (const double accuracy : {0.05, 0.01}) {
     const std::string asked =
@@ -57,8 +52,7 @@ TEST(Auto, IsTheDefaultAndTakesAHalfSpaceWhereThatDoes) {
   }
 }
 
-TEST(Auto, TakesTheHalfSpaceForALineContact) {
-  const Folder folder;
+TEST_F(Auto, TakesTheHalfSpaceForALineContact) {
   const nlohmann::json model = model_of(
       folder,
       "[load]\nnormal_force = 500.0\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = "
@@ -71,15 +65,13 @@ TEST(Auto, TakesTheHalfSpaceForALineContact) {
   EXPECT_NEAR(model["points"][0]["max_pressure"].get<double>(), pressure, 0.01 * pressure);
 }
 
-TEST(Auto, SaysWhatItTookOnTheScreen) {
-  const Folder folder;
+TEST_F(Auto, SaysWhatItTookOnTheScreen) {
   const Outcome outcome =
-      done(folder, {"run", folder.file("case.toml", quick), "--model", "auto", "--no-report"});
+      done({"run", folder.file("case.toml", quick), "--model", "auto", "--no-report"});
   EXPECT_TRUE(says(outcome.out, "halfspace: auto, for 1 %: half-space, ", "finite elements"));
 }
 
-TEST(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
-  const Folder folder;
+TEST_F(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
   const std::string strict = "accuracy = 0.003\n" + quick;
 #if ROLLFEM_WITH_FEM
   const nlohmann::json model = model_of(folder, strict);
@@ -101,16 +93,15 @@ double seconds_after(const std::string& text, const std::string& words) {
   return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
 }
 
-TEST(Auto, CheckExpectsTheSumOfItsContactsAndRunTheSame) {
-  const Folder folder;
+TEST_F(Auto, CheckExpectsTheSumOfItsContactsAndRunTheSame) {
   const std::string file = folder.file("case.toml", two_positions);
-  const nlohmann::json found = nlohmann::json::parse(done(folder, {"check", "--json", file}).out);
+  const nlohmann::json found = nlohmann::json::parse(done({"check", "--json", file}).out);
   double sum = 0.0;
   ASSERT_EQ(found["contacts"].size(), 4U);
   for (const nlohmann::json& contact : found["contacts"]) sum += contact["seconds"].get<double>();
   EXPECT_NEAR(found["seconds"].get<double>(), sum, 1e-12);
   EXPECT_GT(sum, 0.0);
-  const std::string text = done(folder, {"check", file}).out;
+  const std::string text = done({"check", file}).out;
   double printed = 0.0;
   for (const char* contact :
        {"left, position 1: ", "right, position 1: ", "left, position 2: ", "right, position 2: "}) {
@@ -120,17 +111,16 @@ TEST(Auto, CheckExpectsTheSumOfItsContactsAndRunTheSame) {
   }
   const double total = seconds_after(text, "for 1 %: half-space: about ");
   EXPECT_NEAR(printed, total, 0.05 * total + 0.05);  // two digits each
-  const Outcome run = done(folder, {"run", file, "--no-report"});
+  const Outcome run = done({"run", file, "--no-report"});
   EXPECT_NEAR(seconds_after(run.err, "half-space: about "), total,
               0.1 * total);  // after the balance
 }
 
-TEST(Auto, TellsLastWhatMissesTheAccuracyAndHasOneModelInAllContacts) {
-  const Folder folder;
+TEST_F(Auto, TellsLastWhatMissesTheAccuracyAndHasOneModelInAllContacts) {
   // In 60 s, no other model solves six contacts.
-  const Outcome run = done(
-      folder, {"run", folder.file("case.toml", two_positions), "--set", "friction.coefficient=0.2",
-               "--set", "wheelset.lateral_shift=[0.0,2.0,3.0]", "-o", "out"});
+  const Outcome run =
+      done({"run", folder.file("case.toml", two_positions), "--set", "friction.coefficient=0.2",
+            "--set", "wheelset.lateral_shift=[0.0,2.0,3.0]", "-o", "out"});
   const nlohmann::json summary = folder.json("out/summary.json");
   int missed = 0;
   ASSERT_EQ(summary["models"].size(), 6U);
@@ -167,23 +157,20 @@ TEST(Auto, TellsLastWhatMissesTheAccuracyAndHasOneModelInAllContacts) {
   EXPECT_LT(said, page.find("<table"));
 }
 
-TEST(Auto, StandsAloneAndIsNothingToCompare) {
-  const Folder folder;
+TEST_F(Auto, StandsAloneAndIsNothingToCompare) {
   const std::string file = folder.file("case.toml", quick);
-  expect_refused(call(folder, {"run", file, "--model", "auto", "hertz"}),
-                 "auto cannot be combined");
-  expect_refused(call(folder, {"compare", file, "--model", "auto"}), "rollfem run --model auto");
-  expect_refused(call(folder, {"study", file, "--model", "auto"}), "rollfem run --model auto");
+  refuses({"run", file, "--model", "auto", "hertz"}, "auto cannot be combined");
+  refuses({"compare", file, "--model", "auto"}, "rollfem run --model auto");
+  refuses({"study", file, "--model", "auto"}, "rollfem run --model auto");
   const std::string both = folder.file("both.toml", "models = [\"auto\", \"hertz\"]\n" + quick);
-  expect_refused(call(folder, {"run", both}), "both.toml: models: auto cannot be combined");
+  refuses({"run", both}, "both.toml: models: auto cannot be combined");
 }
 
-TEST(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {
-  const Folder folder;
+TEST_F(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {
   const std::string file = folder.file("case.toml", quick);
-  const Outcome check = call(folder, {"check", file});
+  const Outcome check = call({"check", file});
   EXPECT_TRUE(says(check.out, "  half-space, ", "  for 1 %: half-space: about "));
-  const Outcome study = done(folder, {"study", file, "--levels", "3", "-o", "s", "--no-report"});
+  const Outcome study = done({"study", file, "--levels", "3", "-o", "s", "--no-report"});
   // 0.2 % is beyond any half-space.
   EXPECT_TRUE(says(study.out, "\nfor 5 %: half-space, ", "\nfor 1 %: half-space, ",
                    "; half-space neglects 0."));
@@ -191,8 +178,7 @@ TEST(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {
   EXPECT_EQ(json["places"][0]["choice"].size(), 3U);
 }
 
-TEST(Auto, TakesUpWhatAnInterruptedRunHasSolved) {
-  const Folder folder;
+TEST_F(Auto, TakesUpWhatAnInterruptedRunHasSolved) {
   // The model error of half-spaces is 0.65 %, so that several grids are needed.
   const std::string curve = "accuracy = 0.007\n" + with("2000.0", "500.0") +
                             "[rolling]\nlongitudinal_creepage = [0.0005, 0.001, 0.002, 0.004]\n";
@@ -201,7 +187,7 @@ TEST(Auto, TakesUpWhatAnInterruptedRunHasSolved) {
   const auto unfinished = folder.work() / "killed.unfinished";
   const std::vector<std::string> run{"run", file, "-o", "killed", "--no-report"};
   kill_when(folder, command_of(run), [&] { return records(unfinished, "halfspace") > 2; });
-  const Outcome outcome = done(folder, joined(run, {"--resume"}));
+  const Outcome outcome = done(joined(run, {"--resume"}));
   EXPECT_TRUE(says(outcome.err, "solutions of an earlier run"));
   const nlohmann::json resumed = folder.json("killed/summary.json")["models"][0];
   EXPECT_EQ(resumed["name"], whole["name"]);
@@ -210,8 +196,7 @@ TEST(Auto, TakesUpWhatAnInterruptedRunHasSolved) {
       EXPECT_EQ(resumed["points"][k][name], whole["points"][k][name]) << k << name;
 }
 
-TEST(Auto, TakesBodiesThatAreNotKnownAsHalfSpaces) {
-  const Folder folder;
+TEST_F(Auto, TakesBodiesThatAreNotKnownAsHalfSpaces) {
   const std::string plain =
       "[load]\nnormal_force = 1e3\n[friction]\ncoefficient = 0.3\n[wheel]\n[rail]\n"
       "[undeformed_distance]\nquadratic = [0.001, 0.002]\n[rolling]\nproblem = \"frictionless\"\n";

@@ -6,19 +6,12 @@
 #include "contact/result/quantities.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "support/case_examples.hpp"
-#include "support/places.hpp"
 #include "support/program.hpp"
-#include <cmath>
-#include <set>
 
 namespace {
 
-using namespace rollfem;
-using namespace rollfem::testing;
 using nlohmann::json;
 
 const std::set<std::string> words{contact::no_bar::exact,         contact::no_bar::given,
@@ -28,9 +21,8 @@ const std::set<std::string> words{contact::no_bar::exact,         contact::no_ba
 
 json summary_of(const std::string& text, const std::vector<std::string>& models) {
   const Folder folder;
-  done(folder,
-       joined({"run", folder.file("case.toml", text), "-o", "out", "-q", "--no-report", "-m"},
-              models));
+  folder.done(joined(
+      {"run", folder.file("case.toml", text), "-o", "out", "-q", "--no-report", "-m"}, models));
   return folder.json("out/summary.json");
 }
 
@@ -71,12 +63,9 @@ const json& model_of(const json& summary, const std::string& name) {
 const std::vector<std::string> theories{"hertz",   "linear", "vermeulen-johnson",
                                         "polach",  "carter", "fastsim",
                                         "fastrip", "strip",  "halfspace"};
-const std::string rolling = small_case +
-                            "[contact_grid]\nelements_across = 20\n"
-                            "[rolling]\nlongitudinal_creepage = [0.0, 0.001, 0.02]\n";
 
 TEST(Bars, AreSaidOfEveryNumberOfEveryModel) {
-  const json summary = summary_of(rolling, theories);
+  const json summary = summary_of(rolling("[0.0, 0.001, 0.02]", 20), theories);
   expect_all_said(summary);
   const json& hertz = model_of(summary, "hertz")["points"][0];
   for (const char* name :
@@ -96,10 +85,7 @@ TEST(Bars, AreSaidOfEveryNumberOfEveryModel) {
 /// The model error of a theory is at least its distance from the half-space, which a fine grid
 /// knows up to its bar; Hertz's pressure is the half-space's.
 TEST(Bars, ModelErrorsCoverWhatTheoriesAreOff) {
-  const json summary = summary_of(
-      small_case +
-          "[contact_grid]\nelements_across = 80\n[rolling]\nlongitudinal_creepage = 0.001\n",
-      theories);
+  const json summary = summary_of(rolling("0.001", 80), theories);
   const json& half = model_of(summary, "halfspace")["points"][0];
   for (const char* name :
        {"linear", "vermeulen-johnson", "polach", "carter", "fastsim", "fastrip", "strip"}) {

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem bench: errors and seconds of the models, and the machine's speed for the predictions of
 // check.
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/program.hpp"
-#include <cstdlib>
 
 namespace {
-
-using namespace rollfem::testing;
 
 /// The last number but one (the error of the force) of the line that begins so.
 double force_error(const std::string& text, const std::string& beginning) {
@@ -23,9 +18,10 @@ double force_error(const std::string& text, const std::string& beginning) {
 
 }  // namespace
 
-TEST(Bench, QuicklySaysErrorsAndSecondsOfTheModels) {
-  const Folder folder;
-  const Outcome outcome = done(folder, {"bench", "--quick"}, {"ROLLFEM_CACHE=cache"});
+using Bench = ProgramTest;
+
+TEST_F(Bench, QuicklySaysErrorsAndSecondsOfTheModels) {
+  const Outcome outcome = done({"bench", "--quick"}, {"ROLLFEM_CACHE=cache"});
   EXPECT_TRUE(says(outcome.out, "seconds", "\nhertz ", "\nlinear ", "\nstrip ",
                    "times the predicted seconds"));
   // Errors fall with the grid; theories keep their model error.
@@ -37,15 +33,14 @@ TEST(Bench, QuicklySaysErrorsAndSecondsOfTheModels) {
   EXPECT_FALSE(folder.holds("cache")) << "nothing is kept";
 }
 
-TEST(Bench, SpeedOfTheMachineIsWhatCheckPredictsBy) {
-  const Folder folder;
+TEST_F(Bench, SpeedOfTheMachineIsWhatCheckPredictsBy) {
   const std::vector<std::string> cache{"ROLLFEM_CACHE=cache"};
   const std::string file = folder.file("case.toml", small_case);
-  const Outcome before = call(folder, {"check", file}, cache);
+  const Outcome before = call({"check", file}, cache);
   EXPECT_TRUE(says(before.out, "rollfem bench calibrates them"));
-  const Outcome outcome = done(folder, {"bench", "--seconds", "0.1"}, cache);
+  const Outcome outcome = done({"bench", "--seconds", "0.1"}, cache);
   EXPECT_TRUE(says(outcome.out, "stored in cache/bench_", "\nspin: "));
-  const Outcome after = call(folder, {"check", file}, cache);
+  const Outcome after = call({"check", file}, cache);
   EXPECT_TRUE(says(after.out, "times are for this machine, "));
-  expect_refused(call(folder, {"bench", "--seconds", "-1"}), "--seconds -1: allowed: above 0");
+  refuses({"bench", "--seconds", "-1"}, "--seconds -1: allowed: above 0");
 }

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The verification book as called by `./rollfem book` after the build.
-#include <nlohmann/json.hpp>
-
-#include "support/places.hpp"
 #include "support/resume.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem::testing;
 
 const std::string source = ROLLFEM_SOURCE_DIR;
 const std::string build =
@@ -28,11 +22,12 @@ std::vector<std::string> book_call(const std::vector<std::string>& options,
 
 Outcome book(const Folder& folder, const std::vector<std::string>& options,
              const std::string& script = "") {
-  return execute(folder, book_call(options, script));
+  return folder.execute(book_call(options, script));
 }
 
-TEST(Book, HoldsClosedFormNumberReachedAndTestOfEveryChapterAskedFor) {
-  const Folder folder;
+using Book = ProgramTest;
+
+TEST_F(Book, HoldsClosedFormNumberReachedAndTestOfEveryChapterAskedFor) {
   checked(book(folder, {"--only", "hertz", "fastsim"}));
   const auto data = folder.json("out/book.json");
   ASSERT_EQ(data["chapters"].size(), 2U);
@@ -55,8 +50,7 @@ TEST(Book, HoldsClosedFormNumberReachedAndTestOfEveryChapterAskedFor) {
                    "`unit.Hertz.GivesTheBenchmarkTable`", "Cost: "));
 }
 
-TEST(Book, OfANumberBeyondWhatIsAllowedEndsWithStatusOneAndSaysWhich) {
-  const Folder folder;
+TEST_F(Book, OfANumberBeyondWhatIsAllowedEndsWithStatusOneAndSaysWhich) {
   const Outcome made =
       book(folder, {"--only", "fastsim"}, "published.CONTACT_FASTSIM_A[0.002] = (0.36, 329.48376)");
   EXPECT_EQ(made.status, 1);
@@ -64,8 +58,7 @@ TEST(Book, OfANumberBeyondWhatIsAllowedEndsWithStatusOneAndSaysWhich) {
   EXPECT_TRUE(says(folder.text("out/fastsim.md"), "**beyond**"));
 }
 
-TEST(Book, TakesUpRunsOfTheSameProgramAndCase) {
-  const Folder folder;
+TEST_F(Book, TakesUpRunsOfTheSameProgramAndCase) {
   checked(book(folder, {"--only", "fastsim"}));
   EXPECT_TRUE(says(book(folder, {"--only", "fastsim"}).out, "fastsim: kept"));
   EXPECT_FALSE(says(book(folder, {"--only", "fastsim", "--fresh"}).out, "kept"));
@@ -81,8 +74,7 @@ std::string chapter_of(int elements) {
          std::to_string(elements) + "})\n  return chapters.fastsim(bench)\nchapters.ALL[0] = one\n";
 }
 
-TEST(Book, HasOneOwnerWhoseRunsEndWithIt) {
-  const Folder folder;
+TEST_F(Book, HasOneOwnerWhoseRunsEndWithIt) {
   Outcome second;
   bool at_work = false;
   kill_when(folder, book_call({"--only", "one"}, chapter_of(400)), [&] {
@@ -101,8 +93,7 @@ TEST(Book, HasOneOwnerWhoseRunsEndWithIt) {
     EXPECT_FALSE(folder.holds(lock)) << lock;
 }
 
-TEST(Book, SaysWhatIsWrongWithACall) {
-  const Folder folder;
+TEST_F(Book, SaysWhatIsWrongWithACall) {
   const Outcome unknown = book(folder, {"--only", "hertzz"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_TRUE(says(unknown.err, "hertzz: unknown chapter; allowed: hertz,"));

@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command compare: several models and cases, skipped and failed models, resuming.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
-const std::string quick_pair = small_case +
-                               "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
-                               "[contact_grid]\nelements_across = 10\n";
+const std::string quick_pair = rolling("[0.0, 0.001]", 10);
+/// Which theories cannot take.
+const std::string given_force =
+    small_case + "[rolling]\nlongitudinal_force = -1000.0\n[contact_grid]\nelements_across = 10\n";
 
-TEST(Compare, LaysModelsOfSeveralCasesBesideEachOther) {
-  const Folder folder;
+using Compare = ProgramTest;
+
+TEST_F(Compare, LaysModelsOfSeveralCasesBesideEachOther) {
   const std::string one = folder.file("one.toml", quick_pair);
   const std::string two = folder.file("two.toml", quick_pair);
-  const Outcome outcome =
-      done(folder, {"compare", one, two, "--model", "hertz", "fastsim", "halfspace"});
+  const Outcome outcome = done({"compare", one, two, "--model", "hertz", "fastsim", "halfspace"});
   EXPECT_FALSE(says(outcome.err, "warning"));
   const auto made = folder.made();
   for (const char* name : {"compare.json", "compare.csv", "compare.html", "one/summary.json",
@@ -52,23 +49,18 @@ TEST(Compare, LaysModelsOfSeveralCasesBesideEachOther) {
   EXPECT_EQ(found, 3);
 }
 
-TEST(Compare, ModelsMayStandBeforeTheCaseAndTheReferenceIsChosen) {
-  const Folder folder;
-  const Outcome outcome = done(folder, {"compare", "--no-report", "--reference", "hertz", "--model",
-                                        "hertz", "halfspace", folder.file("one.toml", quick_pair)});
+TEST_F(Compare, ModelsMayStandBeforeTheCaseAndTheReferenceIsChosen) {
+  const Outcome outcome = done({"compare", "--no-report", "--reference", "hertz", "--model",
+                                "hertz", "halfspace", folder.file("one.toml", quick_pair)});
   EXPECT_TRUE(says(outcome.out, "error bars of hertz: "));
   EXPECT_TRUE(has(folder.made(), "results/compare_one/compare.json"));
   EXPECT_FALSE(has(folder.made(), "results/compare_one/compare.html"));
 }
 
-TEST(Compare, AModelThatCannotTakeACaseIsLeftOutWithASentence) {
-  const Folder folder;
-  const std::string file =
-      folder.file("forces.toml", small_case +
-                                     "[rolling]\nlongitudinal_force = -1000.0\n"
-                                     "[contact_grid]\nelements_across = 10\n");
-  const Outcome outcome = done(folder, {"compare", file, "--no-report", "--model", "hertz",
-                                        "fastsim", "halfspace", "-o", "out"});
+TEST_F(Compare, AModelThatCannotTakeACaseIsLeftOutWithASentence) {
+  const std::string file = folder.file("forces.toml", given_force);
+  const Outcome outcome = done(
+      {"compare", file, "--no-report", "--model", "hertz", "fastsim", "halfspace", "-o", "out"});
   EXPECT_TRUE(says(outcome.out, "fastsim: left out: "));
   EXPECT_FALSE(says(outcome.out, "do: run with"));
   const auto all = folder.json("out/compare.json");
@@ -76,20 +68,16 @@ TEST(Compare, AModelThatCannotTakeACaseIsLeftOutWithASentence) {
   EXPECT_FALSE(all.at("cases")[0].at("missing")[0].at("failed").get<bool>());
 }
 
-TEST(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
-  const Folder folder;
-  const std::string none =
-      folder.file("forces.toml", small_case +
-                                     "[rolling]\nlongitudinal_force = -1000.0\n"
-                                     "[contact_grid]\nelements_across = 10\n");
+TEST_F(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
+  const std::string none = folder.file("forces.toml", given_force);
   const std::vector<std::string> models{"--no-report", "--model", "fastsim", "strip", "-o", "out"};
-  const Outcome alone = call(folder, joined({"compare", none}, models));
+  const Outcome alone = call(joined({"compare", none}, models));
   EXPECT_EQ(alone.status, 2) << alone.err;
   EXPECT_TRUE(says(alone.err, "none of the models can solve forces: fastsim: ", "; strip: ",
                    "prescribed tangential force", "; do: name one"));
   // Beside a case that they can take, which is written.
   const std::string good = folder.file("good.toml", quick_pair);
-  const Outcome both = call(folder, joined({"compare", none, good}, models));
+  const Outcome both = call(joined({"compare", none, good}, models));
   EXPECT_EQ(both.status, 2);
   EXPECT_TRUE(says(both.err, "none of the models can solve forces"));
   const auto all = folder.json("out/compare.json");
@@ -97,15 +85,12 @@ TEST(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
   EXPECT_FALSE(all.at("cases")[0].at("complete").get<bool>());
 }
 
-TEST(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {
-  const Folder folder;
+TEST_F(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {
   // The half-space ends at 320 elements across, short of this accuracy.
-  const std::string bad = folder.file("bad.toml", "accuracy = 1e-5\n" + small_case +
-                                                      "[rolling]\nlongitudinal_creepage = 0.001\n"
-                                                      "[contact_grid]\nelements_across = 20\n");
+  const std::string bad = folder.file("bad.toml", "accuracy = 1e-5\n" + rolling("0.001", 20));
   const std::string good = folder.file("good.toml", quick_pair);
-  const Outcome outcome = call(
-      folder, {"compare", bad, good, "--no-report", "--model", "hertz", "halfspace", "-o", "out"});
+  const Outcome outcome =
+      call({"compare", bad, good, "--no-report", "--model", "hertz", "halfspace", "-o", "out"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(says(outcome.err,
                    "rollfem: the comparison was written without the models that failed: "
@@ -117,45 +102,39 @@ TEST(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {
   EXPECT_TRUE(says(folder.text("out/compare.csv"), "\n\"good\","));
 }
 
-TEST(Compare, AWrongCaseIsRefusedBeforeAnythingIsComputed) {
-  const Folder folder;
+TEST_F(Compare, AWrongCaseIsRefusedBeforeAnythingIsComputed) {
   const std::string good = folder.file("good.toml", quick_pair);
   const std::string bad = folder.file("bad.toml", small_case + "no_such_key = 0\n");
-  expect_refused(call(folder, {"compare", good, bad, "--model", "hertz", "-o", "out"}),
-                 "no_such_key");
+  refuses({"compare", good, bad, "--model", "hertz", "-o", "out"}, "no_such_key");
   EXPECT_TRUE(folder.made().empty());
 }
 
-TEST(Compare, ResumeKeepsWhatIsDone) {
-  const Folder folder;
+TEST_F(Compare, ResumeKeepsWhatIsDone) {
   const std::string one = folder.file("one.toml", quick_pair);
   const std::string two = folder.file("two.toml", quick_pair);
   const std::vector<std::string> models{"--model",     "hertz", "halfspace",
                                         "--no-report", "-o",    "out"};
-  done(folder, joined({"compare", one}, models));
+  done(joined({"compare", one}, models));
   const auto before = fs::last_write_time(folder.work() / "out" / "one" / "results.h5");
   // The state after a kill between writing the result and removing its records.
   folder.file("work/out/one.unfinished/halfspace-0001.point", "record");
-  const Outcome outcome = done(folder, joined({"compare", one, two, "--resume"}, models));
+  const Outcome outcome = done(joined({"compare", one, two, "--resume"}, models));
   EXPECT_TRUE(says(outcome.err, "compare: one was already done"));
   EXPECT_EQ(fs::last_write_time(folder.work() / "out" / "one" / "results.h5"), before);
   EXPECT_FALSE(folder.holds("out/one.unfinished"));
   EXPECT_EQ(folder.json("out/compare.json").at("cases").size(), 2U);
 }
 
-TEST(Compare, RefusesWhatMakesNoSense) {
-  const Folder folder;
+TEST_F(Compare, RefusesWhatMakesNoSense) {
   const std::string one = folder.file("one.toml", quick_pair);
-  expect_refused(call(folder, {"compare"}), "no case file is named");
-  expect_refused(call(folder, {"compare", one, "--model", "hertzz"}), "no such model");
-  expect_refused(call(folder, {"compare", one, "--model", "hertz", "--reference", "strip"}),
-                 "not among the models compared");
+  refuses({"compare"}, "no case file is named");
+  refuses({"compare", one, "--model", "hertzz"}, "no such model");
+  refuses({"compare", one, "--model", "hertz", "--reference", "strip"},
+          "not among the models compared");
   const std::string other = folder.file("other/one.toml", quick_pair);
-  expect_refused(call(folder, {"compare", one, other, "--model", "hertz"}),
-                 "would both be written to");
-  done(folder, {"run", one, "--model", "hertz", "--no-report", "-o", "out"});
-  expect_refused(call(folder, {"compare", one, "--model", "hertz", "-o", "out"}),
-                 "the result of another command");
+  refuses({"compare", one, other, "--model", "hertz"}, "would both be written to");
+  done({"run", one, "--model", "hertz", "--no-report", "-o", "out"});
+  refuses({"compare", one, "--model", "hertz", "-o", "out"}, "the result of another command");
 }
 
 }  // namespace

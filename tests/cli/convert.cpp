@@ -2,28 +2,23 @@
 // convert: from an input file of CONTACT to a result with a known closed form.
 #include "halfspace/closed_forms/hertz.hpp"
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/contact_inputs.hpp"
 #include "support/profile_texts.hpp"
 #include "support/program.hpp"
 #include "support/reference_folder.hpp"
-#include <cmath>
-#include <filesystem>
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
-TEST(Convert, PushedBallHasTheShiftOfCattaneoAndMindlin) {
-  const Folder folder;
+using Convert = ProgramTest;
+
+TEST_F(Convert, PushedBallHasTheShiftOfCattaneoAndMindlin) {
   const std::string file = folder.file("ball.inp", pushed_ball);
-  const Outcome made = done(folder, {"convert", file});
+  const Outcome made = done({"convert", file});
   EXPECT_EQ(made.err, "");
   EXPECT_EQ(made.out.rfind("ball_cases/ball.toml: case 1\n", 0), 0u) << made.out;
-  done(folder, {"run", "ball_cases/ball.toml", "-o", "out", "--no-report"});
+  done({"run", "ball_cases/ball.toml", "-o", "out", "--no-report"});
   const auto summary = folder.json("out/summary.json");
   const auto& point = summary["models"][0]["points"][0];
   // Hertz: R = 25 mm, E* = G / (1 - nu). Mindlin: shift for a force of half of mu F_z.
@@ -36,32 +31,30 @@ TEST(Convert, PushedBallHasTheShiftOfCattaneoAndMindlin) {
   EXPECT_NEAR(point["longitudinal_shift"].get<double>(), shift, 0.005 * shift);
 }
 
-TEST(Convert, WritesTheOthersWhenToldTo) {
-  const Folder folder;
+TEST_F(Convert, WritesTheOthersWhenToldTo) {
   const std::string file = folder.file(
       "two.inp", replaced(rolling_ellipse, " 0\n",
                           " 3\n 203100\n 000000\n 0101341\n 40000. 0.002 0. 0.\n 0.4 0.3\n 0\n"));
-  const Outcome refused = call(folder, {"convert", file, "-o", "made"});
+  const Outcome refused = call({"convert", file, "-o", "made"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_TRUE(says(refused.err, "case 4: no equivalent: FSTAT = 0.4 and FKIN = 0.3 differ",
                    "convert the others with --partial"));
   EXPECT_TRUE(folder.made().empty());
-  const Outcome made = done(folder, {"convert", file, "-o", "made", "--partial"});
+  const Outcome made = done({"convert", file, "-o", "made", "--partial"});
   EXPECT_EQ(folder.made(), (std::vector<std::string>{"made", "made/two_1.toml"}));
-  done(folder, {"check", "made/two_1.toml"});
+  done({"check", "made/two_1.toml"});
   // Never overwrites a file.
-  const Outcome again = call(folder, {"convert", file, "-o", "made", "--partial"});
+  const Outcome again = call({"convert", file, "-o", "made", "--partial"});
   EXPECT_EQ(again.status, 2);
   EXPECT_TRUE(says(again.err, "made/two_1.toml exists already"));
   EXPECT_EQ(folder.made().size(), 2U);
 }
 
-TEST(Convert, TakesTheCasesThatAreNamed) {
-  const Folder folder;
+TEST_F(Convert, TakesTheCasesThatAreNamed) {
   const std::string file = folder.file("roll.inp", rolling_ellipse);
-  const Outcome made = done(folder, {"convert", file, "--cases", "2-3"});
+  const Outcome made = done({"convert", file, "--cases", "2-3"});
   EXPECT_EQ(made.out.rfind("roll_cases/roll_2.toml: cases 2, 3\n", 0), 0u) << made.out;
-  done(folder, {"convert", file, "--cases", "3,1", "-o", "other"});
+  done({"convert", file, "--cases", "3,1", "-o", "other"});
   for (const char number : {'1', '3'}) {  // not consecutive: a file each
     const std::string head = std::string("# Made by rollfem convert of roll.inp, case ") + number;
     EXPECT_EQ(folder.text(std::string("other/roll_") + number + ".toml").rfind(head, 0), 0u);
@@ -72,7 +65,7 @@ TEST(Convert, TakesTheCasesThatAreNamed) {
            {"0", "there is no case 0"},
            {"3-1", "the range runs backwards"},
            {"1;2", "1;2: not a number or a range"}})
-    expect_refused(call(folder, {"convert", file, "-o", "wrong", "--cases", cases}), said);
+    refuses({"convert", file, "-o", "wrong", "--cases", cases}, said);
   EXPECT_FALSE(folder.holds("wrong"));
 }
 
@@ -83,41 +76,38 @@ std::string pressed_twice() {
                   " 3\n 001120\n 100000\n 0011111\n 200 100 30 1 1d-6\n 20.0 -0.5 0.0 0.0\n 0\n");
 }
 
-TEST(Convert, LeavesOutCasesOfTooFewElementsAndGoesOn) {
-  const Folder folder;
+TEST_F(Convert, LeavesOutCasesOfTooFewElementsAndGoesOn) {
   const std::string file = folder.file("press.inp", pressed_twice());
-  const Outcome made = call(folder, {"convert", file});
+  const Outcome made = call({"convert", file});
   EXPECT_EQ(made.status, 1);
   EXPECT_TRUE(says(made.err, "case 1: left out: the patch is 3 by 3 elements",
                    "the others were written without case 1"));
   EXPECT_EQ(std::count(made.err.begin(), made.err.end(), '\n'), 2) << made.err;
   EXPECT_TRUE(says(made.out, "press_cases/press_2.toml: case 2"));
-  done(folder, {"check", "press_cases/press_2.toml"});
+  done({"check", "press_cases/press_2.toml"});
   // Told so, that is no failure; and a history may begin after such cases.
-  done(folder, {"convert", file, "-o", "partial", "--partial"});
-  done(folder, {"convert", file, "-o", "second", "--cases", "2"});
+  done({"convert", file, "-o", "partial", "--partial"});
+  done({"convert", file, "-o", "second", "--cases", "2"});
   EXPECT_TRUE(folder.holds("second/press_2.toml"));
   // Nothing is left of the first case alone.
-  EXPECT_EQ(call(folder, {"convert", file, "-o", "first", "--cases", "1"}).status, 2);
+  EXPECT_EQ(call({"convert", file, "-o", "first", "--cases", "1"}).status, 2);
   EXPECT_FALSE(folder.holds("first"));
 }
 
-TEST(Convert, HistoryOfCasesLeftOutIsMissed) {
-  const Folder folder;
+TEST_F(Convert, HistoryOfCasesLeftOutIsMissed) {
   const std::string file =
       folder.file("press.inp", replaced(pressed_twice(), " 0.031 -0.5", " 10.0 -0.5"));
-  done(folder, {"convert", file});
-  const Outcome made = call(folder, {"convert", file, "-o", "second", "--cases", "2"});
+  done({"convert", file});
+  const Outcome made = call({"convert", file, "-o", "second", "--cases", "2"});
   EXPECT_EQ(made.status, 2);
   EXPECT_TRUE(says(made.err, "the case continues case 1, which --cases leaves out"));
 }
 
-TEST(Convert, PointwiseDistanceIsRead) {
-  const Folder folder;
+TEST_F(Convert, PointwiseDistanceIsRead) {
   const std::string file = folder.file(
       "turned.inp", replaced(pushed_ball, "0.02 0.0 0.02\n 0.0 0.0", "0.02 0.004 0.02\n 0.0 0.0"));
-  done(folder, {"convert", file, "-o", "."});
-  done(folder, {"run", "turned.toml", "-o", "out", "--no-report"});
+  done({"convert", file, "-o", "."});
+  done({"run", "turned.toml", "-o", "out", "--no-report"});
   const auto summary = folder.json("out/summary.json");
   // An ellipse at 45 degrees: the principal curvatures are those on the diagonals.
   const double expected =
@@ -128,20 +118,19 @@ TEST(Convert, PointwiseDistanceIsRead) {
 
 /// Number of files written, all of which `check` accepts.
 int accepted(const Folder& folder, const std::string& file, const std::string& into) {
-  const Outcome made = call(folder, {"convert", file, "--partial", "-o", into});
+  const Outcome made = folder.call({"convert", file, "--partial", "-o", into});
   EXPECT_TRUE(made.status == 0 || made.status == 2) << made.status << ": " << made.err;
   int files = 0;
   for (const std::string& name : folder.made()) {
     if (name.rfind(into + "/", 0) != 0 || fs::path(name).extension() != ".toml") continue;
     ++files;
-    const Outcome checked = call(folder, {"check", name});
+    const Outcome checked = folder.call({"check", name});
     EXPECT_EQ(checked.status, 0) << name << ": " << checked.err;
   }
   return files;
 }
 
-TEST(Convert, CheckAcceptsWhatIsWritten) {
-  const Folder folder;
+TEST_F(Convert, CheckAcceptsWhatIsWritten) {
   int number = 0;
   for (const std::string& text : {pushed_ball, rolling_ellipse, rolled_twice, driven_roller,
                                   pushed_ellipse, pushed_then_rolled, pressed_twice()}) {
@@ -150,8 +139,7 @@ TEST(Convert, CheckAcceptsWhatIsWritten) {
   }
 }
 
-TEST(Convert, CheckAcceptsWhatIsWrittenOfTheReferenceInputs) {
-  const Folder folder;
+TEST_F(Convert, CheckAcceptsWhatIsWrittenOfTheReferenceInputs) {
   int files = 0;
   for (const char* set : {"contact_examples", "contact_testbank"}) {
     const fs::path from = reference_folder() / set;
@@ -178,33 +166,29 @@ std::string with_profiles(const Folder& folder, const std::string& text) {
   return folder.file("work/wheel.inp", text);
 }
 
-TEST(Convert, ElementsThatAreTooFewAreHalved) {
-  const Folder folder;
+TEST_F(Convert, ElementsThatAreTooFewAreHalved) {
   const std::string usual =
       replaced(left_wheel, "'wheel.csv' 1 1.0 0.0 1", "'wheel.csv' 0 1.0 0.0");
-  done(folder, {"convert", with_profiles(folder, usual), "-o", "usual"});
+  done({"convert", with_profiles(folder, usual), "-o", "usual"});
   EXPECT_TRUE(says(folder.text("usual/wheel.toml"), "cell_size = [0.25, 0.2] "));
   const Outcome made = done(
-      folder,
+
       {"convert", with_profiles(folder, replaced(usual, " 0.25 0.2 ", " 2.5 0.2 ")), "-o", "few"});
   EXPECT_TRUE(says(made.out, "note: elements of 1.25 by 0.2 mm instead of DX by DS"));
   EXPECT_TRUE(says(folder.text("few/wheel.toml"), "cell_size = [1.25, 0.2]\n", "# note: elements"));
-  done(folder, {"run", "few/wheel.toml", "-o", "out", "--no-report"});
+  done({"run", "few/wheel.toml", "-o", "out", "--no-report"});
 }
 
-TEST(Convert, ProfilesThatAreNotThereAreWarnedOf) {
-  const Folder folder;
+TEST_F(Convert, ProfilesThatAreNotThereAreWarnedOf) {
   const std::string file = folder.file("wheel.inp", left_wheel);
-  const Outcome made = done(folder, {"convert", file});
+  const Outcome made = done({"convert", file});
   EXPECT_TRUE(says(made.err, "warning: the profile rail.csv does not exist",
                    "warning: the profile wheel.csv does not exist"));
 }
 
-TEST(Convert, FilesThatAreNoInputAreRefused) {
-  const Folder folder;
-  expect_refused(call(folder, {"convert", "none.inp"}), "none.inp");
-  expect_refused(call(folder, {"convert", folder.file("text.inp", "hello\n")}),
-                 "expected the module number, got hello");
+TEST_F(Convert, FilesThatAreNoInputAreRefused) {
+  refuses({"convert", "none.inp"}, "none.inp");
+  refuses({"convert", folder.file("text.inp", "hello\n")}, "expected the module number, got hello");
   EXPECT_TRUE(folder.made().empty());
 }
 

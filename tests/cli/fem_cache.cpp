@@ -2,13 +2,10 @@
 // The cached corrections of the model hybrid: found for scenes with the same correction, never for
 // other bodies, complete or absent, listed and cleared.
 #include "support/program.hpp"
-#include <cmath>
-#include <fstream>
 
 namespace {
 
-using namespace rollfem::testing;
-using Json = nlohmann::json;
+using nlohmann::json;
 namespace fs = std::filesystem;
 
 /// On a few hundred finite elements.
@@ -24,28 +21,27 @@ std::string coarse_case(const std::string& radius, const std::string& force,
 class Cache {
  public:
   /// The model's result.
-  Json run(const std::string& name, const std::string& text, const std::string& folder = "cache",
+  json run(const std::string& name, const std::string& text, const std::string& folder = "cache",
            int processes = 1) {
     const std::string file = folder_.file(name + ".toml", text);
-    checked(execute(folder_, command_of({"run", file, "-o", name, "--no-report", "-q"}, processes),
-                    {"ROLLFEM_CACHE=" + folder}));
+    checked(folder_.execute(command_of({"run", file, "-o", name, "--no-report", "-q"}, processes),
+                            {"ROLLFEM_CACHE=" + folder}));
     return folder_.json(name + "/summary.json")["models"][0];
   }
 
   /// What `check` prints.
   std::string check(const std::string& name, const std::string& text) {
-    return done(folder_, {"check", folder_.file(name + ".toml", text)}, {"ROLLFEM_CACHE=cache"})
-        .out;
+    return folder_.done({"check", folder_.file(name + ".toml", text)}, {"ROLLFEM_CACHE=cache"}).out;
   }
 
   /// stress.json of a stored result.
-  Json stress(const std::string& name) {
-    done(folder_, {"stress", name, "--no-figures", "-o", "stress"}, {"ROLLFEM_CACHE=cache"});
+  json stress(const std::string& name) {
+    folder_.done({"stress", name, "--no-figures", "-o", "stress"}, {"ROLLFEM_CACHE=cache"});
     return folder_.json("stress/stress.json");
   }
 
   std::string list(const std::string& action) {
-    return done(folder_, {"cache", action}, {"ROLLFEM_CACHE=cache"}).out;
+    return folder_.done({"cache", action}, {"ROLLFEM_CACHE=cache"}).out;
   }
 
   std::vector<fs::path> files() const {
@@ -59,13 +55,13 @@ class Cache {
   Folder folder_;
 };
 
-bool notes(const Json& model, const std::string& part) {
-  for (const Json& note : model["notes"])
+bool notes(const json& model, const std::string& part) {
+  for (const json& note : model["notes"])
     if (says(note, part)) return true;
   return false;
 }
 
-void expect_same_point(const Json& one, const Json& other, double tolerance) {
+void expect_same_point(const json& one, const json& other, double tolerance) {
   for (const char* name : {"max_pressure", "approach", "longitudinal_force", "semi_axis_x"}) {
     const double value = one["points"][0][name];
     EXPECT_NEAR(value, other["points"][0][name], tolerance * std::abs(value)) << name;
@@ -79,10 +75,10 @@ TEST(Cache, ServesAnotherLoadFrictionAndCreepage) {
   EXPECT_FALSE(
       notes(cache.run("first", coarse_case("405", "50e3", "0.55", "0.001")), "from the cache"));
   const std::string other = coarse_case("405", "47e3", "0.3", "0.002");
-  const Json found = cache.run("found", other);
+  const json found = cache.run("found", other);
   EXPECT_TRUE(notes(found, "from the cache"));
   // The same as without the cache: results do not depend on the origin of the correction.
-  const Json computed = cache.run("computed", other, "");
+  const json computed = cache.run("computed", other, "");
   EXPECT_FALSE(notes(computed, "from the cache"));
   expect_same_point(found, computed, 1e-13);
   EXPECT_LT(found["seconds"]["correction"].get<double>(),
@@ -121,7 +117,7 @@ TEST(Cache, IsKnownToTheModelAuto) {
 TEST(Cache, ADamagedFileIsToldAndReplaced) {
   Cache cache;
   const std::string text = coarse_case("405", "50e3", "0.55", "0.001");
-  const Json first = cache.run("first", text);
+  const json first = cache.run("first", text);
   const auto files = cache.files();
   ASSERT_EQ(files.size(), 1u);
   {
@@ -130,7 +126,7 @@ TEST(Cache, ADamagedFileIsToldAndReplaced) {
     file.write("damage", 6);
   }
   EXPECT_TRUE(says(cache.list("list"), "is damaged"));
-  const Json anew = cache.run("anew", text);
+  const json anew = cache.run("anew", text);
   EXPECT_TRUE(notes(anew, "is damaged; the correction was recomputed"));
   expect_same_point(first, anew, 1e-13);
   EXPECT_TRUE(notes(cache.run("again", text), "from the cache"));
@@ -138,7 +134,7 @@ TEST(Cache, ADamagedFileIsToldAndReplaced) {
 
 TEST(Cache, AFolderThatCannotBeWrittenIsNoFailure) {
   Cache cache;
-  const Json model =
+  const json model =
       cache.run("case", coarse_case("405", "50e3", "0.55", "0.001"), "/dev/null/nowhere");
   EXPECT_TRUE(notes(model, "could not be stored for other runs"));
 }
@@ -146,12 +142,12 @@ TEST(Cache, AFolderThatCannotBeWrittenIsNoFailure) {
 TEST(Cache, TwoProcessesShareWhatTheFirstFinds) {
   Cache cache;
   const std::string text = coarse_case("405", "50e3", "0.55", "0.001");
-  const Json alone = cache.run("alone", text, "");
-  const Json two = cache.run("two", text, "cache", 2);
+  const json alone = cache.run("alone", text, "");
+  const json two = cache.run("two", text, "cache", 2);
   EXPECT_FALSE(notes(two, "from the cache"));
   expect_same_point(alone, two, 1e-8);
   EXPECT_EQ(cache.files().size(), 1u);
-  const Json found = cache.run("found", text, "cache", 2);
+  const json found = cache.run("found", text, "cache", 2);
   EXPECT_TRUE(notes(found, "from the cache"));
   expect_same_point(two, found, 1e-13);
 }
@@ -161,14 +157,14 @@ TEST(Cache, KeepsStressesForThoseWhoAskForThem) {
   const std::string plain = coarse_case("450", "50e3", "0.3", "0.001");
   const std::string asking = plain + "[output]\nstress_maxima = true\n";
   cache.run("none", plain);
-  const Json anew = cache.run("anew", asking);
+  const json anew = cache.run("anew", asking);
   EXPECT_FALSE(notes(anew, "comes from the cache"));
-  const Json again = cache.run("again", asking);
+  const json again = cache.run("again", asking);
   EXPECT_TRUE(notes(again, "comes from the cache"));
   EXPECT_EQ(anew["points"][0]["stress_maxima"], again["points"][0]["stress_maxima"]);
   EXPECT_TRUE(notes(cache.run("both", plain), "comes from the cache"));
   EXPECT_EQ(cache.files().size(), 1u);
   // From a stored result: the same largest stresses.
-  const Json stored = cache.stress("again");
+  const json stored = cache.stress("again");
   EXPECT_EQ(stored["models"][0]["maxima"].size(), 12u);
 }

@@ -2,12 +2,9 @@
 // The predicted memory of a run against the used memory, and a run that does not fit.
 #include "support/case_examples.hpp"
 #include "support/program.hpp"
-#include <cmath>
 #include <sys/resource.h>
 
 namespace {
-
-using namespace rollfem::testing;
 
 std::string case_a(const std::string& cell_size, const std::string& solver) {
   return "models = [\"fem\"]\n" + small_case + "[rolling]\nproblem = \"frictionless\"\n[fem]\n" +
@@ -30,21 +27,21 @@ double told(const std::string& progress) {
 
 }  // namespace
 
+using FemMemoryOfARun = ProgramTest;
+
 // One test: the children's largest memory only grows, so the smaller run comes first.
-TEST(FemMemoryOfARun, IsWithinThirtyPercentOfWhatWasTold) {
+TEST_F(FemMemoryOfARun, IsWithinThirtyPercentOfWhatWasTold) {
   for (const char* solver : {"multigrid", "factorisation"}) {
-    const Folder folder;
     const std::string file = folder.file("a.toml", case_a("1.88", solver));
-    const Outcome outcome = done(folder, {"run", file, "--no-report"});
+    const Outcome outcome = done({"run", file, "--no-report"});
     EXPECT_NEAR(told(outcome.err) / (1e-9 * largest_of_children()), 1.0, 0.3) << solver << '\n'
                                                                               << outcome.err;
   }
 }
 
-TEST(FemMemoryOfARun, ThatDoesNotFitIsRefusedBeforeAnythingIsComputed) {
-  const Folder folder;
+TEST_F(FemMemoryOfARun, ThatDoesNotFitIsRefusedBeforeAnythingIsComputed) {
   const std::string file = folder.file("a.toml", case_a("0.1", "automatic"));
-  const Outcome outcome = call(folder, {"run", file}, {"ROLLFEM_MEMORY_GB=1"});
+  const Outcome outcome = call({"run", file}, {"ROLLFEM_MEMORY_GB=1"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(says(outcome.err, "1 GB are available", "cell_size larger than 0.1 mm"));
   EXPECT_FALSE(says(outcome.err, "mesh"));

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `mesh`: its files, their use in a case, and its refusals.
-#include <gtest/gtest.h>
-
 #include "support/case_examples.hpp"
 #include "support/program.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 const std::string coarse = "[fem]\ncell_size = 1.88\n";
@@ -26,11 +22,12 @@ std::string with_mesh(const std::string& file) {
 
 }  // namespace
 
-TEST(MeshCommand, WritesMeshesThatACaseTakesAgain) {
-  const Folder folder;
+using MeshCommand = ProgramTest;
+
+TEST_F(MeshCommand, WritesMeshesThatACaseTakesAgain) {
   for (const std::string family : {"structured", "gmsh"}) {
     const std::string file = folder.file("case.toml", plus(coarse + "mesh = \"" + family + "\"\n"));
-    const Outcome first = done(folder, {"mesh", file, "-o", family});
+    const Outcome first = done({"mesh", file, "-o", family});
     for (const char* name : {"wheel.msh", "rail.msh", "wheel.vtu", "rail.vtu"})
       EXPECT_TRUE(folder.holds(family + "/" + name)) << name;
     EXPECT_TRUE(says(folder.text(family + "/wheel.vtu"), "UnstructuredGrid"));
@@ -42,7 +39,7 @@ TEST(MeshCommand, WritesMeshesThatACaseTakesAgain) {
     // The files are the coarse mesh: refined again they give the same cells.
     const std::string again =
         folder.file("again.toml", with_mesh("work/" + family + "/wheel.msh") + coarse);
-    const Outcome second = done(folder, {"mesh", again, "-o", "again_" + family});
+    const Outcome second = done({"mesh", again, "-o", "again_" + family});
     for (const char* name : {"coarse cells", "cells", "unknowns", "shortest edge, mm"})
       EXPECT_EQ(row(second.out, std::string("\n") + name), row(first.out, std::string("\n") + name))
           << name;
@@ -51,33 +48,27 @@ TEST(MeshCommand, WritesMeshesThatACaseTakesAgain) {
   }
 }
 
-TEST(MeshCommand, RefusesBadMeshesAndWritesNothing) {
-  const Folder folder;
-  expect_refused(call(folder, {"mesh", folder.file("a.toml", with_mesh("none.msh"))}),
-                 "wheel.mesh = \"none.msh\": there is no such mesh file");
-  expect_refused(call(folder, {"check", folder.file("a.toml", with_mesh("none.msh"))}),
-                 "there is no such mesh file");
+TEST_F(MeshCommand, RefusesBadMeshesAndWritesNothing) {
+  refuses({"mesh", folder.file("a.toml", with_mesh("none.msh"))},
+          "wheel.mesh = \"none.msh\": there is no such mesh file");
+  refuses({"check", folder.file("a.toml", with_mesh("none.msh"))}, "there is no such mesh file");
   folder.file("geo.msh", "Point(1) = {0, 0, 0};\n");
-  expect_refused(call(folder, {"mesh", folder.file("b.toml", with_mesh("geo.msh"))}),
-                 "is not a gmsh mesh");
+  refuses({"mesh", folder.file("b.toml", with_mesh("geo.msh"))}, "is not a gmsh mesh");
   folder.file(
       "tetrahedron.msh",
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 9 0 0\n3 0 9 0\n4 0 0 9\n"
       "$EndNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n");
-  expect_refused(
-      call(folder, {"run", folder.file("c.toml", with_mesh("tetrahedron.msh")), "--model", "fem"}),
-      "allowed: hexahedra");
-  expect_refused(
-      call(folder, {"mesh", folder.file("d.toml", small_case + coarse), "-o", "/proc/nowhere"}),
-      "cannot create the folder");
-  expect_refused(call(folder, {"mesh"}), "case is required");
+  refuses({"run", folder.file("c.toml", with_mesh("tetrahedron.msh")), "--model", "fem"},
+          "allowed: hexahedra");
+  refuses({"mesh", folder.file("d.toml", small_case + coarse), "-o", "/proc/nowhere"},
+          "cannot create the folder");
+  refuses({"mesh"}, "case is required");
   EXPECT_TRUE(folder.made().empty());
 }
 
-TEST(MeshCommand, RunsNoScriptOfTheUsersFolders) {
-  const Folder folder;
+TEST_F(MeshCommand, RunsNoScriptOfTheUsersFolders) {
   const std::string file = folder.file("case.toml", plus(coarse + "mesh = \"gmsh\"\n"));
-  done(folder, {"mesh", file, "-o", "made"});
+  done({"mesh", file, "-o", "made"});
   // gmsh would run the first beside the mesh, and the others at its start.
   const std::string script = "SystemCall \"touch " + folder.path("ran") + "\";\n";
   for (const char* name :
@@ -87,28 +78,24 @@ TEST(MeshCommand, RunsNoScriptOfTheUsersFolders) {
   folder.file("work/.petscrc", "-help\n");  // PETSc would print its options, or start a debugger
   const std::string own =
       folder.file("own.toml", with_mesh("work/made/wheel.msh") + coarse + "mesh = \"gmsh\"\n");
-  const Outcome outcome =
-      done(folder, {"mesh", own, "-o", "again"}, {"HOME=" + folder.path("home")});
+  const Outcome outcome = done({"mesh", own, "-o", "again"}, {"HOME=" + folder.path("home")});
   EXPECT_FALSE(fs::exists(folder.path("ran")));
   EXPECT_FALSE(says(outcome.out, "petsc"));
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST(MeshCommand, RefusesNumbersThatCannotBe) {
-  const Folder folder;
-  done(folder, {"mesh", folder.file("a.toml", plus(coarse)), "-o", "made"});
+TEST_F(MeshCommand, RefusesNumbersThatCannotBe) {
+  done({"mesh", folder.file("a.toml", plus(coarse)), "-o", "made"});
   std::string text = folder.text("made/wheel.msh");
   const std::size_t line = text.rfind('\n', text.find("\n$EndElements") - 1);
   text.insert(text.find(' ', line) + 1, "-");
   folder.file("negative.msh", text);
-  expect_refused(call(folder, {"mesh", folder.file("b.toml", with_mesh("negative.msh"))}),
-                 "a node of an element is -");
+  refuses({"mesh", folder.file("b.toml", with_mesh("negative.msh"))}, "a node of an element is -");
 }
 
-TEST(MeshCommand, SparesTheMeshThatTheCaseNames) {
-  const Folder folder;
+TEST_F(MeshCommand, SparesTheMeshThatTheCaseNames) {
   folder.file("wheel.msh", "$MeshFormat\n");
-  expect_refused(call(folder, {"mesh", folder.file("a.toml", with_mesh("wheel.msh")), "-o", ".."}),
-                 "would be overwritten");
+  refuses({"mesh", folder.file("a.toml", with_mesh("wheel.msh")), "-o", ".."},
+          "would be overwritten");
   EXPECT_EQ(contents(folder.path("wheel.msh")), "$MeshFormat\n");
 }

@@ -4,12 +4,10 @@
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem::testing;
-using Json = nlohmann::json;
+using nlohmann::json;
 
 /// Case b on a coarse mesh with lateral creepage, so that whole bodies are modelled.
 std::string coarse_skew_case(const std::string& solver) {
@@ -24,7 +22,7 @@ const std::string stresses =
     "[[subsurface.line]]\nfrom = [-3, -2, 0.4]\nto = [3, 2, 6]\npoints = 9\n"
     "[[subsurface.surface]]\nbody = \"rail\"\nfrom = [1, -5]\nto = [1, 5]\npoints = 9\n";
 
-void expect_same_numbers(const Json& one, const Json& other, double tolerance) {
+void expect_same_numbers(const json& one, const json& other, double tolerance) {
   for (const char* name : {"longitudinal_force", "lateral_force", "spin_moment", "max_pressure",
                            "max_traction", "approach", "semi_axis_x", "semi_axis_y"}) {
     const double a = one[name];
@@ -37,8 +35,8 @@ void expect_same_numbers(const Json& one, const Json& other, double tolerance) {
 void expect_same_stresses(const Folder& folder, const std::string& one, const std::string& other,
                           double tolerance) {
   const double scale = point_of(folder, one)["max_pressure"];
-  const Json a = point_of(folder, one)["stress_maxima"];
-  const Json b = point_of(folder, other)["stress_maxima"];
+  const json a = point_of(folder, one)["stress_maxima"];
+  const json b = point_of(folder, other)["stress_maxima"];
   ASSERT_EQ(a.size(), 12u);
   ASSERT_EQ(b.size(), 12u);
   for (std::size_t k = 0; k < a.size(); ++k)
@@ -66,52 +64,48 @@ std::string different_bodies(const Folder& folder, const std::string& one,
       "        x, y = (f['bodies'][body][name][()] for f in (a, b))\n"
       "        if x.shape != y.shape or not x.size or abs(x - y).max() > bound:\n"
       "            print(body, name, x.shape, y.shape, abs(x - y).max())\n";
-  const Outcome outcome = execute(folder, {"/usr/bin/python3", "-c", script, one, other});
+  const Outcome outcome = folder.execute({"/usr/bin/python3", "-c", script, one, other});
   return outcome.out + outcome.err;
 }
 
 }  // namespace
 
-TEST(FemProgram, TwoProcessesGiveTheNumbersOfOne) {
-  const Folder folder;
+using FemProgram = ProgramTest;
+
+TEST_F(FemProgram, TwoProcessesGiveTheNumbersOfOne) {
   const std::string input = folder.file("coarse.toml", coarse_skew_case("multigrid") + stresses);
   for (const auto& [output, processes] : {std::pair{"one", 1}, {"two", 2}})
-    checked(execute(folder,
-                    command_of({"run", input, "-o", output, "--quiet", "--no-report"}, processes)));
+    checked(execute(command_of({"run", input, "-o", output, "--quiet", "--no-report"}, processes)));
   expect_same_numbers(point_of(folder, "one"), point_of(folder, "two"), 1e-8);
   expect_same_stresses(folder, "one", "two", 1e-8);
   EXPECT_EQ(different_bodies(folder, "one", "two"), "");
 }
 
-TEST(FemProgram, FactorisationAndMultigridGiveTheSameNumbers) {
-  const Folder folder;
+TEST_F(FemProgram, FactorisationAndMultigridGiveTheSameNumbers) {
   for (const std::string solver : {"factorisation", "multigrid"})
-    done(folder, {"run", folder.file(solver + ".toml", coarse_skew_case(solver)), "-o", solver,
-                  "--quiet", "--no-report"});
+    done({"run", folder.file(solver + ".toml", coarse_skew_case(solver)), "-o", solver, "--quiet",
+          "--no-report"});
   expect_same_numbers(point_of(folder, "factorisation"), point_of(folder, "multigrid"), 1e-8);
 }
 
 /// Measured on 60 000 unknowns: the factorisation takes 1.7 times as long with the kernels for
 /// SSE3.
-TEST(FemProgram, SlowKernelsOfOpenBlasMakeMultigridTheChoice) {
-  const Folder folder;
+TEST_F(FemProgram, SlowKernelsOfOpenBlasMakeMultigridTheChoice) {
   const std::string input = folder.file(
       "seven.toml", "models = [\"fem\"]\n" + plus("[rolling]\nlongitudinal_creepage = [0, 5e-4, "
                                                   "1e-3, 2e-3, 3e-3, 4e-3, 6e-3]\n[fem]\n"
                                                   "cell_size = 1.6\n"));
   const auto made_with = [&](const std::string& output, const std::vector<std::string>& settings) {
-    done(folder, {"run", input, "-o", output, "--quiet", "--no-report"}, settings);
+    done({"run", input, "-o", output, "--quiet", "--no-report"}, settings);
     return folder.text(output + "/summary.json");
   };
   EXPECT_TRUE(says(made_with("fast", {}), "CHOLMOD factorisation"));
   EXPECT_TRUE(says(made_with("slow", {"OPENBLAS_CORETYPE=Prescott"}), "geometric multigrid"));
 }
 
-TEST(FemProgram, AFactorisationOnTwoProcessesIsRefusedOnceWithStatusTwo) {
-  const Folder folder;
+TEST_F(FemProgram, AFactorisationOnTwoProcessesIsRefusedOnceWithStatusTwo) {
   const std::string input = folder.file("coarse.toml", coarse_skew_case("factorisation"));
-  const Outcome outcome =
-      execute(folder, command_of({"run", input, "-o", "out", "--no-report"}, 2));
+  const Outcome outcome = execute(command_of({"run", input, "-o", "out", "--no-report"}, 2));
   EXPECT_EQ(outcome.status, 2);
   const std::size_t first = outcome.err.find("linear_solver");
   ASSERT_NE(first, std::string::npos) << outcome.err;
@@ -121,8 +115,7 @@ TEST(FemProgram, AFactorisationOnTwoProcessesIsRefusedOnceWithStatusTwo) {
   EXPECT_FALSE(folder.holds("out"));
 }
 
-TEST(FemProgram, AnErrorOfTheContactProblemEndsAllProcessesWithOneMessage) {
-  const Folder folder;
+TEST_F(FemProgram, AnErrorOfTheContactProblemEndsAllProcessesWithOneMessage) {
   // How much friction can bear is known when the first process has solved the normal problem.
   const std::string input = folder.file(
       "force.toml", "models = [\"fem\"]\n" + with("normal_force = 50e3", "approach = 0.02") +
@@ -130,7 +123,7 @@ TEST(FemProgram, AnErrorOfTheContactProblemEndsAllProcessesWithOneMessage) {
                         "extent = 20\nlinear_solver = \"multigrid\"\n");
   for (const int processes : {1, 2, 3}) {
     const Outcome outcome =
-        execute(folder, command_of({"run", input, "-o", "out", "--no-report"}, processes));
+        execute(command_of({"run", input, "-o", "out", "--no-report"}, processes));
     EXPECT_EQ(outcome.status, 1) << outcome.err;
     const std::string what = "prescribed force";
     const std::size_t said = outcome.err.find(what);

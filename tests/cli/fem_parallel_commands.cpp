@@ -4,14 +4,10 @@
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace {
 
-using namespace rollfem::testing;
-using Json = nlohmann::json;
+using nlohmann::json;
 
 std::string coarse_flat_case(const std::string& cell_size) {
   return with("2000.0", "500.0") +
@@ -21,15 +17,14 @@ std::string coarse_flat_case(const std::string& cell_size) {
 }
 
 /// Runs the command on one process and on two; its JSON of both.
-std::array<Json, 2> both(const Folder& folder, const std::string& command,
+std::array<json, 2> both(const Folder& folder, const std::string& command,
                          const std::vector<std::string>& options) {
   const std::string input = folder.file("coarse.toml", coarse_flat_case("1.4"));
-  std::array<Json, 2> results;
+  std::array<json, 2> results;
   for (const int processes : {1, 2}) {
     const std::string output = "on_" + std::to_string(processes);
-    const Outcome outcome = checked(execute(
-        folder, command_of(joined({command, input, "-o", output, "-q", "--no-report"}, options),
-                           processes)));
+    const Outcome outcome = checked(folder.execute(command_of(
+        joined({command, input, "-o", output, "-q", "--no-report"}, options), processes)));
     EXPECT_EQ(outcome.out, "");
     results[static_cast<std::size_t>(processes - 1)] =
         folder.json(output + "/" + command + ".json");
@@ -55,29 +50,28 @@ std::size_t same_rows(const Folder& folder, const std::string& name) {
   return one.size();
 }
 
-TEST(FemCommands, StudyOnTwoProcessesGivesTheNumbersOfOne) {
-  const Folder folder;
+using FemCommands = ProgramTest;
+
+TEST_F(FemCommands, StudyOnTwoProcessesGivesTheNumbersOfOne) {
   const auto [one, two] = both(folder, "study", {"--model", "fem", "halfspace", "--levels", "2"});
   EXPECT_EQ(two.at("processes"), 2);
   ASSERT_EQ(one.at("places").at(0).at("series").size(), 2U);
-  for (const Json& series : one.at("places").at(0).at("series"))
+  for (const json& series : one.at("places").at(0).at("series"))
     EXPECT_EQ(series.at("levels").size(), 2U);
   EXPECT_GT(same_rows(folder, "study"), 8U);
 }
 
-TEST(FemCommands, CompareOnTwoProcessesGivesTheNumbersOfOne) {
-  const Folder folder;
+TEST_F(FemCommands, CompareOnTwoProcessesGivesTheNumbersOfOne) {
   both(folder, "compare", {"--model", "halfspace", "fem"});
   EXPECT_GT(same_rows(folder, "compare"), 8U);
 }
 
-TEST(FemCommands, AFailureOnTwoProcessesEndsTheCallAndWritesNothing) {
-  const Folder folder;
+TEST_F(FemCommands, AFailureOnTwoProcessesEndsTheCallAndWritesNothing) {
   // More unknowns than any memory holds, which shows before a mesh is made.
   const std::string input = folder.file("fine.toml", coarse_flat_case("0.001"));
   for (const char* command : {"study", "compare"}) {
     const Outcome outcome =
-        execute(folder, command_of({command, input, "-o", "out", "--no-report", "-m", "fem"}, 2));
+        execute(command_of({command, input, "-o", "out", "--no-report", "-m", "fem"}, 2));
     EXPECT_EQ(outcome.status, 1) << outcome.err;
     EXPECT_TRUE(says(outcome.err, "model fem"));
     EXPECT_TRUE(folder.made().empty()) << command;

@@ -7,7 +7,6 @@
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// Small bodies; `solver` decides whether two processes can take the case.
@@ -29,11 +28,11 @@ void expect_resumed_like(const fs::path& whole, const Folder& folder, const std:
   kill_when(folder, run(processes, file, "killed"),
             [&] { return records(unfinished, level) > more_than; });
   EXPECT_FALSE(folder.holds("killed"));
-  Outcome outcome = execute(folder, run(processes, file, "killed", {"--resume"}));
+  Outcome outcome = folder.execute(run(processes, file, "killed", {"--resume"}));
   // The processes of a killed mpirun end when they notice: until then the folder is theirs.
   for (int wait = 0; wait < 20 && says(outcome.err, "another run is writing"); ++wait) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
-    outcome = execute(folder, run(processes, file, "killed", {"--resume"}));
+    outcome = folder.execute(run(processes, file, "killed", {"--resume"}));
   }
   checked(outcome);
   EXPECT_TRUE(says(outcome.err, "solutions of an earlier run"));
@@ -51,36 +50,35 @@ const std::string hybrid_case =
 
 }  // namespace
 
-TEST(FemResume, TheHybridTakesUpLoadPointsAndItsCorrection) {
-  const Folder folder;
+using FemResume = ProgramTest;
+
+TEST_F(FemResume, TheHybridTakesUpLoadPointsAndItsCorrection) {
   const std::string file = folder.file("hybrid.toml", hybrid_case);
   const fs::path unfinished = folder.work() / "killed.unfinished";
   const std::vector<std::string> cache{"ROLLFEM_CACHE=cache"};
   kill_when(
       folder, run(1, file, "killed"), [&] { return records(unfinished, "hybrid") > 2; }, cache);
-  const Outcome resumed = checked(execute(folder, run(1, file, "killed", {"--resume"}), cache));
+  const Outcome resumed = checked(execute(run(1, file, "killed", {"--resume"}), cache));
   EXPECT_TRUE(says(resumed.err, "solutions of an earlier run"));
-  checked(execute(folder, run(1, file, "whole"), cache));
+  checked(execute(run(1, file, "whole"), cache));
   // Notes are compared as well: in both the correction is the one that the killed run has found.
   expect_same_results(folder, folder.work() / "whole", folder.work() / "killed");
   EXPECT_TRUE(says(folder.text("killed/summary.json"), "comes from the cache"));
 }
 
-TEST(FemResume, TheResultIsTheSameToTheLastBit) {
-  const Folder folder;
+TEST_F(FemResume, TheResultIsTheSameToTheLastBit) {
   const std::string file =
       folder.file("coarse.toml", coarse_creep_case("factorisation", "[0.0, 0.001, 0.002]"));
-  checked(execute(folder, run(1, file, "whole")));
+  checked(execute(run(1, file, "whole")));
   const fs::path whole = folder.work() / "whole";
   // On the level of the error estimate, after one load point; in the middle of the curve.
   expect_resumed_like(whole, folder, file, 1, "fem-3.6mm", 1);
   expect_resumed_like(whole, folder, file, 1, "fem-1.8mm", 2);
 }
 
-TEST(FemResume, InTwoProcesses) {
-  const Folder folder;
+TEST_F(FemResume, InTwoProcesses) {
   const std::string file =
       folder.file("coarse.toml", coarse_creep_case("multigrid", "[0.0, 0.002]"));
-  checked(execute(folder, run(2, file, "whole")));
+  checked(execute(run(2, file, "whole")));
   expect_resumed_like(folder.work() / "whole", folder, file, 2, "fem-3.6mm", 2);
 }

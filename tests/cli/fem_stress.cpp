@@ -4,12 +4,8 @@
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
-#include <algorithm>
-#include <cmath>
 
 namespace {
-
-using namespace rollfem::testing;
 
 /// Small bodies of case a.
 std::string coarse_output_case(const std::string& creepages, const std::string& output) {
@@ -17,11 +13,11 @@ std::string coarse_output_case(const std::string& creepages, const std::string& 
          "\n[fem]\ncell_size = 1.9\nextent = 23\nlinear_solver = \"factorisation\"\n" + output;
 }
 
-class FemStress : public ::testing::Test {
+class FemStress : public ProgramTest {
  protected:
   void run(const std::string& name, const std::string& creepages, const std::string& output) {
     const std::string file = folder.file(name + ".toml", coarse_output_case(creepages, output));
-    done(folder, {"run", file, "-o", name, "-q", "--no-report"});
+    done({"run", file, "-o", name, "-q", "--no-report"});
   }
   /// The numbers of stress.csv, row by row, from x on.
   std::vector<double> stress(const std::string& result,
@@ -29,17 +25,16 @@ class FemStress : public ::testing::Test {
     const std::string places = folder.file(
         "places.toml",
         "[[subsurface.line]]\nfrom = [-6, 1, -2]\nto = [6, 1, -2]\npoints = 25\nbody = \"rail\"\n");
-    done(folder, joined({"stress", result, "--no-figures", "--depth-profile", "--depth", "10",
-                         "--places", places, "-o", "out"},
-                        arguments));
+    done(joined({"stress", result, "--no-figures", "--depth-profile", "--depth", "10", "--places",
+                 places, "-o", "out"},
+                arguments));
     return csv_numbers(folder.text("out/stress.csv"), 4);
   }
-  Folder folder;
 };
 
 TEST_F(FemStress, OfTheHybridIsComputedAgainWhereNoCorrectionIsKept) {
   const std::string file = folder.file("h.toml", coarse_output_case("0.001", ""));
-  done(folder, {"run", file, "-o", "h", "--model", "hybrid", "-q", "--no-report"});
+  done({"run", file, "-o", "h", "--model", "hybrid", "-q", "--no-report"});
   EXPECT_GT(stress("h", {}).size(), 1000U);
 }
 
@@ -78,13 +73,12 @@ TEST_F(FemStress, BodiesAreKeptAsTheCaseSays) {
   EXPECT_TRUE(folder.holds("last/fields/fem_wheel_0001.vtu"));
   EXPECT_FALSE(folder.holds("last/fields/fem_wheel_0000.vtu"));
   EXPECT_FALSE(stress("last", {}).empty());
-  expect_refused(call(folder, {"stress", "last", "--point", "1"}),
-                 "stores its bodies only for these load points: 2; do: ");
+  refuses({"stress", "last", "--point", "1"},
+          "stores its bodies only for these load points: 2; do: ");
   run("none", curve, "");
   EXPECT_TRUE(folder.holds("none/fields/fem_contact_0001.vtu"));
   EXPECT_FALSE(folder.holds("none/fields/fem_wheel.vtu"));
-  expect_refused(call(folder, {"stress", "none"}),
-                 "do: run the case again with [output] body_fields = \"all\"");
+  refuses({"stress", "none"}, "do: run the case again with [output] body_fields = \"all\"");
 }
 
 }  // namespace

@@ -2,12 +2,10 @@
 // One owner of a result at a time, from the start of a command to its end, and the messages when a
 // signal ends it or nobody reads its output.
 #include "support/case_examples.hpp"
-#include "support/places.hpp"
 #include "support/resume.hpp"
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 std::string slow_case() {
@@ -22,14 +20,15 @@ Outcome second_of(const Folder& folder, const std::vector<std::string>& first,
   Outcome outcome;
   kill_when(folder, command_of(first), [&] {
     if (folder.text(lock).empty()) return false;
-    outcome = call(folder, second);
+    outcome = folder.call(second);
     return true;
   });
   return outcome;
 }
 
-TEST(Owner, ASecondRunIsRefusedAtOnceAndToldByWhom) {
-  const Folder folder;
+using Owner = ProgramTest;
+
+TEST_F(Owner, ASecondRunIsRefusedAtOnceAndToldByWhom) {
   const std::string file = folder.file("slow.toml", slow_case());
   const std::vector<std::string> run{"run", file, "-o", "out", "--no-report"};
   const Outcome second = second_of(folder, run, "out.lock", run);
@@ -38,12 +37,11 @@ TEST(Owner, ASecondRunIsRefusedAtOnceAndToldByWhom) {
   EXPECT_TRUE(says(second.err, "run " + file + " -o out"));
   // The first was killed and has left its file: the next run takes it over and removes it.
   EXPECT_TRUE(folder.holds("out.lock"));
-  done(folder, {"run", file, "-o", "out", "--no-report", "-m", "hertz", "--quiet"});
+  done({"run", file, "-o", "out", "--no-report", "-m", "hertz", "--quiet"});
   EXPECT_FALSE(folder.holds("out.lock"));
 }
 
-TEST(Owner, OtherCommandsOwnTheirFoldersToo) {
-  const Folder folder;
+TEST_F(Owner, OtherCommandsOwnTheirFoldersToo) {
   const std::string file = folder.file("slow.toml", slow_case());
   // A run into one of the folders of a comparison.
   expect_refused(second_of(folder, {"compare", file, "-o", "c", "-m", "halfspace", "--no-report"},
@@ -54,15 +52,16 @@ TEST(Owner, OtherCommandsOwnTheirFoldersToo) {
                  "another run is writing");
 }
 
-TEST(Interruption, SaysWhatIsKeptAndHowToGoOn) {
-  const Folder folder;
+using Interruption = ProgramTest;
+
+TEST_F(Interruption, SaysWhatIsKeptAndHowToGoOn) {
   const std::string file = folder.file("slow.toml", slow_case());
   const fs::path unfinished = folder.work() / "out.unfinished";
   for (const auto& [signal, status] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
     // Waits until load points are stored; most users run it in a shell script, which is interrupted
     // too.
-    const Outcome outcome = execute(
-        folder, {"/bin/bash", "-c",
+    const Outcome outcome =
+        execute({"/bin/bash", "-c",
                  "\"$0\" run \"$1\" -o out --no-report --resume & child=$!\n"
                  "until ls out.unfinished/*-000[23].point >/dev/null 2>&1; do sleep 0.01; done\n"
                  "kill -" +
@@ -79,27 +78,27 @@ TEST(Interruption, SaysWhatIsKeptAndHowToGoOn) {
       fs::remove_all(folder.work() / "out");
     }
   }
-  const Outcome resumed = done(folder, {"run", file, "-o", "out", "--no-report", "--resume"});
+  const Outcome resumed = done({"run", file, "-o", "out", "--no-report", "--resume"});
   EXPECT_TRUE(says(resumed.err, "solutions of an earlier run"));
   EXPECT_FALSE(fs::exists(unfinished));
 }
 
-TEST(Interruption, OfNothingKeptSaysSo) {
-  const Folder folder;
+TEST_F(Interruption, OfNothingKeptSaysSo) {
   std::string text = slow_case();
   text.replace(text.find("= 100\n"), 6, "= 400\n");
-  const Outcome outcome = call(folder, {"run", folder.file("slow.toml", text), "-o", "deep/out"},
-                               {}, interrupt_after(300));
+  const Outcome outcome =
+      call({"run", folder.file("slow.toml", text), "-o", "deep/out"}, {}, interrupt_after(300));
   EXPECT_EQ(outcome.status, 130) << outcome.err;
   EXPECT_TRUE(says(outcome.err, "interrupted: no finished work was stored"));
   EXPECT_TRUE(folder.made().empty());
 }
 
-TEST(ClosedOutput, IsNoFailure) {
-  const Folder folder;
+using ClosedOutput = ProgramTest;
+
+TEST_F(ClosedOutput, IsNoFailure) {
   const std::string file = folder.file("small.toml", small_case);
   const auto shell = [&](const std::string& line) {
-    return execute(folder, {"/bin/bash", "-o", "pipefail", "-c", line, ROLLFEM_PROGRAM, file});
+    return execute({"/bin/bash", "-o", "pipefail", "-c", line, ROLLFEM_PROGRAM, file});
   };
   for (const char* line : {"\"$0\" run \"$1\" -m hertz -o out --no-report | true",
                            "\"$0\" check \"$1\" | true", "trap '' PIPE; \"$0\" check \"$1\" | true",

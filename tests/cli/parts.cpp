@@ -3,11 +3,9 @@
 // bit, missing parts are named, and cases that cannot be divided are refused.
 #include "support/case_examples.hpp"
 #include "support/resume.hpp"
-#include <cstdlib>
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// The balance of each position is solved for, too.
@@ -16,76 +14,71 @@ const std::string three_positions =
                            "wheelset.side=both", "wheelset.lateral_shift=[0.0, 2.0, 3.0]",
                            "wheelset.free_rolling=torque", "contact_grid.elements_across=16"});
 
-TEST(Parts, OfARowOfPositionsAreOneRun) {
-  const Folder folder;
+using Parts = ProgramTest;
+
+TEST_F(Parts, OfARowOfPositionsAreOneRun) {
   const std::vector<std::string> run{"run", folder.file("row.toml", three_positions), "--no-report",
                                      "-o"};
-  done(folder, joined(run, {"whole"}));
-  EXPECT_TRUE(says(done(folder, joined(run, {"out", "--part", "2/2"})).err, "part 2 of 2 is done"));
+  done(joined(run, {"whole"}));
+  EXPECT_TRUE(says(done(joined(run, {"out", "--part", "2/2"})).err, "part 2 of 2 is done"));
   EXPECT_FALSE(folder.holds("out"));
-  expect_refused(call(folder, joined(run, {"out", "--merge", "2"})),
-                 "missing beside out: 1; do: run the same");
-  done(folder, joined(run, {"out", "--part", "1/2"}));
+  refuses(joined(run, {"out", "--merge", "2"}), "missing beside out: 1; do: run the same");
+  done(joined(run, {"out", "--part", "1/2"}));
   EXPECT_GE(records(folder.work() / "out.part-1-of-2.unfinished", "balance-"), 1);
-  done(folder, joined(run, {"out", "--merge", "2"}));
+  done(joined(run, {"out", "--merge", "2"}));
   expect_same_results(folder, folder.work() / "whole", folder.work() / "out");
   for (const char* part : {"1", "2"})
     EXPECT_FALSE(folder.holds(std::string("out.part-") + part + "-of-2.unfinished"));
 }
 
-TEST(Parts, UnderMpirunARowIsDividedAmongTheProcesses) {
+TEST_F(Parts, UnderMpirunARowIsDividedAmongTheProcesses) {
   if (std::system("command -v mpirun > /dev/null 2>&1") != 0) GTEST_SKIP() << "no mpirun";
-  const Folder folder;
   const std::vector<std::string> run{"run", folder.file("row.toml", three_positions), "--no-report",
                                      "-o"};
-  done(folder, joined(run, {"whole"}));
-  const Outcome outcome = checked(execute(folder, command_of(joined(run, {"out"}), 2)));
+  done(joined(run, {"whole"}));
+  const Outcome outcome = checked(execute(command_of(joined(run, {"out"}), 2)));
   EXPECT_TRUE(says(outcome.err, "part 1 of 2 is done"));
   expect_same_results(folder, folder.work() / "whole", folder.work() / "out");
   EXPECT_FALSE(folder.holds("out.part-2-of-2.unfinished"));
 }
 
-TEST(Parts, OfATableAreOneTable) {
-  const Folder folder;
+TEST_F(Parts, OfATableAreOneTable) {
   const std::vector<std::string> table{
       "table",
       folder.file("case.toml", small_case + "[table]\npoints = [4, 3, 5]\naxis_ratio = [0.5, 2.0]\n"
                                             "largest = [2.0, 2.0, 2.0]\ncheck_points = 10\n"),
       "--no-report", "-o"};
-  done(folder, joined(table, {"whole"}));
-  for (const char* part : {"1/2", "2/2"}) done(folder, joined(table, {"out", "--part", part}));
-  done(folder, joined(table, {"out", "--merge", "2"}));
+  done(joined(table, {"whole"}));
+  for (const char* part : {"1/2", "2/2"}) done(joined(table, {"out", "--part", part}));
+  done(joined(table, {"out", "--merge", "2"}));
   for (const std::string name : {"table.csv", "interpolation.csv"})
     EXPECT_EQ(folder.text("out/" + name), folder.text("whole/" + name)) << name;
 }
 
-TEST(Parts, OfAStudyAreItsLevels) {
-  const Folder folder;
+TEST_F(Parts, OfAStudyAreItsLevels) {
   const std::vector<std::string> study{
       "study", folder.file("case.toml", small_case), "--levels", "3", "--no-report", "-o", "out"};
-  for (const char* part : {"1/2", "2/2"}) done(folder, joined(study, {"--part", part}));
-  const Outcome merged = done(folder, joined(study, {"--merge", "2"}));
+  for (const char* part : {"1/2", "2/2"}) done(joined(study, {"--part", part}));
+  const Outcome merged = done(joined(study, {"--merge", "2"}));
   EXPECT_EQ(folder.json("out/study.json")["places"][0]["series"][0]["levels"].size(), 3U);
   EXPECT_TRUE(says(merged.err, "resumed"));
 }
 
-TEST(Parts, AnEmptyPartSaysSo) {
-  const Folder folder;
+TEST_F(Parts, AnEmptyPartSaysSo) {
   const std::vector<std::string> study{
       "study", folder.file("case.toml", small_case), "--levels", "2", "--no-report", "-o", "out"};
   for (const char* part : {"1/3", "2/3"})
-    EXPECT_FALSE(says(done(folder, joined(study, {"--part", part})).err, "is empty")) << part;
-  EXPECT_TRUE(says(done(folder, joined(study, {"-q", "--part", "3/3"})).err,
-                   "warning: part 3 of 3 is empty"));
-  done(folder, joined(study, {"--merge", "3"}));
+    EXPECT_FALSE(says(done(joined(study, {"--part", part})).err, "is empty")) << part;
+  EXPECT_TRUE(
+      says(done(joined(study, {"-q", "--part", "3/3"})).err, "warning: part 3 of 3 is empty"));
+  done(joined(study, {"--merge", "3"}));
   EXPECT_EQ(folder.json("out/study.json")["places"][0]["series"][0]["levels"].size(), 2U);
 }
 
-TEST(Parts, WhatCannotBeDividedIsRefused) {
-  const Folder folder;
+TEST_F(Parts, WhatCannotBeDividedIsRefused) {
   const std::string file = folder.file("case.toml", small_case);
   const auto refused = [&](const std::vector<std::string>& options, const std::string& says) {
-    expect_refused(call(folder, joined({"run", file}, options)), says);
+    refuses(joined({"run", file}, options), says);
   };
   refused({"--part", "1/2"}, "nothing to divide");
   refused({"--merge", "2"}, "nothing to divide");

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command profile: its output, files, figures and refusals.
-#include <gtest/gtest.h>
-
 #include "support/profile_texts.hpp"
 #include "support/program.hpp"
-#include <random>
 #include <regex>
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 bool tells(const Outcome& outcome, const std::string& part) {
@@ -23,9 +19,10 @@ std::string with_s1002(const std::string& rail) {
          rail;
 }
 
-TEST(Profile, TellsWhatTheStandardSaysOfS1002) {
-  const Folder folder;
-  const Outcome outcome = done(folder, {"profile", "S1002", "-o", "out"});
+using Profile = ProgramTest;
+
+TEST_F(Profile, TellsWhatTheStandardSaysOfS1002) {
+  const Outcome outcome = done({"profile", "S1002", "-o", "out"});
   EXPECT_EQ(outcome.err, "");
   // EN 13715: flange 28 high, its tip at y = -55, 32.5 thick at 10 below the tape line (-70
   // + 32.5).
@@ -37,25 +34,23 @@ TEST(Profile, TellsWhatTheStandardSaysOfS1002) {
   EXPECT_TRUE(says(folder.text("out/profile.svg"), "<svg"));
 }
 
-TEST(Profile, TheTableIsAProfileAgain) {
-  const Folder folder;
-  done(folder, {"profile", "60E1", "-o", "one"});
+TEST_F(Profile, TheTableIsAProfileAgain) {
+  done({"profile", "60E1", "-o", "one"});
   // Every joint has two rows in the table, one for each side of it.
   const std::string file = folder.file("60E1.toml", with_s1002(R"(
 profile = "work/one/profile.csv"
 [rail_profile]
 drop_duplicates = true
 )"));
-  const Outcome outcome = done(folder, {"profile", file, "--rail", "-o", "two"});
+  const Outcome outcome = done({"profile", file, "--rail", "-o", "two"});
   EXPECT_TRUE(tells(outcome, "gauge face 14 mm below the top, mm  y = -35.9813")) << outcome.out;
   EXPECT_EQ(folder.made().back(), "two/rail.svg");
 }
 
-TEST(Profile, OfACaseShowsBothBodiesAndMayBeAskedForAgain) {
-  const Folder folder;
+TEST_F(Profile, OfACaseShowsBothBodiesAndMayBeAskedForAgain) {
   const std::string file = folder.file("c.toml", with_s1002("profile = \"60E1\"\n"));
   for (int time = 0; time < 2; ++time) {
-    const Outcome outcome = done(folder, {"profile", file});
+    const Outcome outcome = done({"profile", file});
     EXPECT_TRUE(tells(outcome, "wheel S1002")) << outcome.out;
     EXPECT_TRUE(tells(outcome, "rail 60E1")) << outcome.out;
     EXPECT_TRUE(tells(outcome, "where wheel and rail touch")) << outcome.out;
@@ -67,22 +62,19 @@ TEST(Profile, OfACaseShowsBothBodiesAndMayBeAskedForAgain) {
                                "results/c_profile/wheel.svg"}));
 }
 
-TEST(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
-  const Folder folder;
-  expect_refused(call(folder, {"profile", "S1003"}), "S1002, S1002-smooth, 60E1");
-  expect_refused(call(folder, {"profile", folder.file("a.csv", "1,2\n")}), "--wheel or --rail");
-  expect_refused(call(folder, {"profile", folder.file("a.csv", "1,2\n"), "--rail"}),
-                 "has 1 points");
-  expect_refused(call(folder, {"profile", folder.file("e.csv", ""), "--wheel"}), "is empty");
-  expect_refused(call(folder, {"profile", "60E1", "--wheel"}), "belongs to a rail");
-  expect_refused(call(folder, {"profile", "60E1", "--wheel", "--rail"}), "exclude each other");
+TEST_F(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
+  refuses({"profile", "S1003"}, "S1002, S1002-smooth, 60E1");
+  refuses({"profile", folder.file("a.csv", "1,2\n")}, "--wheel or --rail");
+  refuses({"profile", folder.file("a.csv", "1,2\n"), "--rail"}, "has 1 points");
+  refuses({"profile", folder.file("e.csv", ""), "--wheel"}, "is empty");
+  refuses({"profile", "60E1", "--wheel"}, "belongs to a rail");
+  refuses({"profile", "60E1", "--wheel", "--rail"}, "exclude each other");
   EXPECT_TRUE(folder.made().empty());
 }
 
 /// A measured rail with every kind of fault: the keys of one message, pasted into the case, mend
 /// it.
-TEST(Profile, TheKeysOfOneMessageMendAFile) {
-  const Folder folder;
+TEST_F(Profile, TheKeysOfOneMessageMendAFile) {
   Points points = points_of("60E1", 0.2);
   std::reverse(points.begin(), points.end());
   for (auto& q : points) q[1] = -q[1];
@@ -93,7 +85,7 @@ TEST(Profile, TheKeysOfOneMessageMendAFile) {
   const auto case_with = [&](const std::string& keys) {
     return folder.file("c.toml", with_s1002("profile = \"rail.ban\"\n[rail_profile]\n" + keys));
   };
-  const Outcome refused = call(folder, {"profile", case_with("")});
+  const Outcome refused = call({"profile", case_with("")});
   expect_refused(refused, "under [rail_profile]");
   std::string keys;
   const std::string list = refused.err.substr(refused.err.find("do: put"));
@@ -101,12 +93,11 @@ TEST(Profile, TheKeysOfOneMessageMendAFile) {
   for (std::sregex_iterator at(list.begin(), list.end(), key), end; at != end; ++at)
     keys += (*at)[1].str() + '\n';
   EXPECT_EQ(keys, "flip = true\ndrop_duplicates = true\ndrop_zigzag = true\nlongest_gap = 7\n");
-  const Outcome outcome = done(folder, {"profile", case_with(keys)});
+  const Outcome outcome = done({"profile", case_with(keys)});
   EXPECT_TRUE(tells(outcome, "gauge face 14 mm below the top, mm  y = -35.98")) << outcome.out;
 }
 
-TEST(Profile, ScatterIsToldWithTheSmoothingThatItNeeds) {
-  const Folder folder;
+TEST_F(Profile, ScatterIsToldWithTheSmoothingThatItNeeds) {
   Points points = points_of("60E1", 0.2);
   std::mt19937 generator(4);
   std::normal_distribution<double> normal(0.0, 0.004);
@@ -114,26 +105,27 @@ TEST(Profile, ScatterIsToldWithTheSmoothingThatItNeeds) {
   folder.file("rail.txt", columns(points));
   const std::string file = folder.file(
       "c.toml", with_s1002("profile = \"rail.txt\"\n[rail_profile]\nlargest_kink = 60\n"));
-  EXPECT_TRUE(tells(done(folder, {"profile", file, "--rail"}), "put `smoothing = 0.00"));
-  EXPECT_TRUE(says(done(folder, {"check", file}).err,
+  EXPECT_TRUE(tells(done({"profile", file, "--rail"}), "put `smoothing = 0.00"));
+  EXPECT_TRUE(says(done({"check", file}).err,
                    "warning: " + file + ": rail.profile = \"rail.txt\": its points scatter by 0.00",
                    "do: put `smoothing = 0.00"));
-  const Outcome smoothed = done(folder, {"check", file, "--set", "rail_profile.smoothing=0.004"});
+  const Outcome smoothed = done({"check", file, "--set", "rail_profile.smoothing=0.004"});
   EXPECT_FALSE(says(smoothed.err, "scatter"));
 }
 
-TEST(Wheelset, TellsRadiiAnglesAndConicity) {
-  const Folder folder;
+using Wheelset = ProgramTest;
+
+TEST_F(Wheelset, TellsRadiiAnglesAndConicity) {
   const std::string file =
       folder.file("case.toml", with_s1002("profile = \"60E1\"\n[wheelset]\nside = \"both\"\n"));
-  const Outcome outcome = done(folder, {"wheelset", file, "--reach", "4", "-o", "out"});
+  const Outcome outcome = done({"wheelset", file, "--reach", "4", "-o", "out"});
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(folder.made(),
             (std::vector<std::string>{"out", "out/wheelset.csv", "out/wheelset.svg"}));
   const std::string table = folder.text("out/wheelset.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 42);  // heading and 0 to 4 mm by 0.1
   EXPECT_TRUE(tells(outcome, "conicity")) << outcome.out;
-  expect_refused(call(folder, {"wheelset", file, "--reach", "90"}), "0.2 to 30 mm");
+  refuses({"wheelset", file, "--reach", "90"}, "0.2 to 30 mm");
 }
 
 }  // namespace

@@ -5,11 +5,9 @@
 #include "support/resume.hpp"
 
 #include "support/case_examples.hpp"
-#include "support/places.hpp"
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 // Load points are kept from half a second on: enough of them, and on a grid fine enough, for a
@@ -32,7 +30,7 @@ std::vector<std::string> run(const std::string& file, const std::string& directo
 const fs::path& whole() {
   static const Folder folder;
   static const fs::path result = [] {
-    done(folder, run(folder.file("slow.toml", slow_creepages()), "whole"));
+    folder.done(run(folder.file("slow.toml", slow_creepages()), "whole"));
     return folder.work() / "whole";
   }();
   return result;
@@ -48,19 +46,19 @@ int leave_unfinished(const Folder& folder, const std::string& file, const std::s
 
 void expect_resumed_like(const fs::path& whole, const Folder& folder, const std::string& file) {
   const int kept = leave_unfinished(folder, file, "killed");
-  const Outcome outcome = done(folder, run(file, "killed", {"--resume"}));
+  const Outcome outcome = folder.done(run(file, "killed", {"--resume"}));
   EXPECT_TRUE(says(outcome.err, "resume: " + std::to_string(kept) + " solutions"));
   expect_same_results(folder, whole, folder.work() / "killed");
   EXPECT_FALSE(folder.holds("killed.unfinished"));
 }
 
-TEST(Resume, AfterAKillTheResultIsTheSameToTheLastBit) {
-  const Folder folder;
+using Resume = ProgramTest;
+
+TEST_F(Resume, AfterAKillTheResultIsTheSameToTheLastBit) {
   expect_resumed_like(whole(), folder, folder.file("slow.toml", slow_creepages()));
 }
 
-TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
-  const Folder folder;
+TEST_F(Resume, AHistoryGoesOnFromTheStepsBefore) {
   std::string steps = "0.5";
   for (int k = 1; k < 12; ++k) steps += ", 0.5";
   const std::string file = folder.file(
@@ -68,12 +66,11 @@ TEST(Resume, AHistoryGoesOnFromTheStepsBefore) {
       slow_creepages("problem = \"transient\"\nlongitudinal_creepage = 0.002\n[history]\n"
                      "step_length = [" +
                      steps + "]\n"));
-  done(folder, run(file, "whole"));
+  done(run(file, "whole"));
   expect_resumed_like(folder.work() / "whole", folder, file);
 }
 
-TEST(Resume, FrictionThatRemembersGoesOnFromThatOfTheParticles) {
-  const Folder folder;
+TEST_F(Resume, FrictionThatRemembersGoesOnFromThatOfTheParticles) {
   std::string steps = "0.1";
   for (int k = 1; k < 8; ++k) steps += ", 0.1";
   std::string text = slow_creepages(
@@ -85,15 +82,14 @@ TEST(Resume, FrictionThatRemembersGoesOnFromThatOfTheParticles) {
               "law = \"exponential\"\nkinetic_coefficient = 0.4\nhalf_velocity = 1000.0\n"
               "memory_distance = 0.003\n");
   const std::string file = folder.file("slow.toml", text);
-  done(folder, run(file, "whole"));
+  done(run(file, "whole"));
   expect_resumed_like(folder.work() / "whole", folder, file);
 }
 
-TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
-  const Folder folder;
+TEST_F(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
-  const Outcome outcome = done(folder, run(file, "out"));
+  const Outcome outcome = done(run(file, "out"));
   EXPECT_TRUE(says(outcome.err, "--resume would continue from them",
                    "until it is done they are kept in out.unfinished.earlier"));
   EXPECT_FALSE(folder.holds("out.unfinished"));
@@ -101,8 +97,7 @@ TEST(Resume, WithoutItTheRunStartsAnewAndSaysThatItNeedNot) {
   EXPECT_TRUE(folder.holds("out/summary.json"));
 }
 
-TEST(Resume, WithoutItNothingIsLostBeforeTheNewRunIsDone) {
-  const Folder folder;
+TEST_F(Resume, WithoutItNothingIsLostBeforeTheNewRunIsDone) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   const int kept = leave_unfinished(folder, file, "out");
   kill_when(folder, command_of(run(file, "out")),
@@ -110,57 +105,49 @@ TEST(Resume, WithoutItNothingIsLostBeforeTheNewRunIsDone) {
   EXPECT_EQ(records(folder.work() / "out.unfinished.earlier"), kept);
 }
 
-TEST(Resume, LoadPointsOfAChangedCaseAreRefused) {
-  const Folder folder;
+TEST_F(Resume, LoadPointsOfAChangedCaseAreRefused) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   const int kept = leave_unfinished(folder, file, "out");
   std::string changed = slow_creepages();
   changed.replace(changed.find("0.0005"), 6, "0.0004");
   folder.file("slow.toml", changed);
-  const Outcome outcome = call(folder, run(file, "out", {"--resume"}));
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_TRUE(says(outcome.err, "slow.toml (or a file that it names) has changed"));
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  refuses(run(file, "out", {"--resume"}), "slow.toml (or a file that it names) has changed");
   EXPECT_EQ(records(folder.work() / "out.unfinished"), kept);
 }
 
-TEST(Resume, ADamagedLoadPointIsComputedAgain) {
-  const Folder folder;
+TEST_F(Resume, ADamagedLoadPointIsComputedAgain) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
   for (const auto& entry : fs::directory_iterator(folder.work() / "out.unfinished"))
     if (entry.path().string().find("-0002.point") != std::string::npos)
       fs::resize_file(entry.path(), fs::file_size(entry.path()) / 2);
-  const Outcome outcome = done(folder, run(file, "out", {"--resume"}));
+  const Outcome outcome = done(run(file, "out", {"--resume"}));
   EXPECT_TRUE(says(outcome.err, "is damaged"));
   expect_same_results(folder, whole(), folder.work() / "out");
 }
 
-TEST(Resume, RecordsThatNobodyCanTellAreNoneAndInNobodysWay) {
+TEST_F(Resume, RecordsThatNobodyCanTellAreNoneAndInNobodysWay) {
   // Possible remains of a kill during the final clean-up.
-  const Folder folder;
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
   fs::remove(folder.work() / "out.unfinished" / "about.txt");
-  done(folder, run(file, "out", {"--resume"}));
+  done(run(file, "out", {"--resume"}));
   expect_same_results(folder, whole(), folder.work() / "out");
   EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 
-TEST(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
-  const Folder folder;
+TEST_F(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
   const std::string file = folder.file("slow.toml", slow_creepages());
-  const Outcome outcome = done(folder, run(file, "out", {"--resume", "-m", "hertz"}));
+  const Outcome outcome = done(run(file, "out", {"--resume", "-m", "hertz"}));
   EXPECT_TRUE(says(outcome.err, "no load points"));
 }
 
-TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
-  const Folder folder;
+TEST_F(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   // Records need more than the limit, the files of the result less, except results.h5.
   const Outcome outcome =
-      execute(folder, {"/bin/sh", "-c", "ulimit -f 200; exec \"$0\" \"$@\"", ROLLFEM_PROGRAM, "run",
-                       file, "-o", "out", "--no-report", "--quiet"});
+      execute({"/bin/sh", "-c", "ulimit -f 200; exec \"$0\" \"$@\"", ROLLFEM_PROGRAM, "run", file,
+               "-o", "out", "--no-report", "--quiet"});
   const std::string told = "warning: finished load points are no longer stored";
   const std::size_t first = outcome.err.find(told);
   ASSERT_NE(first, std::string::npos) << outcome.err;
@@ -172,8 +159,7 @@ TEST(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
   EXPECT_EQ(records(folder.work() / "out.unfinished"), 0);
 }
 
-TEST(Resume, WhatAKilledProcessLeftWhileWritingIsCleanedUpAndALivingOnesIsNot) {
-  const Folder folder;
+TEST_F(Resume, WhatAKilledProcessLeftWhileWritingIsCleanedUpAndALivingOnesIsNot) {
   const std::string file = folder.file("quick.toml", slow_creepages());
   const pid_t gone = fork();
   if (gone == 0) _exit(0);
@@ -185,7 +171,7 @@ TEST(Resume, WhatAKilledProcessLeftWhileWritingIsCleanedUpAndALivingOnesIsNot) {
     fs::create_directory(path);
     std::ofstream(path / "summary.json") << "{";
   }
-  done(folder, run(file, "out", {"-m", "hertz"}));
+  done(run(file, "out", {"-m", "hertz"}));
   EXPECT_FALSE(fs::exists(stale));
   EXPECT_TRUE(fs::exists(living));
   EXPECT_TRUE(fs::exists(other));

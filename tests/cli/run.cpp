@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command run: its files and messages on success, on failure and on Ctrl-C.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
-#include "support/places.hpp"
 #include "support/program.hpp"
-#include <sstream>
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
-const std::string quick_run = "models = [\"hertz\", \"halfspace\"]\n" + small_case +
-                              "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
-                              "[contact_grid]\nelements_across = 10\n";
+const std::string quick_run = "models = [\"hertz\", \"halfspace\"]\n" + rolling("[0.0, 0.001]", 10);
 
 bool has_control_characters(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](char c) {
@@ -23,13 +15,14 @@ bool has_control_characters(const std::string& text) {
   });
 }
 
-TEST(Run, AReportThatCouldNotBeDrawnIsStatus1WithTheResultsWritten) {
-  const Folder folder;
+class Run : public ProgramTest {};
+
+TEST_F(Run, AReportThatCouldNotBeDrawnIsStatus1WithTheResultsWritten) {
   const std::string file = folder.file("quick.toml", quick_run);
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"run", file, "-o", "out"}, {"profile", "S1002", "-o", "out"}}) {
-    EXPECT_EQ(call(folder, words).status, 0) << words[0];
-    const Outcome outcome = call(folder, words, {"ROLLFEM_PYTHON=/nowhere/python3"});
+    EXPECT_EQ(call(words).status, 0) << words[0];
+    const Outcome outcome = call(words, {"ROLLFEM_PYTHON=/nowhere/python3"});
     EXPECT_EQ(outcome.status, 1) << words[0];
     EXPECT_TRUE(says(outcome.err, "not drawn: ")) << outcome.err;
   }
@@ -37,9 +30,8 @@ TEST(Run, AReportThatCouldNotBeDrawnIsStatus1WithTheResultsWritten) {
   EXPECT_TRUE(fs::exists(folder.work() / "out/profile.csv"));
 }
 
-TEST(Run, LeavesResultsAndSaysWhere) {
-  const Folder folder;
-  const Outcome outcome = done(folder, {"run", folder.file("quick.toml", quick_run)});
+TEST_F(Run, LeavesResultsAndSaysWhere) {
+  const Outcome outcome = done({"run", folder.file("quick.toml", quick_run)});
   EXPECT_FALSE(says(outcome.err, "warning"));
   const auto made = folder.made();
   for (const char* name : {"results/quick/summary.json", "results/quick/results.h5",
@@ -58,7 +50,7 @@ TEST(Run, LeavesResultsAndSaysWhere) {
   EXPECT_TRUE(says(outcome.out, text));
 }
 
-TEST(Run, SaysWhichProblemIsSolved) {
+TEST_F(Run, SaysWhichProblemIsSolved) {
   const std::string grid = "[contact_grid]\nelements_across = 10\n";
   struct Row {
     const char *problem, *stage, *note;
@@ -68,9 +60,8 @@ TEST(Run, SaysWhichProblemIsSolved) {
         Row{"[rolling]\nproblem = \"shift\"\n[history]\n"
             "longitudinal_shift = [0.001, 0.001]\n",
             "shift              2/2 ", "; shift without rolling"}}) {
-    const Folder folder;
     const std::string file = folder.file("quick.toml", small_case + row.problem + grid);
-    const Outcome outcome = done(folder, {"run", file, "--model", "halfspace", "--no-report"});
+    const Outcome outcome = done({"run", file, "--model", "halfspace", "--no-report"});
     EXPECT_TRUE(says(outcome.err, row.stage));
     EXPECT_TRUE(says(outcome.out, row.note));
     for (const char* word : {" xi ", "rolling "}) EXPECT_FALSE(says(outcome.err, word));
@@ -78,8 +69,7 @@ TEST(Run, SaysWhichProblemIsSolved) {
   }
 }
 
-TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
-  const Folder folder;
+TEST_F(Run, TakesModelsFromTheCommandLineInAnyPlace) {
   const std::string file = folder.file("quick.toml", quick_run);
   const std::vector<std::vector<std::string>> calls{
       {"run", "--no-report", "--model", "hertz", file, "-q"},
@@ -88,44 +78,40 @@ TEST(Run, TakesModelsFromTheCommandLineInAnyPlace) {
       {"run", "-q", "--no-report", "--model", "hertz", "--model", "hertz", file},
   };
   for (const auto& arguments : calls) {
-    done(folder, arguments);
+    done(arguments);
     const auto summary = folder.json("results/quick/summary.json");
     EXPECT_EQ(summary.at("models").size(), 1u);
   }
 }
 
-TEST(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
-  const Folder folder;
+TEST_F(Run, WithoutATerminalPrintsNoControlCharactersAndAPlainLinePerStage) {
   const Outcome outcome =
-      done(folder, {"run", "--no-report", folder.file("quick.toml", quick_run)}, {"TERM=xterm"});
+      done({"run", "--no-report", folder.file("quick.toml", quick_run)}, {"TERM=xterm"});
   EXPECT_FALSE(has_control_characters(outcome.err)) << outcome.err;
   EXPECT_FALSE(has_control_characters(outcome.out)) << outcome.out;
   EXPECT_TRUE(says(outcome.err, "halfspace"));
   EXPECT_LT(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 20) << outcome.err;
 }
 
-TEST(Run, WithoutAReportGetsItLater) {
-  const Folder folder;
+TEST_F(Run, WithoutAReportGetsItLater) {
   const std::string result = folder.path("result");
-  done(folder, {"run", "--no-report", folder.file("quick.toml", quick_run), "-o", result});
+  done({"run", "--no-report", folder.file("quick.toml", quick_run), "-o", result});
   EXPECT_FALSE(fs::exists(fs::path(result) / "report.html"));
-  done(folder, {"report", result});
+  done({"report", result});
   EXPECT_TRUE(fs::exists(fs::path(result) / "report.html"));
-  expect_refused(call(folder, {"report", "nowhere"}), "nowhere holds no result; do: ");
+  refuses({"report", "nowhere"}, "nowhere holds no result; do: ");
   fs::create_directory(folder.work() / "empty");
-  expect_refused(call(folder, {"report", "empty"}), "empty holds no result; do: ");
+  refuses({"report", "empty"}, "empty holds no result; do: ");
 }
 
-TEST(Run, QuietPrintsNothingAndWritesToTheNamedFolder) {
-  const Folder folder;
-  const Outcome outcome = done(folder, {"run", "--quiet", "--no-report", "--model", "hertz", "-o",
-                                        "a/b", folder.file("q.toml", quick_run)});
+TEST_F(Run, QuietPrintsNothingAndWritesToTheNamedFolder) {
+  const Outcome outcome = done({"run", "--quiet", "--no-report", "--model", "hertz", "-o", "a/b",
+                                folder.file("q.toml", quick_run)});
   EXPECT_EQ(outcome.out + outcome.err, "");
   EXPECT_TRUE(has(folder.made(), "a/b/summary.json"));
 }
 
-TEST(Run, WhatIsInTheWayIsSparedAndRefusedBeforeComputing) {
-  const Folder folder;
+TEST_F(Run, WhatIsInTheWayIsSparedAndRefusedBeforeComputing) {
   const std::string file = folder.file("q.toml", quick_run);
   for (const char* precious : {"mine/thesis.txt", "out.unfinished/thesis.txt", "locked.lock"})
     folder.file(std::string("work/") + precious, "years of work");
@@ -138,7 +124,7 @@ TEST(Run, WhatIsInTheWayIsSparedAndRefusedBeforeComputing) {
                                         {"mine", "holds files that are not"},
                                         {"out", "thesis.txt"},
                                         {"locked", "is in the way"}}) {
-    const Outcome outcome = call(folder, {"run", file, "-o", directory});
+    const Outcome outcome = call({"run", file, "-o", directory});
     expect_refused(outcome, said);
     EXPECT_FALSE(says(outcome.err, "normal"));  // no progress line
   }
@@ -146,31 +132,27 @@ TEST(Run, WhatIsInTheWayIsSparedAndRefusedBeforeComputing) {
   EXPECT_EQ(folder.text("locked.lock"), "years of work");
 }
 
-TEST(Run, GridBeyondAllMemoryIsAnErrorNotACrash) {
-  const Folder folder;
+TEST_F(Run, GridBeyondAllMemoryIsAnErrorNotACrash) {
   std::string vast = quick_run;
   vast.replace(vast.find("elements_across = 10"), 20, "cell_size = [1e-5, 1e-5]");
-  const Outcome outcome = call(folder, {"run", folder.file("vast.toml", vast)});
+  const Outcome outcome = call({"run", folder.file("vast.toml", vast)});
   EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << outcome.status << outcome.err;
   EXPECT_TRUE(says(outcome.err, "rollfem: "));
   EXPECT_TRUE(folder.made().empty());
 }
 
-TEST(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
-  const Folder folder;
+TEST_F(Run, OnlyTheFirstProcessOfAParallelRunWorksOnTheHalfSpace) {
   const std::string file = folder.file("q.toml", quick_run);
-  const Outcome other =
-      done(folder, {"run", file}, {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=2"});
+  const Outcome other = done({"run", file}, {"OMPI_COMM_WORLD_RANK=1", "OMPI_COMM_WORLD_SIZE=2"});
   EXPECT_EQ(other.out + other.err, "");
   EXPECT_TRUE(folder.made().empty());
 }
 
-TEST(Run, AllTheoriesAreModelsWithTheirCurvesAndFigures) {
-  const Folder folder;
+TEST_F(Run, AllTheoriesAreModelsWithTheirCurvesAndFigures) {
   const std::vector<std::string> models{"hertz",   "linear", "vermeulen-johnson",
                                         "polach",  "carter", "fastsim",
                                         "fastrip", "strip",  "halfspace"};
-  done(folder, joined({"run", folder.file("q.toml", quick_run), "-m"}, models));
+  done(joined({"run", folder.file("q.toml", quick_run), "-m"}, models));
   const auto summary = folder.json("results/q/summary.json");
   ASSERT_EQ(summary.at("models").size(), models.size());
   for (std::size_t k = 0; k < models.size(); ++k)
@@ -180,40 +162,33 @@ TEST(Run, AllTheoriesAreModelsWithTheirCurvesAndFigures) {
                    "linear theory", "strip"));
 }
 
-TEST(Run, AModelThatCannotTakeTheCaseIsRefusedBeforeAnyIsRun) {
-  const Folder folder;
+TEST_F(Run, AModelThatCannotTakeTheCaseIsRefusedBeforeAnyIsRun) {
   const std::string shift = small_case +
                             "[rolling]\nproblem = \"shift\"\n[history]\n"
                             "longitudinal_shift = 0.001\n";
-  const Outcome outcome =
-      call(folder, {"run", folder.file("s.toml", shift), "-m", "halfspace", "fastsim"});
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_TRUE(says(outcome.err, "model fastsim: rolling.problem"));
-  EXPECT_FALSE(says(outcome.err, "halfspace  "));
+  refuses({"run", folder.file("s.toml", shift), "-m", "halfspace", "fastsim"},
+          "model fastsim: rolling.problem");
   EXPECT_TRUE(folder.made().empty());
 }
 
-TEST(Run, PointsBelowTheSurfaceComeOutAsATable) {
-  const Folder folder;
+TEST_F(Run, PointsBelowTheSurfaceComeOutAsATable) {
   const std::string below = quick_run +
                             "[[subsurface.line]]\nfrom = [0, 0, 0.5]\nto = [0, 0, 6]\npoints = 12\n"
                             "[[subsurface.plane]]\nbody = \"rail\"\nfrom = [-4, 0, -1]\n"
                             "to = [4, 0, -1]\nacross = [-4, 0, -5]\npoints = [9, 5]\n";
-  done(folder, {"run", "-q", folder.file("q.toml", below)});
+  done({"run", "-q", folder.file("q.toml", below)});
   const std::string table = folder.text("results/q/subsurface.csv");
   // Head, and twelve points at each of two load points; planes are in results.h5 alone.
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2 * 12) << table;
-  const Outcome hertz =
-      done(folder, {"run", "--no-report", folder.file("q.toml", below), "-m", "hertz"});
+  const Outcome hertz = done({"run", "--no-report", folder.file("q.toml", below), "-m", "hertz"});
   EXPECT_TRUE(says(hertz.out, "no stress below the surface; models that compute it: halfspace"));
 }
 
-TEST(Run, AShiftAndAGivenPressureAreReportedStepByStep) {
-  const Folder folder;
+TEST_F(Run, AShiftAndAGivenPressureAreReportedStepByStep) {
   for (const char* name : {"cattaneo", "benchmark9"}) {
     const std::string file =
         (fs::path(ROLLFEM_SOURCE_DIR) / "cases" / (std::string(name) + ".toml")).string();
-    const Outcome outcome = done(folder, {"run", file});
+    const Outcome outcome = done({"run", file});
     EXPECT_FALSE(says(outcome.err, "warning"));
     EXPECT_TRUE(has(folder.made(), std::string("results/") + name + "/report.html"));
   }
@@ -226,15 +201,13 @@ TEST(Run, AShiftAndAGivenPressureAreReportedStepByStep) {
 }
 
 /// What is printed in place of the given forces gives these forces back.
-TEST(Run, CreepagesFoundForAForceAreTabulated) {
-  const Folder folder;
+TEST_F(Run, CreepagesFoundForAForceAreTabulated) {
   const auto solved = [&](const std::string& motion, std::string& printed) {
-    printed =
-        done(folder, {"run", folder.file("f.toml", "models = [\"halfspace\"]\n" + small_case +
-                                                       "[contact_grid]\nelements_across = 16\n"
-                                                       "[rolling]\nspin = 1e-4\n" +
-                                                       motion)})
-            .out;
+    printed = done({"run", folder.file("f.toml", "models = [\"halfspace\"]\n" + small_case +
+                                                     "[contact_grid]\nelements_across = 16\n"
+                                                     "[rolling]\nspin = 1e-4\n" +
+                                                     motion)})
+                  .out;
     return folder.json("results/f/summary.json").at("models")[0].at("points")[0];
   };
   std::string out, again;
@@ -261,13 +234,12 @@ TEST(Run, CreepagesFoundForAForceAreTabulated) {
 }
 
 #if !ROLLFEM_WITH_FEM
-TEST(Run, FemInABuildWithoutItIsAnErrorNotSilence) {
-  const Folder folder;
+TEST_F(Run, FemInABuildWithoutItIsAnErrorNotSilence) {
   const std::string by_list = folder.file("list.toml", "models = [\"fem\"]\n" + small_case);
-  const Outcome list = call(folder, {"run", by_list});
+  const Outcome list = call({"run", by_list});
   EXPECT_EQ(list.status, 2);
   EXPECT_TRUE(says(list.err, "list.toml: models: model fem is not in this build"));
-  const Outcome option = call(folder, {"run", by_list, "--model", "fem"});
+  const Outcome option = call({"run", by_list, "--model", "fem"});
   EXPECT_EQ(option.status, 2);
   EXPECT_TRUE(says(option.err, "--model fem: model fem is not in this build"));
   EXPECT_TRUE(folder.made().empty());

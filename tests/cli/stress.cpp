@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command stress on stored results: closed forms and CONTACT's values from the file of a run,
 // interpolation in stored bodies, patches, wrong calls.
-
 #include "postprocess/write/output.hpp"
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
+#include "support/contact_of_case_a.hpp"
 #include "support/csv_rows.hpp"
 #include "support/output_synthetic_run.hpp"
 #include "support/program.hpp"
-#include <cmath>
-#include <map>
-#include <sstream>
 
 namespace {
 
-using namespace rollfem::testing;
 using nlohmann::json;
 
 /// Columns of stress.csv without their units, of one set and body of the first model that has it.
@@ -37,18 +30,16 @@ std::string plane_at(const std::string& from, const std::string& to, const std::
 
 /// Results of the program itself, the half-space on case a or on a rail of another radius, or of a
 /// file that was made.
-class StressTest : public ::testing::Test {
+class StressTest : public ProgramTest {
  protected:
-  void compute(const std::string& rail_radius, const std::string& across,
-               const std::string& creepages = "[0.0]") {
-    const std::string text = "models = [\"halfspace\"]\n" + with("2000.0", rail_radius) +
-                             "[rolling]\nlongitudinal_creepage = " + creepages +
-                             "\n[contact_grid]\nelements_across = " + across + "\n";
-    done(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
+  void compute(const std::string& rail_radius, int across, const std::string& creepages = "[0.0]") {
+    const std::string text =
+        "models = [\"halfspace\"]\n" + rolling(creepages, across, with("2000.0", rail_radius));
+    done({"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
   }
   void keep(const std::string& bytes) const { folder.file("work/r/results.h5", bytes); }
   Outcome stress(const std::vector<std::string>& arguments) const {
-    return call(folder, joined({"stress", "r", "--no-figures"}, arguments));
+    return call(joined({"stress", "r", "--no-figures"}, arguments));
   }
   /// At the places of a file with this text.
   Outcome stress_at(const std::string& places, const std::vector<std::string>& more = {}) const {
@@ -64,13 +55,12 @@ class StressTest : public ::testing::Test {
     return found;
   }
   json report() const { return folder.json("r_stress/stress.json"); }
-  Folder folder;
 };
 
 TEST_F(StressTest, AxisOfTheCircleIsThatOfHertz) {
   // Both bodies 405 mm: a circle. Johnson 1985, section 3.4: stresses on the axis; largest shear
   // 0.3100 p0 at 0.481 a for nu = 0.3.
-  compute("405.0", "80");
+  compute("405.0", 80);
   checked(stress({"--depth-profile"}));
   const double modulus = 210e3 / (2.0 * (1.0 - 0.09));
   const double a = std::cbrt(0.75 * 50e3 * 405.0 / modulus);
@@ -121,7 +111,7 @@ TEST_F(StressTest, LargestHaveTheBarsOfTheRun) {
   const auto maxima = [&](const std::string& output) {
     const std::string text = "models = [\"halfspace\"]\n" + small_case +
                              "[contact_grid]\nelements_across = 40\n" + output;
-    done(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
+    done({"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
     checked(stress_at(point_at("0, 0, -2", "rail")));
     const json model = report()["models"][0];
     EXPECT_EQ(model["sets"][0]["largest"][0]["no_bar"], "one grid");
@@ -135,40 +125,32 @@ TEST_F(StressTest, LargestHaveTheBarsOfTheRun) {
 }
 
 TEST_F(StressTest, CaseAIsThatOfContact) {
-  // Stresses below the middle of case a as CONTACT (Vollebregt) gives them: z, u_z of the wheel,
-  // von Mises, xx, yy, zz. To 1 % of p0 = 578.97 MPa asked, 0.2 % reached.
-  compute("2000.0", "60", "[0.0, 0.006]");
-  const double rows[][6] = {{0.5, 2.2868e-2, 214.689, -383.311, -340.510, -573.375},
-                            {1.0, 2.1976e-2, 277.423, -276.966, -283.211, -557.459},
-                            {2.0, 2.0064e-2, 341.384, -137.465, -194.151, -503.644},
-                            {3.0, 1.8190e-2, 344.171, -64.6025, -132.593, -437.695},
-                            {4.0, 1.6481e-2, 319.047, -28.1380, -90.6904, -373.829},
-                            {6.0, 1.3655e-2, 251.454, -1.13786, -42.7999, -270.821},
-                            {8.0, 1.1514e-2, 193.498, 5.22582, -20.2541, -199.750},
-                            {12.0, 8.6137e-3, 118.350, 5.77334, -3.95558, -117.141}};
+  // To 1 % of p0 asked, 0.2 % reached.
+  compute("2000.0", 60, "[0.0, 0.006]");
   std::string places;
-  for (const auto& row : rows)
-    places += point_at("0, 0, " + std::to_string(row[0]), "wheel") +
-              point_at("0, 0, -" + std::to_string(row[0]), "rail");
+  for (const case_a::Below& row : case_a::below)
+    places += point_at("0, 0, " + std::to_string(row.z), "wheel") +
+              point_at("0, 0, -" + std::to_string(row.z), "rail");
   checked(stress_at(places, {"--creepage", "0"}));
-  for (std::size_t k = 0; k < std::size(rows); ++k)
+  int number = 0;
+  for (const case_a::Below& row : case_a::below)
     for (const bool wheel : {true, false}) {
-      const std::string name = "point_" + std::to_string(2 * k + (wheel ? 1 : 2));
+      const std::string name = "point_" + std::to_string(++number);
       const Columns at = columns(name, wheel ? "wheel" : "rail");
       ASSERT_EQ(at.at("zz").size(), 1U) << name;
-      const double tolerance = 2e-3 * 578.97;
-      EXPECT_NEAR(at.at("von_mises")[0], rows[k][2], tolerance) << rows[k][0];
-      EXPECT_NEAR(at.at("xx")[0], rows[k][3], tolerance) << rows[k][0];
-      EXPECT_NEAR(at.at("yy")[0], rows[k][4], tolerance) << rows[k][0];
-      EXPECT_NEAR(at.at("zz")[0], rows[k][5], tolerance) << rows[k][0];
-      EXPECT_NEAR(at.at("displacement_z")[0], (wheel ? 1.0 : -1.0) * rows[k][1], 5e-5);
+      const double tolerance = 2e-3 * case_a::p0;
+      EXPECT_NEAR(at.at("von_mises")[0], row.von_mises, tolerance) << row.z;
+      EXPECT_NEAR(at.at("xx")[0], row.xx, tolerance) << row.z;
+      EXPECT_NEAR(at.at("yy")[0], row.yy, tolerance) << row.z;
+      EXPECT_NEAR(at.at("zz")[0], row.zz, tolerance) << row.z;
+      EXPECT_NEAR(at.at("displacement_z")[0], (wheel ? 1.0 : -1.0) * row.uz, 5e-5);
     }
   // A place not requested in a body is absent.
   EXPECT_TRUE(columns("point_1", "rail").empty());
 }
 
 TEST_F(StressTest, OnTheSurfaceTheStressIsTheTraction) {
-  compute("2000.0", "40", "[0.0, 0.002, 0.006]");
+  compute("2000.0", 40, "[0.0, 0.002, 0.006]");
   checked(stress_at(plane_at("-3, 0, 0", "3, 0, 0", "-3, 0, -4", "31, 5")));
   const double friction = 0.55;
   const Columns plane = columns("plane_1", "rail");
@@ -196,7 +178,7 @@ TEST_F(StressTest, OnTheSurfaceTheStressIsTheTraction) {
 }
 
 TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
-  compute("2000.0", "20", "[0.0, 0.002, 0.006]");
+  compute("2000.0", 20, "[0.0, 0.002, 0.006]");
   const Outcome outcome = checked(stress({"--yield-strength", "520"}));
   EXPECT_TRUE(says(outcome.out, "shakedown map, k = 300.2 MPa"));
   const json data = report();
@@ -230,7 +212,7 @@ TEST_F(StressTest, ShakedownPointsFollowFromTheCurve) {
 
 /// A file of a finite-element run whose stresses are linear functions of the place.
 std::string synthetic_file(bool placed) {
-  rollfem::postprocess::RunRecord run = rollfem::testing::synthetic_run();
+  rollfem::postprocess::RunRecord run = synthetic_run();
   rollfem::contact::ModelResult& fem = run.models[2];
   for (std::size_t b = 0; b < fem.bodies.size(); ++b) {
     rollfem::contact::BodyField& body = fem.bodies[b];
@@ -329,7 +311,7 @@ TEST_F(StressTest, OfPatchesIsThatOfThePatchNamed) {
 }
 
 TEST_F(StressTest, WrongCallsAreRefused) {
-  compute("2000.0", "10", "[0.0, 0.001]");
+  compute("2000.0", 10, "[0.0, 0.001]");
   const std::pair<std::vector<std::string>, const char*> calls[] = {
       {{"--model", "fem"}, "--model fem: it is not in r; allowed: halfspace"},
       {{"--point", "3"}, "load points 1 to 2"},
@@ -360,13 +342,13 @@ TEST_F(StressTest, WrongCallsAreRefused) {
 }
 
 TEST_F(StressTest, FilesThatAreNoResultsAreRefused) {
-  compute("2000.0", "10");
+  compute("2000.0", 10);
   const std::string whole = folder.text("r/results.h5");
-  expect_refused(call(folder, {"stress", "missing"}), "there is no such file or folder");
-  expect_refused(call(folder, {"stress"}), "result is required");
-  expect_refused(call(folder, {"stress", "r/summary.json"}), "not a result of rollfem");
-  expect_refused(call(folder, {"stress", folder.file("cut.h5", whole.substr(0, whole.size() / 2))}),
-                 "truncated or damaged");
+  refuses({"stress", "missing"}, "there is no such file or folder");
+  refuses({"stress"}, "result is required");
+  refuses({"stress", "r/summary.json"}, "not a result of rollfem");
+  refuses({"stress", folder.file("cut.h5", whole.substr(0, whole.size() / 2))},
+          "truncated or damaged");
   EXPECT_FALSE(folder.holds("r_stress"));
 }
 

@@ -1,40 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The page of the command stress, and several load points in one call.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
 #include "support/program.hpp"
 
 namespace {
 
-using namespace rollfem::testing;
 using nlohmann::json;
 
 /// Of a half-space on a narrow patch at three creepages.
-class StressPage : public ::testing::Test {
+class StressPage : public ProgramTest {
  protected:
   void SetUp() override {
-    const std::string text = "models = [\"halfspace\"]\n" + with("2000.0", "100.0") +
-                             "[rolling]\nlongitudinal_creepage = [0.0, 0.002, 0.006]\n"
-                             "[contact_grid]\nelements_across = 16\n";
-    done(folder, {"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
+    const std::string text =
+        "models = [\"halfspace\"]\n" + rolling("[0.0, 0.002, 0.006]", 16, with("2000.0", "100.0"));
+    done({"run", folder.file("case.toml", text), "-o", "r", "-q", "--no-report"});
   }
   std::string point_file() const {
     return folder.file("point.toml", "[[subsurface.point]]\nat = [0, 0, -2]\nbody = \"rail\"\n");
   }
   json stored() const { return folder.json("r_stress/stress.json"); }
-  Folder folder;
 };
 
 TEST_F(StressPage, HasFiguresAndOneVerdict) {
   const Outcome outcome =
-      done(folder, {"stress", "r", "--yield-shear-stress", "250", "--depth-profile", "--places",
-                    folder.file("places.toml",
-                                "[[subsurface.line]]\nfrom = [-3, 0, -1]\nto = [3, 0, -1]\n"
-                                "points = 21\nbody = \"rail\"\n"
-                                "[[subsurface.plane]]\nfrom = [-3, 0, 0]\nto = [3, 0, 0]\n"
-                                "across = [-3, 0, -4]\npoints = [21, 11]\nbody = \"rail\"\n")});
+      done({"stress", "r", "--yield-shear-stress", "250", "--depth-profile", "--places",
+            folder.file("places.toml",
+                        "[[subsurface.line]]\nfrom = [-3, 0, -1]\nto = [3, 0, -1]\n"
+                        "points = 21\nbody = \"rail\"\n"
+                        "[[subsurface.plane]]\nfrom = [-3, 0, 0]\nto = [3, 0, 0]\n"
+                        "across = [-3, 0, -4]\npoints = [21, 11]\nbody = \"rail\"\n")});
   if (outcome.err.find("figures need") != std::string::npos)
     GTEST_SKIP() << "needs apt install python3-numpy python3-h5py";
   EXPECT_EQ(outcome.err, "");
@@ -45,15 +39,14 @@ TEST_F(StressPage, HasFiguresAndOneVerdict) {
   EXPECT_TRUE(says(page, "Largest stresses", "half-space, ", "Shakedown, k = 250.0 MPa", "<figure>",
                    "aria-label=\"Shakedown map"));
   // Figures that a later call does not draw are removed.
-  done(folder, {"stress", "r", "--no-figures", "--places", point_file()});
+  done({"stress", "r", "--no-figures", "--places", point_file()});
   EXPECT_FALSE(folder.holds("r_stress/figures/shakedown_map.svg"));
   EXPECT_FALSE(folder.holds("r_stress/stress.html"));
 }
 
 TEST_F(StressPage, SeveralLoadPointsAreThoseOfSingleCalls) {
   const auto ask = [&](const std::vector<std::string>& more) {
-    return done(folder, joined({"stress", "r", "--no-figures", "--places", point_file()}, more))
-        .out;
+    return done(joined({"stress", "r", "--no-figures", "--places", point_file()}, more)).out;
   };
   ask({"--creepage", "0.002"});
   const json alone = stored()["models"][0];

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command study: levels, orders, references and refusals.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
 
 namespace {
 
-using namespace rollfem::testing;
-
-const std::string quick_study = small_case +
-                                "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
-                                "[contact_grid]\nelements_across = 20\n";
+const std::string quick_study = rolling("[0.0, 0.001]", 20);
 
 /// Rows of the largest pressure.
 std::vector<std::map<std::string, std::string>> pressures_of(const std::string& table) {
@@ -23,9 +16,10 @@ std::vector<std::map<std::string, std::string>> pressures_of(const std::string& 
   return found;
 }
 
-TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
-  const Folder folder;
-  const Outcome outcome = done(folder, {"study", folder.file("quick.toml", quick_study)});
+using Study = ProgramTest;
+
+TEST_F(Study, ShowsTheOrderOfTheHalfSpacePressure) {
+  const Outcome outcome = done({"study", folder.file("quick.toml", quick_study)});
   EXPECT_FALSE(says(outcome.err, "warning"));
   for (const std::string name : {"study.csv", "study.html", "figures/speed_error.svg"})
     EXPECT_TRUE(folder.holds("results/quick_study/" + name)) << name;
@@ -44,19 +38,18 @@ TEST(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   // Without a checksum its numbers may be damaged.
   const std::string sealed = folder.text("results/quick_study/study.json");
   folder.file("work/results/quick_study/study.json", sealed.substr(0, sealed.rfind(',')) + "\n}\n");
-  EXPECT_TRUE(says(call(folder, {"report", "results/quick_study"}).err, "its checksum"));
+  EXPECT_TRUE(says(call({"report", "results/quick_study"}).err, "its checksum"));
 }
 
 /// For a small force on a circle with nu = 0.25: Kalker's C11 = 4.12 (1967, table of the thesis),
 /// with the part of Vermeulen and Johnson's law that is beyond linear.
-TEST(Study, FollowsTheCreepageFoundForAForce) {
-  const Folder folder;
+TEST_F(Study, FollowsTheCreepageFoundForAForce) {
   const std::string file = folder.file(
       "force.toml",
       "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.55\n[wheel]\n"
       "rolling_radius = 405.0\ntransverse_radius = inf\npoisson_ratio = 0.25\n[rail]\n"
       "transverse_radius = 405.0\npoisson_ratio = 0.25\n[rolling]\nlongitudinal_force = -275.0\n");
-  const Outcome outcome = done(folder, {"study", file, "--levels", "3"});
+  const Outcome outcome = done({"study", file, "--levels", "3"});
   EXPECT_TRUE(says(outcome.out, "longitudinal creepage found at load point 1", "creepage "));
   const auto place = folder.json("results/force_study/study.json").at("places")[0];
   EXPECT_FALSE(place.at("references").contains("traction_coefficient:1"));
@@ -69,16 +62,15 @@ TEST(Study, FollowsTheCreepageFoundForAForce) {
   EXPECT_TRUE(folder.holds("results/force_study/figures/values.svg"));
 }
 
-TEST(Study, AllModelsAndGivenReferences) {
-  const Folder folder;
+TEST_F(Study, AllModelsAndGivenReferences) {
   const std::vector<std::string> several{"hertz", "linear", "fastsim", "strip", "halfspace"};
   // With finite elements all models take minutes.
   const std::vector<std::string> asked =
       ROLLFEM_WITH_FEM ? several : std::vector<std::string>{"all"};
   const std::string file = folder.file("quick.toml", quick_study);
-  done(folder, joined({"study", file, "--levels", "2", "--no-report", "-o", "out", "--reference",
-                       "max_pressure=1000", "traction_coefficient:2=0.1", "--models"},
-                      asked));
+  done(joined({"study", file, "--levels", "2", "--no-report", "-o", "out", "--reference",
+               "max_pressure=1000", "traction_coefficient:2=0.1", "--models"},
+              asked));
   const auto all = folder.json("out/study.json");
   EXPECT_EQ(all.at("places")[0].at("references").at("max_pressure").at("kind"), "given");
   std::vector<std::string> models;
@@ -90,18 +82,17 @@ TEST(Study, AllModelsAndGivenReferences) {
     EXPECT_EQ(std::count(models.begin(), models.end(), name), 1) << name;
 }
 
-TEST(Study, RefusesWhatMakesNoSense) {
-  const Folder folder;
+TEST_F(Study, RefusesWhatMakesNoSense) {
   const std::string file = folder.file("quick.toml", quick_study);
-  expect_refused(call(folder, {"study"}), "no case file is named");
-  expect_refused(call(folder, {"study", file, "--vary", "degrees"}), "cannot be refined");
-  expect_refused(call(folder, {"study", file, "--vary", "domain"}), "no model of this study");
-  expect_refused(call(folder, {"study", file, "--levels", "1"}), "allowed: 2 to 8");
-  expect_refused(call(folder, {"study", file, "--reference", "best"}), "not a reference");
-  expect_refused(call(folder, {"study", file, "--reference", "max_pressure=abc"}), "not a number");
-  expect_refused(call(folder, {"study", file, "--reference", "traction_coefficient:3=0.1"}),
-                 "unknown quantity in this case");
-  expect_refused(call(folder, {"study", file, "--model", "nope"}), "no such model");
+  refuses({"study"}, "no case file is named");
+  refuses({"study", file, "--vary", "degrees"}, "cannot be refined");
+  refuses({"study", file, "--vary", "domain"}, "no model of this study");
+  refuses({"study", file, "--levels", "1"}, "allowed: 2 to 8");
+  refuses({"study", file, "--reference", "best"}, "not a reference");
+  refuses({"study", file, "--reference", "max_pressure=abc"}, "not a number");
+  refuses({"study", file, "--reference", "traction_coefficient:3=0.1"},
+          "unknown quantity in this case");
+  refuses({"study", file, "--model", "nope"}, "no such model");
   EXPECT_TRUE(folder.made().empty());
 }
 

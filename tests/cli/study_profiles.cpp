@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command study on true profiles: every patch has its own series, with the forces of one
 // balance on all levels; options without meaning for patches are refused.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 std::string wheel_case(const std::string& side, const std::string& shifts,
@@ -22,11 +17,11 @@ std::string wheel_case(const std::string& side, const std::string& shifts,
                  "rolling.longitudinal_creepage=0.001", "contact_grid.elements_across=" + across});
 }
 
-TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
-  const Folder folder;
-  const Outcome outcome =
-      done(folder, {"study", folder.file("left.toml", wheel_case("left", "2.0", "40")),
-                    "--no-report", "-o", "out"});
+using StudyProfiles = ProgramTest;
+
+TEST_F(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
+  const Outcome outcome = done({"study", folder.file("left.toml", wheel_case("left", "2.0", "40")),
+                                "--no-report", "-o", "out"});
   EXPECT_TRUE(says(outcome.out, "left wheel, position 1: halfspace, refined in grid"));
   const auto all = folder.json("out/study.json");
   const auto& place = all.at("places").at(0);
@@ -54,11 +49,10 @@ TEST(StudyProfiles, ThePressureOfTheLeftWheelConvergesWithOrderTwo) {
   EXPECT_EQ(values.count("semi_axis_x"), 0U);
 }
 
-TEST(StudyProfiles, EveryPatchIsASeriesWithOneBalance) {
-  const Folder folder;
+TEST_F(StudyProfiles, EveryPatchIsASeriesWithOneBalance) {
   const Outcome outcome =
-      done(folder, {"study", folder.file("both.toml", wheel_case("both", "[0.0, 2.0]")), "--levels",
-                    "3", "-o", "out", "--reference", "right_2_1.max_pressure=1510.7"});
+      done({"study", folder.file("both.toml", wheel_case("both", "[0.0, 2.0]")), "--levels", "3",
+            "-o", "out", "--reference", "right_2_1.max_pressure=1510.7"});
   const auto all = folder.json("out/study.json");
   std::vector<std::string> keys;
   for (const auto& place : all.at("places")) {
@@ -79,18 +73,15 @@ TEST(StudyProfiles, EveryPatchIsASeriesWithOneBalance) {
   EXPECT_TRUE(says(folder.text("out/study.csv"), "\nright_2_1,halfspace,grid,"));
 }
 
-TEST(StudyProfiles, RefusesWhatMakesNoSenseForPatches) {
-  const Folder folder;
+TEST_F(StudyProfiles, RefusesWhatMakesNoSenseForPatches) {
   const std::string file = folder.file("both.toml", wheel_case("both", "2.0"));
   if (ROLLFEM_WITH_FEM)
-    expect_refused(call(folder, {"study", file, "--model", "fem", "--vary", "domain"}),
-                   "true sections of rail and rim");
-  expect_refused(call(folder, {"study", file, "-q", "--reference", "exact"}),
-                 "no exact value is known");
-  expect_refused(call(folder, {"study", file, "-q", "--reference", "max_pressure=1000"}),
-                 "the case has several patches");
-  expect_refused(call(folder, {"study", file, "-q", "--reference", "left_1_1.semi_axis_x=6"}),
-                 "unknown quantity in this case");
+    refuses({"study", file, "--model", "fem", "--vary", "domain"}, "true sections of rail and rim");
+  refuses({"study", file, "-q", "--reference", "exact"}, "no exact value is known");
+  refuses({"study", file, "-q", "--reference", "max_pressure=1000"},
+          "the case has several patches");
+  refuses({"study", file, "-q", "--reference", "left_1_1.semi_axis_x=6"},
+          "unknown quantity in this case");
   EXPECT_TRUE(folder.made().empty());
 }
 

@@ -3,12 +3,10 @@
 // last bit; levels of another case are refused.
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
-#include "support/places.hpp"
 #include "support/resume.hpp"
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 
 /// Levels of 10, 20, 40 and 80 across; the last takes a second or so.
@@ -25,30 +23,19 @@ std::vector<std::string> study(const std::string& file, const std::string& direc
 
 /// Records of whole levels in a folder, and of load points of the level at work.
 int levels_kept(const fs::path& unfinished, bool whole) {
-  std::error_code error;
-  int count = 0;
-  for (fs::directory_iterator entry(unfinished, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (entry->path().extension() == ".point" && (name.find("-of-") == std::string::npos) == whole)
-      ++count;
-  }
-  return count;
+  return records(unfinished, [&](const std::string& name) {
+    return (name.find("-of-") == std::string::npos) == whole;
+  });
 }
 
-/// study.json without times and without data that identify the call.
-nlohmann::json timeless(const fs::path& folder) {
-  auto all = nlohmann::json::parse(contents(folder / "study.json"));
-  for (const char* name : {"command", "started", "checksum"}) all.erase(name);
-  for (auto& place : all.at("places")) {
-    place.erase("choice");  // says how long things took
-    for (auto& series : place.at("series"))
-      for (auto& level : series.at("levels")) {
+/// study.json without times, of which every level has one.
+nlohmann::json timeless_study(const fs::path& folder) {
+  const auto all = nlohmann::json::parse(contents(folder / "study.json"));
+  for (const auto& place : all.at("places"))
+    for (const auto& series : place.at("series"))
+      for (const auto& level : series.at("levels"))
         EXPECT_GT(level.at("seconds").get<double>(), 0.0);
-        level.erase("seconds");
-      }
-  }
-  return all;
+  return timeless(folder / "study.json");
 }
 
 /// Rows of study.csv without times.
@@ -67,36 +54,34 @@ void leave_unfinished(const Folder& folder, const std::string& file) {
   EXPECT_FALSE(folder.holds("out"));
 }
 
-TEST(StudyResume, FinishedLevelsAndLoadPointsAreTakenUp) {
-  const Folder folder;
+using StudyResume = ProgramTest;
+
+TEST_F(StudyResume, FinishedLevelsAndLoadPointsAreTakenUp) {
   const std::string file = folder.file("slow.toml", slow_study());
-  done(folder, study(file, "whole"));
+  done(study(file, "whole"));
   EXPECT_FALSE(folder.holds("whole.unfinished"));
   leave_unfinished(folder, file);
   const int kept = levels_kept(folder.work() / "out.unfinished", true);
-  const Outcome outcome = done(folder, study(file, "out", {"--levels", "4", "--resume"}));
+  const Outcome outcome = done(study(file, "out", {"--levels", "4", "--resume"}));
   int taken_up = 0;
   for (std::size_t at = outcome.err.find(" across: resumed\n"); at != std::string::npos;
        at = outcome.err.find(" across: resumed\n", at + 1))
     ++taken_up;
   EXPECT_EQ(taken_up, kept) << outcome.err;
-  EXPECT_EQ(timeless(folder.work() / "whole"), timeless(folder.work() / "out"));
+  EXPECT_EQ(timeless_study(folder.work() / "whole"), timeless_study(folder.work() / "out"));
   EXPECT_EQ(timeless_rows(folder.work() / "whole"), timeless_rows(folder.work() / "out"));
   EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 
-TEST(StudyResume, LevelsOfAChangedCaseAreRefused) {
-  const Folder folder;
+TEST_F(StudyResume, LevelsOfAChangedCaseAreRefused) {
   leave_unfinished(folder, folder.file("slow.toml", slow_study()));
   const std::string file = folder.file("slow.toml", slow_study("0.0004"));
-  const Outcome outcome = call(folder, study(file, "out", {"-q", "--levels", "4", "--resume"}));
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_TRUE(says(outcome.err, "slow.toml (or a file that it names) has changed"));
+  refuses(study(file, "out", {"-q", "--levels", "4", "--resume"}),
+          "slow.toml (or a file that it names) has changed");
   EXPECT_FALSE(folder.holds("out"));
 }
 
-TEST(StudyResume, LevelsOfAChangedProfileAreRefused) {
-  const Folder folder;
+TEST_F(StudyResume, LevelsOfAChangedProfileAreRefused) {
   const std::string points =
       contents(fs::path(ROLLFEM_SOURCE_DIR) / "cases/profiles/hollow_s1002.csv");
   folder.file("wheel.csv", points);
@@ -109,16 +94,13 @@ TEST(StudyResume, LevelsOfAChangedProfileAreRefused) {
       "[contact_grid]\nelements_across = 40\n");
   leave_unfinished(folder, file);
   folder.file("wheel.csv", points + "\n");
-  const Outcome outcome = call(folder, study(file, "out", {"-q", "--levels", "4", "--resume"}));
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_TRUE(says(outcome.err, "has changed"));
+  refuses(study(file, "out", {"-q", "--levels", "4", "--resume"}), "has changed");
 }
 
-TEST(StudyResume, WithoutItTheStudySaysThatThereIsSomething) {
-  const Folder folder;
+TEST_F(StudyResume, WithoutItTheStudySaysThatThereIsSomething) {
   const std::string file = folder.file("slow.toml", slow_study());
   leave_unfinished(folder, file);
-  const Outcome short_study = done(folder, study(file, "out", {"-q", "--levels", "2"}));
+  const Outcome short_study = done(study(file, "out", {"-q", "--levels", "2"}));
   EXPECT_TRUE(says(short_study.err, "--resume would continue from them"));
   EXPECT_FALSE(folder.holds("out.unfinished"));
 }

@@ -5,12 +5,10 @@
 #include <fmt/format.h>
 
 #include "support/case_examples.hpp"
-#include "support/places.hpp"
 #include "support/resume.hpp"
 
 namespace {
 
-using namespace rollfem::testing;
 namespace fs = std::filesystem;
 using rollfem::tables::CreepTableReader;
 
@@ -21,10 +19,11 @@ std::string table_case(const std::string& table) {
 const std::string quick_table =
     "points = [4, 3, 5]\nlargest = [2.0, 2.0, 2.0]\ncheck_points = 10\n";
 
-TEST(Table, IsWrittenWithItsErrorsAndAReport) {
-  const Folder folder;
+using Table = ProgramTest;
+
+TEST_F(Table, IsWrittenWithItsErrorsAndAReport) {
   const Outcome outcome =
-      done(folder, {"table", folder.file("case.toml", table_case(quick_table)), "-o", "out"});
+      done({"table", folder.file("case.toml", table_case(quick_table)), "-o", "out"});
   EXPECT_TRUE(
       says(outcome.out, "60 points", "4 values of xi'", "interpolation error at 10 random points"));
   const fs::path out = folder.work() / "out";
@@ -46,16 +45,14 @@ TEST(Table, IsWrittenWithItsErrorsAndAReport) {
 /// The interpolation error that 95 of 100 random points of a table with these numbers of values
 /// stay below, and what the command says.
 std::pair<double, std::string> error_and_text(const Folder& folder, const std::string& points) {
-  const Outcome outcome =
-      done(folder,
-           {"table", folder.file("case.toml", table_case("check_points = 20\npoints = " + points)),
-            "-o", points, "--no-report"});
+  const Outcome outcome = folder.done(
+      {"table", folder.file("case.toml", table_case("check_points = 20\npoints = " + points)), "-o",
+       points, "--no-report"});
   const auto error = rollfem::tables::read_table((folder.work() / points).string()).interpolation;
   return {std::max(error.force_95, error.moment_95), outcome.out + outcome.err};
 }
 
-TEST(Table, NamesTheAxisWhoseRefinementHelps) {
-  const Folder folder;
+TEST_F(Table, NamesTheAxisWhoseRefinementHelps) {
   const auto [coarse, said] = error_and_text(folder, "[9, 8, 3]");
   EXPECT_TRUE(says(said, "by axis, in 95 of 100: xi'", "refine phi' first", "5 values instead of 3",
                    "216 points: about "));
@@ -68,8 +65,7 @@ TEST(Table, NamesTheAxisWhoseRefinementHelps) {
   EXPECT_TRUE(says(error_and_text(folder, "[2, 6, 9]").second, "refine xi' first"));
 }
 
-TEST(Table, AnEndedCallIsTakenUpAndIsTheSame) {
-  const Folder folder;
+TEST_F(Table, AnEndedCallIsTakenUpAndIsTheSame) {
   const std::string file =
       folder.file("slow.toml", table_case("axis_ratio = [0.5, 2.0]\npoints = [5, 4, 5]\n"
                                           "check_points = 20\n"));
@@ -78,10 +74,10 @@ TEST(Table, AnEndedCallIsTakenUpAndIsTheSame) {
   kill_when(folder, command_of(joined(table, {"out"})), [&] { return records(unfinished) >= 3; });
   EXPECT_FALSE(folder.holds("out"));
   const int kept = records(unfinished);
-  const Outcome outcome = done(folder, joined(table, {"out", "--resume"}));
+  const Outcome outcome = done(joined(table, {"out", "--resume"}));
   EXPECT_TRUE(says(outcome.err, "resume: " + std::to_string(kept) + " solutions"));
   EXPECT_FALSE(fs::exists(unfinished));
-  done(folder, joined(table, {"whole"}));
+  done(joined(table, {"whole"}));
   for (const std::string name : {"table.csv", "interpolation.csv"})
     EXPECT_EQ(folder.text("out/" + name), folder.text("whole/" + name)) << name;
 }
@@ -93,9 +89,9 @@ void expect_like_halfspace(const Folder& folder, const CreepTableReader& reader,
   const auto key = [](const char* name, double value) {
     return std::string("rolling.") + name + "=" + fmt::format("{:.17g}", value);
   };
-  done(folder, {"run", folder.file("case.toml", small_case), "-m", "halfspace", "-o", "run",
-                "--no-report", "--set", key("longitudinal_creepage", creepage[0]), "--set",
-                key("lateral_creepage", creepage[1]), "--set", key("spin", creepage[2])});
+  folder.done({"run", folder.file("case.toml", small_case), "-m", "halfspace", "-o", "run",
+               "--no-report", "--set", key("longitudinal_creepage", creepage[0]), "--set",
+               key("lateral_creepage", creepage[1]), "--set", key("spin", creepage[2])});
   const auto summary = folder.json("run/summary.json");
   const auto& point = summary["models"][0]["points"][0];
   const auto number = [&](const char* name) { return point[name].get<double>(); };
@@ -107,14 +103,13 @@ void expect_like_halfspace(const Folder& folder, const CreepTableReader& reader,
   EXPECT_NEAR(found.forces[2], number("spin_moment"), 0.01 * bound * c);
 }
 
-TEST(Table, ForcesAreThoseOfTheModelHalfspace) {
-  const Folder folder;
-  done(folder, {"table",
-                folder.file("table.toml", table_case("points = [12, 2, 2]\n"
-                                                     "lateral_values = [0.0, 0.3, 0.6]\n"
-                                                     "spin_values = [0.0, 0.4, 0.8]\n"
-                                                     "check_points = 0\n")),
-                "-o", "out", "--no-report"});
+TEST_F(Table, ForcesAreThoseOfTheModelHalfspace) {
+  done({"table",
+        folder.file("table.toml", table_case("points = [12, 2, 2]\n"
+                                             "lateral_values = [0.0, 0.3, 0.6]\n"
+                                             "spin_values = [0.0, 0.4, 0.8]\n"
+                                             "check_points = 0\n")),
+        "-o", "out", "--no-report"});
   const CreepTableReader reader(rollfem::tables::read_table((folder.work() / "out").string()));
   for (const double xi : {0.0005, 0.0015, 0.004}) expect_like_halfspace(folder, reader, {xi, 0, 0});
   // A grid point of all three.
@@ -126,13 +121,12 @@ TEST(Table, ForcesAreThoseOfTheModelHalfspace) {
                          -0.3 / (scale[1] * stiffness), 0.4 / (scale[2] * stiffness * c)});
 }
 
-TEST(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
-  const Folder folder;
+TEST_F(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
   const std::string source = contents(fs::path(ROLLFEM_SOURCE_DIR) / "cases/s1002_uic60_left.toml");
   const Outcome outcome =
-      done(folder, {"table", folder.file("case.toml", source), "-o", "out", "--set",
-                    "table.lateral_shift=[0.0,1.0,2.0]", "--set", "table.points=[2,2,3]", "--set",
-                    "table.check_points=10", "--set", "contact_grid.elements_across=12"});
+      done({"table", folder.file("case.toml", source), "-o", "out", "--set",
+            "table.lateral_shift=[0.0,1.0,2.0]", "--set", "table.points=[2,2,3]", "--set",
+            "table.check_points=10", "--set", "contact_grid.elements_across=12"});
   EXPECT_TRUE(says(outcome.out, "81 points", "3 values of lateral shift 0 to 2 mm", "radius mm",
                    "interpolation error at 10"));
   const fs::path out = folder.work() / "out";
@@ -146,24 +140,17 @@ TEST(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
   EXPECT_NEAR(reader.wheel_at(2.0).rolling_radius, 449.82, 0.02);
 }
 
-void expect_refused(const std::string& text, const std::string& said) {
-  const Folder folder;
-  const Outcome outcome = call(folder, {"table", folder.file("case.toml", text), "-o", "out"});
-  EXPECT_EQ(outcome.status, 2) << outcome.out;
-  EXPECT_TRUE(says(outcome.err, said));
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+TEST_F(Table, WrongInputIsSaidInOneLine) {
+  for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
+           {table_case("axis_ratio = [2.0, 1.0]\n"), "table.axis_ratio: 1 follows 2"},
+           {table_case("points = [1, 8, 11]\n"), "table.points"},
+           {table_case("point = [8, 8, 11]\n"), "points"},
+           {table_case("spin_values = [-1.0, 1.0]\n"), "table.spin_values"},
+           {table_case(quick_table) + "[undeformed_distance]\nfile = \"none.csv\"\n", "none.csv"},
+           {with("[rail]\n", "[rail]\npoisson_ratio = 0.4\n"), "unlike materials"},
+           {with("coefficient = 0.55", "coefficient = 0.0"), "friction.coefficient = 0"}})
+    refuses({"table", folder.file("case.toml", text), "-o", "out"}, said);
   EXPECT_FALSE(folder.holds("out"));
-}
-
-TEST(Table, WrongInputIsSaidInOneLine) {
-  expect_refused(table_case("axis_ratio = [2.0, 1.0]\n"), "table.axis_ratio: 1 follows 2");
-  expect_refused(table_case("points = [1, 8, 11]\n"), "table.points");
-  expect_refused(table_case("point = [8, 8, 11]\n"), "points");
-  expect_refused(table_case("spin_values = [-1.0, 1.0]\n"), "table.spin_values");
-  expect_refused(table_case(quick_table) + "[undeformed_distance]\nfile = \"none.csv\"\n",
-                 "none.csv");
-  expect_refused(with("[rail]\n", "[rail]\npoisson_ratio = 0.4\n"), "unlike materials");
-  expect_refused(with("coefficient = 0.55", "coefficient = 0.0"), "friction.coefficient = 0");
 }
 
 }  // namespace

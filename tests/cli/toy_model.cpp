@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A model registered by one line (tests/support/toy_program.cpp) is there in every command, in
 // help, messages, tables and reports.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
-#include "support/places.hpp"
 #include "support/program.hpp"
-#include <cmath>
 
 namespace {
 
-using namespace rollfem::testing;
-
-const std::string quick_creep = small_case +
-                                "[rolling]\nlongitudinal_creepage = [0.0, 0.001]\n"
-                                "[contact_grid]\nelements_across = 10\n";
+const std::string quick_creep = rolling("[0.0, 0.001]", 10);
 
 Outcome toy(const Folder& folder, const std::vector<std::string>& arguments) {
-  return execute(folder, joined({ROLLFEM_TOY_PROGRAM}, arguments));
+  return folder.execute(joined({ROLLFEM_TOY_PROGRAM}, arguments));
 }
 
-TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
-  const Folder folder;
+using ToyModel = ProgramTest;
+
+TEST_F(ToyModel, IsInHelpDocsChecksAndMessages) {
   const std::string file = folder.file("q.toml", "models = [\"stiff\"]\n" + quick_creep);
   for (const char* command : {"run", "compare", "study"})
     EXPECT_TRUE(
@@ -35,7 +27,7 @@ TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
   EXPECT_TRUE(says(toy(folder, {"run", file, "--model", "stif"}).err,
                    "halfspace, hybrid, fem, stiff; do: "));
   // Without it the same file is refused, with line, key, value and allowed values.
-  const Outcome without = call(folder, {"check", file});
+  const Outcome without = call({"check", file});
   expect_refused(without, "q.toml:1:");
   expect_refused(without, "models = [\"stiff\"]: is not known");
   expect_refused(without, "strip, halfspace, hybrid, fem");
@@ -52,8 +44,7 @@ TEST(ToyModel, IsInHelpDocsChecksAndMessages) {
   EXPECT_TRUE(folder.made().empty());
 }
 
-TEST(ToyModel, ConstantOfALawIsAKeyOfThatLaw) {
-  const Folder folder;
+TEST_F(ToyModel, ConstantOfALawIsAKeyOfThatLaw) {
   const auto check = [&](const std::string& law, const std::string& number) {
     const std::string keys = "coefficient = 0.4\nlaw = \"" + law +
                              "\"\nkinetic_coefficient = 0.2\nhalf_velocity = 500.0\n" + number;
@@ -68,8 +59,7 @@ TEST(ToyModel, ConstantOfALawIsAKeyOfThatLaw) {
   EXPECT_TRUE(says(toy(folder, {"docs", "case-file"}).out, "1 with the law `power`"));
 }
 
-TEST(ToyModel, RunsBesideTheOthersWithItsReport) {
-  const Folder folder;
+TEST_F(ToyModel, RunsBesideTheOthersWithItsReport) {
   const Outcome outcome = checked(toy(
       folder, {"run", folder.file("q.toml", quick_creep), "-m", "hertz", "halfspace", "stiff"}));
   EXPECT_FALSE(says(outcome.err, "warning"));
@@ -86,8 +76,7 @@ TEST(ToyModel, RunsBesideTheOthersWithItsReport) {
   EXPECT_TRUE(says(folder.text("results/q/report.html"), "stiff half-space"));
 }
 
-TEST(ToyModel, IsComparedAndMayBeTheReference) {
-  const Folder folder;
+TEST_F(ToyModel, IsComparedAndMayBeTheReference) {
   const std::string file = folder.file("q.toml", quick_creep);
   const Outcome outcome = checked(toy(folder, {"compare", file, "-m", "hertz", "halfspace", "stiff",
                                                "--reference", "stiff", "-o", "out"}));
@@ -105,8 +94,7 @@ TEST(ToyModel, IsComparedAndMayBeTheReference) {
   EXPECT_EQ(found, 1);
 }
 
-TEST(ToyModel, IsStudiedAsTheHalfSpaceIs) {
-  const Folder folder;
+TEST_F(ToyModel, IsStudiedAsTheHalfSpaceIs) {
   const Outcome outcome =
       checked(toy(folder, {"study", folder.file("q.toml", quick_creep), "-m", "halfspace", "stiff",
                            "--levels", "3", "-o", "out"}));
@@ -118,8 +106,7 @@ TEST(ToyModel, IsStudiedAsTheHalfSpaceIs) {
   EXPECT_TRUE(says(folder.text("out/study.html"), "stiff half-space"));
 }
 
-TEST(ToyModel, GoesOnFromItsCheckpointAndGivesStresses) {
-  const Folder folder;
+TEST_F(ToyModel, GoesOnFromItsCheckpointAndGivesStresses) {
   const std::string file = folder.file("q.toml", quick_creep);
   checked(toy(folder, {"run", file, "-m", "stiff", "--no-report", "--resume"}));
   const Outcome stress = checked(toy(

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Results that the program refuses, and results with a warning.
-#include <gtest/gtest.h>
-
 #include "support/program.hpp"
 
 namespace {
-
-using namespace rollfem::testing;
 
 std::string text_of(const std::string& load, const std::string& rest) {
   return load +
@@ -18,15 +14,16 @@ std::string text_of(const std::string& load, const std::string& rest) {
 
 const std::string fifty_kilonewtons = "[load]\nnormal_force = 50e3\n";
 
-TEST(Gate, CellsLargerThanThePatchAreRefusedInEveryModel) {
-  const Folder folder;
+using Gate = ProgramTest;
+
+TEST_F(Gate, CellsLargerThanThePatchAreRefusedInEveryModel) {
   const std::string file =
       folder.file("cell.toml", text_of(fifty_kilonewtons,
                                        "[rolling]\nlongitudinal_creepage = 0.001\n"
                                        "[contact_grid]\ncell_size = [1000.0, 1000.0]\n"));
   for (const char* model : {"hertz", "linear", "vermeulen-johnson", "polach", "carter", "fastsim",
                             "fastrip", "strip", "halfspace"}) {
-    const Outcome outcome = call(folder, {"run", "-q", "--no-report", "--model", model, file});
+    const Outcome outcome = call({"run", "-q", "--no-report", "--model", model, file});
     EXPECT_EQ(outcome.status, 1) << model << outcome.err;
     EXPECT_TRUE(says(
         outcome.err,
@@ -36,10 +33,9 @@ TEST(Gate, CellsLargerThanThePatchAreRefusedInEveryModel) {
   EXPECT_FALSE(folder.holds("results"));
 }
 
-TEST(Gate, AStepOfAHistoryThatTheGridDoesNotSeeIsRefused) {
-  const Folder folder;
+TEST_F(Gate, AStepOfAHistoryThatTheGridDoesNotSeeIsRefused) {
   const Outcome outcome = call(
-      folder,
+
       {"run", "-q", "--no-report", "--model", "halfspace",
        folder.file("step.toml",
                    text_of("",
@@ -50,12 +46,11 @@ TEST(Gate, AStepOfAHistoryThatTheGridDoesNotSeeIsRefused) {
   EXPECT_TRUE(says(outcome.err, "load point 2 of 3: the patch has only 2 by 2 contact elements"));
 }
 
-TEST(Gate, APatchAsLargeAsTheBodiesIsWarnedOfEverywhere) {
-  const Folder folder;
+TEST_F(Gate, APatchAsLargeAsTheBodiesIsWarnedOfEverywhere) {
   const std::string file = folder.file(
       "huge.toml",
       text_of("[load]\nnormal_force = 1e10\n", "[contact_grid]\nelements_across = 10\n"));
-  const Outcome outcome = done(folder, {"run", "--model", "hertz", "--model", "halfspace", file});
+  const Outcome outcome = done({"run", "--model", "hertz", "--model", "halfspace", file});
   const auto summary = folder.json("results/huge/summary.json");
   const std::string report = folder.text("results/huge/report.html");
   for (const auto& model : summary.at("models")) {
@@ -71,25 +66,24 @@ TEST(Gate, APatchAsLargeAsTheBodiesIsWarnedOfEverywhere) {
   }
 }
 
-TEST(Gate, SlipsOfUnitsAreToldWhenACaseIsCheckedAndRun) {
-  const Folder folder;
+TEST_F(Gate, SlipsOfUnitsAreToldWhenACaseIsCheckedAndRun) {
   const std::string kilonewtons =
       folder.file("kn.toml", text_of("[load]\nnormal_force = 80\n",
                                      "[rolling]\nlongitudinal_creepage = 0.6\nspin = 1.0\n"));
   for (const Outcome& outcome :
-       {call(folder, {"check", kilonewtons}),
-        call(folder, {"run", "-q", "--no-report", "--model", "hertz", kilonewtons})}) {
+       {call({"check", kilonewtons}),
+        call({"run", "-q", "--no-report", "--model", "hertz", kilonewtons})}) {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(says(outcome.err, "warning: ", "kn.toml: load.normal_force = 80 N",
                      "rolling.longitudinal_creepage = 0.6", "rolling.spin = 1 rad/mm"));
   }
   // A wheel in m under its load in N: no steel bears that.
   const Outcome metres =
-      done(folder, {"check", folder.file("m.toml",
-                                         "[load]\nnormal_force = 80e3\n[friction]\n"
-                                         "coefficient = 0.3\n[wheel]\nrolling_radius = 0.46\n"
-                                         "transverse_radius = inf\n[rail]\n"
-                                         "transverse_radius = 0.3\n")});
+      done({"check", folder.file("m.toml",
+                                 "[load]\nnormal_force = 80e3\n[friction]\n"
+                                 "coefficient = 0.3\n[wheel]\nrolling_radius = 0.46\n"
+                                 "transverse_radius = inf\n[rail]\n"
+                                 "transverse_radius = 0.3\n")});
   EXPECT_TRUE(says(metres.err, "wheel.rolling_radius = 0.46 mm", "rail.transverse_radius = 0.3 mm",
                    "MPa, which no rail or wheel steel carries"));
 }

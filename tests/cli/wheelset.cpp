@@ -4,28 +4,23 @@
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
-#include <cmath>
 
 namespace {
-
-using namespace rollfem::testing;
 
 const std::string twenty_across = edited(
     two_positions,
     {"title=\"two positions\"", "models=[\"halfspace\"]", "contact_grid.elements_across=20"});
 
-}  // namespace
+using Wheelset = ProgramTest;
 
-TEST(Wheelset, CheckTellsWhereTheWheelsTouch) {
-  const Folder folder;
-  const Outcome outcome = done(folder, {"check", folder.file("case.toml", twenty_across)});
+TEST_F(Wheelset, CheckTellsWhereTheWheelsTouch) {
+  const Outcome outcome = done({"check", folder.file("case.toml", twenty_across)});
   EXPECT_TRUE(says(outcome.out, "where wheel and rail touch", "UIC60-manchester", "y track mm"));
 }
 
-TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
-  const Folder folder;
+TEST_F(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   const Outcome outcome =
-      done(folder, {"run", folder.file("case.toml", twenty_across), "-o", "out", "--no-report"});
+      done({"run", folder.file("case.toml", twenty_across), "-o", "out", "--no-report"});
   const auto summary = folder.json("out/summary.json");
   ASSERT_EQ(summary["models"].size(), 4U);
   const auto& left = summary["models"][2];
@@ -86,11 +81,12 @@ TEST(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   EXPECT_NEAR(number(2, "radius_difference [mm]"), number(2, "rigid_radius_difference [mm]"), 0.2);
 }
 
-TEST(Wheelset, WheelOffTheRailIsSaidInOneLine) {
-  const Folder folder;
+TEST_F(Wheelset, WheelOffTheRailIsSaidInOneLine) {
   const std::string text = edited(twenty_across, {"wheelset.lateral_shift=-60.0"});
-  const Outcome outcome = call(folder, {"run", folder.file("case.toml", text), "-o", "out"});
+  const Outcome outcome = call({"run", folder.file("case.toml", text), "-o", "out"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(says(outcome.err, "wheelset.lateral_shift = -60"));
   EXPECT_FALSE(folder.holds("out"));
 }
+
+}  // namespace

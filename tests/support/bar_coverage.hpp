@@ -5,7 +5,7 @@
 
 #include "contact/result/quantities.hpp"
 
-#include "support/half_space_models.hpp"
+#include "tests/support/half_space_models.hpp"
 #include "tests/support/random_scenes.hpp"
 #include <algorithm>
 #include <cmath>

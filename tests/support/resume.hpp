@@ -3,11 +3,7 @@
 // results.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "support/program.hpp"
-#include <functional>
 
 namespace rollfem::testing {
 
@@ -16,34 +12,40 @@ inline void kill_when(const Folder& folder, const std::vector<std::string>& comm
                       const std::function<bool()>& moment,
                       const std::vector<std::string>& environment = {}) {
   const Outcome outcome =
-      execute(folder, command, environment, [&] { return moment() ? SIGKILL : 0; });
+      folder.execute(command, environment, [&] { return moment() ? SIGKILL : 0; });
   EXPECT_EQ(outcome.status, 128 + SIGKILL) << outcome.err;
 }
 
-/// Number of records whose name begins with a prefix.
-inline int records(const std::filesystem::path& unfinished, const std::string& begin = "") {
+/// Number of records whose name is one of those.
+inline int records(const std::filesystem::path& unfinished,
+                   const std::function<bool(const std::string& name)>& counts) {
   std::error_code error;
   int count = 0;
   for (std::filesystem::directory_iterator entry(unfinished, error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (entry->path().extension() == ".point" && name.compare(0, begin.size(), begin) == 0) ++count;
+    if (entry->path().extension() == ".point" && counts(name)) ++count;
   }
   return count;
 }
 
-/// summary.json without times and without data that identify the call.
-inline nlohmann::json timeless_summary(const std::filesystem::path& result) {
+/// Number of records whose name begins with a prefix.
+inline int records(const std::filesystem::path& unfinished, const std::string& begin = "") {
+  return records(unfinished, [&](const std::string& name) { return name.rfind(begin, 0) == 0; });
+}
+
+/// A JSON file of a result without times and without data that identify the call.
+inline nlohmann::json timeless(const std::filesystem::path& file) {
   const std::function<void(nlohmann::json&)> strip = [&](nlohmann::json& value) {
     if (value.is_object())
-      for (const char* name : {"seconds", "started", "command", "case_file", "checksum"})
+      for (const char* name : {"seconds", "started", "command", "case_file", "checksum", "choice"})
         value.erase(name);
     if (value.is_structured())
       for (nlohmann::json& entry : value) strip(entry);
   };
-  nlohmann::json summary = nlohmann::json::parse(contents(result / "summary.json"));
-  strip(summary);
-  return summary;
+  nlohmann::json all = nlohmann::json::parse(contents(file));
+  strip(all);
+  return all;
 }
 
 /// Names of the datasets that are not the same to the last bit; "" when all are.
@@ -63,13 +65,14 @@ inline std::string different_fields(const Folder& folder, const std::filesystem:
       "    if y is None or bits(x) != bits(y): print(n)\n"
       "if fields < 10: print('only', fields, 'fields')\n";
   const Outcome outcome =
-      execute(folder, {"/usr/bin/python3", "-c", script, one.string(), other.string()});
+      folder.execute({"/usr/bin/python3", "-c", script, one.string(), other.string()});
   return outcome.out + outcome.err;
 }
 
 inline void expect_same_results(const Folder& folder, const std::filesystem::path& one,
                                 const std::filesystem::path& other) {
-  const auto difference = nlohmann::json::diff(timeless_summary(one), timeless_summary(other));
+  const auto difference =
+      nlohmann::json::diff(timeless(one / "summary.json"), timeless(other / "summary.json"));
   EXPECT_TRUE(difference.empty()) << difference.dump().substr(0, 1000);
   EXPECT_EQ(different_fields(folder, one, other), "");
 }

@@ -36,7 +36,7 @@ class Springs : public TangentialOperator {
 
 TEST(FrictionLaws, DerivativesAreThoseOfTheCoefficient) {
   const std::array<FallingFriction::Part, 2> parts{{{0.1, 2e-3}, {0.07, 3e-2}}};
-  for (const FallShape shape : {FallShape::linear, FallShape::rational, FallShape::exponential})
+  for (const FallShape& shape : {FallShape::linear, FallShape::rational, FallShape::exponential})
     for (const double slip : {1e-5, 1e-3, 3e-2, 0.2}) {
       const FallingFriction law(shape, 0.14, parts);
       const double dw = 1e-4 * slip;
