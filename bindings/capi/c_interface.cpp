@@ -3,6 +3,7 @@
 #include "bindings/capi/guarded.hpp"
 #include "bindings/capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/case/case.hpp"
 #include "contact/case/case_reader.hpp"
 #include "tables/files/table_files.hpp"
@@ -50,6 +51,16 @@ const contact::FallShape& shape_of(rollfem_law law) {
       "friction_law = {}: is not known; allowed: ROLLFEM_CONSTANT, ROLLFEM_LINEAR, "
       "ROLLFEM_RATIONAL, ROLLFEM_EXPONENTIAL; do: fill the definition with rollfem_defaults",
       static_cast<int>(law)));
+}
+
+int threads_of(const rollfem_definition& given) {
+  constexpr int most = 1024;
+  if (given.threads < 0 || given.threads > most)
+    throw contact::InputError(
+        fmt::format("threads = {}: is out of range; allowed: 0 to {}; do: write 0 for the caller's "
+                    "thread alone",
+                    given.threads, most));
+  return given.threads;
 }
 
 /// The definition as a case, which passes the checks of case files.
@@ -162,6 +173,7 @@ rollfem_derivatives derivatives_of(const WheelDerivatives& found, rollfem_given 
 
 struct rollfem_pair {
   Units units;
+  int threads;
   WheelRailPair pair;
 };
 
@@ -178,6 +190,7 @@ rollfem_status solved(const rollfem_pair* pair, const rollfem_state* state, roll
   return guarded(
       [&] {
         const rollfem_pair& of = wanted(pair, "pair", "what rollfem_create returned");
+        const contact::Threads threads(of.threads);
         place.check("result", "a place for the result");
         if (derivatives != nullptr)
           derivatives->check("derivatives", "a place for the derivatives");
@@ -204,7 +217,7 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
                 1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12,
                 // friction is constant, and there is no layer
                 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT, 0.0, 0.0, 0.0, 0.0, 0.0,
-                0.0});
+                0.0, 1});
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {
@@ -213,7 +226,9 @@ rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message
       [&] {
         const rollfem_definition given = taken(
             definition, "definition", "one that rollfem_defaults has filled", first_definition);
-        made = new rollfem_pair{units_of(given.units), WheelRailPair(case_of(given))};
+        const int threads = threads_of(given);
+        const contact::Threads used(threads);
+        made = new rollfem_pair{units_of(given.units), threads, WheelRailPair(case_of(given))};
       },
       message, size);
   return made;

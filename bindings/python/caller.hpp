@@ -4,7 +4,9 @@
 #pragma once
 
 #include "bindings/python/bindings.hpp"
+#include "contact/base/threads.hpp"
 
+#include <atomic>
 #include <optional>
 #include <utility>
 
@@ -34,7 +36,7 @@ class Caller {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (!callback_.is_none()) callback_(event);
     } catch (py::error_already_set& error) {
-      raised_.emplace(std::move(error));
+      if (!raised_) raised_.emplace(std::move(error));
       throw Ended();
     }
   }
@@ -56,6 +58,12 @@ class OneBlasThread {
   OneBlasThread& operator=(const OneBlasThread&) = delete;
 };
 
+/// Threads of a call: what rollfem.threads has set, at first the caller's alone.
+inline std::atomic<int>& wanted_threads() {
+  static std::atomic<int> wanted{1};
+  return wanted;
+}
+
 /// work(progress) without the GIL; `callback`: a Python function or None.
 template <class Work>
 auto without_gil(py::object callback, const Work& work) {
@@ -63,6 +71,7 @@ auto without_gil(py::object callback, const Work& work) {
   try {
     const py::gil_scoped_release free;
     const OneBlasThread one_thread;
+    const contact::Threads threads(wanted_threads());
     return work(caller.progress());
   } catch (const Ended&) {
     caller.rethrow();

@@ -122,6 +122,8 @@ PYBIND11_MODULE(_core, module) {
   module.def("read_case", &read_case);
   module.def("parse_case", &parse_case);
   module.def("models", &models);
+  module.def("threads", [] { return python::wanted_threads().load(); });
+  module.def("use_threads", [](int number) { python::wanted_threads() = number; });
   module.def("solve", &python::solved);
   module.def("models_of", &python::models_of);
   module.def("write", &python::written);

@@ -116,8 +116,10 @@ int threads() {
   return arena_here().number;
 }
 
-Threads::Threads(int number) : before_(here), arena_(std::make_shared<Arena>(std::max(1, number))) {
-  here = static_cast<Arena*>(arena_.get());
+Threads::Threads(int number) : before_(here) {
+  static Arena alone(1);  // so that nothing is allocated
+  if (number > 1) arena_ = std::make_shared<Arena>(number);
+  here = number > 1 ? static_cast<Arena*>(arena_.get()) : &alone;
 }
 
 Threads::~Threads() {

@@ -34,7 +34,7 @@ class Threads {
 
  private:
   void* before_;
-  std::shared_ptr<void> arena_;
+  std::shared_ptr<void> arena_;  ///< null: this thread alone
 };
 
 /// Calls work(0), ... work(count - 1), side by side where threads are available, and returns after

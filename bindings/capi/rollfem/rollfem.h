@@ -91,6 +91,7 @@ typedef struct {
   double layer_yield_stress;   /* shear stress at which the layer yields; 0: it does not */
   double layer_hardening;      /* its rise per length by which a particle has yielded; below 0 the layer softens */
   double law_constants[4];     /* that the law alone has, in its order; 0: their defaults (no law above has any) */
+  int threads;                 /* of a call; 0 or 1: the caller's alone. Results are the same */
 } rollfem_definition;
 
 /* Which member of a state gives the load on the wheel. */

@@ -47,6 +47,27 @@ def checked(case: CaseLike | None, sections: dict[str, Any] | None = None, call:
     return made
 
 
+def threads(number: int | None = None) -> int:
+    """The threads of a call of this package, at first the caller's alone. Results are the same for any number.
+
+    Args:
+        number: The number from now on, 1 to 1024; None leaves it.
+    Returns:
+        The number of threads.
+    Raises:
+        InputError: The number is out of range.
+
+    >>> rollfem.threads(8)
+    8
+    """
+    if number is not None:
+        if not 1 <= number <= 1024:
+            raise _core.InputError(f"threads({number}): is out of range; allowed: 1 to 1024; do: os.cpu_count() gives "
+                                   "the cores of this machine")
+        _core.use_threads(number)
+    return _core.threads()
+
+
 def solve(case: CaseLike | None = None, /, *, model: str | None = None, models: Models = None, progress: Told = None,
           **sections: Any) -> Result:
     """Solves a case.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Finite elements give the same bits for 1, 2, 3 and 16 threads.
+#include "support/case_examples.hpp"
+#include "support/resume.hpp"
+
+namespace {
+
+struct Solver {
+  const char* name;
+  std::vector<std::string> changes;
+};
+
+class SameBitsOfFiniteElements : public ProgramTest,
+                                 public ::testing::WithParamInterface<Solver> {};
+
+TEST_P(SameBitsOfFiniteElements, ForAnyNumberOfThreads) {
+  const std::string file = folder.file(
+      "case.toml", edited(edited(small_case, {"rolling.longitudinal_creepage=[0.0, 0.001]",
+                                              "fem.cell_size=1.5", "output.stress_maxima=true"}),
+                          GetParam().changes));
+  const auto run = [&](const std::string& threads) {
+    checked(folder.execute(joined({ROLLFEM_PROGRAM}, {"run", file, "--no-report", "--threads",
+                                                      threads, "-o", "on" + threads}),
+                           {"ROLLFEM_CACHE="}));
+  };
+  run("1");
+  for (const char* threads : {"2", "3", "16"}) {
+    run(threads);
+    expect_same_results(folder, folder.work() / "on1",
+                        folder.work() / ("on" + std::string(threads)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Solvers, SameBitsOfFiniteElements,
+    ::testing::Values(Solver{"Multigrid", {"models=[\"fem\"]", "fem.linear_solver=multigrid"}},
+                      Solver{"Factorisation",
+                             {"models=[\"fem\"]", "fem.linear_solver=factorisation"}},
+                      Solver{"Hybrid", {"models=[\"hybrid\"]", "contact_grid.elements_across=20"}}),
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
