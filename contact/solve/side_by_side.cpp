@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/solve/side_by_side.hpp"
 
+#include "contact/base/available_memory.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 
@@ -79,6 +80,19 @@ LevelResult put_together(std::vector<Part>& parts, std::size_t count) {
   return whole;
 }
 
+/// Threads for a grid: each has its own elasticity and fields, and all together must fit into
+/// memory.
+std::size_t threads_for(const ContactGrid& grid) {
+  constexpr double bytes_per_element = 1300.0;  // as measured for one (halfspace/model)
+  constexpr double worth_a_look = 50e6;
+  const double of_a_thread = bytes_per_element * grid.size();
+  const auto all = static_cast<std::size_t>(threads());
+  if (of_a_thread < worth_a_look) return all;
+  const double fit = available_bytes() / of_a_thread;
+  return fit < static_cast<double>(all) ? std::max<std::size_t>(1, static_cast<std::size_t>(fit))
+                                        : all;
+}
+
 }  // namespace
 
 std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometry& geometry,
@@ -86,9 +100,8 @@ std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometr
                                         PointStore* store, const ContactGrid& grid,
                                         const MakeElasticity& make) {
   const std::size_t count = scene.points.size();
-  const bool alone =
-      !options.independent || scene.is_history() || scene.load_changes() || threads() < 2;
-  std::vector<Part> parts(alone ? 1 : std::min<std::size_t>(threads(), count));
+  const bool alone = !options.independent || scene.is_history() || scene.load_changes();
+  std::vector<Part> parts(alone ? 1 : std::min(threads_for(grid), count));
   Points points(count);
   for_each_index(parts.size(), [&](std::size_t p) {
     ContactRun run(scene, geometry, options, progress, store);
