@@ -3,24 +3,17 @@
 
 #include "contact/base/errors.hpp"
 
-#define BOOST_ALLOW_DEPRECATED_HEADERS  // which Boost.Geometry includes itself
 #include <Eigen/Dense>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/adapted/std_array.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-
-BOOST_GEOMETRY_REGISTER_STD_ARRAY_CS(boost::geometry::cs::cartesian)
+#include <numeric>
 
 namespace rollfem::postprocess {
 namespace {
 
-namespace geometry = boost::geometry;
-namespace index = boost::geometry::index;
+constexpr int leaf_size = 8;
 
 /// Corners of VTK's hexahedron in the unit cube.
 constexpr int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
@@ -46,47 +39,57 @@ double distance(const Place& a, const Place& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+double distance_to_box(const Place& place, const Place& lower, const Place& upper) {
+  Place off{};
+  for (int c = 0; c < 3; ++c) off[c] = std::max({lower[c] - place[c], 0.0, place[c] - upper[c]});
+  return std::hypot(off[0], off[1], off[2]);
+}
+
 }  // namespace
-
-/// The boxes of the cells.
-struct BodySampler::Tree {
-  using Box = geometry::model::box<Place>;
-  using NumberedBox = std::pair<Box, int>;
-
-  explicit Tree(const contact::BodyField& field) : cells(boxes_of(field)) {
-    geometry::convert(cells.bounds(), body);
-  }
-  static std::vector<NumberedBox> boxes_of(const contact::BodyField& field) {
-    std::vector<NumberedBox> boxes;
-    for (const auto& cell : field.cells) {
-      Box box;
-      geometry::assign_inverse(box);
-      for (const int p : cell) geometry::expand(box, field.points[p]);
-      boxes.emplace_back(box, static_cast<int>(boxes.size()));
-    }
-    return boxes;
-  }
-
-  index::rtree<NumberedBox, index::linear<16>> cells;
-  Box body;
-};
 
 BodySampler::BodySampler(const contact::BodyField& body) : body_(body) {
   if (body.cells.empty() || body.stress.size() != body.points.size() ||
       body.displacement.size() != body.points.size())
     throw contact::InputError(fmt::format(
         "the {} is stored without displacement and stress; do: run the case again", body.name));
-  tree_ = std::make_unique<Tree>(body);
+  order_.resize(body.cells.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  tree_.reserve(body.cells.size());
+  build(0, static_cast<int>(order_.size()));
 }
 
-BodySampler::~BodySampler() = default;
-
-const Place& BodySampler::lower() const {
-  return tree_->body.min_corner();
-}
-
-const Place& BodySampler::upper() const {
-  return tree_->body.max_corner();
+/// Splits the cells at the median along the longest side of their box.
+int BodySampler::build(int first, int last) {
+  const int index = static_cast<int>(tree_.size());
+  tree_.emplace_back();
+  Node node;
+  node.first = first;
+  node.last = last;
+  node.lower.fill(contact::infinity);
+  node.upper.fill(-contact::infinity);
+  for (int k = first; k < last; ++k)
+    for (const int p : body_.cells[order_[k]])
+      for (int c = 0; c < 3; ++c) {
+        node.lower[c] = std::min(node.lower[c], body_.points[p][c]);
+        node.upper[c] = std::max(node.upper[c], body_.points[p][c]);
+      }
+  if (last - first > leaf_size) {
+    int axis = 0;
+    for (int c = 1; c < 3; ++c)
+      if (node.upper[c] - node.lower[c] > node.upper[axis] - node.lower[axis]) axis = c;
+    const int middle = first + (last - first) / 2;
+    const auto centre = [&](int cell) {
+      double sum = 0.0;
+      for (const int p : body_.cells[cell]) sum += body_.points[p][axis];
+      return sum;
+    };
+    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
+                     [&](int a, int b) { return centre(a) < centre(b); });
+    node.left = build(first, middle);
+    node.right = build(middle, last);
+  }
+  tree_[index] = node;
+  return index;
 }
 
 Place BodySampler::map(int cell, const Place& reference) const {
@@ -134,17 +137,30 @@ BodySampler::Hit BodySampler::invert(int cell, const Place& place) const {
   return hit;
 }
 
-/// The point nearest to a place: cells are tried in the order of the distance of their boxes.
+void BodySampler::nearest(int index, const Place& place, Hit& best) const {
+  const Node& node = tree_[index];
+  if (best.cell >= 0 &&
+      (best.distance == 0.0 || distance_to_box(place, node.lower, node.upper) >= best.distance))
+    return;
+  if (node.left < 0) {
+    for (int k = node.first; k < node.last; ++k) {
+      const Hit hit = invert(order_[k], place);
+      if (std::isfinite(hit.distance) && (best.cell < 0 || hit.distance < best.distance))
+        best = hit;
+    }
+    return;
+  }
+  const Node& left = tree_[node.left];
+  const Node& right = tree_[node.right];
+  const bool left_first = distance_to_box(place, left.lower, left.upper) <=
+                          distance_to_box(place, right.lower, right.upper);
+  nearest(left_first ? node.left : node.right, place, best);
+  nearest(left_first ? node.right : node.left, place, best);
+}
+
 BodySampler::Hit BodySampler::find(const Place& place) const {
   Hit best;
-  const auto& cells = tree_->cells;
-  for (auto box = cells.qbegin(index::nearest(place, cells.size())); box != cells.qend(); ++box) {
-    if (best.cell >= 0 &&
-        (best.distance == 0.0 || geometry::distance(place, box->first) >= best.distance))
-      break;
-    const Hit hit = invert(box->second, place);
-    if (std::isfinite(hit.distance) && (best.cell < 0 || hit.distance < best.distance)) best = hit;
-  }
+  nearest(0, place, best);
   return best;
 }
 

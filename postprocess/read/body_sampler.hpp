@@ -8,7 +8,8 @@
 #include "contact/result/result.hpp"
 
 #include <array>
-#include <memory>
+#include <string>
+#include <vector>
 
 namespace rollfem::postprocess {
 
@@ -26,7 +27,6 @@ class BodySampler {
   /// Keeps a reference to the body. Throws contact::InputError if it has no cells or no stress.
   explicit BodySampler(const contact::BodyField& body);
   explicit BodySampler(contact::BodyField&&) = delete;
-  ~BodySampler();
 
   /// A place outside all cells by at most two local cell sizes is moved onto the surface along the
   /// axes of the nearest cell. Farther places throw contact::InputError with the extent of the
@@ -41,11 +41,15 @@ class BodySampler {
   double surface(double x, double y, double inner, double outer) const;
 
   /// Corners of the smallest box that holds the body, mm.
-  const Place& lower() const;
-  const Place& upper() const;
+  const Place& lower() const { return tree_.front().lower; }
+  const Place& upper() const { return tree_.front().upper; }
 
  private:
-  struct Tree;
+  struct Node {
+    Place lower{}, upper{};
+    int first = 0, last = 0;  ///< cells order_[first, last) of a leaf
+    int left = -1, right = -1;
+  };
   /// Reference coordinates in [0, 1]^3 of the point of a cell nearest to `place`, and its distance.
   struct Hit {
     int cell = -1;
@@ -54,13 +58,16 @@ class BodySampler {
     double distance = 0.0;
   };
 
+  int build(int first, int last);
+  void nearest(int node, const Place& place, Hit& best) const;
   Hit invert(int cell, const Place& place) const;
   Hit find(const Place& place) const;
   Place map(int cell, const Place& reference) const;
   double longest_edge(int cell) const;
 
   const contact::BodyField& body_;
-  std::unique_ptr<Tree> tree_;
+  std::vector<int> order_;
+  std::vector<Node> tree_;
 };
 
 }  // namespace rollfem::postprocess

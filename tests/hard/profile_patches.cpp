@@ -5,8 +5,8 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
-#include "support/half_space_models.hpp"
 
+#include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"

@@ -4,8 +4,8 @@
 // CONTACT's extra slip and Persson's conforming cylinder.
 #include "contact/base/errors.hpp"
 #include "contact/scene/scene.hpp"
-#include "support/half_space_models.hpp"
 
+#include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/profile_patches.hpp"
 #include "support/thesis_cases.hpp"

@@ -197,8 +197,7 @@ TEST(GivenPressure, CarriesTheForceOnAnyGrid) {
   input.rolling.creepages = {{0.0, 0.5, 0.0}};
   for (const int across : {8, 15, 32, 63}) {
     input.contact_grid.elements_across = across;
-    const PointResult point =
-        half_space_models().run("halfspace", input, {}).points.at(0);
+    const PointResult point = half_space_models().run("halfspace", input, {}).points.at(0);
     EXPECT_NEAR(point.normal_force / force, 1.0, 1e-12) << across;
     // Everything slips; the elastic part of the slip turns it by less than 1e-2.
     EXPECT_NEAR(point.lateral_force / (friction * force), -1.0, 5e-5) << across;

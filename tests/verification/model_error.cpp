@@ -131,8 +131,7 @@ TEST(ModelError, BodiesMustBeKnown) {
   scene.geometry.quadratic = std::array<double, 2>{1e-3, 1e-3};
   EXPECT_THROW(halfspace::model_errors(scene, half, {}), contact::InputError);
   scene.options.halfspace.model_error = true;
-  EXPECT_THROW(half_space_models().run("halfspace", scene, {}),
-               contact::InputError);
+  EXPECT_THROW(half_space_models().run("halfspace", scene, {}), contact::InputError);
 }
 
 TEST(ModelError, IsInResultsWhereAskedFor) {

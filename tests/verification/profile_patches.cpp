@@ -4,8 +4,8 @@
 #include "support/profile_patches.hpp"
 
 #include "halfspace/closed_forms/hertz.hpp"
-#include "support/half_space_models.hpp"
 
+#include "support/half_space_models.hpp"
 #include "support/patch_case.hpp"
 #include "support/thesis_cases.hpp"
 

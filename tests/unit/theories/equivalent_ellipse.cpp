@@ -2,8 +2,8 @@
 // The ellipse that theories of elliptic patches are given for a patch of profiles.
 #include "contact/base/errors.hpp"
 #include "contact/result/patch_size.hpp"
-#include "support/half_space_models.hpp"
 
+#include "support/half_space_models.hpp"
 #include "support/profile_scenes.hpp"
 #include "support/temporary_folder.hpp"
 

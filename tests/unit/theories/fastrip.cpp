@@ -23,9 +23,7 @@ contact::PointResult point_of(const std::string& model, double a, double b,
       "[contact_grid]\nelements_across = 40\n[fastsim]\nstrips = 200\nstrip_elements = 400\n"
       "[rolling]\n{}",
       a, b, rolling);
-  return half_space_models()
-      .run(model, contact::parse_case(text, "ellipse.toml"), {})
-      .points[0];
+  return half_space_models().run(model, contact::parse_case(text, "ellipse.toml"), {}).points[0];
 }
 
 constexpr double friction_force = 0.3 * 82e3;

@@ -12,9 +12,7 @@ namespace {
 using theories::polach_saturation;
 
 contact::PointResult point_of(const std::string& model, const std::string& more) {
-  return half_space_models()
-      .run(model, contact::parse_case(plus(more), "a.toml"), {})
-      .points[0];
+  return half_space_models().run(model, contact::parse_case(plus(more), "a.toml"), {}).points[0];
 }
 
 TEST(Polach, ClosedFormHasItsLimits) {
@@ -49,8 +47,7 @@ TEST(Polach, LargeCreepagesSlideUnderTheFrictionThatIsLeft) {
   input.friction_fall.shape = contact::FallShape::exponential;
   input.friction_fall.polach_a = 0.4;
   input.friction_fall.polach_b = 0.1;
-  const auto slower =
-      half_space_models().run("polach", contact::Scene(input), {}).points[0];
+  const auto slower = half_space_models().run("polach", contact::Scene(input), {}).points[0];
   EXPECT_NEAR(std::hypot(slower.longitudinal_force, slower.lateral_force) / bound,
               0.6 * std::exp(-0.5) + 0.4, 1e-3);
 }

@@ -75,8 +75,7 @@ TEST(TheoriesSay, WhatTheyLeaveOut) {
   input.friction_fall.memory_distance = 3e-3;
   const auto says = [&](const char* name, const std::string& words) {
     std::string all;
-    for (const std::string& note : half_space_models().run(name, input, {}).notes)
-      all += note;
+    for (const std::string& note : half_space_models().run(name, input, {}).notes) all += note;
     return all.find(words) != std::string::npos;
   };
   for (const char* name : {"hertz", "polach", "fastsim"})
@@ -195,8 +194,7 @@ TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
       "transverse_radius = 405.0\n[rolling]\nproblem = \"frictionless\"\n[contact_grid]\n"
       "elements_across = 24\n[output]\nstress_maxima = true\n",
       "circle.toml");
-  const contact::PointResult point =
-      half_space_models().run("halfspace", input, {}).points.front();
+  const contact::PointResult point = half_space_models().run("halfspace", input, {}).points.front();
   ASSERT_EQ(point.stress_maxima.size(), 12u);
   int found = 0;
   for (const contact::StressMaximum& maximum : point.stress_maxima) {
@@ -230,8 +228,7 @@ TEST(StressMaxima, ShearIsToldOnTheSurfaceAndBelowIt) {
       "body = \"rail\"\nfrom = [-8.0, 0.0, -0.3]\nto = [8.0, 0.0, -0.3]\n"
       "across = [-8.0, 0.0, -6.3]\npoints = [81, 31]\n",
       "friction.toml");
-  const contact::PointResult point =
-      half_space_models().run("halfspace", input, {}).points.front();
+  const contact::PointResult point = half_space_models().run("halfspace", input, {}).points.front();
   double largest = 0.0, most = 0.0;
   const auto& plane = point.subsurface.front().stress;
   for (std::size_t first = 0; first < plane.size(); first += 81) {
