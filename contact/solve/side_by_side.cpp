@@ -120,7 +120,7 @@ std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometr
   });
   if (points.end().error) std::rethrow_exception(points.end().error);
   if (points.end().point < count) return {};
-  return put_together(parts, count);
+  return parts.size() == 1 ? std::move(parts.front().result) : put_together(parts, count);
 }
 
 }  // namespace rollfem::contact
