@@ -156,6 +156,12 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
   error.rethrow();
 }
 
+void within_threads(const std::function<void()>& work) {
+  Arena& arena = arena_here();
+  if (!arena.tasks) return tbb::task_arena(1).execute([&] { work(); });
+  arena.tasks->execute([&] { work(); });
+}
+
 void for_each_piece(std::ptrdiff_t size, std::ptrdiff_t piece,
                     const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& work) {
   for_each_index(static_cast<std::size_t>((size + piece - 1) / piece), [&](std::size_t k) {

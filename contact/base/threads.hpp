@@ -43,8 +43,11 @@ class Threads {
 /// thread.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// The same for pieces [begin, end) of a range. Their number depends on `size` and `piece` alone,
-/// so that sums over a piece do not depend on the number of threads.
+/// Calls work() so that libraries which use oneTBB themselves have these threads and no others.
+void within_threads(const std::function<void()>& work);
+
+/// The same as for_each_index for pieces [begin, end) of a range. Their number depends on `size`
+/// and `piece` alone, so that sums over a piece do not depend on the number of threads.
 void for_each_piece(std::ptrdiff_t size, std::ptrdiff_t piece,
                     const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& work);
 

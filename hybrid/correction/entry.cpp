@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The C entry point of this library, which rollfem opens at run time.
+#include "contact/base/threads.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
 #include "fem/elasticity/model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
@@ -13,6 +14,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace {
@@ -30,8 +32,10 @@ void start(int& argc, char**& argv) {
   static std::array<char*, 3> call{program.data(), option.data(), nullptr};
   int count = 2;
   char** own = call.data();
-  // One thread in deal.II: the cores go to MPI processes and to the two bodies solved side by side.
-  session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(count, own, 1);
+  // deal.II limits oneTBB for the whole process, and cuts its sums into pieces by this number:
+  // always the same, so that results do not depend on the threads in use (within_threads).
+  constexpr unsigned int most_threads = 64;
+  session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(count, own, most_threads);
   // The end of the session empties deal.II's stores of vectors. When the process ends they must
   // still be there: what is made first goes last.
   dealii::GrowingVectorMemory<Vector<double>>::release_unused_memory();
@@ -49,6 +53,18 @@ int process() {
 std::string from_first(const std::string& text) {
   return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text);
 }
+
+/// A function of this library, with the caller's threads for deal.II too.
+template <auto function>
+struct OnThreads;
+template <class Result, class... Arguments, Result (*function)(Arguments...)>
+struct OnThreads<function> {
+  static Result call(Arguments... arguments) {
+    std::optional<Result> result;
+    rollfem::contact::within_threads([&] { result.emplace(function(arguments...)); });
+    return *std::move(result);
+  }
+};
 
 rollfem::fem::About about() {
   char mpi[MPI_MAX_LIBRARY_VERSION_STRING] = {};
@@ -69,9 +85,9 @@ const rollfem::fem::Entry entry{start,
                                 stop,
                                 process,
                                 from_first,
-                                rollfem::fem::run_fem,
-                                rollfem::fem::mesh_case,
-                                rollfem::hybrid::find_smooth_parts,
+                                OnThreads<&rollfem::fem::run_fem>::call,
+                                OnThreads<&rollfem::fem::mesh_case>::call,
+                                OnThreads<&rollfem::hybrid::find_smooth_parts>::call,
                                 about};
 
 }  // namespace

@@ -37,6 +37,6 @@ INSTANTIATE_TEST_SUITE_P(
                       Solver{"Factorisation",
                              {"models=[\"fem\"]", "fem.linear_solver=factorisation"}},
                       Solver{"Hybrid", {"models=[\"hybrid\"]", "contact_grid.elements_across=20"}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& of) { return of.param.name; });
 
 }  // namespace

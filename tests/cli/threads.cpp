@@ -54,7 +54,7 @@ const std::vector<Kind> kinds{
                             "wheelset.free_rolling=torque", "contact_grid.elements_across=12"})}};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SameBits, ::testing::ValuesIn(kinds),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& of) { return of.param.name; });
 
 using Threads = ProgramTest;
 
