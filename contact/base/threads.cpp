@@ -15,6 +15,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #include <thread>
 #include <utility>
 
@@ -61,6 +62,10 @@ class Inside {
  private:
   Arena* before_;
 };
+
+/// All threads treat subnormal numbers as the one that hands out the parts.
+constexpr auto as_this_thread =
+    tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings;
 
 /// The exception of the smallest index so far; parts beyond it need not start.
 class FirstError {
@@ -142,10 +147,7 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
       error.take(k);
     }
   };
-  // All threads treat subnormal numbers as this one does.
-  tbb::task_group_context context(
-      tbb::task_group_context::bound,
-      tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+  tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
   // Isolated: a thread that waits for its own parts takes up no part of another computation, whose
   // memory and time would add to this one.
   arena.tasks->execute([&] {
@@ -158,8 +160,19 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
 
 void within_threads(const std::function<void()>& work) {
   Arena& arena = arena_here();
-  if (!arena.tasks) return tbb::task_arena(1).execute([&] { work(); });
-  arena.tasks->execute([&] { work(); });
+  tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
+  // A task, from which others inherit the treatment of subnormal numbers.
+  const auto run = [&] {
+    tbb::task_group group(context);
+    group.run_and_wait([&] {
+      const Inside inside(arena);
+      work();
+    });
+  };
+  if (arena.tasks)
+    arena.tasks->execute(run);
+  else
+    tbb::task_arena(1).execute(run);
 }
 
 void for_each_piece(std::ptrdiff_t size, std::ptrdiff_t piece,

@@ -70,7 +70,8 @@ class ElasticityOperator {
   /// K x, collective.
   void vmult(VectorType& product, const VectorType& x) const;
   /// The same with work on consecutive ranges of the owned unknowns [begin, end): `before` may
-  /// still change x there, `after` is called with the product there and may change both.
+  /// still change x there, `after` is called with the product there and may change both. Ranges
+  /// are worked on side by side.
   using Work = std::function<void(unsigned int begin, unsigned int end)>;
   void vmult(VectorType& product, const VectorType& x, const Work& before, const Work& after) const;
   /// The inverse diagonal of the constrained matrix, 1 at constrained dofs.

@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace rollfem::fem {
 
@@ -107,6 +110,12 @@ void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm
                   contact::in_gigabytes(at.needed), contact::in_gigabytes(at.available),
                   1e-6 * (demand.unknowns[0] + demand.unknowns[1]), cell_size,
                   demand.factorisation ? "factorisation" : "multigrid", advice));
+}
+
+void hand_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 }  // namespace rollfem::fem

@@ -36,4 +36,8 @@ std::string memory_note(const MemoryDemand& demand, MPI_Comm communicator);
 /// Collective.
 bool fits_memory(const MemoryDemand& demand, MPI_Comm communicator);
 
+/// Returns freed memory held by the C library to the system: after a set-up it is as much as the
+/// memory in use.
+void hand_back_memory();
+
 }  // namespace rollfem::fem

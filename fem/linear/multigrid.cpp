@@ -2,11 +2,13 @@
 #include "fem/linear/multigrid.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/cholmod.hpp"
 #include "fem/linear/first_process.hpp"
 #include "fem/linear/flush_subnormals.hpp"
 #include "fem/linear/level_transfer.hpp"
+#include "fem/linear/memory.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
@@ -25,9 +27,6 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace rollfem::fem {
 
@@ -128,14 +127,6 @@ void CoarseSolver::solve(FloatVector& x, const FloatVector& b) const {
                  MPI_FLOAT, 0, communicator_);
 }
 
-/// Returns freed memory held by the C library to the system: after a set-up it is as much as the
-/// memory in use.
-void hand_back_memory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
 /// Stiffness of a level in the interface of deal.II's smoother. Compared with the own smoother that
 /// it replaced: the same iterations, 1.01 times the time, 1.01 times the memory (0.2 to 0.7 million
 /// unknowns).
@@ -147,7 +138,14 @@ struct SmoothedMatrix : dealii::Subscriptor {
   void vmult(FloatVector& product, const FloatVector& x,
              const ElasticityOperator<float>::Work& before,
              const ElasticityOperator<float>::Work& after) const {
-    stiffness.vmult(product, x, before, after);
+    if (in_one_piece) {
+      const auto all = static_cast<unsigned int>(x.locally_owned_size());
+      before(0, all);
+      stiffness.vmult(product, x);
+      after(0, all);
+    } else {
+      stiffness.vmult(product, x, before, after);
+    }
   }
   FloatVector::size_type m() const { return rows; }
   /// Required by deal.II only if no diagonal is given, but one is.
@@ -157,6 +155,9 @@ struct SmoothedMatrix : dealii::Subscriptor {
 
   ElasticityOperator<float> stiffness;
   FloatVector::size_type rows;
+  /// Conjugate gradients add up their products in `before` and `after`, which the ranges of several
+  /// threads would spoil.
+  bool in_one_piece = true;
 };
 
 using Diagonal = dealii::DiagonalMatrix<FloatVector>;
@@ -177,6 +178,7 @@ struct Level {
     data.preconditioner = std::make_shared<Diagonal>(matrix.stiffness.inverse_diagonal());
     smoother.initialize(matrix, data);
     smoother.estimate_eigenvalues(solution);
+    matrix.in_one_piece = false;
   }
   SmoothedMatrix matrix;
   Smoother smoother;
@@ -330,7 +332,8 @@ void Multigrid::vmult(Vector& z, const Vector& r) const {
   const FloatVector& solution = levels_.empty() ? coarse_solution_ : levels_.back()->solution;
   std::transform(r.begin(), r.end(), right.begin(),
                  [=](double value) { return static_cast<float>(value / norm); });
-  cycle(levels_.size());
+  // deal.II's loops on other threads flush subnormal numbers too.
+  contact::within_threads([&] { cycle(levels_.size()); });
   std::transform(solution.begin(), solution.end(), z.begin(),
                  [=](float value) { return norm * static_cast<double>(value); });
 }

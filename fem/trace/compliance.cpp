@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/trace/compliance.hpp"
 
-#include "contact/base/threads.hpp"
 #include "contact/base/threads.hpp"
 #include "contact/scene/geometry.hpp"
 #include "fem/trace/far_field.hpp"

@@ -259,32 +259,6 @@ class Solving(unittest.TestCase):
         again = rollfem.solve(case, model="halfspace")
         np.testing.assert_array_equal(found[0][0].traction_coefficient, again[0].traction_coefficient)
 
-    def test_results_are_the_same_for_any_number_of_threads(self):
-        case = rollfem.Case(SMALL).with_(longitudinal_creepage=list(np.linspace(0, 0.01, 6)))
-        self.assertEqual(rollfem.threads(), 1)
-        self.addCleanup(rollfem.threads, 1)
-        told, found = [], []
-        for number in (1, 2, 8):
-            self.assertEqual(rollfem.threads(number), number)
-            found.append(rollfem.solve(case, model="halfspace", progress=lambda event: told.append(event.point))[0])
-        for other in found[1:]:
-            np.testing.assert_array_equal(found[0].traction_coefficient, other.traction_coefficient)
-            for one, another in zip(found[0].points, other.points):
-                np.testing.assert_array_equal(one.traction_x, another.traction_x)
-        self.assertIn(6, told)
-
-    def test_an_exception_of_progress_ends_all_threads(self):
-        case = rollfem.Case(SMALL).with_(longitudinal_creepage=list(np.linspace(0, 0.01, 6)))
-        self.addCleanup(rollfem.threads, rollfem.threads(4) and 1)
-
-        def stop(event):
-            if event.point > 2:
-                raise ZeroDivisionError("enough")
-        with self.assertRaisesRegex(ZeroDivisionError, "enough"):
-            rollfem.solve(case, model="halfspace", progress=stop)
-        with self.assertRaisesRegex(rollfem.InputError, "allowed: 1 to 1024"):
-            rollfem.threads(0)
-
 
 class MadeTables(unittest.TestCase):
     """Those that the program makes of `case` once for all tests of a class."""

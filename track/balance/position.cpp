@@ -4,10 +4,10 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
 #include "contact/base/threads.hpp"
-#include "contact/result/refinement.hpp"
 #include "contact/solve/load_sharing.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
+#include "track/balance/creepage_errors.hpp"
 #include "track/motion/wheelset_motion.hpp"
 
 #include <fmt/format.h>
@@ -371,22 +371,6 @@ class Position {
   std::vector<double> rotation_;  ///< relative change per load point
   FreeRolling free_;
 };
-
-/// Errors of the creepages from a balance on half as many elements: 1.5 times the change, as for
-/// forces (docs/accuracy.md). None where the coarse balance finds other patches.
-void add_creepage_errors(const std::vector<contact::Scene>& coarse,
-                         std::vector<contact::Scene>& scenes) {
-  if (coarse.size() != scenes.size()) return;
-  for (std::size_t s = 0; s < scenes.size(); ++s)
-    for (std::size_t k = 0; k < scenes[s].points.size() && k < coarse[s].points.size(); ++k) {
-      const contact::Creepage &a = scenes[s].points[k].creepage, &b = coarse[s].points[k].creepage;
-      const auto error = [](double fine, double rough) {
-        return contact::uneven_safety * std::abs(fine - rough);
-      };
-      scenes[s].points[k].creepage_error = {error(a.longitudinal, b.longitudinal),
-                                            error(a.lateral, b.lateral), error(a.spin, b.spin)};
-    }
-}
 
 }  // namespace
 
