@@ -166,7 +166,7 @@ void within_threads(const std::function<void()>& work) {
     tbb::task_group group(context);
     group.run_and_wait([&] {
       const Inside inside(arena);
-      work();
+      tbb::this_task_arena::isolate(work);
     });
   };
   if (arena.tasks)

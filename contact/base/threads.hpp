@@ -43,7 +43,9 @@ class Threads {
 /// thread.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Calls work() so that libraries which use oneTBB themselves have these threads and no others.
+/// Calls work() so that libraries which use oneTBB themselves have these threads and no others, and
+/// that this thread, while it waits for them, takes up no part of another computation: it may hold
+/// a lock.
 void within_threads(const std::function<void()>& work);
 
 /// The same as for_each_index for pieces [begin, end) of a range. Their number depends on `size`

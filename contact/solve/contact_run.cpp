@@ -97,8 +97,7 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   });
 }
 
-bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make,
-                       const std::function<std::optional<std::size_t>()>& next) {
+void ContactRun::start_on(const ContactGrid& grid, const MakeElasticity& make) {
   result_.grid = grid;
   result_.points.clear();
   result_.relative_traction.clear();
@@ -112,6 +111,16 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make,
   result_.setup_seconds += setup.seconds();
   motion_ = std::make_unique<PointMotion>(scene_, geometry_, grid);
   state_ = {};
+}
+
+void ContactRun::solve_without_friction(const ContactGrid& grid, const MakeElasticity& make) {
+  start_on(grid, make);
+  prepare();
+}
+
+bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make,
+                       const std::function<std::optional<std::size_t>()>& next) {
+  start_on(grid, make);
   bool taking_up = store_ != nullptr;
   while (const std::optional<std::size_t> k = next())
     if (!solve_or_take_up(*k, taking_up)) return false;
@@ -210,7 +219,8 @@ bool ContactRun::press(std::size_t k) {
 ContactState ContactRun::start_for(std::size_t k) {
   ContactState start;
   start.normal = problem_->press(scene_.points[k].load);
-  if (scene_.is_history() || !options_.independent) start.defect = state_.defect;
+  start.defect =
+      scene_.is_history() || !options_.independent ? state_.defect : options_.first_defect;
   if (scene_.is_history()) start.tangential.traction = state_.tangential.traction;
   const LevelResult* coarser = options_.coarser;
   if (!coarser || k >= coarser->relative_traction.size() ||

@@ -78,9 +78,11 @@ struct RunOptions {
   ContactAccuracy force_accuracy;  ///< for a prescribed force
   double force_tolerance = 1e-6;   ///< on that force, relative to mu F_z
   const LevelResult* coarser = nullptr;
-  /// Steady load points do not start from each other, as on half-spaces: they may be solved in any
-  /// order, and beside each other (contact/solve/side_by_side.hpp).
+  /// Steady load points do not start from each other: they may be solved in any order, and beside
+  /// each other (contact/solve/side_by_side.hpp).
   bool independent = false;
+  /// How many beside each other; 0: as many as memory takes on half-spaces.
+  std::size_t most_beside = 0;
   /// Goes on behind a load point without a stable state, unless it is the start of the next.
   bool leaves_unsolved = false;
   Response first_defect;  ///< from an earlier run without friction; empty: to be computed
@@ -103,6 +105,9 @@ class ContactRun {
   bool solve(const ContactGrid& grid, const MakeElasticity& make,
              const std::function<std::optional<std::size_t>()>& next);
 
+  /// The frictionless solution alone, for on_first_defect.
+  void solve_without_friction(const ContactGrid& grid, const MakeElasticity& make);
+
   /// The defect of the frictionless solution, once known: for first_defect of a later run.
   std::function<void(const Response&, int contact_elements)> on_first_defect;
 
@@ -110,6 +115,7 @@ class ContactRun {
 
  private:
   void tell(ProgressEvent event, const char* stage, bool finished) const;
+  void start_on(const ContactGrid& grid, const MakeElasticity& make);
   void prepare();
   bool take_up(std::size_t k);
   void find_first_defect();

@@ -101,7 +101,10 @@ std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometr
                                         const MakeElasticity& make) {
   const std::size_t count = scene.points.size();
   const bool alone = !options.independent || scene.is_history() || scene.load_changes();
-  std::vector<Part> parts(alone ? 1 : std::min(threads_for(grid), count));
+  const std::size_t beside = options.most_beside == 0
+                                 ? threads_for(grid)
+                                 : std::min<std::size_t>(options.most_beside, threads());
+  std::vector<Part> parts(alone ? 1 : std::min(beside, count));
   Points points(count);
   for_each_index(parts.size(), [&](std::size_t p) {
     ContactRun run(scene, geometry, options, progress, store);

@@ -122,10 +122,7 @@ template <typename Number>
 ElasticityOperator<Number>::ElasticityOperator(const LocalCells* cells)
     : dofs_(cells->dofs),
       kernel_(elasticity_kernel<Number>(cells->degree)),
-      cell_nodes_((cells->degree + 1) * (cells->degree + 1) * (cells->degree + 1)),
-      source_(entries_per_node * cells->dofs->nodes()),
-      result_(source_.size()) {
-  if (dofs_->owned_only->n_mpi_processes() > 1) exchange_.reinit(dofs_->with_ghosts);
+      cell_nodes_((cells->degree + 1) * (cells->degree + 1) * (cells->degree + 1)) {
   material_.lambda = static_cast<Number>(lame_lambda(cells->material));
   material_.mu = static_cast<Number>(lame_mu(cells->material));
 }
@@ -210,56 +207,74 @@ typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::make
   return VectorType(dofs_->owned_only);
 }
 
-/// source_ = C x with its ghosts.
 template <typename Number>
-void ElasticityOperator<Number>::load(const VectorType& x, const Work& before) const {
-  for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
-    before(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
-    spread(x.begin() + 3 * first, end - first, source_.data() + entries_per_node * first);
+typename contact::Spares<typename ElasticityOperator<Number>::Scratch>::Loan
+ElasticityOperator<Number>::scratch() const {
+  return scratch_.borrow([&] {
+    auto made = std::make_unique<Scratch>();
+    made->source.resize(entries_per_node * dofs_->nodes());
+    made->result.resize(entries_per_node * dofs_->nodes());
+    if (dofs_->owned_only->n_mpi_processes() > 1) made->exchange.reinit(dofs_->with_ghosts);
+    return made;
   });
-  if (exchange_.size() > 0) {
-    exchange_.zero_out_ghost_values();
-    std::copy(x.begin(), x.end(), exchange_.begin());
-    exchange_.update_ghost_values();
-    spread(exchange_.begin(), dofs_->nodes(), source_.data());
-  }
-  expand(*dofs_, source_.data());
 }
 
-/// Adds the contributions of other processes to the owned part of result_.
+/// scratch.source = C x with its ghosts.
 template <typename Number>
-void ElasticityOperator<Number>::add_of_ghosts() const {
-  if (exchange_.size() == 0) return;
-  exchange_.zero_out_ghost_values();
-  collect(result_.data(), dofs_->nodes(), exchange_.begin());
-  exchange_.compress(dealii::VectorOperation::add);
-  spread(exchange_.begin(), dofs_->owned_nodes(), result_.data());
+void ElasticityOperator<Number>::load(const VectorType& x, const Work& before,
+                                      Scratch& scratch) const {
+  Number* const source = scratch.source.data();
+  for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
+    before(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
+    spread(x.begin() + 3 * first, end - first, source + entries_per_node * first);
+  });
+  VectorType& exchange = scratch.exchange;
+  if (exchange.size() > 0) {
+    exchange.zero_out_ghost_values();
+    std::copy(x.begin(), x.end(), exchange.begin());
+    exchange.update_ghost_values();
+    spread(exchange.begin(), dofs_->nodes(), source);
+  }
+  expand(*dofs_, source);
+}
+
+/// Adds the contributions of other processes to the owned part of scratch.result.
+template <typename Number>
+void ElasticityOperator<Number>::add_of_ghosts(Scratch& scratch) const {
+  VectorType& exchange = scratch.exchange;
+  if (exchange.size() == 0) return;
+  exchange.zero_out_ghost_values();
+  collect(scratch.result.data(), dofs_->nodes(), exchange.begin());
+  exchange.compress(dealii::VectorOperation::add);
+  spread(exchange.begin(), dofs_->owned_nodes(), scratch.result.data());
 }
 
 template <typename Number>
 void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x, const Work& before,
                                        const Work& after) const {
-  load(x, before);
+  const auto work = scratch();
+  load(x, before, *work);
+  const Number* const source = work->source.data();
+  Number* const result = work->result.data();
   for_each_part(dofs_->nodes(), [&](std::size_t first, std::size_t end) {
-    std::fill(result_.begin() + entries_per_node * first, result_.begin() + entries_per_node * end,
-              Number(0));
+    std::fill(result + entries_per_node * first, result + entries_per_node * end, Number(0));
   });
   for (const Group& group : groups_) {
     group.pieces.for_each([&](std::size_t first, std::size_t end) {
-      kernel_.add_product(group.part(first, end), material_, source_.data(), result_.data());
+      kernel_.add_product(group.part(first, end), material_, source, result);
     });
     products_so_far += group.cells;
   }
-  contract(*dofs_, dofs_->hanging.size(), dofs_->fixed.size(), result_.data());
+  contract(*dofs_, dofs_->hanging.size(), dofs_->fixed.size(), result);
   for (std::size_t i = 0; i < dofs_->owned_hanging; ++i) {
     const auto node = dofs_->hanging[i].node;
-    move<Number, 3>(x.begin() + 3 * node, result_.data() + entries_per_node * node);
+    move<Number, 3>(x.begin() + 3 * node, result + entries_per_node * node);
   }
   for (std::size_t i = 0; i < dofs_->owned_fixed; ++i)
-    result_[entry(dofs_->fixed[i])] = x.local_element(dofs_->fixed[i]);
-  add_of_ghosts();
+    result[entry(dofs_->fixed[i])] = x.local_element(dofs_->fixed[i]);
+  add_of_ghosts(*work);
   for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
-    collect(result_.data() + entries_per_node * first, end - first, product.begin() + 3 * first);
+    collect(result + entries_per_node * first, end - first, product.begin() + 3 * first);
     after(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
   });
 }
@@ -300,7 +315,9 @@ void ElasticityOperator<Number>::for_each_cell(const F& f) const {
 template <typename Number>
 typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::inverse_diagonal()
     const {
-  result_.fill(Number(0));
+  const auto work = scratch();
+  auto& result = work->result;
+  result.fill(Number(0));
   for_each_cell([&](std::vector<CellMaster>& masters, const auto& matrix) {
     std::sort(masters.begin(), masters.end(),
               [](const auto& a, const auto& b) { return a.master < b.master; });
@@ -310,13 +327,13 @@ typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::inve
       double sum = 0;
       for (auto a = first; a != last; ++a)
         for (auto b = first; b != last; ++b) sum += a->weight * b->weight * matrix(a->dof, b->dof);
-      result_[entry(first->master)] += static_cast<Number>(sum);
+      result[entry(first->master)] += static_cast<Number>(sum);
       first = last;
     }
   });
   VectorType diagonal = make_vector();
-  add_of_ghosts();
-  collect(result_.data(), dofs_->owned_nodes(), diagonal.begin());
+  add_of_ghosts(*work);
+  collect(result.data(), dofs_->owned_nodes(), diagonal.begin());
   for (const unsigned int row : dofs_->owned_constrained()) diagonal.local_element(row) = 1;
   for (auto& value : diagonal) value = 1 / value;
   return diagonal;
@@ -355,18 +372,21 @@ std::vector<MatrixEntry> ElasticityOperator<Number>::assemble() const {
 
 template <typename Number>
 void ElasticityOperator<Number>::condense(VectorType& b) const {
-  result_.fill(Number(0));
-  spread(b.begin(), dofs_->owned_nodes(), result_.data());
+  const auto work = scratch();
+  auto& result = work->result;
+  result.fill(Number(0));
+  spread(b.begin(), dofs_->owned_nodes(), result.data());
   // b is complete at its owner: ghosts are empty, only owned rows are moved.
-  contract(*dofs_, dofs_->owned_hanging, dofs_->owned_fixed, result_.data());
-  add_of_ghosts();
-  collect(result_.data(), dofs_->owned_nodes(), b.begin());
+  contract(*dofs_, dofs_->owned_hanging, dofs_->owned_fixed, result.data());
+  add_of_ghosts(*work);
+  collect(result.data(), dofs_->owned_nodes(), b.begin());
 }
 
 template <typename Number>
 void ElasticityOperator<Number>::distribute(VectorType& u) const {
-  load(u, nothing);
-  collect(source_.data(), dofs_->owned_nodes(), u.begin());
+  const auto work = scratch();
+  load(u, nothing, *work);
+  collect(work->source.data(), dofs_->owned_nodes(), u.begin());
 }
 
 template <typename Number>
@@ -379,9 +399,10 @@ double ElasticityOperator<Number>::memory_bytes() const {
     packed += static_cast<double>(
         group.nodes.memory_consumption() + group.geometry.memory_consumption() +
         group.flow.memory_consumption() + group.dilatation.memory_consumption());
+  const auto work = scratch();
   return packed + rows +
-         static_cast<double>(source_.memory_consumption() + result_.memory_consumption() +
-                             exchange_.memory_consumption());
+         static_cast<double>(work->source.memory_consumption() + work->result.memory_consumption() +
+                             work->exchange.memory_consumption());
 }
 
 template class ElasticityOperator<float>;

@@ -3,6 +3,7 @@
 // boundary conditions included, on the locally owned part of the unknowns of every process.
 #pragma once
 
+#include "contact/base/spares.hpp"
 #include "fem/discretisation/coloured_pieces.hpp"
 #include "fem/discretisation/elastic_problem.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
@@ -53,7 +54,7 @@ struct MatrixEntry {
 std::uint64_t cell_products();
 
 /// Vectors hold the owned unknowns only (owned_only); constrained entries are mapped by the
-/// identity. One product at a time: the operator owns its working vectors.
+/// identity. Products may run beside each other on several threads.
 template <typename Number>
 class ElasticityOperator {
  public:
@@ -108,16 +109,21 @@ class ElasticityOperator {
   void refer(Group& group, std::size_t cells) const;
   template <typename F>
   void for_each_cell(const F& f) const;
-  void load(const VectorType& x, const Work& before) const;
-  void add_of_ghosts() const;
+  /// Vectors of one product.
+  struct Scratch {
+    dealii::AlignedVector<Number> source, result;  ///< in the format of the kernel
+    VectorType exchange;                           ///< with ghosts, of several processes
+  };
+  typename contact::Spares<Scratch>::Loan scratch() const;
+  void load(const VectorType& x, const Work& before, Scratch& scratch) const;
+  void add_of_ghosts(Scratch& scratch) const;
 
   std::shared_ptr<const LocalDofs> dofs_;
   ElasticityKernel<Number> kernel_;
   LameConstants<Number> material_;
   int cell_nodes_;
   std::vector<Group> groups_;
-  mutable dealii::AlignedVector<Number> source_, result_;  ///< in the format of the kernel
-  mutable VectorType exchange_;                            ///< with ghosts, of several processes
+  contact::Spares<Scratch> scratch_;
 };
 
 extern template class ElasticityOperator<float>;

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
-#include "contact/solve/contact_run.hpp"
+#include "contact/solve/side_by_side.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
 
@@ -71,19 +71,21 @@ class HalfspaceLevels {
     contact::RunOptions options;
     options.model = "halfspace";
     options.force_accuracy = halfspace::accuracy_of_force_search;
+    options.independent = true;
     if (!levels_.empty()) options.coarser = &levels_.back();
     const contact::Progress silent;
-    contact::ContactRun run(scene_, geometry_, options, silent, nullptr);
+    std::optional<LevelResult> level;
     try {
-      if (!run.solve(grid,
-                     [&] { return halfspace::halfspace_elasticity(scene_, geometry_, grid); }))
-        return nullptr;
+      level = contact::solve_points(scene_, geometry_, options, silent, nullptr, grid, [&] {
+        return halfspace::halfspace_elasticity(scene_, geometry_, grid);
+      });
     } catch (const contact::SolveError&) {
       return nullptr;
     } catch (const contact::InputError&) {
       return nullptr;  // patches may extend beyond profiles that contain those of finite elements
     }
-    levels_.push_back(run.take_result());
+    if (!level) return nullptr;
+    levels_.push_back(*std::move(level));
     return &levels_.back();
   }
 

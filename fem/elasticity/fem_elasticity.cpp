@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/elasticity/fem_elasticity.hpp"
 
+#include "contact/base/available_memory.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/result/record.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/memory.hpp"
@@ -16,7 +18,10 @@
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -29,18 +34,17 @@ using contact::PointResult;
 using contact::Scene;
 using contact::Stopwatch;
 
+/// Memory of a level, and of each further solve at the same time (vectors of multigrid), bytes.
+constexpr double bytes_per_unknown = 450.0, bytes_per_solve = 120.0;
+
 /// Collective work, ordered by the first process, with its data.
 enum class Action { prepare, respond, complete };
 struct Task {
   Action action = Action::prepare;
   contact::SurfaceField traction;
-  // Data for completing a load point.
-  long number = 0;
-  double normal_force = 0.0;
+  long number = 0;  ///< of the load point that is completed
 
-  FirstProcess::Order order() const {
-    return contact::record_of(action, traction, number, normal_force);
-  }
+  FirstProcess::Order order() const { return contact::record_of(action, traction, number); }
 };
 
 void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
@@ -68,104 +72,170 @@ void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
                               layout.bodies.cell_size, layout.bodies.degree, solver));
 }
 
-class LevelElasticity : public FemElasticity {
+/// Work that calls MPI or changes meshes, of all levels.
+void one_at_a_time(const std::function<void()>& work) {
+  static std::mutex at_work;
+  const std::lock_guard<std::mutex> lock(at_work);
+  contact::within_threads(work);
+}
+
+/// What the load points of a level share.
+class SharedLevel {
  public:
-  LevelElasticity(const Scene& scene, const contact::ChartedGeometry& geometry,
-                  const RunLayout& layout, const LevelOptions& options,
-                  const contact::Progress& progress, FirstProcess& first,
-                  contact::ModelResult& result)
-      : scene_(scene),
+  SharedLevel(const Scene& the_scene, const contact::ChartedGeometry& geometry,
+              const RunLayout& the_layout, const LevelOptions& options,
+              const contact::Progress& progress, FirstProcess& the_first,
+              contact::ModelResult& result)
+      : scene(the_scene),
+        layout(the_layout),
+        first(the_first),
         geometry_(geometry),
-        layout_(layout),
         options_(options),
         progress_(progress),
-        first_(first),
         result_(result) {}
 
-  void obey(const FirstProcess::Order& order) override;
-  void prepare() override {
-    first_.call(Task{}.order(), [&] { make_bodies_and_solvers(); });
+  SharedLevel(const SharedLevel&) = delete;
+  SharedLevel& operator=(const SharedLevel&) = delete;
+  ~SharedLevel() {
+    one_at_a_time([&] {
+      compliance.reset();
+      stresses_.reset();
+      solvers_ = {};
+      bodies_ = {};
+    });
   }
-  const contact::Compliance& compliance() const override { return together_; }
-  const contact::SolvableCompliance& standin() const override { return *half_; }
-  const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
-  contact::Field extra_distance() const override {
-    return expansion_ ? expansion_->distance : contact::Field();
+
+  void obey(const FirstProcess::Order& order);
+  /// By the first load point that needs them.
+  void prepare() {
+    std::call_once(prepared_, [&] {
+      one_at_a_time([&] { first.call(Task{}.order(), [&] { make_bodies_and_solvers(); }); });
+    });
   }
-  contact::TangentialField extra_slip() const override {
-    return expansion_ ? expansion_->slip : contact::TangentialField();
-  }
-  Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const override {
-    return halfspace::rolling_stiffness(patch, scene_.material);
-  }
-  Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
-    return halfspace::shift_stiffness(patch, scene_.material);
-  }
-  void complete(std::size_t k, PointResult& point) override {
-    Task task{Action::complete, point.fields.traction, static_cast<long>(k), point.normal_force};
-    first_.call(task.order(), [&] { add_stresses(k, point); });
-  }
+  void complete(const FemCompliance& of_point, std::size_t k, PointResult& point);
+  std::size_t most_beside() const;
+
+  const Scene& scene;
+  const RunLayout& layout;
+  FirstProcess& first;
+  std::unique_ptr<FemCompliance> compliance;
+  std::optional<WheelExpansion> expansion;  ///< of a fast rotating wheel
 
  private:
-  /// Finite elements of all processes, and the layer between the bodies.
-  class Together : public contact::Compliance {
-   public:
-    explicit Together(const LevelElasticity& level) : level_(level) {}
-    const contact::ContactGrid& grid() const override { return level_.layout_.grid; }
-    contact::SurfaceField apply(const contact::SurfaceField& traction) const override {
-      return respond(traction).displacement;
-    }
-    contact::Response respond(const contact::SurfaceField& traction) const override {
-      contact::Response response;
-      level_.first_.call(Task{Action::respond, traction}.order(),
-                         [&] { response = level_.compliance_->respond(traction); });
-      response.displacement.x += level_.scene_.material.layer * traction.x;
-      response.displacement.y += level_.scene_.material.layer * traction.y;
-      return response;
-    }
-
-   private:
-    const LevelElasticity& level_;
-  };
-
   void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
   void make_bodies_and_solvers();
   void make_meshes();
   void make_compliance();
   void spin_wheel();
-  void add_stresses(std::size_t k, PointResult& point);
+  void add_stresses(const FemCompliance& of_point, std::size_t k, PointResult& point);
 
-  const Scene& scene_;
   const contact::ChartedGeometry& geometry_;
-  const RunLayout& layout_;
   const LevelOptions& options_;
   const contact::Progress& progress_;
-  FirstProcess& first_;
   contact::ModelResult& result_;
+  std::once_flag prepared_;
   CaseBodies bodies_;
   bool factorisation_ = false;
   Solvers solvers_;
   std::unique_ptr<StressOutput> stresses_;
-  std::unique_ptr<FemCompliance> compliance_;
+};
+
+class LevelElasticity : public FemElasticity {
+ public:
+  explicit LevelElasticity(std::shared_ptr<SharedLevel> level) : level_(std::move(level)) {}
+
+  void obey(const FirstProcess::Order& order) override { level_->obey(order); }
+  std::unique_ptr<FemElasticity> beside() const override {
+    return std::make_unique<LevelElasticity>(level_);
+  }
+  std::size_t most_beside() const override { return level_->most_beside(); }
+  void prepare() override {
+    level_->prepare();
+    own_ = std::make_unique<FemCompliance>(*level_->compliance);
+    // The defect includes the coupling of unlike materials; the stand-in need not.
+    const contact::CombinedMaterial& material = level_->scene.material;
+    half_ = std::make_unique<halfspace::HalfspaceCompliance>(grid(), material.uncoupled());
+    if (material.couples())
+      coupled_half_ = std::make_unique<halfspace::HalfspaceCompliance>(grid(), material);
+  }
+  const contact::Compliance& compliance() const override { return together_; }
+  const contact::SolvableCompliance& standin() const override { return *half_; }
+  const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
+  contact::Field extra_distance() const override {
+    return level_->expansion ? level_->expansion->distance : contact::Field();
+  }
+  contact::TangentialField extra_slip() const override {
+    return level_->expansion ? level_->expansion->slip : contact::TangentialField();
+  }
+  Eigen::Vector2d rolling_stiffness(const PatchSize& patch) const override {
+    return halfspace::rolling_stiffness(patch, level_->scene.material);
+  }
+  Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
+    return halfspace::shift_stiffness(patch, level_->scene.material);
+  }
+  void complete(std::size_t k, PointResult& point) override { level_->complete(*own_, k, point); }
+
+ private:
+  /// Finite elements of all processes, and the layer between the bodies.
+  class Together : public contact::Compliance {
+   public:
+    explicit Together(const LevelElasticity& elasticity) : elasticity_(elasticity) {}
+    const contact::ContactGrid& grid() const override { return elasticity_.grid(); }
+    contact::SurfaceField apply(const contact::SurfaceField& traction) const override {
+      return respond(traction).displacement;
+    }
+    contact::Response respond(const contact::SurfaceField& traction) const override {
+      const SharedLevel& level = *elasticity_.level_;
+      contact::Response response;
+      level.first.call(Task{Action::respond, traction}.order(),
+                       [&] { response = elasticity_.own_->respond(traction); });
+      response.displacement.x += level.scene.material.layer * traction.x;
+      response.displacement.y += level.scene.material.layer * traction.y;
+      return response;
+    }
+
+   private:
+    const LevelElasticity& elasticity_;
+  };
+
+  const contact::ContactGrid& grid() const { return level_->layout.grid; }
+
+  std::shared_ptr<SharedLevel> level_;
+  std::unique_ptr<FemCompliance> own_;
   Together together_{*this};
   std::unique_ptr<halfspace::HalfspaceCompliance> half_;
   std::unique_ptr<halfspace::HalfspaceCompliance> coupled_half_;  ///< null: like materials
-  std::optional<WheelExpansion> expansion_;                       ///< of a fast rotating wheel
 };
 
-void LevelElasticity::obey(const FirstProcess::Order& order) {
+void SharedLevel::obey(const FirstProcess::Order& order) {
   Task task;
-  contact::Record(order).values(task.action, task.traction, task.number, task.normal_force);
+  contact::Record(order).values(task.action, task.traction, task.number);
   if (task.action == Action::prepare) make_bodies_and_solvers();
-  if (task.action == Action::respond) compliance_->respond(task.traction);
+  if (task.action == Action::respond) compliance->respond(task.traction);
   if (task.action != Action::complete) return;
   PointResult point;
-  point.normal_force = task.normal_force;
   point.fields.traction = std::move(task.traction);
-  add_stresses(static_cast<std::size_t>(task.number), point);
+  add_stresses(*compliance, static_cast<std::size_t>(task.number), point);
 }
 
-void LevelElasticity::make_bodies_and_solvers() {
+void SharedLevel::complete(const FemCompliance& of_point, std::size_t k, PointResult& point) {
+  point.error_estimate["approach"] = approach_left_out(scene, point.normal_force, bodies_.reach);
+  if (!stresses_->wanted(k)) return;
+  const Task task{Action::complete, point.fields.traction, static_cast<long>(k)};
+  one_at_a_time([&] { first.call(task.order(), [&] { add_stresses(of_point, k, point); }); });
+}
+
+/// Several processes take part in one solve after the other.
+std::size_t SharedLevel::most_beside() const {
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1) return 1;
+  if (compliance && !compliance->copies_run_beside_each_other()) return 1;
+  const auto unknowns = static_cast<double>(result_.unknowns);
+  double free = contact::available_bytes();
+  if (!compliance) free -= bytes_per_unknown * unknowns;
+  return 1 + static_cast<std::size_t>(std::max(0.0, free) / (bytes_per_solve * unknowns));
+}
+
+void SharedLevel::make_bodies_and_solvers() {
   result_.notes.clear();  // of an earlier run that is resumed
   const Stopwatch mesh_watch;
   make_meshes();
@@ -175,69 +245,60 @@ void LevelElasticity::make_bodies_and_solvers() {
   result_.seconds["factorisation"] = solver_watch.seconds();
 }
 
-void LevelElasticity::tell(contact::ProgressEvent event, const std::string& stage,
-                           bool finished) const {
+void SharedLevel::tell(contact::ProgressEvent event, const std::string& stage,
+                       bool finished) const {
   event.model = "fem";
   event.stage = options_.stage_prefix + stage;
-  event.points = static_cast<int>(scene_.points.size());
+  event.points = static_cast<int>(scene.points.size());
   event.finished = finished;
   contact::report(progress_, event);
 }
 
-void LevelElasticity::make_meshes() {
+void SharedLevel::make_meshes() {
   tell({}, "mesh");
-  bodies_ = make_bodies(scene_, layout_.bodies, MPI_COMM_WORLD);
+  bodies_ = make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
   const MemoryDemand demand =
-      memory_demand(scene_, layout_.bodies, bodies_.both(), options_.body_fields);
+      memory_demand(scene, layout.bodies, bodies_.both(), options_.body_fields);
   factorisation_ = demand.factorisation;
   result_.unknowns = static_cast<long>(demand.unknowns[0] + demand.unknowns[1]);
   contact::ProgressEvent event;
   event.note = fmt::format("wheel {:.0f} + rail {:.0f} unknowns, {}", demand.unknowns[0],
                            demand.unknowns[1], memory_note(demand, MPI_COMM_WORLD));
   tell(event, "mesh", true);
-  refuse_beyond_memory(demand, layout_.bodies.cell_size, MPI_COMM_WORLD);
+  refuse_beyond_memory(demand, layout.bodies.cell_size, MPI_COMM_WORLD);
 }
 
-void LevelElasticity::make_compliance() {
+void SharedLevel::make_compliance() {
   tell({}, "linear solvers");
-  solvers_ = make_solvers(scene_, bodies_.both(), factorisation_);
-  stresses_ = std::make_unique<StressOutput>(scene_, bodies_.both(), layout_.grid,
-                                             default_cell_size(scene_), options_.body_fields);
+  solvers_ = make_solvers(scene, bodies_.both(), factorisation_);
+  stresses_ = std::make_unique<StressOutput>(scene, bodies_.both(), layout.grid,
+                                             default_cell_size(scene), options_.body_fields);
   result_.bodies = stresses_->bodies();
-  compliance_ = std::make_unique<FemCompliance>(
-      FemCompliance::Part{bodies_.wheel.get(), solvers_[0].get()},
-      FemCompliance::Part{bodies_.rail.get(), solvers_[1].get()}, scene_.geometry.surface,
-      layout_.grid, far_boundary_of(scene_));
+  compliance =
+      std::make_unique<FemCompliance>(FemCompliance::Part{bodies_.wheel.get(), solvers_[0].get()},
+                                      FemCompliance::Part{bodies_.rail.get(), solvers_[1].get()},
+                                      scene.geometry.surface, layout.grid, far_boundary_of(scene));
   contact::ProgressEvent event;
   event.note = (solvers_[0] ? solvers_[0] : solvers_[1])->description();
   tell(event, "linear solvers", true);
-  if (scene_.feels_inertia() && bodies_.wheel) spin_wheel();
-  add_notes(scene_, geometry_, layout_, bodies_, event.note, result_.notes);
-  // Processes that do not solve the contact problem need no stand-in.
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) return;
-  // The defect includes the coupling of unlike materials; the stand-in need not.
-  half_ =
-      std::make_unique<halfspace::HalfspaceCompliance>(layout_.grid, scene_.material.uncoupled());
-  if (scene_.material.couples())
-    coupled_half_ = std::make_unique<halfspace::HalfspaceCompliance>(layout_.grid, scene_.material);
+  if (scene.feels_inertia() && bodies_.wheel) spin_wheel();
+  add_notes(scene, geometry_, layout, bodies_, event.note, result_.notes);
 }
 
-void LevelElasticity::spin_wheel() {
-  expansion_ = wheel_expansion(*bodies_.wheel, *solvers_[0], geometry_.geometry().surface,
-                               layout_.grid, scene_.upwind_order);
+void SharedLevel::spin_wheel() {
+  expansion = wheel_expansion(*bodies_.wheel, *solvers_[0], geometry_.geometry().surface,
+                              layout.grid, scene.upwind_order);
   result_.notes.push_back(
       fmt::format("rolling at {:.4g} mm/s: inertia of wheel and rail; rotation expands the wheel "
                   "by {:.3g} mm, which raises the axle and is subtracted from the approach",
-                  scene_.speed, -expansion_->distance.mean()));
+                  scene.speed, -expansion->distance.mean()));
 }
 
-void LevelElasticity::add_stresses(std::size_t k, PointResult& point) {
-  point.error_estimate["approach"] = approach_left_out(scene_, point.normal_force, bodies_.reach);
-  if (!stresses_->wanted(k)) return;
+void SharedLevel::add_stresses(const FemCompliance& of_point, std::size_t k, PointResult& point) {
   const Stopwatch watch;
   tell({}, "stresses");
-  stresses_->fill(k, point, compliance_->body_displacements(point.fields.traction),
-                  expansion_ ? &expansion_->displacement : nullptr);
+  stresses_->fill(k, point, of_point.body_displacements(point.fields.traction),
+                  expansion ? &expansion->displacement : nullptr);
   tell({}, "stresses", true);
   result_.seconds["stresses"] += watch.seconds();
 }
@@ -248,8 +309,8 @@ std::unique_ptr<FemElasticity> make_fem_elasticity(
     const Scene& scene, const contact::ChartedGeometry& geometry, const RunLayout& layout,
     const LevelOptions& options, const contact::Progress& progress, FirstProcess& first,
     contact::ModelResult& result) {
-  return std::make_unique<LevelElasticity>(scene, geometry, layout, options, progress, first,
-                                           result);
+  return std::make_unique<LevelElasticity>(
+      std::make_shared<SharedLevel>(scene, geometry, layout, options, progress, first, result));
 }
 
 }  // namespace rollfem::fem

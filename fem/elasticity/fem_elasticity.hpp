@@ -19,6 +19,10 @@ class FemElasticity : public contact::Elasticity {
  public:
   /// On other processes: executes an order of the first one (FirstProcess::run).
   virtual void obey(const FirstProcess::Order& order) = 0;
+  /// The same level, for a load point that is solved beside others.
+  virtual std::unique_ptr<FemElasticity> beside() const = 0;
+  /// Load points that solvers and memory allow beside each other.
+  virtual std::size_t most_beside() const = 0;
 };
 
 /// Meshes and factorises when it is prepared; fills unknowns, bodies, seconds and notes of

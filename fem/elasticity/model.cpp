@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/result/record.hpp"
 #include "contact/result/refinement.hpp"
 #include "fem/elasticity/error_bars.hpp"
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,19 +75,29 @@ class Levels {
   Levels(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint)
       : scene_(scene), progress_(progress), checkpoint_(checkpoint) {}
 
-  /// One coarser level, only for the error bars.
-  void add_coarse(double cell) { levels_.push_back(solve(cell, "estimate: ", false)); }
+  /// The first levels, all but the last only for the error bars; side by side in a single process.
+  void start(const std::vector<double>& cells) {
+    levels_.resize(cells.size());
+    std::vector<double> seconds(cells.size());
+    const auto solve_level = [&](std::size_t k) {
+      const contact::Stopwatch watch;
+      const bool last = k + 1 == cells.size();
+      levels_[k] = solve(cells[k], last ? "" : "estimate: ", last && scene_.output.fields);
+      if (!last) seconds[k] = watch.seconds();
+    };
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+      contact::for_each_index(cells.size(), solve_level);
+    else
+      for (std::size_t k = 0; k < cells.size(); ++k) solve_level(k);
+    estimate_seconds_ = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+    set_bars(cells.back());
+  }
   void add(double cell) {
     // Only the bodies of the finest level are needed.
-    if (!levels_.empty()) {
-      levels_.back().bodies.clear();
-      for (contact::PointResult& point : levels_.back().points) point.bodies.clear();
-    }
+    levels_.back().bodies.clear();
+    for (contact::PointResult& point : levels_.back().points) point.bodies.clear();
     levels_.push_back(solve(cell, "", scene_.output.fields));
-    cell_ = cell;
-    const contact::Stopwatch watch;
-    first_.run([&] { beside_half_spaces_ = set_error_bars(scene_, levels_); });
-    bar_seconds_ += watch.seconds();
+    set_bars(cell);
   }
   /// The finest level must exist. `first`: cells of the start.
   bool refine_further(double first) {
@@ -109,7 +121,7 @@ class Levels {
     });
     return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, further);
   }
-  double bar_seconds() const { return bar_seconds_; }
+  double estimate_seconds() const { return estimate_seconds_; }
   ModelResult take_finest() {
     ModelResult result = std::move(levels_.back());
     result.notes.push_back(note_on_bars(2.0 * cell_, cell_, beside_half_spaces_));
@@ -122,13 +134,20 @@ class Levels {
     const std::string prefix = scene_.accuracy.relative ? fmt::format("{:.3g} mm: ", cell) : stage;
     return run_level(scene_, {cell, prefix, fields, checkpoint_}, progress_);
   }
+  /// `cell`: of the finest level.
+  void set_bars(double cell) {
+    cell_ = cell;
+    const contact::Stopwatch watch;
+    first_.run([&] { beside_half_spaces_ = set_error_bars(scene_, levels_); });
+    estimate_seconds_ += watch.seconds();
+  }
 
   const Scene& scene_;
   const contact::Progress& progress_;
   contact::Checkpoint* checkpoint_;
   FirstProcess first_{MPI_COMM_WORLD};
   std::vector<ModelResult> levels_;
-  double cell_ = 0.0, bar_seconds_ = 0.0;
+  double cell_ = 0.0, estimate_seconds_ = 0.0;
   bool beside_half_spaces_ = false;
 };
 
@@ -143,13 +162,11 @@ ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
       to_accuracy && 4.0 * cell <= coarsest_part * PatchSearch(scene).box().smaller();
   refuse_beyond_memory(scene, cell);
   Levels levels(scene, progress, checkpoint);
-  if (two_coarser) levels.add_coarse(4.0 * cell);
-  levels.add_coarse(2.0 * cell);
-  const double coarse_seconds = watch.seconds();
-  levels.add(cell);
+  levels.start(two_coarser ? std::vector{4.0 * cell, 2.0 * cell, cell}
+                           : std::vector{2.0 * cell, cell});
   for (double finer = 0.5 * cell; levels.refine_further(cell); finer *= 0.5) levels.add(finer);
   ModelResult result = levels.take_finest();
-  if (!to_accuracy) result.seconds["estimate"] = coarse_seconds + levels.bar_seconds();
+  if (!to_accuracy) result.seconds["estimate"] = levels.estimate_seconds();
   result.seconds["total"] = watch.seconds();
   return result;
 }

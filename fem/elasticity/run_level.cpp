@@ -5,6 +5,7 @@
 #include "contact/base/progress.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_run.hpp"
+#include "contact/solve/side_by_side.hpp"
 #include "contact/solve/state_record.hpp"
 #include "fem/elasticity/fem_elasticity.hpp"
 #include "fem/mesh/run_layout.hpp"
@@ -66,7 +67,7 @@ void refuse_further_patches(const Scene& scene, const contact::ChartedGeometry& 
 /// The part of the first process: everything except the collective work of FemElasticity.
 void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
                    const RunLayout& layout, const LevelOptions& options,
-                   const contact::Progress& progress, const contact::MakeElasticity& make,
+                   const contact::Progress& progress, const FemElasticity& elasticity,
                    contact::ModelResult& result) {
   // Load points with the states from which the next ones start, so that numbers of a resumed run
   // are the same to the last bit.
@@ -86,24 +87,32 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   run_options.stage_prefix = options.stage_prefix;
   run_options.accuracy = run_options.force_accuracy = fem_accuracy;
   run_options.force_tolerance = force_tolerance;
-  if (stored) run_options.first_defect = first_defect;
-
+  run_options.independent = !scene.is_history() && !scene.load_changes();
+  const auto make = [&] { return elasticity.beside(); };
   std::optional<contact::PointStore> store;
   if (options.checkpoint != nullptr) store.emplace(*options.checkpoint, name, stored.has_value());
-  contact::ContactRun run(scene, geometry, run_options, progress, store ? &*store : nullptr);
-  run.on_first_defect = [&](const contact::Response& defect, int contact_elements) {
-    first_defect = defect;
-    result.contact_elements = contact_elements;
-    if (options.checkpoint != nullptr)
-      options.checkpoint->keep(name + "-normal", start(contact::Record()));
-  };
-  if (!run.solve(layout.grid, make)) refuse_border(scene, geometry, layout.grid);
-  contact::LevelResult level = run.take_result();
+  if (!stored) {
+    contact::ContactRun run(scene, geometry, run_options, progress, nullptr);
+    run.on_first_defect = [&](const contact::Response& defect, int contact_elements) {
+      first_defect = defect;
+      result.contact_elements = contact_elements;
+      if (options.checkpoint != nullptr)
+        options.checkpoint->keep(name + "-normal", start(contact::Record()));
+    };
+    run.solve_without_friction(layout.grid, make);
+    result.seconds["normal"] = run.take_result().normal_seconds;
+  }
+  run_options.first_defect = first_defect;
+  run_options.most_beside = elasticity.most_beside();
+  auto solved = contact::solve_points(scene, geometry, run_options, progress,
+                                      store ? &*store : nullptr, layout.grid, make);
+  if (!solved) refuse_border(scene, geometry, layout.grid);
+  contact::LevelResult level = *std::move(solved);
   refuse_further_patches(scene, geometry, layout.grid, level.points);
   if (std::string note = contact::steep_friction_note(level, scene.friction()); !note.empty())
     result.notes.push_back(std::move(note));
   result.points = std::move(level.points);
-  result.seconds["normal"] = level.normal_seconds;
+  result.seconds["normal"] += level.normal_seconds;
   result.seconds["tangential"] = level.tangential_seconds;
 }
 
@@ -117,14 +126,10 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
   result.name = "fem";
   result.grid = layout.grid;
   FirstProcess first(MPI_COMM_WORLD);
-  auto elasticity = make_fem_elasticity(scene, geometry, layout, options, progress, first, result);
-  first.run(
-      [&] {
-        solve_contact(
-            scene, geometry, layout, options, progress, [&] { return std::move(elasticity); },
-            result);
-      },
-      [&](const FirstProcess::Order& order) { elasticity->obey(order); });
+  const auto elasticity =
+      make_fem_elasticity(scene, geometry, layout, options, progress, first, result);
+  first.run([&] { solve_contact(scene, geometry, layout, options, progress, *elasticity, result); },
+            [&](const FirstProcess::Order& order) { elasticity->obey(order); });
   return result;
 }
 

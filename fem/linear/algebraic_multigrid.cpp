@@ -113,6 +113,9 @@ class AlgebraicMultigrid : public LinearSolver {
   }
 
   void solve(Vector& u, const Vector& b) const override {
+    // Trilinos has neither vectors for several solves nor threads of its own, and calls MPI.
+    static std::mutex one_at_a_time;
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
     const auto owned = dofs_.locally_owned_dofs();
     const Vector load = condensed(b);
     Vector x(owned, dofs_.get_communicator());

@@ -2,6 +2,7 @@
 #include "fem/linear/cholmod.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/spares.hpp"
 #include "fem/discretisation/elasticity_assembly.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/discretisation/node_order.hpp"
@@ -60,6 +61,23 @@ Nodes find_nodes(const cholmod_sparse& lower) {
 
 /// Objects allocated by CHOLMOD, also freed when a constructor fails half-way.
 struct CholeskyFactor::Cholmod {
+  /// Of one solve.
+  struct Solve {
+    cholmod_common common{};
+    cholmod_dense *solution = nullptr, *work = nullptr, *more_work = nullptr;
+
+    Solve() {
+      cholmod_start(&common);
+      common.print = 0;
+    }
+    Solve(const Solve&) = delete;
+    Solve& operator=(const Solve&) = delete;
+    ~Solve() {
+      for (auto* dense : {&solution, &work, &more_work}) cholmod_free_dense(dense, &common);
+      cholmod_finish(&common);
+    }
+  };
+
   explicit Cholmod(FactorMessages texts) : messages(std::move(texts)) {
     cholmod_start(&common);
     common.supernodal = CHOLMOD_SUPERNODAL;
@@ -71,17 +89,17 @@ struct CholeskyFactor::Cholmod {
   Cholmod& operator=(const Cholmod&) = delete;
   ~Cholmod() {
     cholmod_free_sparse(&matrix, &common);
-    for (auto* dense : {&solution, &work, &more_work}) cholmod_free_dense(dense, &common);
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
 
-  void require(bool done) const {
-    if (done && common.status == CHOLMOD_OK) return;
-    throw contact::SolveError(fmt::format("{} failed: {}", messages.what, reason()));
+  void require(bool done) const { require(done, common); }
+  void require(bool done, const cholmod_common& of) const {
+    if (done && of.status == CHOLMOD_OK) return;
+    throw contact::SolveError(fmt::format("{} failed: {}", messages.what, reason(of.status)));
   }
-  std::string reason() const {
-    switch (common.status) {
+  std::string reason(int status) const {
+    switch (status) {
       case CHOLMOD_NOT_POSDEF:
         return "the stiffness is not positive definite (is the body clamped at its far boundary?)";
       case CHOLMOD_OUT_OF_MEMORY:
@@ -89,7 +107,7 @@ struct CholeskyFactor::Cholmod {
       case CHOLMOD_TOO_LARGE:
         return "the factor is too large for 32-bit indices; do: " + messages.remedy;
       default:
-        return fmt::format("CHOLMOD status {}", common.status);
+        return fmt::format("CHOLMOD status {}", status);
     }
   }
 
@@ -107,7 +125,7 @@ struct CholeskyFactor::Cholmod {
   cholmod_common common{};
   cholmod_sparse* matrix = nullptr;  ///< while it is factorised
   cholmod_factor* factor = nullptr;
-  cholmod_dense *solution = nullptr, *work = nullptr, *more_work = nullptr;
+  contact::Spares<Solve> solves;
 };
 
 CholeskyFactor::CholeskyFactor(const SymmetricMatrix& matrix, FactorMessages messages)
@@ -164,19 +182,21 @@ CholeskyFactor::CholeskyFactor(const std::vector<MatrixEntry>& entries, std::siz
 
 CholeskyFactor::~CholeskyFactor() = default;
 
-const double* CholeskyFactor::solve(const std::vector<double>& b, std::size_t right_sides) const {
-  Cholmod& it = *cholmod_;
+void CholeskyFactor::solve(std::vector<double>& b, std::size_t right_sides) const {
+  const Cholmod& it = *cholmod_;
   cholmod_dense right{};
   right.nrow = right.d = b.size() / right_sides;
   right.nzmax = b.size();
   right.ncol = right_sides;
-  right.x = const_cast<double*>(b.data());
+  right.x = b.data();
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
   const SerialRegions serial;
-  it.require(cholmod_solve2(CHOLMOD_A, it.factor, &right, nullptr, &it.solution, nullptr, &it.work,
-                            &it.more_work, &it.common) != 0);
-  return static_cast<const double*>(it.solution->x);
+  const auto own = it.solves.borrow([] { return std::make_unique<Cholmod::Solve>(); });
+  it.require(cholmod_solve2(CHOLMOD_A, it.factor, &right, nullptr, &own->solution, nullptr,
+                            &own->work, &own->more_work, &own->common) != 0,
+             own->common);
+  std::copy_n(static_cast<const double*>(own->solution->x), b.size(), b.begin());
 }
 
 double CholeskyFactor::memory_bytes() const {

@@ -31,9 +31,9 @@ class CholeskyFactor {
   CholeskyFactor(const CholeskyFactor&) = delete;
   CholeskyFactor& operator=(const CholeskyFactor&) = delete;
 
-  /// K^-1 b in a buffer of the factor, valid until the next call; solves several consecutive
-  /// right-hand sides at once. One call at a time.
-  const double* solve(const std::vector<double>& b, std::size_t right_sides = 1) const;
+  /// b <- K^-1 b; solves several consecutive right-hand sides at once. Calls may run beside each
+  /// other.
+  void solve(std::vector<double>& b, std::size_t right_sides = 1) const;
   double memory_bytes() const;
   double operations() const;  ///< floating-point operations of the factorisation
 

@@ -37,14 +37,14 @@ class Part {
   /// u += weight C K^-1 C^T b, for `count` right-hand sides at once.
   void add_solutions(double weight, const Vector* b, std::size_t count, Vector* u) const {
     const auto size = static_cast<std::size_t>(unknowns_.count);
-    right_.resize(count * size);
+    std::vector<double> condensed, right(count * size);
     for (std::size_t k = 0; k < count; ++k) {
-      unknowns_.condense(b[k], condensed_);
-      std::transform(condensed_.begin(), condensed_.end(), right_.begin() + k * size,
+      unknowns_.condense(b[k], condensed);
+      std::transform(condensed.begin(), condensed.end(), right.begin() + k * size,
                      [=](double value) { return weight * value; });
     }
-    const double* const solutions = factor_->solve(right_, count);
-    for (std::size_t k = 0; k < count; ++k) unknowns_.expand_and_add(solutions + k * size, u[k]);
+    factor_->solve(right, count);
+    for (std::size_t k = 0; k < count; ++k) unknowns_.expand_and_add(&right[k * size], u[k]);
   }
   int unknowns() const { return unknowns_.count; }
   double memory_bytes() const {
@@ -59,9 +59,9 @@ class Part {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     std::vector<double> b(matrix.size);
     for (double& value : b) value = uniform(random);
-    const double* const x = factor_->solve(b);
-    std::vector<double> product;
-    matrix.multiply(std::vector<double>(x, x + matrix.size), product);
+    std::vector<double> x = b, product;
+    factor_->solve(x);
+    matrix.multiply(x, product);
     double residual = 0.0;
     double scale = 0.0;
     for (int i = 0; i < matrix.size; ++i) {
@@ -76,7 +76,6 @@ class Part {
 
   FreeUnknowns unknowns_;
   std::unique_ptr<CholeskyFactor> factor_;
-  mutable std::vector<double> condensed_, right_;
 };
 
 class Factorisation : public LinearSolver {

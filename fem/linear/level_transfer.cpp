@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/level_transfer.hpp"
 
+#include "contact/base/spares.hpp"
 #include "fem/discretisation/coloured_pieces.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/coarse_cells.hpp"
@@ -11,6 +12,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -133,8 +135,11 @@ class CellTransfer : public LevelTransfer {
   void add_children(const Cell& cell, const unsigned int* of_cell, const Indices& positions,
                     Untaken& untaken);
   void add_constraints(const CoarseCells& received);
+  contact::Spares<FloatVector>::Loan borrow() const {
+    return whole_.borrow([&] { return std::make_unique<FloatVector>(with_others_); });
+  }
   unsigned int local(unsigned int coarse_unknown) const {
-    return whole_.get_partitioner()->global_to_local(coarse_unknown);
+    return with_others_->global_to_local(coarse_unknown);
   }
 
   Children<degree> children_;
@@ -144,7 +149,9 @@ class CellTransfer : public LevelTransfer {
   std::vector<Same> same_;            ///< unknowns of cells common to both levels
   std::vector<ConstrainedRow> rows_;  ///< of the coarse level
   std::vector<ConstraintTerm> terms_;
-  mutable FloatVector whole_;  ///< coarse vector with its constrained unknowns and others' unknowns
+  /// Coarse vectors with constrained unknowns and others' unknowns.
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> with_others_;
+  contact::Spares<FloatVector> whole_;
 };
 
 template <int degree>
@@ -160,9 +167,8 @@ CellTransfer<degree>::CellTransfer(const ElasticProblem& fine, const ElasticProb
   coarse_.shrink_to_fit();
   fine_.shrink_to_fit();
   same_.shrink_to_fit();
-  cells_ =
-      ColouredPieces(coarse_.data(), 3 * coarse_nodes, coarse_.size() / (3 * coarse_nodes),
-                     whole_.locally_owned_size() + whole_.get_partitioner()->n_ghost_indices());
+  cells_ = ColouredPieces(coarse_.data(), 3 * coarse_nodes, coarse_.size() / (3 * coarse_nodes),
+                          with_others_->locally_owned_size() + with_others_->n_ghost_indices());
 }
 
 template <int degree>
@@ -176,7 +182,8 @@ void CellTransfer<degree>::make_room(const dealii::DoFHandler<3>& dofs,
   std::sort(others.begin(), others.end());
   dealii::IndexSet ghosts(dofs.n_dofs());
   ghosts.add_indices(others.begin(), std::unique(others.begin(), others.end()));
-  whole_.reinit(dofs.locally_owned_dofs(), ghosts, dofs.get_communicator());
+  with_others_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(
+      dofs.locally_owned_dofs(), ghosts, dofs.get_communicator());
 }
 
 template <int degree>
@@ -240,10 +247,11 @@ void CellTransfer<degree>::add_constraints(const CoarseCells& received) {
 
 template <int degree>
 void CellTransfer<degree>::prolongate_and_add(FloatVector& fine, const FloatVector& coarse) const {
-  whole_.zero_out_ghost_values();
-  std::copy(coarse.begin(), coarse.end(), whole_.begin());
-  whole_.update_ghost_values();
-  float* const whole = whole_.begin();
+  const auto borrowed = borrow();
+  borrowed->zero_out_ghost_values();
+  std::copy(coarse.begin(), coarse.end(), borrowed->begin());
+  borrowed->update_ghost_values();
+  float* const whole = borrowed->begin();
   for (const ConstrainedRow& row : rows_) {
     double value = 0.0;
     for (auto k = row.first_term; k < row.end_of_terms; ++k)
@@ -271,8 +279,10 @@ void CellTransfer<degree>::prolongate_and_add(FloatVector& fine, const FloatVect
 
 template <int degree>
 void CellTransfer<degree>::restrict_and_add(FloatVector& coarse, const FloatVector& fine) const {
-  whole_ = 0.0F;
-  float* const whole = whole_.begin();
+  const auto borrowed = borrow();
+  float* const whole = borrowed->begin();
+  borrowed->zero_out_ghost_values();
+  std::fill(whole, whole + with_others_->locally_owned_size(), 0.0F);
   const float* const of = fine.begin();
   cells_.for_each([&](std::size_t first, std::size_t end) {
     std::array<float, coarse_nodes * lanes> cell;
@@ -296,7 +306,7 @@ void CellTransfer<degree>::restrict_and_add(FloatVector& coarse, const FloatVect
       whole[terms_[k].master] += static_cast<float>(terms_[k].weight * value);
     whole[row.row] = 0.0F;
   }
-  whole_.compress(dealii::VectorOperation::add);
+  borrowed->compress(dealii::VectorOperation::add);
   std::transform(coarse.begin(), coarse.end(), whole, coarse.begin(), std::plus<float>());
 }
 

@@ -21,22 +21,20 @@ constexpr double sign_of[2] = {1.0,
 
 }  // namespace
 
-struct FemCompliance::Implementation {
-  Implementation(const Part& wheel, const Part& rail, const contact::ContactSurface& the_surface,
-                 const contact::ContactGrid& the_grid, FarBoundary far)
+/// What copies share.
+struct FemCompliance::Shared {
+  Shared(const Part& wheel, const Part& rail, const contact::ContactSurface& the_surface,
+         const contact::ContactGrid& the_grid, FarBoundary far)
       : grid(the_grid),
         parts{wheel, rail},
-        surface(the_surface),
-        shape(contact::patch_shape(surface, the_grid)),
-        curvature_slip(surface, the_grid) {
+        shape(contact::patch_shape(the_surface, the_grid)),
+        curvature_slip(the_surface, the_grid) {
     concurrent = wheel.solver != rail.solver;
     for (int k = 0; k < 2; ++k) {
       const auto [body, solver] = parts[k];
-      concurrent = concurrent && body != nullptr && solver->runs_beside_others();
+      concurrent = concurrent && (body == nullptr || solver->runs_beside_others());
       if (body == nullptr) continue;
-      coupling[k].emplace(*body, grid, surface);
-      loads[k] = make_vector(body->dofs());
-      displacements[k] = make_vector(body->dofs());
+      coupling[k].emplace(*body, grid, the_surface);
       const MPI_Comm communicator = body->dofs().get_communicator();
       first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
       const auto lattice = coupling[k]->lattice();
@@ -56,32 +54,51 @@ struct FemCompliance::Implementation {
     return force;
   }
 
-  /// Displacement of body k under its last tractions.
-  contact::SurfaceField surface_displacement(int k, const contact::SurfaceField& traction) const {
-    const contact::Field none = contact::Field::Zero(grid.size());
-    if (!coupling[k]) return {none, none, none};
-    contact::SurfaceField result = coupling[k]->sample(displacements[k]);
-    if (!first) return result;
-    middle[k]->add(on_body(k, traction), result);
-    if (far_field[k]) far_field[k]->add(force_on(k, traction), result);
+  contact::ContactGrid grid;
+  Part parts[2];
+  contact::PatchShape shape;
+  contact::CurvatureSlip curvature_slip;
+  std::optional<SurfaceCoupling> coupling[2];  ///< none: rigid
+  std::optional<MiddleDisplacement> middle[2];
+  std::optional<FarField> far_field[2];  ///< none: clamped
+  bool concurrent = false;               ///< solves may run beside each other
+  bool first = true;                     ///< process, whose surface displacement is whole
+};
+
+/// The bodies under the last tractions.
+struct FemCompliance::State {
+  explicit State(const Shared& shared) {
+    for (int k = 0; k < 2; ++k)
+      if (shared.coupling[k])
+        loads[k] = displacements[k] = make_vector(shared.parts[k].body->dofs());
+  }
+
+  /// Displacement of body k.
+  contact::SurfaceField surface_displacement(const Shared& shared, int k,
+                                             const contact::SurfaceField& traction) const {
+    const contact::Field none = contact::Field::Zero(shared.grid.size());
+    if (!shared.coupling[k]) return {none, none, none};
+    contact::SurfaceField result = shared.coupling[k]->sample(displacements[k]);
+    if (!shared.first) return result;
+    shared.middle[k]->add(Shared::on_body(k, traction), result);
+    if (shared.far_field[k]) shared.far_field[k]->add(shared.force_on(k, traction), result);
     return result;
   }
 
-  void solve_part(int k, const contact::SurfaceField& traction) {
-    if (!coupling[k]) return;
-    coupling[k]->load(on_body(k, traction), loads[k]);
-    parts[k].solver->solve(displacements[k], loads[k]);
-  }
-
   /// Stresses use the bodies under the tractions with which the contact iteration has just ended.
-  void solve(const contact::SurfaceField& traction) {
+  void solve(const Shared& shared, const contact::SurfaceField& traction) {
     if (solved_for && same(*solved_for, traction)) return;
     solved_for.reset();
-    if (concurrent) {
-      contact::for_each_index(2, [&](std::size_t k) { solve_part(static_cast<int>(k), traction); });
+    const auto solve_part = [&](std::size_t k) {
+      if (!shared.coupling[k]) return;
+      shared.coupling[k]->load(Shared::on_body(static_cast<int>(k), traction), loads[k]);
+      shared.parts[k].solver->solve(displacements[k], loads[k]);
+    };
+    if (shared.concurrent) {
+      contact::for_each_index(2, solve_part);
     } else {
-      solve_part(0, traction);
-      solve_part(1, traction);
+      solve_part(0);
+      solve_part(1);
     }
     solved_for = traction;
   }
@@ -90,31 +107,29 @@ struct FemCompliance::Implementation {
     return a.x == b.x && a.y == b.y && a.n == b.n;
   }
 
-  contact::ContactGrid grid;
-  Part parts[2];
-  contact::ContactSurface surface;
-  contact::PatchShape shape;
-  contact::CurvatureSlip curvature_slip;
-  std::optional<SurfaceCoupling> coupling[2];  ///< none: rigid
-  std::optional<MiddleDisplacement> middle[2];
-  std::optional<FarField> far_field[2];  ///< none: clamped
   Vector loads[2];
   Vector displacements[2];
   std::optional<contact::SurfaceField> solved_for;  ///< tractions of `displacements`
-  bool concurrent = false;
-  bool first = true;  ///< process, whose surface displacement is whole
   int solves = 0;
 };
 
 FemCompliance::FemCompliance(const Part& wheel, const Part& rail,
                              const contact::ContactSurface& surface,
                              const contact::ContactGrid& grid, FarBoundary far)
-    : implementation_(std::make_unique<Implementation>(wheel, rail, surface, grid, far)) {}
+    : shared_(std::make_shared<const Shared>(wheel, rail, surface, grid, far)),
+      state_(std::make_unique<State>(*shared_)) {}
+
+FemCompliance::FemCompliance(const FemCompliance& other)
+    : shared_(other.shared_), state_(std::make_unique<State>(*shared_)) {}
 
 FemCompliance::~FemCompliance() = default;
 
 const contact::ContactGrid& FemCompliance::grid() const {
-  return implementation_->grid;
+  return shared_->grid;
+}
+
+bool FemCompliance::copies_run_beside_each_other() const {
+  return shared_->concurrent;
 }
 
 contact::SurfaceField FemCompliance::apply(const contact::SurfaceField& traction) const {
@@ -122,30 +137,29 @@ contact::SurfaceField FemCompliance::apply(const contact::SurfaceField& traction
 }
 
 contact::Response FemCompliance::respond(const contact::SurfaceField& traction) const {
-  auto& model = *implementation_;
-  model.solve(traction);
-  ++model.solves;
-  const auto wheel = model.surface_displacement(0, traction);
-  const auto rail = model.surface_displacement(1, traction);
-  if (!model.first) return {};
-  return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n}, model.curvature_slip(wheel)};
+  state_->solve(*shared_, traction);
+  ++state_->solves;
+  const auto wheel = state_->surface_displacement(*shared_, 0, traction);
+  const auto rail = state_->surface_displacement(*shared_, 1, traction);
+  if (!shared_->first) return {};
+  return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n}, shared_->curvature_slip(wheel)};
 }
 
 std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceField& traction) const {
-  auto& model = *implementation_;
-  model.solve(traction);
-  std::vector<Vector> displacements(model.displacements, model.displacements + 2);
+  state_->solve(*shared_, traction);
+  std::vector<Vector> displacements(state_->displacements, state_->displacements + 2);
   // Copying a vector drops its ghost values.
   for (int k = 0; k < 2; ++k) {
-    if (!model.coupling[k]) continue;
+    if (!shared_->coupling[k]) continue;
     displacements[k].update_ghost_values();
-    if (model.far_field[k]) model.far_field[k]->add(model.force_on(k, traction), displacements[k]);
+    if (const auto& far = shared_->far_field[k])
+      far->add(shared_->force_on(k, traction), displacements[k]);
   }
   return displacements;
 }
 
 int FemCompliance::solves() const {
-  return implementation_->solves;
+  return state_->solves;
 }
 
 }  // namespace rollfem::fem

@@ -60,7 +60,10 @@ class FemCompliance : public contact::Compliance {
   /// exactly symmetric, see docs/theory.md.
   FemCompliance(const Part& wheel, const Part& rail, const contact::ContactSurface& surface,
                 const contact::ContactGrid& grid, FarBoundary far = FarBoundary::clamped);
+  /// For load points on several threads: shares everything but the vectors of a solve.
+  FemCompliance(const FemCompliance& other);
   ~FemCompliance() override;
+  bool copies_run_beside_each_other() const;
   const contact::ContactGrid& grid() const override;
   contact::SurfaceField apply(const contact::SurfaceField& traction) const override;
   /// With the curvature slip of the wheel. Collective; empty on all processes except the first,
@@ -69,11 +72,13 @@ class FemCompliance : public contact::Compliance {
   /// Displacement of wheel (0) and rail (1) under the tractions, for stresses and ParaView; empty
   /// for a rigid body.
   std::vector<Vector> body_displacements(const contact::SurfaceField& traction) const;
-  int solves() const;  ///< apply() calls so far
+  int solves() const;  ///< apply() calls of this copy so far
 
  private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  struct Shared;
+  struct State;
+  std::shared_ptr<const Shared> shared_;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace rollfem::fem
