@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -70,13 +69,6 @@ void add_notes(const Scene& scene, const contact::ChartedGeometry& geometry,
   if (bodies.half()) notes.push_back("half of each body is modelled: y = 0 is a symmetry plane");
   notes.push_back(fmt::format("cells of {:.4g} mm in the patch, degree {}; {}",
                               layout.bodies.cell_size, layout.bodies.degree, solver));
-}
-
-/// Work that calls MPI or changes meshes, of all levels.
-void one_at_a_time(const std::function<void()>& work) {
-  static std::mutex at_work;
-  const std::lock_guard<std::mutex> lock(at_work);
-  contact::within_threads(work);
 }
 
 /// What the load points of a level share.

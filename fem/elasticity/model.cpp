@@ -75,7 +75,8 @@ class Levels {
   Levels(const Scene& scene, const contact::Progress& progress, contact::Checkpoint* checkpoint)
       : scene_(scene), progress_(progress), checkpoint_(checkpoint) {}
 
-  /// The first levels, all but the last only for the error bars; side by side in a single process.
+  /// The first levels, all but the last only for the error bars; side by side in a single process
+  /// where memory allows.
   void start(const std::vector<double>& cells) {
     levels_.resize(cells.size());
     std::vector<double> seconds(cells.size());
@@ -85,7 +86,7 @@ class Levels {
       levels_[k] = solve(cells[k], last ? "" : "estimate: ", last && scene_.output.fields);
       if (!last) seconds[k] = watch.seconds();
     };
-    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 && fit_together(scene_, cells))
       contact::for_each_index(cells.size(), solve_level);
     else
       for (std::size_t k = 0; k < cells.size(); ++k) solve_level(k);

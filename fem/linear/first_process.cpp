@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <thread>
@@ -133,6 +134,12 @@ void FirstProcess::call(const Order& order, const std::function<void()>& own) {
   together_ = true;
   own();
   together_ = false;
+}
+
+void one_at_a_time(const std::function<void()>& work) {
+  static std::mutex at_work;
+  const std::lock_guard<std::mutex> lock(at_work);
+  contact::within_threads(work);
 }
 
 }  // namespace rollfem::fem

@@ -45,4 +45,7 @@ class FirstProcess {
   int threads_of_machine_ = 1;
 };
 
+/// Work that calls MPI or changes meshes, which threads may do one after the other only.
+void one_at_a_time(const std::function<void()>& work);
+
 }  // namespace rollfem::fem

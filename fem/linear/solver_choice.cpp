@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/solver_choice.hpp"
 
+#include "contact/base/available_memory.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
@@ -182,7 +183,10 @@ MemoryDemand memory_demand(const Scene& scene, const BodyOptions& options, const
   return completed(scene, demand, options, body_fields);
 }
 
-void refuse_beyond_memory(const Scene& scene, double cell_size) {
+namespace {
+
+/// Of a level before its meshes are made.
+MemoryDemand expected_demand(const Scene& scene, double cell_size) {
   const BodyOptions bodies = run_layout(scene, cell_size).bodies;
   constexpr double beyond_all_memory = 2e9;
   const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
@@ -190,7 +194,20 @@ void refuse_beyond_memory(const Scene& scene, double cell_size) {
   demand.unknowns = {scene.wheel.material.rigid() ? 0.0 : unknowns,
                      scene.rail.material.rigid() ? 0.0 : unknowns};
   demand.algebraic = scene.options.fem.linear_solver == contact::LinearSolver::algebraic;
-  refuse_beyond_memory(completed(scene, demand, bodies, true), cell_size, MPI_COMM_WORLD);
+  return completed(scene, demand, bodies, true);
+}
+
+}  // namespace
+
+void refuse_beyond_memory(const Scene& scene, double cell_size) {
+  refuse_beyond_memory(expected_demand(scene, cell_size), cell_size, MPI_COMM_WORLD);
+}
+
+bool fit_together(const Scene& scene, const std::vector<double>& cell_sizes) {
+  double bytes = 0.0;
+  for (const double cell_size : cell_sizes)
+    bytes += predicted_bytes(expected_demand(scene, cell_size));
+  return bytes <= contact::available_bytes();
 }
 
 }  // namespace rollfem::fem

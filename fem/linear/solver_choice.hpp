@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -28,5 +29,8 @@ Solvers make_solvers(const contact::Scene& scene, const BodyPair& bodies, bool f
 /// Throws contact::SolveError when the level does not fit into memory, without creating a mesh.
 /// Collective.
 void refuse_beyond_memory(const contact::Scene& scene, double cell_size);
+
+/// Whether memory takes levels with cells of these sizes at the same time.
+bool fit_together(const contact::Scene& scene, const std::vector<double>& cell_sizes);
 
 }  // namespace rollfem::fem

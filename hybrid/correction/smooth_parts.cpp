@@ -6,6 +6,7 @@
 #include "contact/scene/below_surface.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/factorisation.hpp"
+#include "fem/linear/first_process.hpp"
 #include "fem/linear/multigrid.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/trace/compliance.hpp"
@@ -75,21 +76,27 @@ std::unique_ptr<LinearSolver> make_solver(const Body& body) {
   if (fem::predicted_factor_bytes(static_cast<double>(body.unknowns())) < largest_factor ||
       body.material().poisson_ratio > fem::largest_multigrid_poisson_ratio)
     return fem::make_factorisation(body.problem());
-  return fem::make_multigrid(body.problem(), {1e-8});
+  std::unique_ptr<LinearSolver> solver;
+  fem::one_at_a_time([&] { solver = fem::make_multigrid(body.problem(), {1e-8}); });
+  return solver;
 }
 
 /// One body under tractions on the contact grid.
 class LoadedBody {
  public:
   LoadedBody(const Scene& scene, const Body& body, const ContactGrid& grid, bool flat)
-      : solver_(make_solver(body)),
+      : body_(body),
         coupling_(body, grid, scene.geometry.surface),
         shape_(contact::patch_shape(scene.geometry.surface, grid)),
         grid_(grid),
         flat_(flat),
-        nothing_(fem::make_vector(body.dofs())) {
-    if (fem::far_boundary_of(scene) == contact::FarBoundary::point_load)
-      far_.emplace(body, *solver_, coupling_);
+        unbounded_(fem::far_boundary_of(scene) == contact::FarBoundary::point_load),
+        nothing_(fem::make_vector(body.dofs())) {}
+
+  /// Before it is loaded; unlike constructors, side by side.
+  void prepare() {
+    solver_ = make_solver(body_);
+    if (unbounded_) far_.emplace(body_, *solver_, coupling_);
   }
 
   /// Displacement of the surface under each of the tractions.
@@ -120,11 +127,13 @@ class LoadedBody {
     return {area.dot(traction.x), area.dot(traction.y), area.dot(traction.n)};
   }
 
+  const Body& body_;
   std::unique_ptr<LinearSolver> solver_;
   fem::SurfaceCoupling coupling_;
   contact::PatchShape shape_;
   ContactGrid grid_;
   bool flat_;
+  bool unbounded_;
   std::optional<fem::FarField> far_;
   Vector nothing_;
   std::vector<Vector> displacements_;
@@ -255,8 +264,10 @@ Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
       Field* const loaded[] = {&traction.x, &traction.y, &traction.n};
       *loaded[component] = sign * basis.ellipsoid.cwiseProduct(basis.in.col(k));
     }
-    const std::vector<SurfaceField> curved = pair.loaded.under(tractions);
-    const std::vector<SurfaceField> flat = pair.flat.under(tractions);
+    std::vector<SurfaceField> curved, flat;
+    contact::for_each_index(2, [&](std::size_t twin) {
+      (twin == 0 ? curved : flat) = (twin == 0 ? pair.loaded : pair.flat).under(tractions);
+    });
     for (std::size_t j = 0; j < shapes.size(); ++j) {
       const Index column = component * ins + shapes[j];
       Field difference(3 * basis.grid.size());
@@ -360,11 +371,14 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   const fem::MeshedBodies meshed{needs_mesh(scene, true, parts.stresses),
                                  needs_mesh(scene, false, parts.stresses)};
   const fem::CaseBodies bodies = fem::make_bodies(scene, layout.bodies, MPI_COMM_SELF, meshed);
-  // Sequential, because the orderings share one sequence of random numbers.
   std::optional<Pair> wheel, rail;
   const Scene boxes = with_boxes(scene);
   if (bodies.wheel) wheel.emplace(scene, boxes, layout, *bodies.wheel);
   if (bodies.rail) rail.emplace(scene, boxes, layout, *bodies.rail);
+  std::vector<LoadedBody*> loaded;
+  for (auto* pair : {&wheel, &rail})
+    if (*pair) loaded.insert(loaded.end(), {&(*pair)->loaded, &(*pair)->flat});
+  contact::for_each_index(loaded.size(), [&](std::size_t k) { loaded[k]->prepare(); });
   const contact::ChartedGeometry geometry(scene.geometry, contact::Chart::arc);
   const contact::BelowSurface in_wheel(geometry, true), in_rail(geometry, false);
   contact::for_each_index(2, [&](std::size_t body) {
