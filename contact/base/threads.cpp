@@ -51,16 +51,24 @@ Arena& arena_here() {
   return here != nullptr ? *here : whole_arena();
 }
 
+/// Whether this thread works on a part of a loop.
+thread_local bool within_part = false;
+
 /// The threads that take over a part work for its arena.
 class Inside {
  public:
-  explicit Inside(Arena& arena) : before_(std::exchange(here, &arena)) {}
-  ~Inside() { here = before_; }
+  explicit Inside(Arena& arena, bool part = within_part)
+      : before_(std::exchange(here, &arena)), part_before_(std::exchange(within_part, part)) {}
+  ~Inside() {
+    here = before_;
+    within_part = part_before_;
+  }
   Inside(const Inside&) = delete;
   Inside& operator=(const Inside&) = delete;
 
  private:
   Arena* before_;
+  bool part_before_;
 };
 
 /// All threads treat subnormal numbers as the one that hands out the parts.
@@ -140,7 +148,7 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
   FirstError error;
   const auto part = [&](std::size_t k) {
     if (error.before(k)) return;
-    const Inside inside(arena);
+    const Inside inside(arena, true);
     try {
       work(k);
     } catch (...) {
@@ -148,14 +156,23 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
     }
   };
   tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
-  // Isolated: a thread that waits for its own parts takes up no part of another computation, whose
-  // memory and time would add to this one.
+  const auto loop = [&] {
+    tbb::parallel_for(std::size_t{0}, count, part, tbb::simple_partitioner(), context);
+  };
+  // Within a part a thread that waits takes up no other part of the outer loop, whose memory and
+  // time would add to this one's. A thread that waits for the outermost loop helps within its
+  // parts.
   arena.tasks->execute([&] {
-    tbb::this_task_arena::isolate([&] {
-      tbb::parallel_for(std::size_t{0}, count, part, tbb::simple_partitioner(), context);
-    });
+    if (within_part)
+      tbb::this_task_arena::isolate(loop);
+    else
+      loop();
   });
   error.rethrow();
+}
+
+void isolated(const std::function<void()>& work) {
+  tbb::this_task_arena::isolate(work);
 }
 
 void within_threads(const std::function<void()>& work) {
@@ -166,7 +183,7 @@ void within_threads(const std::function<void()>& work) {
     tbb::task_group group(context);
     group.run_and_wait([&] {
       const Inside inside(arena);
-      tbb::this_task_arena::isolate(work);
+      work();
     });
   };
   if (arena.tasks)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/elasticity/fem_elasticity.hpp"
 
-#include "contact/base/available_memory.hpp"
 #include "contact/base/progress.hpp"
 #include "contact/base/threads.hpp"
 #include "contact/result/record.hpp"
@@ -32,9 +31,6 @@ using contact::PatchSize;
 using contact::PointResult;
 using contact::Scene;
 using contact::Stopwatch;
-
-/// Memory of a level, and of each further solve at the same time (vectors of multigrid), bytes.
-constexpr double bytes_per_unknown = 450.0, bytes_per_solve = 120.0;
 
 /// Collective work, ordered by the first process, with its data.
 enum class Action { prepare, respond, complete };
@@ -101,7 +97,7 @@ class SharedLevel {
   /// By the first load point that needs them.
   void prepare() {
     std::call_once(prepared_, [&] {
-      one_at_a_time([&] { first.call(Task{}.order(), [&] { make_bodies_and_solvers(); }); });
+      contact::isolated([&] { first.call(Task{}.order(), [&] { make_bodies_and_solvers(); }); });
     });
   }
   void complete(const FemCompliance& of_point, std::size_t k, PointResult& point);
@@ -221,10 +217,7 @@ void SharedLevel::complete(const FemCompliance& of_point, std::size_t k, PointRe
 std::size_t SharedLevel::most_beside() const {
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1) return 1;
   if (compliance && !compliance->copies_run_beside_each_other()) return 1;
-  const auto unknowns = static_cast<double>(result_.unknowns);
-  double free = contact::available_bytes();
-  if (!compliance) free -= bytes_per_unknown * unknowns;
-  return 1 + static_cast<std::size_t>(std::max(0.0, free) / (bytes_per_solve * unknowns));
+  return solves_in_memory(static_cast<double>(result_.unknowns));
 }
 
 void SharedLevel::make_bodies_and_solvers() {
@@ -248,7 +241,7 @@ void SharedLevel::tell(contact::ProgressEvent event, const std::string& stage,
 
 void SharedLevel::make_meshes() {
   tell({}, "mesh");
-  bodies_ = make_bodies(scene, layout.bodies, MPI_COMM_WORLD);
+  one_at_a_time([&] { bodies_ = make_bodies(scene, layout.bodies, MPI_COMM_WORLD); });
   const MemoryDemand demand =
       memory_demand(scene, layout.bodies, bodies_.both(), options_.body_fields);
   factorisation_ = demand.factorisation;
@@ -263,8 +256,10 @@ void SharedLevel::make_meshes() {
 void SharedLevel::make_compliance() {
   tell({}, "linear solvers");
   solvers_ = make_solvers(scene, bodies_.both(), factorisation_);
-  stresses_ = std::make_unique<StressOutput>(scene, bodies_.both(), layout.grid,
-                                             default_cell_size(scene), options_.body_fields);
+  one_at_a_time([&] {
+    stresses_ = std::make_unique<StressOutput>(scene, bodies_.both(), layout.grid,
+                                               default_cell_size(scene), options_.body_fields);
+  });
   result_.bodies = stresses_->bodies();
   compliance =
       std::make_unique<FemCompliance>(FemCompliance::Part{bodies_.wheel.get(), solvers_[0].get()},

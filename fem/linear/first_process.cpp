@@ -139,7 +139,7 @@ void FirstProcess::call(const Order& order, const std::function<void()>& own) {
 void one_at_a_time(const std::function<void()>& work) {
   static std::mutex at_work;
   const std::lock_guard<std::mutex> lock(at_work);
-  contact::within_threads(work);
+  contact::isolated(work);
 }
 
 }  // namespace rollfem::fem

@@ -25,6 +25,7 @@ constexpr double mesh_per_unknown = 200.0;  ///< triangulation, numbering, const
 /// of the coarsest level.
 constexpr double multigrid_per_unknown = 280.0, multigrid_per_unknown_of_several = 300.0;
 constexpr double algebraic_per_unknown = 5000.0;
+constexpr double solve_per_unknown = 120.0;  ///< vectors of each further solve at the same time
 constexpr double fields_per_unknown = 70.0;
 constexpr double fields_per_unknown_and_point = 35.0;
 
@@ -110,6 +111,10 @@ void refuse_beyond_memory(const MemoryDemand& demand, double cell_size, MPI_Comm
                   contact::in_gigabytes(at.needed), contact::in_gigabytes(at.available),
                   1e-6 * (demand.unknowns[0] + demand.unknowns[1]), cell_size,
                   demand.factorisation ? "factorisation" : "multigrid", advice));
+}
+
+std::size_t solves_in_memory(double unknowns) {
+  return 1 + static_cast<std::size_t>(contact::available_bytes() / (solve_per_unknown * unknowns));
 }
 
 void hand_back_memory() {

@@ -36,6 +36,10 @@ std::string memory_note(const MemoryDemand& demand, MPI_Comm communicator);
 /// Collective.
 bool fits_memory(const MemoryDemand& demand, MPI_Comm communicator);
 
+/// How many solves by multigrid of this many unknowns may run beside each other: 1 and as many as
+/// memory takes.
+std::size_t solves_in_memory(double unknowns);
+
 /// Returns freed memory held by the C library to the system: after a set-up it is as much as the
 /// memory in use.
 void hand_back_memory();

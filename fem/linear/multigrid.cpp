@@ -48,7 +48,9 @@ struct Shares {
   std::vector<int> counts, offsets;
 
   Shares(std::size_t mine, MPI_Comm communicator)
-      : counts(dealii::Utilities::MPI::all_gather(communicator, static_cast<int>(mine))),
+      : counts(dealii::Utilities::MPI::n_mpi_processes(communicator) == 1
+                   ? std::vector<int>{static_cast<int>(mine)}
+                   : dealii::Utilities::MPI::all_gather(communicator, static_cast<int>(mine))),
         offsets(counts.size(), 0) {
     std::partial_sum(counts.begin(), counts.end() - 1, offsets.begin() + 1);
   }
@@ -317,6 +319,7 @@ class Multigrid : public LinearSolver {
   Multigrid(const ElasticProblem& problem, const MultigridOptions& options);
 
   void solve(Vector& u, const Vector& b) const override;
+  void solve_all(std::vector<Vector>& u, const std::vector<Vector>& b) const override;
   int last_iterations() const override { return iterations_; }
   std::string description() const override;
   /// MPI allows one thread only; a single process does not call it.
@@ -362,11 +365,14 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
         "poisson_ratio = {}: multigrid does not converge for nearly incompressible bodies; "
         "allowed: up to {}; do: linear_solver = \"factorisation\", without mpirun",
         problem.material.poisson_ratio, largest_multigrid_poisson_ratio));
-  auto meshes = coarsened_meshes(problem);
+  std::vector<std::shared_ptr<const dealii::Triangulation<3>>> meshes;
   std::vector<std::unique_ptr<Discretisation>> discretised;
-  for (std::size_t i = 0; i + 1 < meshes.size(); ++i)
-    discretised.push_back(std::make_unique<Discretisation>(*meshes[i], problem));
-  discretised.push_back(std::make_unique<Discretisation>(problem));
+  one_at_a_time([&] {
+    meshes = coarsened_meshes(problem);
+    for (std::size_t i = 0; i + 1 < meshes.size(); ++i)
+      discretised.push_back(std::make_unique<Discretisation>(*meshes[i], problem));
+    discretised.push_back(std::make_unique<Discretisation>(problem));
+  });
   std::vector<std::unique_ptr<LevelTransfer>> transfers(1);
   for (std::size_t i = 1; i < discretised.size(); ++i)
     transfers.push_back(discretised[i]->transfer_to(*discretised[i - 1]));
@@ -380,8 +386,10 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
     levels_.push_back(
         std::make_unique<Level>(cells, std::move(transfers[i]), options.smoother_degree));
   }
-  discretised.clear();
-  meshes.clear();
+  one_at_a_time([&] {
+    discretised.clear();
+    meshes.clear();
+  });
   stiffness_ = std::make_unique<ElasticityOperator<double>>(std::move(cells));
   cells = {};
   hand_back_memory();
@@ -503,6 +511,14 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
   stiffness_->distribute(work.solution);
   std::copy(work.solution.begin(), work.solution.end(), u.begin());
   u.update_ghost_values();
+}
+
+void Multigrid::solve_all(std::vector<Vector>& u, const std::vector<Vector>& b) const {
+  const std::size_t side_by_side =
+      runs_beside_others() ? std::min(b.size(), solves_in_memory(u.front().size())) : 1;
+  contact::for_each_index(side_by_side, [&](std::size_t first) {
+    for (std::size_t k = first; k < b.size(); k += side_by_side) solve(u[k], b[k]);
+  });
 }
 
 std::string Multigrid::description() const {

@@ -6,6 +6,7 @@
 #include "contact/base/threads.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 #include "fem/linear/factorisation.hpp"
+#include "fem/linear/first_process.hpp"
 #include "fem/linear/multigrid.hpp"
 #include "fem/mesh/body_mesh.hpp"
 #include "fem/mesh/run_layout.hpp"
@@ -95,7 +96,11 @@ bool takes_algebraic(const Scene& scene, const Body& body) {
 std::unique_ptr<LinearSolver> make_iterative_solver(const Scene& scene, const Body& body) {
   // Five digits beyond the tolerance of the contact iteration: 1e-10 took a tenth more iterations.
   constexpr double tolerance = 1e-9;
-  if (takes_algebraic(scene, body)) return make_algebraic_multigrid(body.problem(), {tolerance});
+  if (takes_algebraic(scene, body)) {
+    std::unique_ptr<LinearSolver> solver;
+    one_at_a_time([&] { solver = make_algebraic_multigrid(body.problem(), {tolerance}); });
+    return solver;
+  }
   MultigridOptions options;
   options.tolerance = tolerance;
   return make_multigrid(body.problem(), options);
@@ -151,7 +156,7 @@ MemoryDemand completed(const Scene& scene, MemoryDemand demand, const BodyOption
 
 }  // namespace
 
-/// Two factorisations in parallel, one core each: faster than one after the other with two BLAS
+/// Two factorisations side by side, one core each: faster than one after the other with two BLAS
 /// threads.
 Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisation) {
   const auto make = [&](const Body* body) -> std::unique_ptr<LinearSolver> {
@@ -161,11 +166,10 @@ Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisat
   };
   Solvers solvers;
   const auto make_one = [&](std::size_t k) { solvers[k] = make(bodies[k]); };
-  if (factorisation) {
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
     contact::for_each_index(2, make_one);
-  } else {
+  else
     for (const std::size_t k : {0U, 1U}) make_one(k);
-  }
   return solvers;
 }
 

@@ -3,6 +3,7 @@
 
 #include "contact/base/threads.hpp"
 #include "contact/scene/geometry.hpp"
+#include "fem/linear/first_process.hpp"
 #include "fem/trace/far_field.hpp"
 #include "fem/trace/middle_displacement.hpp"
 
@@ -34,13 +35,27 @@ struct FemCompliance::Shared {
       const auto [body, solver] = parts[k];
       concurrent = concurrent && (body == nullptr || solver->runs_beside_others());
       if (body == nullptr) continue;
-      coupling[k].emplace(*body, grid, the_surface);
+      one_at_a_time([&] { coupling[k].emplace(*body, grid, the_surface); });
       const MPI_Comm communicator = body->dofs().get_communicator();
       first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    }
+    for_each_body([&](std::size_t k) {
+      const auto [body, solver] = parts[k];
       const auto lattice = coupling[k]->lattice();
       if (first) middle[k].emplace(grid, body->material(), shape.stretch, lattice);
       if (far == FarBoundary::point_load) far_field[k].emplace(*body, *solver, *coupling[k]);
-    }
+    });
+  }
+
+  /// For each that is not rigid, side by side if their solvers allow it.
+  template <class Work>
+  void for_each_body(const Work& work) const {
+    const auto unless_rigid = [&](std::size_t k) {
+      if (coupling[k]) work(k);
+    };
+    if (concurrent) return contact::for_each_index(2, unless_rigid);
+    unless_rigid(0);
+    unless_rigid(1);
   }
 
   static contact::SurfaceField on_body(int k, const contact::SurfaceField& traction) {
@@ -89,17 +104,10 @@ struct FemCompliance::State {
   void solve(const Shared& shared, const contact::SurfaceField& traction) {
     if (solved_for && same(*solved_for, traction)) return;
     solved_for.reset();
-    const auto solve_part = [&](std::size_t k) {
-      if (!shared.coupling[k]) return;
+    shared.for_each_body([&](std::size_t k) {
       shared.coupling[k]->load(Shared::on_body(static_cast<int>(k), traction), loads[k]);
       shared.parts[k].solver->solve(displacements[k], loads[k]);
-    };
-    if (shared.concurrent) {
-      contact::for_each_index(2, solve_part);
-    } else {
-      solve_part(0);
-      solve_part(1);
-    }
+    });
     solved_for = traction;
   }
 

@@ -6,7 +6,6 @@
 #include "contact/scene/below_surface.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/factorisation.hpp"
-#include "fem/linear/first_process.hpp"
 #include "fem/linear/multigrid.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/trace/compliance.hpp"
@@ -76,9 +75,7 @@ std::unique_ptr<LinearSolver> make_solver(const Body& body) {
   if (fem::predicted_factor_bytes(static_cast<double>(body.unknowns())) < largest_factor ||
       body.material().poisson_ratio > fem::largest_multigrid_poisson_ratio)
     return fem::make_factorisation(body.problem());
-  std::unique_ptr<LinearSolver> solver;
-  fem::one_at_a_time([&] { solver = fem::make_multigrid(body.problem(), {1e-8}); });
-  return solver;
+  return fem::make_multigrid(body.problem(), {1e-8});
 }
 
 /// One body under tractions on the contact grid.
