@@ -96,12 +96,19 @@ class ContactRun {
   ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
              const Progress& progress, PointStore* store);
 
-  /// Solves every load point on the grid, or those that `next` hands out in order until there is
-  /// none. Returns false when a patch reaches the border of the grid. Throws SolveError,
-  /// InputError.
+  /// Solves every load point on the grid. Returns false when a patch reaches the border of the
+  /// grid. Throws SolveError, InputError.
   bool solve(const ContactGrid& grid, const MakeElasticity& make);
-  bool solve(const ContactGrid& grid, const MakeElasticity& make,
-             const std::function<std::optional<std::size_t>()>& next);
+
+  // The same in two steps.
+
+  /// What independent load points have in common: the elasticity, on half-spaces also the pressure
+  /// of the first one.
+  bool begin(const ContactGrid& grid, const MakeElasticity& make);
+  /// On half-spaces copies of a run that has begun may go on side by side.
+  bool copies_go_on() const { return elasticity_->is_halfspace(); }
+  /// Solves the load points that `next` hands out in order until there is none.
+  bool go_on(const std::function<std::optional<std::size_t>()>& next);
 
   /// The defect of the frictionless solution, once known: for first_defect of a later run.
   std::function<void(const Response&, int contact_elements)> on_first_defect;
@@ -135,9 +142,9 @@ class ContactRun {
   PointStore* store_;
   Friction friction_;  ///< null: none
   PatchShape shape_;
-  std::unique_ptr<Elasticity> elasticity_;
-  std::unique_ptr<ContactProblem> problem_;
-  std::unique_ptr<PointMotion> motion_;
+  std::shared_ptr<Elasticity> elasticity_;
+  std::optional<ContactProblem> problem_;
+  std::optional<PointMotion> motion_;
   ContactState state_;  ///< of the last load point
   LevelResult result_;
 };
