@@ -6,6 +6,7 @@
 #include "app/frame/command_frame.hpp"
 #include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/csv.hpp"
 #include "postprocess/write/output.hpp"
@@ -73,8 +74,10 @@ void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord
                                 shift_step);
   });
   if (!rows) return;  // profiles for which only one wheel stands on its rail
-  for (const double shift : shifts)
-    record.wheelset.push_back(track::wheelset_row(input, search, *rows, shift));
+  record.wheelset.resize(shifts.size());
+  contact::for_each_index(shifts.size(), [&](std::size_t k) {
+    record.wheelset[k] = track::wheelset_row(input, search, *rows, shifts[k]);
+  });
   record.rigid_row = std::move(*rows);
 }
 

@@ -18,10 +18,27 @@
 #include <tbb/task_group.h>
 #include <thread>
 #include <utility>
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
 
 namespace rollfem::contact {
 
 namespace {
+
+// ThreadSanitizer does not see how libtbb, which is built without it, hands parts over and waits
+// for them.
+#ifdef __SANITIZE_THREAD__
+void let_go(void* at) {
+  __tsan_release(at);
+}
+void take_hold(void* at) {
+  __tsan_acquire(at);
+}
+#else
+void let_go(void*) {}
+void take_hold(void*) {}
+#endif
 
 /// oneTBB starts no more threads than the machine has cores unless it is asked to.
 struct Arena {
@@ -146,16 +163,19 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
   }
   Arena& arena = arena_here();
   FirstError error;
+  tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
   const auto part = [&](std::size_t k) {
     if (error.before(k)) return;
+    take_hold(&context);
     const Inside inside(arena, true);
     try {
       work(k);
     } catch (...) {
       error.take(k);
     }
+    let_go(&error);
   };
-  tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
+  let_go(&context);
   const auto loop = [&] {
     tbb::parallel_for(std::size_t{0}, count, part, tbb::simple_partitioner(), context);
   };
@@ -168,6 +188,7 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
     else
       loop();
   });
+  take_hold(&error);
   error.rethrow();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/iteration/friction_newton.hpp"
 
+#include "contact/base/pieces.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -236,20 +238,20 @@ void FrictionNewton::change_value(const Gmres::Given& p, Gmres::Vector change) {
     state_.change(change, trial_change_, bound_change_);
     bound_change_ *= bound_relaxation_;
   }
-  for (Index e = 0; e < count_; ++e) {
+  for_each_element(count_, [&](Index e) {
     const Index f = count_ + e;
     change[e] += r_ * drag_ * p[e];
     change[f] += r_ * drag_ * p[f];
-    if (at_.adheres[static_cast<std::size_t>(e)]) continue;
+    if (at_.adheres[static_cast<std::size_t>(e)]) return;
     const double dx = change[e] - p[e];
     const double dy = change[f] - p[f];
     const double along = at_.normal[e] * dx + at_.normal[f] * dy;
     change[e] = p[e] + at_.factor[e] * (dx - along * at_.left[e]);
     change[f] = p[f] + at_.factor[e] * (dy - along * at_.left[f]);
-    if (!falls) continue;
+    if (!falls) return;
     change[e] -= bound_change_[e] / r_ * at_.normal[e];
     change[f] -= bound_change_[e] / r_ * at_.normal[f];
-  }
+  });
 }
 
 bool FrictionNewton::respond(const Eigen::Ref<const Eigen::VectorXd>& slip_change,

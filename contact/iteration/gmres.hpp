@@ -3,6 +3,8 @@
 // in memory reused from one system to the next.
 #pragma once
 
+#include "contact/base/pieces.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/Jacobi>
 
@@ -100,25 +102,53 @@ class Gmres {
   /// exhausted.
   bool extend() {
     const Eigen::Index k = size_++;
-    const auto known = basis_.topLeftCorner(n_, k + 1);
     auto image = basis_.col(k + 1).head(n_);
     auto h = triangle_.col(k).head(k + 1);
-    const double before = image.norm();
-    h.noalias() = known.transpose() * image;
-    image.noalias() -= known * h;
+    const double before = norm_of(image);
+    project(image, h);
+    double norm = subtract(h, image);
     // Classical Gram-Schmidt keeps orthogonality when repeated after heavy cancellation.
-    if (image.norm() < 0.1 * before) {
+    if (norm < 0.1 * before) {
       auto correction = correction_.head(k + 1);
-      correction.noalias() = known.transpose() * image;
-      image.noalias() -= known * correction;
+      project(image, correction);
+      norm = subtract(correction, image);
       h += correction;
     }
-    const double norm = image.norm();
     triangle_(k + 1, k) = norm;
     rotate(k);
     if (!(norm > 1e-14 * before)) return false;
-    image /= norm;
+    in_pieces(n_,
+              [&](Eigen::Index first, Eigen::Index count) { image.segment(first, count) /= norm; });
     return true;
+  }
+
+  double norm_of(const Given& vector) const {
+    return std::sqrt(sum_in_pieces(n_, [&](Eigen::Index first, Eigen::Index count) {
+      return vector.segment(first, count).squaredNorm();
+    }));
+  }
+
+  /// Products of the basis, as long as `products`, with a vector.
+  void project(const Given& vector, Vector products) {
+    const Eigen::Index size = products.size();
+    if (n_ >= elements_for_threads) in_pieces_.setZero(size, most_pieces);
+    in_pieces(n_, [&](Eigen::Index first, Eigen::Index count) {
+      const auto part = basis_.block(first, 0, count, size).transpose();
+      if (count == n_)
+        products.noalias() = part * vector;
+      else
+        in_pieces_.col(first / piece_of(n_)).noalias() = part * vector.segment(first, count);
+    });
+    if (n_ >= elements_for_threads) products = in_pieces_.rowwise().sum();
+  }
+
+  /// Takes basis vectors times `factors` from a vector; returns its norm.
+  double subtract(const Given& factors, Vector vector) {
+    return std::sqrt(sum_in_pieces(n_, [&](Eigen::Index first, Eigen::Index count) {
+      auto part = vector.segment(first, count);
+      part.noalias() -= basis_.block(first, 0, count, factors.size()) * factors;
+      return part.squaredNorm();
+    }));
   }
 
   void rotate(Eigen::Index k) {
@@ -137,12 +167,15 @@ class Gmres {
     auto y = correction_.head(size_);
     y = projected_.head(size_);
     triangle_.topLeftCorner(size_, size_).triangularView<Eigen::Upper>().solveInPlace(y);
-    basis_.col(size_).head(n_).noalias() = basis_.topLeftCorner(n_, size_) * y;
+    in_pieces(n_, [&](Eigen::Index first, Eigen::Index count) {
+      basis_.col(size_).segment(first, count).noalias() = basis_.block(first, 0, count, size_) * y;
+    });
   }
 
   Eigen::Index n_ = 0;
   Eigen::Index size_ = 0;
   Eigen::MatrixXd basis_, triangle_;
+  Eigen::MatrixXd in_pieces_;  ///< products with the basis
   Eigen::VectorXd projected_, correction_, change_;
   std::vector<Eigen::JacobiRotation<double>> rotations_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/iteration/leading_edge.hpp"
 
+#include "contact/base/pieces.hpp"
 #include "contact/base/root.hpp"
 
 #include <algorithm>
@@ -124,12 +125,13 @@ double smoothing_across_rows(const ContactGrid& grid) {
 
 /// D of the differences d_i that a first-order D gives.
 Field weighted(const ContactGrid& grid, const Field& differences, const Field& weights) {
-  Field result = differences;
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i + 1 < grid.nx; ++i) {
-      const int k = grid.index(i, j);
-      result[k] += weights[k] * (differences[k] - differences[k + 1]);
-    }
+  Field result(differences.size());
+  for_each_row(grid.ny, grid.nx, [&](Eigen::Index j) {
+    const Eigen::Index last = (j + 1) * grid.nx - 1;
+    for (Eigen::Index k = j * grid.nx; k < last; ++k)
+      result[k] = differences[k] + weights[k] * (differences[k] - differences[k + 1]);
+    result[last] = differences[last];
+  });
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/iteration/tangential.hpp"
 
+#include "contact/base/pieces.hpp"
 #include "contact/iteration/friction_newton.hpp"
 
 #include <algorithm>
@@ -81,20 +82,24 @@ class GridElements : public ElementOperator {
 };
 
 void GridElements::gather(const TangentialField& field, Vector values) const {
-  for (Index e = 0; e < count(); ++e) {
+  for_each_element(count(), [&](Index e) {
     const Index k = places_[static_cast<std::size_t>(e)];
     values[e] = field.x[k];
     values[count() + e] = field.y[k];
-  }
+  });
 }
 
 TangentialField GridElements::scattered(const Given& values) const {
-  TangentialField field{Field::Zero(grid_size_), Field::Zero(grid_size_)};
-  for (Index e = 0; e < count(); ++e) {
+  TangentialField field{Field(grid_size_), Field(grid_size_)};
+  in_pieces(grid_size_, [&](Index first, Index size) {
+    field.x.segment(first, size).setZero();
+    field.y.segment(first, size).setZero();
+  });
+  for_each_element(count(), [&](Index e) {
     const Index k = places_[static_cast<std::size_t>(e)];
     field.x[k] = values[e];
     field.y[k] = values[count() + e];
-  }
+  });
   return field;
 }
 
@@ -134,17 +139,18 @@ void GridElements::precondition_surely(const Given& p, Vector result) {
 void GridElements::adhering(const Given& p, Vector result) const {
   result = p;
   if (slipping_ < count()) {
-    for (Index e = 0; e < count(); ++e)
+    for_each_element(count(), [&](Index e) {
       if (slips(e)) result[e] = result[count() + e] = 0.0;
+    });
     invert(result, least_shift + drag_);
   }
-  for (Index e = 0; e < count(); ++e) {
-    if (!slips(e)) continue;
+  for_each_element(count(), [&](Index e) {
+    if (!slips(e)) return;
     const Index f = count() + e;
     const double along = at_->normal[e] * p[e] + at_->normal[f] * p[f];
     result[e] = at_->normal[e] * along;
     result[f] = at_->normal[f] * along;
-  }
+  });
 }
 
 void GridElements::add_across(const Given& p, Vector result) const {
@@ -152,23 +158,23 @@ void GridElements::add_across(const Given& p, Vector result) const {
   gather(compliance_.apply(scattered(result)), known);
   known *= r_;
   VectorXd rest = VectorXd::Zero(2 * count());
-  for (Index e = 0; e < count(); ++e) {
-    if (!slips(e)) continue;
+  for_each_element(count(), [&](Index e) {
+    if (!slips(e)) return;
     const Index f = count() + e;
     const double x = p[e] / at_->factor[e] - known[e];
     const double y = p[f] / at_->factor[e] - known[f];
     const double across = scale_[e] * (at_->normal[e] * y - at_->normal[f] * x);
     rest[e] = -at_->normal[f] * across;
     rest[f] = at_->normal[e] * across;
-  }
+  });
   invert(rest, damping_ + drag_);
-  for (Index e = 0; e < count(); ++e) {
-    if (!slips(e)) continue;
+  for_each_element(count(), [&](Index e) {
+    if (!slips(e)) return;
     const Index f = count() + e;
     const double across = scale_[e] * (at_->normal[e] * rest[f] - at_->normal[f] * rest[e]);
     result[e] -= at_->normal[f] * across;
     result[f] += at_->normal[e] * across;
-  }
+  });
 }
 
 /// Bounds and states of the elements, and what their particles carry on.

@@ -91,14 +91,15 @@ ProgressEvent ContactRun::event_of(std::size_t k) const {
 
 bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make) {
   std::size_t k = 0;
-  return solve(grid, make, [&]() -> std::optional<std::size_t> {
-    if (k == scene_.points.size()) return {};
-    return k++;
-  });
+  return begin(grid, make) && go_on([&]() -> std::optional<std::size_t> {
+           if (k == scene_.points.size()) return {};
+           return k++;
+         });
 }
 
-void ContactRun::start_on(const ContactGrid& grid, const MakeElasticity& make) {
+bool ContactRun::begin(const ContactGrid& grid, const MakeElasticity& make) {
   result_.grid = grid;
+  result_.pressure = {};
   result_.points.clear();
   result_.relative_traction.clear();
   result_.several = 0;
@@ -109,18 +110,19 @@ void ContactRun::start_on(const ContactGrid& grid, const MakeElasticity& make) {
   const Stopwatch setup;
   elasticity_ = make();
   result_.setup_seconds += setup.seconds();
-  motion_ = std::make_unique<PointMotion>(scene_, geometry_, grid);
+  motion_.emplace(scene_, geometry_, grid);
   state_ = {};
+  if (!elasticity_->is_halfspace()) return true;
+  prepare();
+  return press(0);
 }
 
 void ContactRun::solve_without_friction(const ContactGrid& grid, const MakeElasticity& make) {
-  start_on(grid, make);
-  prepare();
+  begin(grid, make);
+  if (!problem_) prepare();
 }
 
-bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make,
-                       const std::function<std::optional<std::size_t>()>& next) {
-  start_on(grid, make);
+bool ContactRun::go_on(const std::function<std::optional<std::size_t>()>& next) {
   bool taking_up = store_ != nullptr;
   while (const std::optional<std::size_t> k = next())
     if (!solve_or_take_up(*k, taking_up)) return false;
@@ -132,8 +134,7 @@ bool ContactRun::solve(const ContactGrid& grid, const MakeElasticity& make,
 bool ContactRun::solve_or_take_up(std::size_t k, bool& taking_up) {
   // Also at restored load points, so that numbers stay the same to the last bit.
   if (elasticity_->is_halfspace()) {
-    if (!problem_) prepare();
-    if (!press(k)) return false;
+    if (k > 0 && !press(k)) return false;
     if (k == 0) warn_if_steep();
   }
   const bool alone = options_.independent && !scene_.is_history() && store_ != nullptr;
@@ -170,8 +171,7 @@ void ContactRun::prepare() {
   conditions.shape = shape_;
   conditions.fit_leading_edge = scene_.leading_edge == LeadingEdge::fitted;
   conditions.coupled_standin = elasticity_->coupled_standin();
-  problem_ = std::make_unique<ContactProblem>(elasticity_->compliance(), elasticity_->standin(),
-                                              std::move(conditions));
+  problem_.emplace(elasticity_->compliance(), elasticity_->standin(), std::move(conditions));
   motion_->set_extra(elasticity_->extra_slip());
   result_.setup_seconds += setup.seconds();
   if (!elasticity_->is_halfspace() && result_.points.empty()) find_first_defect();
@@ -194,14 +194,15 @@ void ContactRun::find_first_defect() {
 /// Pressure without friction on the grid; false when it reaches the border.
 bool ContactRun::press(std::size_t k) {
   const Stopwatch watch;
-  const bool first = state_.normal.pressure.size() == 0;
+  const bool first = result_.pressure.size() == 0;
   const bool solved_anew = first || scene_.is_history() || scene_.load_changes();
   ProgressEvent event;
   if (solved_anew && scene_.points.size() > 1 && (scene_.is_history() || scene_.load_changes()))
     event.point = static_cast<int>(k) + 1;
   if (solved_anew) tell(event, "normal", false);
   const LevelResult* coarser = options_.coarser;
-  const Field start = !first    ? state_.normal.pressure
+  const bool follows = state_.normal.pressure.size() != 0;
+  const Field start = follows   ? state_.normal.pressure
                       : coarser ? interpolated(coarser->grid, coarser->pressure, result_.grid)
                                 : Field();
   const NormalSolution& normal = problem_->press(scene_.points[k].load, start);

@@ -81,8 +81,8 @@ struct RunOptions {
   /// Steady load points do not start from each other: they may be solved in any order, and beside
   /// each other (contact/solve/side_by_side.hpp).
   bool independent = false;
-  /// How many beside each other; 0: as many as memory takes on half-spaces.
-  std::size_t most_beside = 0;
+  /// How many beside each other, not on half-spaces, where it is as many as memory takes.
+  std::size_t most_beside = 1;
   /// Goes on behind a load point without a stable state, unless it is the start of the next.
   bool leaves_unsolved = false;
   Response first_defect;  ///< from an earlier run without friction; empty: to be computed
@@ -98,12 +98,19 @@ class ContactRun {
   ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
              const Progress& progress, PointStore* store);
 
-  /// Solves every load point on the grid, or those that `next` hands out in order until there is
-  /// none. Returns false when a patch reaches the border of the grid. Throws SolveError,
-  /// InputError.
+  /// Solves every load point on the grid. Returns false when a patch reaches the border of the
+  /// grid. Throws SolveError, InputError.
   bool solve(const ContactGrid& grid, const MakeElasticity& make);
-  bool solve(const ContactGrid& grid, const MakeElasticity& make,
-             const std::function<std::optional<std::size_t>()>& next);
+
+  // The same in two steps.
+
+  /// What independent load points have in common: the elasticity, on half-spaces also the pressure
+  /// of the first one.
+  bool begin(const ContactGrid& grid, const MakeElasticity& make);
+  /// On half-spaces copies of a run that has begun may go on side by side.
+  bool copies_go_on() const { return elasticity_->is_halfspace(); }
+  /// Solves the load points that `next` hands out in order until there is none.
+  bool go_on(const std::function<std::optional<std::size_t>()>& next);
 
   /// The frictionless solution alone, for on_first_defect.
   void solve_without_friction(const ContactGrid& grid, const MakeElasticity& make);
@@ -115,7 +122,6 @@ class ContactRun {
 
  private:
   void tell(ProgressEvent event, const char* stage, bool finished) const;
-  void start_on(const ContactGrid& grid, const MakeElasticity& make);
   void prepare();
   bool take_up(std::size_t k);
   void find_first_defect();
@@ -141,9 +147,9 @@ class ContactRun {
   PointStore* store_;
   Friction friction_;  ///< null: none
   PatchShape shape_;
-  std::unique_ptr<Elasticity> elasticity_;
-  std::unique_ptr<ContactProblem> problem_;
-  std::unique_ptr<PointMotion> motion_;
+  std::shared_ptr<Elasticity> elasticity_;
+  std::optional<ContactProblem> problem_;
+  std::optional<PointMotion> motion_;
   ContactState state_;  ///< of the last load point
   LevelResult result_;
 };

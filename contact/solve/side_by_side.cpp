@@ -6,7 +6,6 @@
 #include "contact/base/threads.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <utility>
@@ -80,17 +79,16 @@ LevelResult put_together(std::vector<Part>& parts, std::size_t count) {
   return whole;
 }
 
-/// Threads for a grid: each has its own elasticity and fields, and all together must fit into
+/// Threads for a grid besides the first: each has its own fields, and all together must fit into
 /// memory.
-std::size_t threads_for(const ContactGrid& grid) {
+std::size_t further_threads(const ContactGrid& grid) {
   constexpr double bytes_per_element = 1300.0;  // as measured for one (halfspace/model)
   constexpr double worth_a_look = 50e6;
   const double of_a_thread = bytes_per_element * grid.size();
-  const auto all = static_cast<std::size_t>(threads());
+  const auto all = static_cast<std::size_t>(threads() - 1);
   if (of_a_thread < worth_a_look) return all;
   const double fit = available_bytes() / of_a_thread;
-  return fit < static_cast<double>(all) ? std::max<std::size_t>(1, static_cast<std::size_t>(fit))
-                                        : all;
+  return fit < static_cast<double>(all) ? static_cast<std::size_t>(fit) : all;
 }
 
 }  // namespace
@@ -99,28 +97,40 @@ std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometr
                                         const RunOptions& options, const Progress& progress,
                                         PointStore* store, const ContactGrid& grid,
                                         const MakeElasticity& make) {
+  ContactRun begun(scene, geometry, options, progress, store);
+  if (!begun.begin(grid, make)) return {};
   const std::size_t count = scene.points.size();
   const bool alone = !options.independent || scene.is_history() || scene.load_changes();
-  const std::size_t beside = options.most_beside == 0
-                                 ? threads_for(grid)
+  const std::size_t beside = begun.copies_go_on()
+                                 ? 1 + further_threads(grid)
                                  : std::min<std::size_t>(options.most_beside, threads());
-  std::vector<Part> parts(alone ? 1 : std::min(beside, count));
+  std::vector<Part> parts(alone ? 1 : std::clamp<std::size_t>(beside, 1, count));
   Points points(count);
-  for_each_index(parts.size(), [&](std::size_t p) {
-    ContactRun run(scene, geometry, options, progress, store);
-    std::vector<std::size_t>& taken = parts[p].points;
+  const auto solve = [&](ContactRun& run, std::size_t first, Part& part) {
+    std::vector<std::size_t>& taken = part.points;
     const auto next = [&] {
-      const std::optional<std::size_t> k = points.next();
+      const auto k = taken.empty() ? std::optional(first) : points.next();
       if (k) taken.push_back(*k);
       return k;
     };
     try {
-      if (!run.solve(grid, make, next)) points.ended_by({taken.empty() ? 0 : taken.back(), {}});
+      if (!run.go_on(next)) points.ended_by({taken.back(), {}});
     } catch (...) {
-      points.ended_by({taken.empty() ? 0 : taken.back(), std::current_exception()});
+      points.ended_by({taken.back(), std::current_exception()});
     }
-    parts[p].result = run.take_result();
-  });
+    part.result = run.take_result();
+  };
+  if (parts.size() == 1) {
+    solve(begun, *points.next(), parts.front());
+  } else {
+    for_each_index(parts.size(), [&](std::size_t p) {
+      const std::optional<std::size_t> first = points.next();
+      if (!first) return;
+      ContactRun run = begun;
+      if (!begun.copies_go_on()) run.begin(grid, make);
+      solve(run, *first, parts[p]);
+    });
+  }
   if (points.end().error) std::rethrow_exception(points.end().error);
   if (points.end().point < count) return {};
   return parts.size() == 1 ? std::move(parts.front().result) : put_together(parts, count);

@@ -10,7 +10,7 @@
 namespace rollfem::contact {
 
 /// The same result as that of ContactRun::solve; none when a patch reaches the border of the grid.
-/// `make` is called once for each thread. Throws what the first load point throws that fails.
+/// Throws what the first load point throws that fails.
 std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometry& geometry,
                                         const RunOptions& options, const Progress& progress,
                                         PointStore* store, const ContactGrid& grid,

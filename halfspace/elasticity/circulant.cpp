@@ -39,17 +39,21 @@ Eigen::Index periodic_index(int offset, int p) {
 /// One coefficient on the periodic plane. An odd one vanishes on the middle line of an even period,
 /// where the sign is ambiguous (no product uses those offsets).
 Field periodic_kernel(const InfluenceQuadrant& quadrant, double Influence::*part, bool odd_x,
-                      bool odd_y, int px, int py) {
+                      bool odd_y, const PaddedFft& plane) {
+  const int px = plane.px(), py = plane.py();
   Field kernel(static_cast<Eigen::Index>(px) * py);
-  for (int j = 0; 2 * j <= py; ++j)
-    for (int i = 0; 2 * i <= px; ++i) {
-      const bool ambiguous = (odd_x && 2 * i == px) || (odd_y && 2 * j == py);
-      const double value = ambiguous ? 0.0 : quadrant.at(i, j).*part;
-      for (const int sy : {1, -1})
-        for (const int sx : {1, -1})
-          kernel[periodic_index(sy * j, py) * px + periodic_index(sx * i, px)] =
-              (odd_x ? sx : 1) * (odd_y ? sy : 1) * value;
-    }
+  const auto rows = [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (int j = static_cast<int>(first); j < last; ++j)
+      for (int i = 0; 2 * i <= px; ++i) {
+        const bool ambiguous = (odd_x && 2 * i == px) || (odd_y && 2 * j == py);
+        const double value = ambiguous ? 0.0 : quadrant.at(i, j).*part;
+        for (const int sy : {1, -1})
+          for (const int sx : {1, -1})
+            kernel[periodic_index(sy * j, py) * px + periodic_index(sx * i, px)] =
+                (odd_x ? sx : 1) * (odd_y ? sy : 1) * value;
+      }
+  };
+  contact::for_each_piece(py / 2 + 1, plane.piece(py / 2 + 1), rows);
   return kernel;
 }
 
@@ -77,14 +81,16 @@ InfluenceQuadrant::InfluenceQuadrant(const ContactGrid& grid, const CombinedMate
 
 Symbol symbol_of(const InfluenceQuadrant& quadrant, double Influence::*part, int px, int py) {
   const bool xy = part == &Influence::xy, xn = part == &Influence::xn, yn = part == &Influence::yn;
+  const PaddedFft plane(px, py, px, py);
   PaddedFft::Spectrum spectrum;
-  PaddedFft(px, py, px, py)
-      .forward(periodic_kernel(quadrant, part, xy || xn, xy || yn, px, py), spectrum);
+  plane.forward(periodic_kernel(quadrant, part, xy || xn, xy || yn, plane), spectrum);
   Symbol symbol(spectrum.size());
-  std::transform(spectrum.begin(), spectrum.end(), symbol.begin(),
-                 [imaginary = xn || yn](const Complex& value) {
-                   return imaginary ? value.imag() : value.real();
-                 });
+  plane.over_spectrum([&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    std::transform(spectrum.begin() + first, spectrum.begin() + last, symbol.begin() + first,
+                   [imaginary = xn || yn](const Complex& value) {
+                     return imaginary ? value.imag() : value.real();
+                   });
+  });
   return symbol;
 }
 
@@ -94,6 +100,13 @@ Symbols tangential_symbols(const InfluenceQuadrant& quadrant, int px, int py) {
   symbols.yy = symbol_of(quadrant, &Influence::yy, px, py);
   symbols.xy = symbol_of(quadrant, &Influence::xy, px, py);
   return symbols;
+}
+
+void multiply(const PaddedFft& fft, const Symbol& symbol, PaddedFft::Spectrum& spectrum) {
+  fft.over_spectrum([&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k)
+      spectrum[k] *= symbol[k];
+  });
 }
 
 std::vector<Complex> difference_symbol(Difference difference, int px, double dx, double decay) {
@@ -118,9 +131,10 @@ NormalCirculant::NormalCirculant(const ContactGrid& grid, const InfluenceQuadran
 }
 
 void NormalCirculant::apply(const Field& residual, Field& result) const {
-  fft_.forward(residual, spectrum_);
-  for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= inverse_[k];
-  fft_.backward(spectrum_, result);
+  const auto spectrum = fft_.spectrum();
+  fft_.forward(residual, *spectrum);
+  multiply(fft_, inverse_, *spectrum);
+  fft_.backward(*spectrum, result);
 }
 
 TangentialCirculant::TangentialCirculant(const ContactGrid& grid, const InfluenceQuadrant& quadrant,
@@ -144,55 +158,62 @@ TangentialCirculant::Inverse TangentialCirculant::inverted(double r, double shif
   inverse.xy.resize(size);
   inverse.yy.resize(size);
   const std::size_t py = static_cast<std::size_t>(fft_.py());
-  for (std::size_t k = 0; k < size; ++k) {
-    const Complex factor = r * factors_[k / py];
-    const Complex xx = factor * symbols_.xx[k] + shift;
-    const Complex yy = factor * symbols_.yy[k] + shift;
-    const Complex xy = factor * symbols_.xy[k];
-    const Complex determinant = multiply(xx, yy) - multiply(xy, xy);
-    const Complex inverse_determinant = std::conj(determinant) / std::norm(determinant);
-    inverse.xx[k] = multiply(yy, inverse_determinant);
-    inverse.yy[k] = multiply(xx, inverse_determinant);
-    inverse.xy[k] = -multiply(xy, inverse_determinant);
-  }
+  fft_.over_spectrum([&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+      const Complex factor = r * factors_[k / py];
+      const Complex xx = factor * symbols_.xx[k] + shift;
+      const Complex yy = factor * symbols_.yy[k] + shift;
+      const Complex xy = factor * symbols_.xy[k];
+      const Complex determinant = multiply(xx, yy) - multiply(xy, xy);
+      const Complex inverse_determinant = std::conj(determinant) / std::norm(determinant);
+      inverse.xx[k] = multiply(yy, inverse_determinant);
+      inverse.yy[k] = multiply(xx, inverse_determinant);
+      inverse.xy[k] = -multiply(xy, inverse_determinant);
+    }
+  });
   return inverse;
 }
 
-const TangentialCirculant::Inverse& TangentialCirculant::inverse(double r, double shift) const {
-  const auto known = std::find_if(inverses_.begin(), inverses_.end(),
-                                  [&](const Inverse& i) { return i.r == r && i.shift == shift; });
+/// Keeps the blocks of the adhering and of the slipping elements of every thread.
+std::shared_ptr<const TangentialCirculant::Inverse> TangentialCirculant::inverse(
+    double r, double shift) const {
+  const auto most_inverses = static_cast<std::size_t>(1 + contact::threads());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto known = std::find_if(inverses_.begin(), inverses_.end(), [&](const auto& inverse) {
+    return inverse->r == r && inverse->shift == shift;
+  });
   if (known != inverses_.end()) {
     std::rotate(known, known + 1, inverses_.end());
   } else {
-    if (inverses_.size() == most_inverses) inverses_.erase(inverses_.begin());
-    inverses_.push_back(inverted(r, shift));
+    if (inverses_.size() >= most_inverses) inverses_.erase(inverses_.begin());
+    inverses_.push_back(std::make_shared<const Inverse>(inverted(r, shift)));
   }
   return inverses_.back();
 }
 
 TangentialField TangentialCirculant::apply(const TangentialField& residual, double r,
                                            double shift) const {
-  const Inverse& block = inverse(r, shift);
+  const std::shared_ptr<const Inverse> block = inverse(r, shift);
   TangentialField result = residual;
-  for (int j = 0; j < ny_; ++j) {
-    result.x.segment(j * nx_, nx_).array() *= growth_.array();
-    result.y.segment(j * nx_, nx_).array() *= growth_.array();
-  }
-  fft_.forward(result, x_, y_);
-  const auto size = static_cast<std::ptrdiff_t>(x_.size());
-  contact::for_each_piece(size, fft_.piece(size), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+  const auto over_rows = [&](const auto& change) {
+    contact::for_each_piece(ny_, fft_.piece(ny_), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      for (std::ptrdiff_t j = first; j < last; ++j)
+        for (Field* field : {&result.x, &result.y}) change(field->segment(j * nx_, nx_).array());
+    });
+  };
+  over_rows([&](auto row) { row *= growth_.array(); });
+  const auto x_spectrum = fft_.spectrum(), y_spectrum = fft_.spectrum();
+  fft_.forward(result, *x_spectrum, *y_spectrum);
+  fft_.over_spectrum([&](std::ptrdiff_t first, std::ptrdiff_t last) {
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
-      const Complex x = x_[k];
-      const Complex y = y_[k];
-      x_[k] = multiply(block.xx[k], x) + multiply(block.xy[k], y);
-      y_[k] = multiply(block.xy[k], x) + multiply(block.yy[k], y);
+      const Complex x = (*x_spectrum)[k];
+      const Complex y = (*y_spectrum)[k];
+      (*x_spectrum)[k] = multiply(block->xx[k], x) + multiply(block->xy[k], y);
+      (*y_spectrum)[k] = multiply(block->xy[k], x) + multiply(block->yy[k], y);
     }
   });
-  fft_.backward(x_, y_, result);
-  for (int j = 0; j < ny_; ++j) {
-    result.x.segment(j * nx_, nx_).array() /= growth_.array();
-    result.y.segment(j * nx_, nx_).array() /= growth_.array();
-  }
+  fft_.backward(*x_spectrum, *y_spectrum, result);
+  over_rows([&](auto row) { row /= growth_.array(); });
   return result;
 }
 

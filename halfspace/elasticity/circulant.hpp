@@ -10,6 +10,8 @@
 
 #include <array>
 #include <complex>
+#include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -64,6 +66,9 @@ inline std::complex<double> multiply(const std::complex<double>& a, const std::c
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
+/// spectrum *= symbol.
+void multiply(const PaddedFft& fft, const Symbol& symbol, PaddedFft::Spectrum& spectrum);
+
 /// Symmetric positive definite approximation of A_nn^-1.
 class NormalCirculant {
  public:
@@ -73,7 +78,6 @@ class NormalCirculant {
  private:
   PaddedFft fft_;
   Symbol inverse_;
-  mutable PaddedFft::Spectrum spectrum_;
 };
 
 /// Approximation of (r T + shift I)^-1, T = D A_tt or A_tt: for D A_tt a circulant of T after
@@ -95,19 +99,16 @@ class TangentialCirculant {
   };
 
   Inverse inverted(double r, double shift) const;
-  const Inverse& inverse(double r, double shift) const;
-
-  /// Blocks of the adhering and of the slipping elements.
-  static constexpr std::size_t most_inverses = 2;
+  std::shared_ptr<const Inverse> inverse(double r, double shift) const;
 
   int nx_;
   int ny_;
   PaddedFft fft_;
   Symbols symbols_;
   std::vector<std::complex<double>> factors_;
-  contact::Field growth_;                  ///< of a column
-  mutable std::vector<Inverse> inverses_;  ///< most recently used last
-  mutable PaddedFft::Spectrum x_, y_;
+  contact::Field growth_;  ///< of a column
+  mutable std::mutex mutex_;
+  mutable std::vector<std::shared_ptr<const Inverse>> inverses_;  ///< most recently used last
 };
 
 }  // namespace rollfem::halfspace

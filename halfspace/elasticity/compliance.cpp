@@ -6,8 +6,10 @@
 #include "halfspace/elasticity/fft.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -25,18 +27,10 @@ namespace {
 using Complex = std::complex<double>;
 using Spectrum = PaddedFft::Spectrum;
 
-/// result += symbol * spectrum.
-void add_product(const Symbol& symbol, const Spectrum& spectrum, Spectrum& result) {
-  for (std::size_t k = 0; k < spectrum.size(); ++k) result[k] += symbol[k] * spectrum[k];
-}
-
-/// result += i * symbol * spectrum: kernels that are odd under (x, y) -> (-x, -y).
-void add_odd_product(const Symbol& symbol, double sign, const Spectrum& spectrum,
-                     Spectrum& result) {
-  for (std::size_t k = 0; k < spectrum.size(); ++k) {
-    const double factor = sign * symbol[k];
-    result[k] += Complex(-factor * spectrum[k].imag(), factor * spectrum[k].real());
-  }
+/// A product of symbol and spectrum at one frequency, for kernels that are odd under (x, y) -> (-x,
+/// -y).
+Complex odd_product(double symbol, const Complex& value) {
+  return {-symbol * value.imag(), symbol * value.real()};
 }
 
 class HalfspaceNormal : public contact::NormalOperator {
@@ -48,9 +42,10 @@ class HalfspaceNormal : public contact::NormalOperator {
   const ContactGrid& grid() const override { return grid_; }
 
   void apply(const Field& pressure, Field& displacement) const override {
-    fft_.forward(pressure, spectrum_);
-    for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= nn_[k];
-    fft_.backward(spectrum_, displacement);
+    const auto spectrum = fft_.spectrum();
+    fft_.forward(pressure, *spectrum);
+    multiply(fft_, nn_, *spectrum);
+    fft_.backward(*spectrum, displacement);
   }
 
   void precondition(const Field& residual, Field& result) const override {
@@ -62,7 +57,6 @@ class HalfspaceNormal : public contact::NormalOperator {
   const PaddedFft& fft_;
   const Symbol& nn_;
   NormalCirculant inverse_;
-  mutable Spectrum spectrum_;
 };
 
 /// T = A_tt or D A_tt. D acts along x only and is exact on the padded plane: a factor per k_x.
@@ -85,32 +79,36 @@ class HalfspaceTangential : public contact::TangentialOperator {
   double layer() const override { return layer_; }
 
   TangentialField apply(const TangentialField& traction) const override {
-    fft_.forward(traction, x_, y_);
+    const auto x = fft_.spectrum(), y = fft_.spectrum();
+    fft_.forward(traction, *x, *y);
     const auto size = static_cast<std::ptrdiff_t>(factors_.size());
     contact::for_each_piece(size, fft_.piece(size), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-      multiply_columns(static_cast<std::size_t>(first), static_cast<std::size_t>(last));
+      multiply_columns(static_cast<std::size_t>(first), static_cast<std::size_t>(last), *x, *y);
     });
     TangentialField result;
-    fft_.backward(x_, y_, result);
+    fft_.backward(*x, *y, result);
     return result;
   }
 
   TangentialField precondition(const TangentialField& residual, double r,
                                double shift) const override {
-    if (!inverse_) inverse_ = std::make_unique<TangentialCirculant>(grid_, quadrant_, difference_);
+    std::call_once(inverse_made_, [this] {
+      inverse_ = std::make_unique<TangentialCirculant>(grid_, quadrant_, difference_);
+    });
     return inverse_->apply(residual, r, shift);
   }
 
  private:
-  void multiply_columns(std::size_t first, std::size_t last) const {
+  void multiply_columns(std::size_t first, std::size_t last, Spectrum& x_spectrum,
+                        Spectrum& y_spectrum) const {
     const std::size_t py = static_cast<std::size_t>(fft_.py());
     for (std::size_t kx = first; kx < last; ++kx) {
       const Complex factor = factors_[kx];
       for (std::size_t k = kx * py; k < (kx + 1) * py; ++k) {
-        const Complex x = x_[k];
-        const Complex y = y_[k];
-        x_[k] = multiply(factor, symbols_.xx[k] * x + symbols_.xy[k] * y);
-        y_[k] = multiply(factor, symbols_.xy[k] * x + symbols_.yy[k] * y);
+        const Complex x = x_spectrum[k];
+        const Complex y = y_spectrum[k];
+        x_spectrum[k] = multiply(factor, symbols_.xx[k] * x + symbols_.xy[k] * y);
+        y_spectrum[k] = multiply(factor, symbols_.xy[k] * x + symbols_.yy[k] * y);
       }
     }
   }
@@ -123,9 +121,8 @@ class HalfspaceTangential : public contact::TangentialOperator {
   double layer_;
   const InfluenceQuadrant& quadrant_;
   Difference difference_;
+  mutable std::once_flag inverse_made_;
   mutable std::unique_ptr<TangentialCirculant> inverse_;  ///< created at first use
-  mutable Spectrum x_;
-  mutable Spectrum y_;
 };
 
 /// Mean diagonal entry of D A_tt (or A_tt): the element's own influence coefficients.
@@ -150,6 +147,7 @@ double mean_diagonal(const ContactGrid& grid, const InfluenceQuadrant& quadrant,
 }  // namespace
 
 /// Symbols are created at first use: a search for the patch needs only the symbol of the pressure.
+/// Whoever asks for them holds the mutex; once created they stay.
 struct HalfspaceCompliance::Implementation {
   ContactGrid grid;
   bool couples;
@@ -158,11 +156,10 @@ struct HalfspaceCompliance::Implementation {
   // images apart and the kernels even.
   PaddedFft fft;
   InfluenceQuadrant quadrant;
+  mutable std::mutex mutex;
   mutable Symbols symbols;
   mutable std::unique_ptr<HalfspaceNormal> normal;
   mutable std::unique_ptr<HalfspaceTangential> tangential[3];
-  mutable Spectrum spectra[3];
-  mutable Spectrum result;
 
   Implementation(const ContactGrid& g, const CombinedMaterial& material)
       : grid(g),
@@ -188,6 +185,7 @@ struct HalfspaceCompliance::Implementation {
   }
 
   const Symbols& all_symbols() const {
+    const std::lock_guard<std::mutex> lock(mutex);
     normal_symbol();
     if (couples) {
       symbol(&Symbols::xn, &Influence::xn);
@@ -197,6 +195,7 @@ struct HalfspaceCompliance::Implementation {
   }
 
   const HalfspaceTangential& tangential_operator(Difference difference) const {
+    const std::lock_guard<std::mutex> lock(mutex);
     auto& kept = tangential[static_cast<int>(difference)];
     if (!kept)
       kept = std::make_unique<HalfspaceTangential>(grid, fft, tangential_symbols(), difference,
@@ -217,36 +216,41 @@ const ContactGrid& HalfspaceCompliance::grid() const {
 
 SurfaceField HalfspaceCompliance::apply(const SurfaceField& traction) const {
   const Implementation& own = *implementation_;
+  const PaddedFft& fft = own.fft;
   const Symbols& symbols = own.all_symbols();
-  Spectrum& x = own.spectra[0];
-  Spectrum& y = own.spectra[1];
-  Spectrum& n = own.spectra[2];
-  own.fft.forward(traction.x, x);
-  own.fft.forward(traction.y, y);
-  own.fft.forward(traction.n, n);
-  const auto component = [&](const Symbol& on_x, const Symbol& on_y, Field& field) {
-    own.result.assign(x.size(), Complex());
-    add_product(on_x, x, own.result);
-    add_product(on_y, y, own.result);
-    if (own.couples)
-      add_odd_product(&on_x == &symbols.xx ? symbols.xn : symbols.yn, 1.0, n, own.result);
-    own.fft.backward(own.result, field);
-  };
+  const auto x_spectrum = fft.spectrum(), y_spectrum = fft.spectrum(), n_spectrum = fft.spectrum();
+  const std::array<const Field*, 3> given{&traction.x, &traction.y, &traction.n};
   SurfaceField displacement;
-  component(symbols.xx, symbols.xy, displacement.x);
-  component(symbols.xy, symbols.yy, displacement.y);
-  own.result.assign(x.size(), Complex());
-  add_product(symbols.nn, n, own.result);
-  if (own.couples) {
-    add_odd_product(symbols.xn, -1.0, x, own.result);
-    add_odd_product(symbols.yn, -1.0, y, own.result);
-  }
-  own.fft.backward(own.result, displacement.n);
+  const std::array<Field*, 3> found{&displacement.x, &displacement.y, &displacement.n};
+  const std::array<Spectrum*, 3> spectra{x_spectrum.get(), y_spectrum.get(), n_spectrum.get()};
+  const auto each = [&](const auto& transform) {
+    contact::for_each_piece(3, fft.piece(3), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      for (auto c = static_cast<std::size_t>(first); c < static_cast<std::size_t>(last); ++c)
+        transform(c);
+    });
+  };
+  each([&](std::size_t c) { fft.forward(*given[c], *spectra[c]); });
+  fft.over_spectrum([&](std::ptrdiff_t first, std::ptrdiff_t last) {
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+      Complex &at_x = (*spectra[0])[k], &at_y = (*spectra[1])[k], &at_n = (*spectra[2])[k];
+      const Complex x = at_x, y = at_y, n = at_n;
+      at_x = symbols.xx[k] * x + symbols.xy[k] * y;
+      at_y = symbols.xy[k] * x + symbols.yy[k] * y;
+      at_n = symbols.nn[k] * n;
+      if (!own.couples) continue;
+      at_x += odd_product(symbols.xn[k], n);
+      at_y += odd_product(symbols.yn[k], n);
+      at_n += odd_product(-symbols.xn[k], x);
+      at_n += odd_product(-symbols.yn[k], y);
+    }
+  });
+  each([&](std::size_t c) { fft.backward(*spectra[c], *found[c]); });
   return displacement;
 }
 
 const contact::NormalOperator& HalfspaceCompliance::normal() const {
   const Implementation& own = *implementation_;
+  const std::lock_guard<std::mutex> lock(own.mutex);
   if (!own.normal)
     own.normal =
         std::make_unique<HalfspaceNormal>(own.grid, own.fft, own.normal_symbol(), own.quadrant);

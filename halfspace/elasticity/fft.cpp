@@ -116,16 +116,18 @@ void pair_up(const double* a, const double* b, int n, int length, double* line) 
   std::fill(line + 2 * n, line + 2 * length, 0.0);
 }
 
-/// Plans of one direction; null until needed.
+/// Plans of one direction, made when needed.
 struct Direction {
+  std::once_flag made;
   Plan rows, columns, last_columns;  ///< of a piece of columns, and of a shorter last one
 
   void have(int px, int py, int piece, int sign) {
-    if (rows) return;
-    const int rest = (px / 2 + 1) % piece;
-    rows = known_plans().of(px, rows_at_once / 2, sign);
-    columns = known_plans().of(py, piece, sign);
-    if (rest > 0) last_columns = known_plans().of(py, rest, sign);
+    std::call_once(made, [&] {
+      const int rest = (px / 2 + 1) % piece;
+      rows = known_plans().of(px, rows_at_once / 2, sign);
+      columns = known_plans().of(py, piece, sign);
+      if (rest > 0) last_columns = known_plans().of(py, rest, sign);
+    });
   }
   const Plan& of(std::ptrdiff_t count, std::ptrdiff_t piece) const {
     return count == piece ? columns : last_columns;
@@ -144,19 +146,12 @@ struct PaddedFft::Plans {
   Direction forward, backward;
 };
 
-/// The columns of the padded field before or after their transform.
-struct PaddedFft::Work {
-  Spectrum columns;
-};
-
 PaddedFft::PaddedFft(int nx, int ny, int px, int py)
     : nx_(nx),
       ny_(ny),
       px_(good_fft_size(px)),
       py_(good_fft_size(py)),
-      plans_(std::make_unique<Plans>()),
-      work_(std::make_unique<Work>()),
-      other_(std::make_unique<Work>()) {}
+      plans_(std::make_unique<Plans>()) {}
 
 PaddedFft::~PaddedFft() = default;
 
@@ -168,30 +163,23 @@ std::ptrdiff_t PaddedFft::piece(std::ptrdiff_t size, std::ptrdiff_t of) const {
   return ((size + most_pieces - 1) / most_pieces + of - 1) / of * of;
 }
 
-void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum) const {
-  plans_->forward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_FORWARD);
-  forward(field, spectrum, *work_);
-}
-
-void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field) const {
-  plans_->backward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_BACKWARD);
-  backward(spectrum, field, *work_);
+void PaddedFft::over_spectrum(
+    const std::function<void(std::ptrdiff_t first, std::ptrdiff_t last)>& work) const {
+  contact::for_each_piece(spectrum_size(), piece(spectrum_size()), work);
 }
 
 void PaddedFft::forward(const contact::TangentialField& field, Spectrum& x, Spectrum& y) const {
-  plans_->forward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_FORWARD);
   contact::for_each_piece(2, piece(2), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-    if (first == 0) forward(field.x, x, *work_);
-    if (last == 2) forward(field.y, y, *other_);
+    if (first == 0) forward(field.x, x);
+    if (last == 2) forward(field.y, y);
   });
 }
 
 void PaddedFft::backward(const Spectrum& x, const Spectrum& y,
                          contact::TangentialField& field) const {
-  plans_->backward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_BACKWARD);
   contact::for_each_piece(2, piece(2), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-    if (first == 0) backward(x, field.x, *work_);
-    if (last == 2) backward(y, field.y, *other_);
+    if (first == 0) backward(x, field.x);
+    if (last == 2) backward(y, field.y);
   });
 }
 
@@ -251,31 +239,35 @@ void PaddedFft::rows_backward(const Spectrum& columns, std::ptrdiff_t first, std
   }
 }
 
-void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum, Work& work) const {
-  spectrum.resize(static_cast<std::size_t>(spectrum_size()));
-  work.columns.resize(spectrum.size());
-  contact::for_each_piece(ny_, piece(ny_, rows_at_once), [&](std::ptrdiff_t first, auto last) {
-    rows_forward(field, first, last, work.columns);
-  });
+void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum) const {
   const std::ptrdiff_t some = piece(frequencies_x());
+  plans_->forward.have(px_, py_, static_cast<int>(some), FFTW_FORWARD);
+  spectrum.resize(static_cast<std::size_t>(spectrum_size()));
+  const auto columns = spectra_.take();
+  columns->resize(spectrum.size());
+  contact::for_each_piece(ny_, piece(ny_, rows_at_once), [&](std::ptrdiff_t first, auto last) {
+    rows_forward(field, first, last, *columns);
+  });
   contact::for_each_piece(frequencies_x(), some, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
     for (std::ptrdiff_t k = first; k < last; ++k)
-      std::fill(work.columns.data() + k * py_ + ny_, work.columns.data() + (k + 1) * py_, 0.0);
-    execute(plans_->forward.of(last - first, some), work.columns.data() + first * py_,
+      std::fill(columns->data() + k * py_ + ny_, columns->data() + (k + 1) * py_, 0.0);
+    execute(plans_->forward.of(last - first, some), columns->data() + first * py_,
             spectrum.data() + first * py_);
   });
 }
 
-void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field, Work& work) const {
-  work.columns.resize(static_cast<std::size_t>(spectrum_size()));
-  field.resize(static_cast<Eigen::Index>(nx_) * ny_);
+void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field) const {
   const std::ptrdiff_t some = piece(frequencies_x());
+  plans_->backward.have(px_, py_, static_cast<int>(some), FFTW_BACKWARD);
+  const auto columns = spectra_.take();
+  columns->resize(static_cast<std::size_t>(spectrum_size()));
+  field.resize(static_cast<Eigen::Index>(nx_) * ny_);
   contact::for_each_piece(frequencies_x(), some, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
     execute(plans_->backward.of(last - first, some), spectrum.data() + first * py_,
-            work.columns.data() + first * py_);
+            columns->data() + first * py_);
   });
   contact::for_each_piece(ny_, piece(ny_, rows_at_once), [&](std::ptrdiff_t first, auto last) {
-    rows_backward(work.columns, first, last, field);
+    rows_backward(*columns, first, last, field);
   });
 }
 

@@ -5,11 +5,13 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "halfspace/elasticity/work_pool.hpp"
 
 #include <boost/align/aligned_allocator.hpp>
 
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,8 +22,8 @@ int good_fft_size(int n);
 
 /// Transforms between a field of nx by ny values and the spectrum of the padded field. The
 /// transform of a real field is stored for the frequencies kx = 0 .. px/2, index kx * py + ky.
-/// forward() and backward() are const but share work space: one caller at a time per object. Large
-/// transforms are cut into pieces for several threads.
+/// Several threads may use an object at once. Large transforms are cut into pieces for several
+/// threads.
 class PaddedFft {
  public:
   /// Aligned for FFTW, so that spectra are transformed without copies.
@@ -39,6 +41,9 @@ class PaddedFft {
   int frequencies_x() const { return px_ / 2 + 1; }
   int spectrum_size() const { return frequencies_x() * py_; }
 
+  /// A spectrum to work in, the caller's own until it goes out of scope.
+  auto spectrum() const { return spectra_.take(); }
+
   void forward(const contact::Field& field, Spectrum& spectrum) const;
   /// The nx by ny window of the inverse transform, normalised.
   void backward(const Spectrum& spectrum, contact::Field& field) const;
@@ -50,12 +55,12 @@ class PaddedFft {
   /// The pieces in which work on `size` things should go to threads, `of` at a time at least: all
   /// at once where a transform is too short for that. Depends on the sizes alone.
   std::ptrdiff_t piece(std::ptrdiff_t size, std::ptrdiff_t of = 1) const;
+  /// Pieces of the indices of a spectrum.
+  void over_spectrum(
+      const std::function<void(std::ptrdiff_t first, std::ptrdiff_t last)>& work) const;
 
  private:
   struct Plans;
-  struct Work;
-  void forward(const contact::Field& field, Spectrum& spectrum, Work& work) const;
-  void backward(const Spectrum& spectrum, contact::Field& field, Work& work) const;
   void rows_forward(const contact::Field& field, std::ptrdiff_t first, std::ptrdiff_t last,
                     Spectrum& columns) const;
   void rows_backward(const Spectrum& columns, std::ptrdiff_t first, std::ptrdiff_t last,
@@ -66,7 +71,7 @@ class PaddedFft {
   int px_;
   int py_;
   std::unique_ptr<Plans> plans_;
-  std::unique_ptr<Work> work_, other_;  ///< of each component
+  mutable WorkPool<Spectrum> spectra_;
 };
 
 }  // namespace rollfem::halfspace

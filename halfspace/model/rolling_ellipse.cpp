@@ -3,8 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
-#include "contact/base/threads.hpp"
-#include "contact/solve/contact_run.hpp"
+#include "contact/solve/side_by_side.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
@@ -59,10 +58,9 @@ LevelResult solve_level(const Scene& scene, const ContactGrid& grid, const Level
   contact::RunOptions options;
   options.accuracy.tangential = tolerance;
   options.coarser = coarser;
-  const contact::Progress silent;
-  contact::ContactRun run(scene, geometry, options, silent, nullptr);
-  run.solve(grid, [&] { return halfspace_elasticity(scene, geometry, grid); });
-  return run.take_result();
+  options.independent = true;
+  const auto make = [&] { return halfspace_elasticity(scene, geometry, grid); };
+  return contact::solve_points(scene, geometry, options, {}, nullptr, grid, make).value();
 }
 
 ScaledForces forces_of(const contact::PointResult& point) {
@@ -148,7 +146,6 @@ std::vector<EllipseForces> roll_ellipse(const EllipseShape& shape,
                                         const EllipseAccuracy& accuracy) {
   check(shape, creepages, accuracy);
   if (creepages.empty()) return {};
-  const contact::Threads alone(1);
   return contact::at_place(fmt::format("table, axis ratio {:g}: ", shape.axis_ratio), [&] {
     return all_levels(shape, scaled_scene(shape, creepages), accuracy);
   });

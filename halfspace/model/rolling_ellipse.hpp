@@ -48,7 +48,7 @@ struct EllipseAccuracy {
   int most_across = 80;  ///< largest grid: 20, 40, 80 or 160
 };
 
-/// Forces at all creepages, in their order, on one thread. Throws contact::InputError for shapes
+/// Forces at all creepages, in their order. Throws contact::InputError for shapes
 /// and creepages out of range, contact::SolveError where one does not converge.
 std::vector<EllipseForces> roll_ellipse(const EllipseShape& shape,
                                         const std::vector<ScaledCreepage>& creepages,

@@ -2,6 +2,7 @@
 #include "models/choice/choice.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/result/quantities.hpp"
 
 #include <fmt/format.h>
@@ -72,51 +73,92 @@ class Choice {
     return count == 1 ? "1 contact" : fmt::format("{} contacts", count);
   }
 
-  /// Solves the plan as far as nothing fails. False: the limit has passed by the clock, and there
-  /// is a solution of every contact.
+  /// What a model found on one contact; neither result nor error: not tried.
+  struct Outcome {
+    std::optional<ModelResult> result;
+    std::exception_ptr error;
+    double seconds = 0.0;
+  };
+
+  /// Solves the plan: by a model on one thread all contacts side by side, by others one after the
+  /// other as far as nothing fails. False: the limit has passed by the clock, and there is a
+  /// solution of every contact.
   bool solve(const Plan& plan) {
     const bool complete = answer(forecasts_).has_value();
-    for (std::size_t c = 0; c < subjects_.size(); ++c) {
-      if (forecasts_[c][plan.model].levels[plan.levels[c]].reached) continue;
-      if (complete && elapsed_ > wanted_.seconds) return false;
-      if (!attempt(c, plan.model, plan.levels[c])) break;
+    std::vector<std::size_t> open;
+    for (std::size_t c = 0; c < subjects_.size(); ++c)
+      if (!forecasts_[c][plan.model].levels[plan.levels[c]].reached) open.push_back(c);
+    // Several processes agree on the time of every contact.
+    const bool beside = forecasts_.front()[plan.model].on_one_thread && !wanted_.agree;
+    std::vector<Outcome> outcomes(open.size());
+    const contact::Stopwatch watch;
+    const double before = elapsed_;
+    if (beside)
+      contact::for_each_index(open.size(), [&](std::size_t i) {
+        if (!complete || before + watch.seconds() <= wanted_.seconds)
+          outcomes[i] = outcome_of(open[i], plan);
+      });
+    const double together = watch.seconds();
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (!beside && (!complete || elapsed_ <= wanted_.seconds))
+        outcomes[i] = outcome_of(open[i], plan);
+      if (!outcomes[i].result && !outcomes[i].error) return false;
+      if (!take(open[i], plan, std::move(outcomes[i])) && !beside) break;
     }
+    if (beside) elapsed_ = before + together;
     return true;
   }
 
-  /// False: it failed.
-  bool attempt(std::size_t c, std::size_t m, std::size_t at) {
-    const Level level = forecasts_[c][m].levels[at];
-    predicted_ += level.seconds;
+  Outcome outcome_of(std::size_t c, const Plan& plan) const {
+    const Forecast& forecast = forecasts_[c][plan.model];
+    Outcome outcome;
     const contact::Stopwatch watch;
     try {
-      ModelResult result = subjects_[c].solve(forecasts_[c][m], level.across);
-      judge(c, m, at, watch.seconds(), std::move(result));
+      outcome.result = subjects_[c].solve(forecast, forecast.levels[plan.levels[c]].across);
+    } catch (const contact::Failure& error) {
+      if (!wanted_.go_on) std::rethrow_exception(told_of(c, forecast, error));
+      outcome.error = std::current_exception();
+    }
+    outcome.seconds = watch.seconds();
+    return outcome;
+  }
+
+  /// While an exception is handled.
+  std::exception_ptr told_of(std::size_t c, const Forecast& forecast,
+                             const contact::Failure& error) const {
+    if (error.cause() == contact::Failure::Cause::input) return std::current_exception();
+    return error.retold(
+        fmt::format("{}model {}: {}", subjects_[c].name, forecast.model, error.what()));
+  }
+
+  /// False: it failed.
+  bool take(std::size_t c, const Plan& plan, Outcome outcome) {
+    const std::size_t m = plan.model, at = plan.levels[c];
+    predicted_ += forecasts_[c][m].levels[at].seconds;
+    if (outcome.result) {
+      judge(c, m, at, outcome.seconds, *std::move(outcome.result));
       return true;
+    }
+    try {
+      std::rethrow_exception(outcome.error);
     } catch (const contact::Failure& error) {
       failed(c, m, at, error);
     }
-    elapsed_ += watch.seconds();
+    elapsed_ += outcome.seconds;
     return false;
   }
 
-  /// While an exception is handled. Keeps the first failure or throws it, and leaves out the grid,
-  /// or all grids of the model that are not solved.
+  /// While an exception is handled. Keeps the first failure, and leaves out the grid, or all grids
+  /// of the model that are not solved.
   void failed(std::size_t c, std::size_t m, std::size_t at, const contact::Failure& error) {
     using Cause = contact::Failure::Cause;
     Forecast& forecast = forecasts_[c][m];
-    const std::exception_ptr told =
-        error.cause() == Cause::input
-            ? std::current_exception()
-            : error.retold(
-                  fmt::format("{}model {}: {}", subjects_[c].name, forecast.model, error.what()));
-    if (!wanted_.go_on) std::rethrow_exception(told);
     bool only_grid = error.cause() == Cause::grid;
     if (error.cause() == Cause::solution) {  // another grid may have a solution: retry once
       only_grid = !failed_once_[c][m];
       failed_once_[c][m] = true;
     }
-    if (!failure_) failure_ = told;
+    if (!failure_) failure_ = told_of(c, forecast, error);
     std::vector<Level> left;
     for (std::size_t k = 0; k < forecast.levels.size(); ++k)
       if (forecast.levels[k].reached || (only_grid && k != at)) left.push_back(forecast.levels[k]);

@@ -35,6 +35,7 @@ struct Forecast {
   std::string corrects = {};
   double uncertain_part = 0.0;
   double once = 0.0;                   ///< s, spent only on the first grid
+  bool on_one_thread = false;          ///< contacts may be solved side by side
   bool estimates_model_error = false;  ///< in its results; one that is missing is then unknown
   std::string no_model_error = {};     ///< why its model error cannot be known; otherwise empty
 

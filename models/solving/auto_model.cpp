@@ -2,6 +2,7 @@
 #include "models/solving/auto_model.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
@@ -228,6 +229,7 @@ std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& mode
     if (model.choosable == Choosable::never) continue;
     Forecast& forecast = all.emplace_back(forecast_as(model.choosable, size));
     forecast.model = model.name;
+    forecast.on_one_thread = !model.parallel;
     if (model.choosable == Choosable::half_spaces) {
       half_spaces = model.name;
       forecast.estimates_model_error = bodies_known(scene);
@@ -244,14 +246,14 @@ std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& mode
 
 Contacts forecasts_here(const std::vector<Scene>& scenes, const ModelRegistry& models) {
   const std::optional<MachineSpeed> speed = machine_speed();
-  Contacts contacts;
-  for (const Scene& scene : scenes) {
-    contacts.push_back(forecasts_of(scene, models));
-    for (Forecast& forecast : contacts.back()) {
+  Contacts contacts(scenes.size());
+  contact::for_each_index(scenes.size(), [&](std::size_t c) {
+    contacts[c] = forecasts_of(scenes[c], models);
+    for (Forecast& forecast : contacts[c]) {
       forecast.once *= speed ? speed->times : 1.0;
       for (Level& level : forecast.levels) level.seconds *= speed ? speed->times : 1.0;
     }
-  }
+  });
   return contacts;
 }
 

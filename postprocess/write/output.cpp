@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/output.hpp"
 
+#include "contact/base/threads.hpp"
 #include "contact/case/case_reader.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "postprocess/write/csv.hpp"
@@ -9,47 +10,59 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
+#include <vector>
 
 namespace rollfem::postprocess {
 namespace {
 
+/// Files that are independent of each other: compressing them takes long.
+using Jobs = std::vector<std::function<void()>>;
+
 /// Writes the contact surface of every load point that stores it, their series, and the last one
 /// under a separate name.
 void write_contact(ResultFolder& folder, const contact::ModelResult& model,
-                   const contact::OutputOptions& wanted) {
-  const std::string stem = model.key() + "_contact";
+                   const contact::OutputOptions& wanted, Jobs& jobs) {
+  const std::string stem = "fields/" + model.key() + "_contact";
   const std::vector<double> all = series_times(model.points);
   std::vector<double> times;
   std::vector<std::vector<std::string>> files;
-  std::string content;
+  std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < model.points.size(); ++k) {
     if (model.points[k].fields.traction.n.size() == 0) continue;
     if (!wanted.keeps_grid(k, model.points.size())) continue;
-    files.push_back({fmt::format("{}_{:04}.vtu", stem, k)});
+    files.push_back({fmt::format("{}_contact_{:04}.vtu", model.key(), k)});
     times.push_back(all[k]);
-    content = contact_vtu(model.grid, model.points[k]);
-    folder.write("fields/" + files.back().front(), content);
+    kept.push_back(k);
   }
-  if (files.empty()) return;
-  folder.write("fields/" + stem + ".vtu", content);
-  folder.write("fields/" + stem + ".pvd", series_pvd(times, files));
+  if (kept.empty()) return;
+  for (const std::size_t k : kept)
+    jobs.emplace_back([&folder, &model, stem, k, last = kept.back()] {
+      const std::string content = contact_vtu(model.grid, model.points[k]);
+      folder.write(fmt::format("{}_{:04}.vtu", stem, k), content);
+      if (k == last) folder.write(stem + ".vtu", content);
+    });
+  folder.write(stem + ".pvd", series_pvd(times, files));
 }
 
 /// The same for wheel and rail of every load point that stores them.
-void write_body_files(ResultFolder& folder, const contact::ModelResult& model) {
+void write_body_files(ResultFolder& folder, const contact::ModelResult& model, Jobs& jobs) {
   const std::vector<std::size_t> kept = model.points_with_bodies();
   if (kept.empty()) return;
   std::vector<std::vector<std::string>> files(kept.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const std::string stem = model.key() + "_" + model.bodies[b].name;
-    const BodyVtu body(model.bodies[b]);
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-      const std::string content = body.text(&model.points[kept[k]].bodies[b]);
+    for (std::size_t k = 0; k < kept.size(); ++k)
       files[k].push_back(fmt::format("{}_{:04}.vtu", stem, kept[k]));
-      folder.write("fields/" + files[k].back(), content);
-      if (k + 1 == kept.size()) folder.write("fields/" + stem + ".vtu", content);
-    }
+    jobs.emplace_back([&folder, &model, kept, b, stem = "fields/" + stem] {
+      const BodyVtu body(model.bodies[b]);
+      for (const std::size_t k : kept) {
+        const std::string content = body.text(&model.points[k].bodies[b]);
+        folder.write(fmt::format("{}_{:04}.vtu", stem, k), content);
+        if (k == kept.back()) folder.write(stem + ".vtu", content);
+      }
+    });
   }
   const std::vector<double> all = series_times(model.points);
   std::vector<double> times;
@@ -79,12 +92,13 @@ void write_results(const std::string& directory, const RunRecord& run) {
       {"patches.csv", patches_csv(run)}};
   for (const auto& [name, text] : tables)
     if (!text.empty()) folder.write(name, text);
+  Jobs jobs{[&] { folder.write("results.h5", results_hdf5(run)); }};
   if (run.input.output.fields)
     for (const contact::ModelResult& model : run.models) {
-      write_contact(folder, model, run.input.output);
-      write_body_files(folder, model);
+      write_contact(folder, model, run.input.output, jobs);
+      write_body_files(folder, model, jobs);
     }
-  folder.write("results.h5", results_hdf5(run));
+  contact::for_each_index(jobs.size(), [&](std::size_t k) { jobs[k](); });
   folder.commit();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/vtu.hpp"
 
+#include "contact/base/threads.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/point_table.hpp"
 
@@ -61,9 +62,11 @@ std::string encode(std::string_view bytes) {
   constexpr std::size_t block = 1U << 18U;
   const std::size_t blocks = (bytes.size() + block - 1) / block;
   std::vector<std::uint64_t> sizes{blocks, block, bytes.size() % block};
+  std::vector<std::string> parts(blocks);
+  contact::for_each_index(
+      blocks, [&](std::size_t k) { parts[k] = deflate(bytes.substr(k * block, block)); });
   std::string packed;
-  for (std::size_t start = 0; start < bytes.size(); start += block) {
-    const std::string one = deflate(bytes.substr(start, block));
+  for (const std::string& one : parts) {
     sizes.push_back(one.size());
     packed += one;
   }

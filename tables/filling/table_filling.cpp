@@ -58,7 +58,7 @@ std::vector<Scaled> creepages_of(const CreepTable& table, const TablePart& part)
   return creepages;
 }
 
-/// A list of points, cut into parts of at most halfspace::longest_chain. No part crosses the border
+/// A list of points, cut into parts of at most 64. No part crosses the border
 /// between consecutive groups of `of_a_group` points. The division does not depend on resumed
 /// parts, so that results are identical to the last bit.
 struct TableParts {

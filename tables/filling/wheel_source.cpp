@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "tables/filling/table_filling.hpp"
 #include "tables/filling/table_source.hpp"
 #include "track/balance/pressed_wheel.hpp"
@@ -9,7 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace rollfem::tables {
 
@@ -59,10 +63,18 @@ class WheelSource : public TableSource {
     event.stage = "contacts of the shifts";
     const std::size_t count = table.loads() * shifts_;
     event.points = static_cast<int>(count);
-    for (std::size_t k = 0; k < count; ++k) {
+    contact::report(progress, event);
+    std::vector<std::optional<PressedWheel>> found(count);
+    std::mutex telling;
+    contact::for_each_index(count, [&](std::size_t k) {
+      found[k] = pressed(
+          {table.lateral_shift[k % shifts_], table.load.empty() ? 0.0 : table.load[k / shifts_]});
+      const std::lock_guard<std::mutex> one_at_a_time(telling);
+      ++event.point;
       contact::report(progress, event);
-      wheels_.push_back(pressed(
-          {table.lateral_shift[k % shifts_], table.load.empty() ? 0.0 : table.load[k / shifts_]}));
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+      wheels_.push_back(*std::move(found[k]));
       table.wheels.push_back(wheel_of(wheels_.back().state()));
       const TableWheel& wheel = table.wheels.back();
       table.scale.push_back(
@@ -70,7 +82,6 @@ class WheelSource : public TableSource {
       units_.push_back(units_of(wheel, table.scale.back()));
       if (k % shifts_ > 0 && contact_jumps(table.wheels[k - 1], wheel))
         table.wheels[k - 1].jump_after = 1.0;
-      ++event.point;
     }
     event.finished = true;
     contact::report(progress, event);

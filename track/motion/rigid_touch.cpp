@@ -2,9 +2,11 @@
 #include "track/motion/rigid_touch.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "track/motion/wheelset_motion.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -40,13 +42,19 @@ std::vector<RigidWheelset> rigid_touches(const contact::Case& input, const Searc
   moved.wheelset.yaw.assign(lateral_shifts.size(), 0.0);
   if (!input.wheelset.roll.empty())
     moved.wheelset.roll.assign(lateral_shifts.size(), input.wheelset.roll.front());
-  std::vector<RigidWheelset> touches;
-  for (std::size_t k = 0; k < lateral_shifts.size(); ++k) {
-    auto touch = contact::attempt([&] { return touching(moved, search, static_cast<int>(k) + 1); });
-    if (!touch && touches.empty()) std::rethrow_exception(touch.failure);
-    if (!touch) break;
-    touches.push_back(*touch);
-  }
+  std::vector<RigidWheelset> touches(lateral_shifts.size());
+  std::atomic<std::size_t> count{touches.size()};  // before the first that does not touch
+  contact::for_each_index(touches.size(), [&](std::size_t k) {
+    if (k > count) return;
+    try {
+      touches[k] = touching(moved, search, static_cast<int>(k) + 1);
+    } catch (const contact::Failure&) {
+      if (k == 0) throw;
+      for (std::size_t before = count; k < before && !count.compare_exchange_weak(before, k);) {
+      }
+    }
+  });
+  touches.resize(count);
   return touches;
 }
 
