@@ -6,7 +6,6 @@
 #include "contact/base/threads.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <utility>
@@ -83,7 +82,6 @@ LevelResult put_together(std::vector<Part>& parts, std::size_t count) {
 /// Threads for a grid: each has its own elasticity and fields, and all together must fit into
 /// memory.
 std::size_t threads_for(const ContactGrid& grid) {
-  constexpr double bytes_per_element = 1300.0;  // as measured for one (halfspace/model)
   constexpr double worth_a_look = 50e6;
   const double of_a_thread = bytes_per_element * grid.size();
   const auto all = static_cast<std::size_t>(threads());
