@@ -144,12 +144,19 @@ struct PaddedFft::Plans {
   Direction forward, backward;
 };
 
+/// The columns of the padded field before or after their transform.
+struct PaddedFft::Work {
+  Spectrum columns;
+};
+
 PaddedFft::PaddedFft(int nx, int ny, int px, int py)
     : nx_(nx),
       ny_(ny),
       px_(good_fft_size(px)),
       py_(good_fft_size(py)),
-      plans_(std::make_unique<Plans>()) {}
+      plans_(std::make_unique<Plans>()),
+      work_(std::make_unique<Work>()),
+      other_(std::make_unique<Work>()) {}
 
 PaddedFft::~PaddedFft() = default;
 
@@ -163,19 +170,19 @@ std::ptrdiff_t PaddedFft::piece(std::ptrdiff_t size, std::ptrdiff_t of) const {
 
 void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum) const {
   plans_->forward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_FORWARD);
-  forward(field, spectrum, columns_);
+  forward(field, spectrum, *work_);
 }
 
 void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field) const {
   plans_->backward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_BACKWARD);
-  backward(spectrum, field, columns_);
+  backward(spectrum, field, *work_);
 }
 
 void PaddedFft::forward(const contact::TangentialField& field, Spectrum& x, Spectrum& y) const {
   plans_->forward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_FORWARD);
   contact::for_each_piece(2, piece(2), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-    if (first == 0) forward(field.x, x, columns_);
-    if (last == 2) forward(field.y, y, other_columns_);
+    if (first == 0) forward(field.x, x, *work_);
+    if (last == 2) forward(field.y, y, *other_);
   });
 }
 
@@ -183,8 +190,8 @@ void PaddedFft::backward(const Spectrum& x, const Spectrum& y,
                          contact::TangentialField& field) const {
   plans_->backward.have(px_, py_, static_cast<int>(piece(frequencies_x())), FFTW_BACKWARD);
   contact::for_each_piece(2, piece(2), [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-    if (first == 0) backward(x, field.x, columns_);
-    if (last == 2) backward(y, field.y, other_columns_);
+    if (first == 0) backward(x, field.x, *work_);
+    if (last == 2) backward(y, field.y, *other_);
   });
 }
 
@@ -244,31 +251,31 @@ void PaddedFft::rows_backward(const Spectrum& columns, std::ptrdiff_t first, std
   }
 }
 
-void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum, Spectrum& columns) const {
+void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum, Work& work) const {
   spectrum.resize(static_cast<std::size_t>(spectrum_size()));
-  columns.resize(spectrum.size());
+  work.columns.resize(spectrum.size());
   contact::for_each_piece(ny_, piece(ny_, rows_at_once), [&](std::ptrdiff_t first, auto last) {
-    rows_forward(field, first, last, columns);
+    rows_forward(field, first, last, work.columns);
   });
   const std::ptrdiff_t some = piece(frequencies_x());
   contact::for_each_piece(frequencies_x(), some, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
     for (std::ptrdiff_t k = first; k < last; ++k)
-      std::fill(columns.data() + k * py_ + ny_, columns.data() + (k + 1) * py_, 0.0);
-    execute(plans_->forward.of(last - first, some), columns.data() + first * py_,
+      std::fill(work.columns.data() + k * py_ + ny_, work.columns.data() + (k + 1) * py_, 0.0);
+    execute(plans_->forward.of(last - first, some), work.columns.data() + first * py_,
             spectrum.data() + first * py_);
   });
 }
 
-void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field, Spectrum& columns) const {
-  columns.resize(static_cast<std::size_t>(spectrum_size()));
+void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field, Work& work) const {
+  work.columns.resize(static_cast<std::size_t>(spectrum_size()));
   field.resize(static_cast<Eigen::Index>(nx_) * ny_);
   const std::ptrdiff_t some = piece(frequencies_x());
   contact::for_each_piece(frequencies_x(), some, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
     execute(plans_->backward.of(last - first, some), spectrum.data() + first * py_,
-            columns.data() + first * py_);
+            work.columns.data() + first * py_);
   });
   contact::for_each_piece(ny_, piece(ny_, rows_at_once), [&](std::ptrdiff_t first, auto last) {
-    rows_backward(columns, first, last, field);
+    rows_backward(work.columns, first, last, field);
   });
 }
 

@@ -53,8 +53,9 @@ class PaddedFft {
 
  private:
   struct Plans;
-  void forward(const contact::Field& field, Spectrum& spectrum, Spectrum& columns) const;
-  void backward(const Spectrum& spectrum, contact::Field& field, Spectrum& columns) const;
+  struct Work;
+  void forward(const contact::Field& field, Spectrum& spectrum, Work& work) const;
+  void backward(const Spectrum& spectrum, contact::Field& field, Work& work) const;
   void rows_forward(const contact::Field& field, std::ptrdiff_t first, std::ptrdiff_t last,
                     Spectrum& columns) const;
   void rows_backward(const Spectrum& columns, std::ptrdiff_t first, std::ptrdiff_t last,
@@ -65,8 +66,7 @@ class PaddedFft {
   int px_;
   int py_;
   std::unique_ptr<Plans> plans_;
-  /// The columns of the padded field before or after their transform, of each component.
-  mutable Spectrum columns_, other_columns_;
+  std::unique_ptr<Work> work_, other_;  ///< of each component
 };
 
 }  // namespace rollfem::halfspace

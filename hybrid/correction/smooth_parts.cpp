@@ -79,9 +79,9 @@ std::unique_ptr<LinearSolver> make_solver(const Body& body) {
 }
 
 /// One body under tractions on the contact grid.
-class SolvedBody {
+class LoadedBody {
  public:
-  SolvedBody(const Scene& scene, const Body& body, const ContactGrid& grid, bool flat)
+  LoadedBody(const Scene& scene, const Body& body, const ContactGrid& grid, bool flat)
       : solver_(make_solver(body)),
         coupling_(body, grid, scene.geometry.surface),
         shape_(contact::patch_shape(scene.geometry.surface, grid)),
@@ -227,8 +227,8 @@ struct Pair {
 
   const Body& body;
   Body twin;
-  SolvedBody loaded;
-  SolvedBody flat;
+  LoadedBody loaded;
+  LoadedBody flat;
 };
 
 /// Coefficients of body less twin, one column for each traction.
