@@ -91,7 +91,7 @@ std::vector<SubsurfaceState> half_space_at(const halfspace::LoadedBody& body,
 
 }  // namespace
 
-struct Stresses::LoadedBody {
+struct Stresses::CorrectedBody {
   halfspace::LoadedBody half;
   std::optional<SmoothStressOnGrid> beyond;  ///< none: a half-space
 
@@ -101,8 +101,8 @@ struct Stresses::LoadedBody {
 };
 
 struct Stresses::Bodies {
-  LoadedBody wheel, rail;
-  const LoadedBody& of(bool is_wheel) const { return is_wheel ? wheel : rail; }
+  CorrectedBody wheel, rail;
+  const CorrectedBody& of(bool is_wheel) const { return is_wheel ? wheel : rail; }
 };
 
 struct Stresses::Lists {
@@ -156,7 +156,7 @@ Stresses::Lists Stresses::lists(const SubsurfaceRequest& request, std::size_t nu
 Stresses::Bodies Stresses::bodies(const contact::ContactGrid& grid,
                                   const contact::SurfaceField& traction) const {
   const auto body = [&](Body which, const contact::Material& material,
-                        const halfspace::SmoothDepthMap& map) -> LoadedBody {
+                        const halfspace::SmoothDepthMap& map) -> CorrectedBody {
     return {{which, material, grid, traction}, beyond_of(map, grid, traction)};
   };
   return {body(Body::wheel, scene_.wheel.material, parts_.wheel_below),
@@ -164,7 +164,7 @@ Stresses::Bodies Stresses::bodies(const contact::ContactGrid& grid,
 }
 
 SubsurfaceField Stresses::field(const SubsurfaceRequest& request, std::size_t number,
-                                const LoadedBody& body) const {
+                                const CorrectedBody& body) const {
   Lists asked = lists(request, number);
   SubsurfaceField field;
   field.request = request;

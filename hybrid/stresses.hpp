@@ -36,12 +36,12 @@ class Stresses {
  private:
   struct Lists;
   Lists lists(const contact::SubsurfaceRequest& request, std::size_t number) const;
-  struct LoadedBody;
+  struct CorrectedBody;
   struct Bodies;
   /// Under the tractions of a load point.
   Bodies bodies(const contact::ContactGrid& grid, const contact::SurfaceField& traction) const;
   contact::SubsurfaceField field(const contact::SubsurfaceRequest& request, std::size_t number,
-                                 const LoadedBody& body) const;
+                                 const CorrectedBody& body) const;
 
   const contact::Scene& scene_;
   const halfspace::SmoothParts& parts_;

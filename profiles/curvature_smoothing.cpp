@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contact/base/pi.hpp"
 #include "profiles/banded.hpp"
 #include "profiles/smoothing_spline.hpp"
 
@@ -33,7 +34,7 @@ Polygon polygon_of(const PointRow& row) {
     const double dy = row.y[k + 1] - row.y[k], dz = row.z[k + 1] - row.z[k];
     result.step[k] = std::hypot(dy, dz);
     angle[k] = std::atan2(dz, dy);
-    if (k > 0) angle[k] = angle[k - 1] + std::remainder(angle[k] - angle[k - 1], 2.0 * M_PI);
+    if (k > 0) angle[k] = angle[k - 1] + std::remainder(angle[k] - angle[k - 1], 2.0 * contact::pi);
   }
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t j = std::clamp<std::size_t>(k, 1, n - 2);

@@ -62,7 +62,6 @@ void add_quiet_flags(CLI::App& program) {
 }
 
 void add_threads_option(CLI::App& program, Call& call) {
-  constexpr int most = 1024;
   const auto use = [&call](int number) { call.threads.emplace(number); };
   for (const char* name :
        {"run", "compare", "study", "bench", "table", "stress", "mesh", "wheelset", "check"})
@@ -71,7 +70,7 @@ void add_threads_option(CLI::App& program, Call& call) {
                                    "threads that compute; default: all cores that affinity, "
                                    "control groups and OMP_NUM_THREADS allow. Results are the same "
                                    "for any number")
-        ->check(CLI::Range(1, most))
+        ->check(CLI::Range(1, contact::most_threads))
         ->type_name("N");
 }
 

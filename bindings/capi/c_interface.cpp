@@ -54,12 +54,11 @@ const contact::FallShape& shape_of(rollfem_law law) {
 }
 
 int threads_of(const rollfem_definition& given) {
-  constexpr int most = 1024;
-  if (given.threads < 0 || given.threads > most)
+  if (given.threads < 0 || given.threads > contact::most_threads)
     throw contact::InputError(
         fmt::format("threads = {}: is out of range; allowed: 0 to {}; do: write 0 for the caller's "
                     "thread alone",
-                    given.threads, most));
+                    given.threads, contact::most_threads));
   return given.threads;
 }
 

@@ -145,7 +145,7 @@ bool QuickPatch::is_one_region() const {
 
 bool QuickPatch::solve_friction(const contact::Friction& friction, bool anew, bool keeps_weights) {
   static const contact::TangentialField none;
-  if (!keeps_weights) contact::set_upwind_weights(grid_, pressure_, weights_);
+  if (!keeps_weights) contact::set_upwind_weights(grid_, pressure_, runs_, weights_);
   if (!rolling_.set(table_, pressure_, weights_, layer_ / grid_.dx)) return false;
   if (!friction) return true;
   contact::TangentialOptions options;

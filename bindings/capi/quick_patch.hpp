@@ -5,6 +5,7 @@
 
 #include "bindings/capi/peak_pressure.hpp"
 #include "contact/iteration/friction_newton.hpp"
+#include "contact/iteration/leading_edge.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/result.hpp"
 #include "contact/scene/friction_law.hpp"
@@ -91,7 +92,9 @@ class QuickPatch {
   /// Angle between the normals of the first and the last row under pressure, rad.
   double turn() const { return turn_of(*geometry_, grid_, pressure_); }
   /// Measures the patch under the present pressure.
-  const contact::PatchSize& measure() { return size_ = contact::patch_size(grid_, pressure_); }
+  const contact::PatchSize& measure() {
+    return size_ = contact::patch_size(grid_, pressure_, lines_);
+  }
 
   /// Solves for the tractions under the present pressure, starting from the present tractions or,
   /// with `anew`, from full adhesion; `keeps_weights`: keeps the weights at the leading edge. False
@@ -139,6 +142,8 @@ class QuickPatch {
   /// components along the load of unit pressure and unit lateral traction.
   Eigen::ArrayXd place_, climb_, cosine_, carried_, of_lateral_;
   contact::PatchSize size_;
+  contact::PatchLines lines_;
+  contact::GridRuns runs_;
   contact::Field own_distance_, moved_, distance_, pressure_, weights_;
   contact::TangentialField own_slip_, traction_, change_;
   contact::TangentialMotion motion_;

@@ -3,6 +3,7 @@
 // solving lets other Python threads run and checks for Ctrl-C at every iteration.
 #include "bindings/python/caller.hpp"
 #include "contact/base/pi.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
@@ -122,6 +123,7 @@ PYBIND11_MODULE(_core, module) {
   module.def("read_case", &read_case);
   module.def("parse_case", &parse_case);
   module.def("models", &models);
+  module.attr("most_threads") = contact::most_threads;
   module.def("threads", [] { return python::wanted_threads().load(); });
   module.def("use_threads", [](int number) { python::wanted_threads() = number; });
   module.def("solve", &python::solved);

@@ -11,6 +11,9 @@
 
 namespace rollfem::contact {
 
+/// The largest number that a caller may ask for.
+inline constexpr int most_threads = 1024;
+
 /// Threads that this process may use: OMP_NUM_THREADS if set, otherwise the cores available by
 /// affinity and control groups.
 int allowed_threads();

@@ -22,13 +22,7 @@ constexpr double usual_weight = 0.5;
 /// accurately.
 constexpr double farthest = 0.75;
 
-/// A run of contact elements in a row, and the position of its leading edge.
-struct Run {
-  int first;             ///< trailing element
-  int last;              ///< leading element
-  double beyond_border;  ///< edge ahead of the leading element's border, elements
-  bool has_edge;         ///< the bound falls to zero as sqrt(d)
-};
+using Run = GridRuns::Run;
 
 /// The square of the bound falls linearly to zero at the edge: root of the parabola through the
 /// three elements behind the leading one, which may be partly covered and is skipped; the next one
@@ -51,14 +45,6 @@ std::optional<double> edge_of(const Field& bound, Eigen::Index leading, int elem
   return std::clamp(ahead_of_centre - 0.5, -farthest, farthest);
 }
 
-/// Runs of one row among the runs of a grid.
-struct Runs {
-  const Run* first = nullptr;
-  const Run* last = nullptr;
-  const Run* begin() const { return first; }
-  const Run* end() const { return last; }
-};
-
 void add_runs_of_row(const ContactGrid& grid, const Field& bound, int j, std::vector<Run>& runs) {
   int first = -1;
   for (int i = 0; i + 1 < grid.nx; ++i) {
@@ -77,32 +63,8 @@ void add_runs_of_row(const ContactGrid& grid, const Field& bound, int j, std::ve
   }
 }
 
-/// The runs of all rows; reuses its memory.
-class GridRuns {
- public:
-  void find(const ContactGrid& grid, const Field& bound) {
-    runs_.clear();
-    ends_.assign(1, 0);
-    runs_.reserve(2 * static_cast<std::size_t>(grid.ny));
-    ends_.reserve(static_cast<std::size_t>(grid.ny) + 1);
-    for (int j = 0; j < grid.ny; ++j) {
-      add_runs_of_row(grid, bound, j, runs_);
-      ends_.push_back(runs_.size());
-    }
-  }
-  Runs of_row(int j) const {
-    if (j < 0 || j + 1 >= static_cast<int>(ends_.size())) return {};
-    const auto row = static_cast<std::size_t>(j);
-    return {runs_.data() + ends_[row], runs_.data() + ends_[row + 1]};
-  }
-
- private:
-  std::vector<Run> runs_;
-  std::vector<std::size_t> ends_;
-};
-
 /// The run's neighbour in the next row: the overlapping run with the closest leading edge.
-double edge_beside(const Runs& row, const Run& run) {
+double edge_beside(const GridRuns::Row& row, const Run& run) {
   double edge = run.beyond_border;
   int nearest = -1;
   for (const Run& other : row) {
@@ -137,6 +99,23 @@ Field weighted(const ContactGrid& grid, const Field& differences, const Field& w
 
 }  // namespace
 
+void GridRuns::find(const ContactGrid& grid, const Field& bound) {
+  runs_.clear();
+  ends_.assign(1, 0);
+  runs_.reserve(2 * static_cast<std::size_t>(grid.ny));
+  ends_.reserve(static_cast<std::size_t>(grid.ny) + 1);
+  for (int j = 0; j < grid.ny; ++j) {
+    add_runs_of_row(grid, bound, j, runs_);
+    ends_.push_back(runs_.size());
+  }
+}
+
+GridRuns::Row GridRuns::of_row(int j) const {
+  if (j < 0 || j + 1 >= static_cast<int>(ends_.size())) return {};
+  const auto row = static_cast<std::size_t>(j);
+  return {runs_.data() + ends_[row], runs_.data() + ends_[row + 1]};
+}
+
 double leading_weight(double beyond_border) {
   // Least-squares fit of the local problem's weights at 13 positions, to 5e-4: a line of elements
   // in adhesion under uniform creepage, 400 elements, edge from a fit of p^2 x at 20 to 80
@@ -148,20 +127,21 @@ double leading_weight(double beyond_border) {
 
 Field upwind_weights(const ContactGrid& grid, const Field& pressure) {
   Field weights;
-  set_upwind_weights(grid, pressure, weights);
+  GridRuns runs;
+  set_upwind_weights(grid, pressure, runs, weights);
   return weights;
 }
 
-void set_upwind_weights(const ContactGrid& grid, const Field& pressure, Field& weights) {
+void set_upwind_weights(const ContactGrid& grid, const Field& pressure, GridRuns& runs,
+                        Field& weights) {
   weights.setConstant(grid.size(), usual_weight);
-  thread_local GridRuns all;
-  all.find(grid, pressure);
+  runs.find(grid, pressure);
   const double smoothing = smoothing_across_rows(grid);
   for (int j = 0; j < grid.ny; ++j) {
-    for (const Run& run : all.of_row(j)) {
+    for (const Run& run : runs.of_row(j)) {
       if (!run.has_edge) continue;
-      const double below = edge_beside(all.of_row(j - 1), run);
-      const double above = edge_beside(all.of_row(j + 1), run);
+      const double below = edge_beside(runs.of_row(j - 1), run);
+      const double above = edge_beside(runs.of_row(j + 1), run);
       const double edge = run.beyond_border + smoothing * (below - 2.0 * run.beyond_border + above);
       weights[grid.index(run.last, j)] = leading_weight(edge);
     }

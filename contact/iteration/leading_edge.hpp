@@ -11,14 +11,44 @@
 
 #include "contact/iteration/compliance.hpp"
 
+#include <cstddef>
+#include <vector>
+
 namespace rollfem::contact {
 
 /// kappa per element: D u_i = (1 + kappa) d_i - kappa d_{i+1} with d_i = (u_i - u_{i+1}) / dx. It
 /// is 1/2, the usual second order, except in the leading element of every run of contact elements
 /// (pressure > 0, on any scale) of a row whose pressure falls to an edge like sqrt(d).
 Field upwind_weights(const ContactGrid& grid, const Field& pressure);
-/// The same into an existing field.
-void set_upwind_weights(const ContactGrid& grid, const Field& pressure, Field& weights);
+
+/// The runs of contact elements in the rows of a grid. Memory is used again by the next grid.
+class GridRuns {
+ public:
+  struct Run {
+    int first;             ///< trailing element
+    int last;              ///< leading element
+    double beyond_border;  ///< edge ahead of the leading element's border, elements
+    bool has_edge;         ///< the bound falls to zero as sqrt(d)
+  };
+  struct Row {
+    const Run* first = nullptr;
+    const Run* last = nullptr;
+    const Run* begin() const { return first; }
+    const Run* end() const { return last; }
+  };
+
+  void find(const ContactGrid& grid, const Field& bound);
+  /// Empty beyond the grid.
+  Row of_row(int j) const;
+
+ private:
+  std::vector<Run> runs_;
+  std::vector<std::size_t> ends_;
+};
+
+/// The weights in memory of the caller.
+void set_upwind_weights(const ContactGrid& grid, const Field& pressure, GridRuns& runs,
+                        Field& weights);
 
 /// The weight of a leading element whose edge lies `beyond_border` elements ahead of the element's
 /// leading border, -0.75 to 0.75 (clamped): with it the discrete solution of a half-plane's

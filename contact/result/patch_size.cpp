@@ -100,12 +100,7 @@ Edge edge_beyond(const Line& inward) {
   return {edge_of_solution(root), unsure_share * beside + std::abs(*outer - root)};
 }
 
-/// Lists reused for one line after another.
-struct Lists {
-  Line line, squares, backwards, last, minus_first;
-};
-
-Chord chord_of(Lists& lists) {
+Chord chord_of(PatchLines& lists) {
   const Line& pressure = lists.line;
   Chord chord;
   const int n = static_cast<int>(pressure.size());
@@ -154,7 +149,7 @@ struct Extent {
 
 /// For `count` lines of `length` elements; `value(line, element)`.
 template <class Value>
-Extent extent_of(int count, int length, Lists& lists, Value&& value) {
+Extent extent_of(int count, int length, PatchLines& lists, Value&& value) {
   constexpr double nowhere = -std::numeric_limits<double>::infinity();
   Line& last = lists.last;
   Line& minus_first = lists.minus_first;
@@ -186,7 +181,11 @@ Extent extent_of(int count, int length, Lists& lists, Value&& value) {
 }  // namespace
 
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure) {
-  thread_local Lists lists;
+  PatchLines lists;
+  return patch_size(grid, pressure, lists);
+}
+
+PatchSize patch_size(const ContactGrid& grid, const Field& pressure, PatchLines& lists) {
   for (Line* list :
        {&lists.line, &lists.squares, &lists.backwards, &lists.last, &lists.minus_first})
     list->reserve(static_cast<std::size_t>(std::max(grid.nx, grid.ny)));

@@ -28,6 +28,12 @@ struct PatchSize {
 /// does not fall to an edge (a punch), the element's border is the edge.
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure);
 
+/// Memory for repeated calls, which then allocate nothing.
+struct PatchLines {
+  std::vector<double> line, squares, backwards, last, minus_first;
+};
+PatchSize patch_size(const ContactGrid& grid, const Field& pressure, PatchLines& lists);
+
 /// A row of fewer elements than this has its edges at element borders: each end of the patch is
 /// then known only to within one element.
 inline constexpr int elements_for_edge = 5;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/result/record.hpp"
 
+#include "contact/base/errors.hpp"
 #include "contact/result/quantities.hpp"
 
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
 
 namespace rollfem::contact {
 
@@ -15,7 +15,7 @@ void Record::raw(void* data, std::size_t size) {
     bytes_.append(static_cast<const char*>(data), size);
     return;
   }
-  if (size > bytes_.size() - position_) throw std::runtime_error("the record ends too early");
+  if (size > bytes_.size() - position_) throw FileError("the record ends too early");
   std::memcpy(data, bytes_.data() + position_, size);
   position_ += size;
 }
@@ -25,7 +25,7 @@ std::size_t Record::length(std::size_t size, std::size_t bytes_each) {
   raw(&count, sizeof count);
   // A damaged length must not allocate all memory.
   if (reading_ && count > (bytes_.size() - position_) / bytes_each)
-    throw std::runtime_error("the record ends too early");
+    throw FileError("the record ends too early");
   return static_cast<std::size_t>(count);
 }
 

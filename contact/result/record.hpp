@@ -29,7 +29,7 @@ class Record {
   bool exhausted() const { return reading_ && position_ == bytes_.size(); }
 
   /// Each function appends the value, or replaces it by the value read. Reading throws
-  /// std::runtime_error when the record ends too early.
+  /// FileError when the record ends too early.
   template <class Plain, std::enable_if_t<std::is_trivially_copyable_v<Plain>, int> = 0>
   void value(Plain& plain) {
     raw(&plain, sizeof plain);

@@ -9,6 +9,9 @@
 
 namespace rollfem::contact {
 
+/// Memory of a thread's elasticity and fields, as measured on half-spaces.
+inline constexpr double bytes_per_element = 1300.0;
+
 /// The same result as that of ContactRun::solve; none when a patch reaches the border of the grid.
 /// Throws what the first load point throws that fails.
 std::optional<LevelResult> solve_points(const Scene& scene, const ChartedGeometry& geometry,

@@ -176,19 +176,19 @@ constexpr double largest_share = 30.0;
 
 /// The share of the pressure is a fixed point. `pressed`: `solution` already holds the frictionless
 /// pressure of the load.
-void solve_in_turn(const Preconditioner& standin, const CoupledProblem& problem,
+void solve_in_turn(const Preconditioner& preconditioner, const CoupledProblem& problem,
                    const Response* defect, const NormalOptions& normal, double tangential,
                    bool pressed, ContactState& solution) {
-  const ContactGrid& grid = standin.whole.grid();
+  const ContactGrid& grid = preconditioner.whole.grid();
   const Field gap = defect ? defect->displacement.n : Field();
   Field weights;
   const auto solve_for = [&](const std::optional<double>& share, int turn) {
     if (!pressed || problem.shares_load())
-      solution.normal =
-          solve_pressure(standin.normal, problem, gap, share, normal, solution.normal.pressure);
-    if (turn < turns_until_kept) weights = standin.fitted_weights(solution.normal.pressure);
+      solution.normal = solve_pressure(preconditioner.normal, problem, gap, share, normal,
+                                       solution.normal.pressure);
+    if (turn < turns_until_kept) weights = preconditioner.fitted_weights(solution.normal.pressure);
     if (!problem.frictionless())
-      solve_tractions(standin, problem, defect, tangential, weights, solution);
+      solve_tractions(preconditioner, problem, defect, tangential, weights, solution);
   };
   if (!problem.shares_load()) return solve_for(problem.load.force, 0);
   double share = pressure_share(grid, problem, solution);

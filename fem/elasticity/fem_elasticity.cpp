@@ -107,7 +107,10 @@ class SharedLevel {
   const RunLayout& layout;
   FirstProcess& first;
   std::unique_ptr<FemCompliance> compliance;
-  std::optional<WheelExpansion> expansion;  ///< of a fast rotating wheel
+  // On the first process.
+  std::unique_ptr<halfspace::HalfspaceCompliance> half;
+  std::unique_ptr<halfspace::HalfspaceCompliance> coupled_half;  ///< null: like materials
+  std::optional<WheelExpansion> expansion;                       ///< of a fast rotating wheel
 
  private:
   void tell(contact::ProgressEvent event, const std::string& stage, bool finished = false) const;
@@ -140,15 +143,10 @@ class LevelElasticity : public FemElasticity {
   void prepare() override {
     level_->prepare();
     own_ = std::make_unique<FemCompliance>(*level_->compliance);
-    // The defect includes the coupling of unlike materials; the stand-in need not.
-    const contact::CombinedMaterial& material = level_->scene.material;
-    half_ = std::make_unique<halfspace::HalfspaceCompliance>(grid(), material.uncoupled());
-    if (material.couples())
-      coupled_half_ = std::make_unique<halfspace::HalfspaceCompliance>(grid(), material);
   }
   const contact::Compliance& compliance() const override { return together_; }
-  const contact::SolvableCompliance& standin() const override { return *half_; }
-  const contact::Compliance* coupled_standin() const override { return coupled_half_.get(); }
+  const contact::SolvableCompliance& standin() const override { return *level_->half; }
+  const contact::Compliance* coupled_standin() const override { return level_->coupled_half.get(); }
   contact::Field extra_distance() const override {
     return level_->expansion ? level_->expansion->distance : contact::Field();
   }
@@ -168,7 +166,7 @@ class LevelElasticity : public FemElasticity {
   class Together : public contact::Compliance {
    public:
     explicit Together(const LevelElasticity& elasticity) : elasticity_(elasticity) {}
-    const contact::ContactGrid& grid() const override { return elasticity_.grid(); }
+    const contact::ContactGrid& grid() const override { return elasticity_.level_->layout.grid; }
     contact::SurfaceField apply(const contact::SurfaceField& traction) const override {
       return respond(traction).displacement;
     }
@@ -186,13 +184,9 @@ class LevelElasticity : public FemElasticity {
     const LevelElasticity& elasticity_;
   };
 
-  const contact::ContactGrid& grid() const { return level_->layout.grid; }
-
   std::shared_ptr<SharedLevel> level_;
   std::unique_ptr<FemCompliance> own_;
   Together together_{*this};
-  std::unique_ptr<halfspace::HalfspaceCompliance> half_;
-  std::unique_ptr<halfspace::HalfspaceCompliance> coupled_half_;  ///< null: like materials
 };
 
 void SharedLevel::obey(const FirstProcess::Order& order) {
@@ -270,6 +264,11 @@ void SharedLevel::make_compliance() {
   tell(event, "linear solvers", true);
   if (scene.feels_inertia() && bodies_.wheel) spin_wheel();
   add_notes(scene, geometry_, layout, bodies_, event.note, result_.notes);
+  if (!first.here()) return;
+  // The defect includes the coupling of unlike materials; the stand-in need not.
+  half = std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene.material.uncoupled());
+  if (scene.material.couples())
+    coupled_half = std::make_unique<halfspace::HalfspaceCompliance>(layout.grid, scene.material);
 }
 
 void SharedLevel::spin_wheel() {

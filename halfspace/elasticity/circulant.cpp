@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/elasticity/circulant.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/base/threads.hpp"
 
 #include <algorithm>
@@ -17,8 +18,6 @@ using contact::TangentialField;
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr double two_pi = 6.28318530717958647692;
 
 /// The preconditioners work on a plane padded only slightly beyond the grid: they are approximate
 /// anyway, and a quarter of the padded size takes a quarter of the time.
@@ -113,7 +112,7 @@ std::vector<Complex> difference_symbol(Difference difference, int px, double dx,
   const double left = std::exp(-decay / px);
   std::vector<Complex> factors(static_cast<std::size_t>(px / 2 + 1), Complex(1.0));
   for (std::size_t k = 0; k < factors.size(); ++k) {
-    const Complex e = std::polar(left, two_pi * static_cast<double>(k) / px);
+    const Complex e = std::polar(left, 2.0 * contact::pi * static_cast<double>(k) / px);
     if (difference == Difference::first) factors[k] = (1.0 - e) / dx;
     if (difference == Difference::second) factors[k] = (3.0 - 4.0 * e + e * e) / (2.0 * dx);
   }

@@ -8,6 +8,7 @@
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/solve/side_by_side.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
@@ -265,8 +266,8 @@ void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& 
 /// Largest resident memory, measured with 42 to 165 thousand elements and up to 10 load points:
 /// within 15 % of this, for unlike materials up to two thirds more.
 double predicted_bytes(double elements, double points) {
-  constexpr double program = 30e6, per_element = 1300.0, per_element_and_point = 200.0;
-  return program + elements * (per_element + per_element_and_point * points);
+  constexpr double program = 30e6, per_element_and_point = 200.0;
+  return program + elements * (contact::bytes_per_element + per_element_and_point * points);
 }
 
 void refuse_beyond_memory(const Scene& scene, const contact::ContactGrid& grid) {

@@ -201,8 +201,8 @@ class SinkingWheel {
     return sum;
   }
 
-  std::vector<Share> shares() const {
-    std::vector<Share> shares;
+  std::vector<PatchLoad> shares() const {
+    std::vector<PatchLoad> shares;
     for (std::size_t i = 0; i < laws_.size(); ++i) {
       shares.push_back({laws_[i].normal_force(), laws_[i].lateral_force(), {}});
       for (std::size_t j = 0; j < laws_.size(); ++j)

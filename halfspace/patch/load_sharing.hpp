@@ -10,8 +10,8 @@
 
 namespace rollfem::halfspace {
 
-/// Share of one contact, without friction.
-struct Share {
+/// Load of one contact, without friction.
+struct PatchLoad {
   double normal_force = 0.0;   ///< N, along z of the patch; 0 without contact
   double lateral_force = 0.0;  ///< N, of the pressure along y: nonzero on a curved surface
   /// The loads of all other contacts on each scene, as in Scene::neighbour_loads; indexed by scene.
@@ -22,8 +22,8 @@ struct Share {
 using FrictionRatio = std::array<double, 2>;
 
 struct SharedLoad {
-  double sinking = 0.0;       ///< mm, vertical, from first contact of the wheel
-  std::vector<Share> shares;  ///< one for each scene
+  double sinking = 0.0;           ///< mm, vertical, from first contact of the wheel
+  std::vector<PatchLoad> shares;  ///< one for each scene
 };
 
 /// Shares whose forces have the sum `vertical_force` (N) along the vertical, at the approaches w

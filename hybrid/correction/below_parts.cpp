@@ -2,6 +2,7 @@
 #include "hybrid/correction/below_parts.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "halfspace/stress/smooth_stress.hpp"
@@ -160,8 +161,8 @@ void BelowParts::add_half_space() {
   const Index count = loads_.shapes.cols();
   const double nu = material_.poisson_ratio;
   const double side = wheel_ ? 1.0 : -1.0;
-  const double of_displacement = 1.0 / (4.0 * M_PI * fem::lame_mu(material_));
-  const double of_stress = 1.0 / (2.0 * M_PI);
+  const double of_displacement = 1.0 / (4.0 * contact::pi * fem::lame_mu(material_));
+  const double of_stress = 1.0 / (2.0 * contact::pi);
   for (MatrixXd& moved : moved_)
     moved = MatrixXd::Zero(components * static_cast<Index>(rows_.size()), count);
   MatrixXd potentials(halfspace::potential_count, static_cast<Index>(loads_.rectangles.size()));

@@ -15,7 +15,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <ctime>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -80,7 +79,7 @@ void exchange(contact::Record& record, Map& map) {
   Eigen::Index rows = map.coefficients.rows(), columns = map.coefficients.cols();
   contact::Field entries = map.coefficients.reshaped();
   record.values(map.load_degree, map.field_degree, rows, columns, entries);
-  if (entries.size() != rows * columns) throw std::runtime_error("a map of another shape");
+  if (entries.size() != rows * columns) throw contact::FileError("a map of another shape");
   map.coefficients = entries.reshaped(rows, columns);
 }
 
@@ -106,10 +105,10 @@ void exchange(contact::Record& record, Stored& stored) {
   record.values(stored.key, entry.words, entry.made, entry.unknowns, entry.seconds, stored.parts);
 }
 
-/// Throws std::runtime_error if the file is damaged or of another format.
+/// Throws contact::FileError if the file is damaged or of another format.
 Stored read(const fs::path& file) {
   const auto bytes = postprocess::opened_record(suffix, postprocess::contents_of(file));
-  if (!bytes) throw std::runtime_error("damaged");
+  if (!bytes) throw contact::FileError("damaged");
   Stored stored;
   contact::Record(*bytes).value(stored);
   return stored;
@@ -127,7 +126,7 @@ SmoothParts unpacked(const std::string& bytes) {
   contact::Record record(bytes);
   SmoothParts parts;
   exchange(record, parts);
-  if (!record.exhausted()) throw std::runtime_error("a correction of another program");
+  if (!record.exhausted()) throw contact::FileError("a correction of another program");
   return parts;
 }
 
@@ -158,7 +157,7 @@ CorrectionCache::Found CorrectionCache::find(const contact::Scene& correction,
                         folder_.string(), stored.entry.seconds));
         return found;
       }
-    } catch (const std::exception&) {
+    } catch (const contact::FileError&) {
       // Reported as damaged below.
     }
     found.note = fmt::format("{} is damaged; the correction was recomputed", file.string());
@@ -191,7 +190,7 @@ std::vector<CorrectionCache::Entry> CorrectionCache::entries() const {
     Entry& entry = entries.emplace_back();
     try {
       entry = read(file).entry;
-    } catch (const std::runtime_error&) {
+    } catch (const contact::FileError&) {
       // Listed as damaged.
     }
     entry.file = file;

@@ -16,7 +16,7 @@ namespace rollfem::modelling {
 
 /// The smooth parts as bytes in this machine's byte order, for files and other processes.
 std::string packed(halfspace::SmoothParts parts);
-/// Throws std::runtime_error when the bytes are those of something else.
+/// Throws contact::FileError when the bytes are those of something else.
 halfspace::SmoothParts unpacked(const std::string& bytes);
 
 class CorrectionCache {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/stress/shakedown.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/result/stress_measures.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -12,6 +13,7 @@
 namespace rollfem::postprocess {
 namespace {
 
+using contact::pi;
 using contact::Stress;
 
 constexpr double poisson_ratio = 0.3;
@@ -99,7 +101,7 @@ Shear shear_at(double x, double z, double ratio) {
       const double pressure = std::sqrt(std::max(0.0, rest - y * y / (ratio * ratio)));
       const double distance2 = near * near + y * y;
       // Factor 2 for both sides of y = 0.
-      const double part = 2.0 * ds * z * std::cosh(s) * dt * near * std::cosh(t) * 1.5 / M_PI *
+      const double part = 2.0 * ds * z * std::cosh(s) * dt * near * std::cosh(t) * 1.5 / pi *
                           pressure / (distance2 * distance2 * std::sqrt(distance2));
       sum.of_pressure += part * away * z * z;
       sum.of_traction += part * away * away * z;
@@ -116,8 +118,8 @@ Stress sliding_circle_surface(double x, double friction) {
   const double lift = (1.0 - 2.0 * poisson_ratio) / 3.0 * (1.0 + c + c * c) / (1.0 + c);
   Stress stress;
   stress.zz = -c;
-  stress.xx = lift - c - friction * M_PI / 8.0 * (4.0 + poisson_ratio) * x;
-  stress.yy = -lift - 2.0 * poisson_ratio * c - friction * M_PI / 8.0 * 3.0 * poisson_ratio * x;
+  stress.xx = lift - c - friction * pi / 8.0 * (4.0 + poisson_ratio) * x;
+  stress.yy = -lift - 2.0 * poisson_ratio * c - friction * pi / 8.0 * 3.0 * poisson_ratio * x;
   stress.xz = -friction * c;
   return stress;
 }

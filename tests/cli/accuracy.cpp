@@ -32,7 +32,7 @@ TEST_F(Accuracy, NotReachedIsAFailureWhoseResultsAreThere) {
   EXPECT_FALSE(folder.holds("out.unfinished"));
 }
 
-TEST_F(Accuracy, OfWhatIsNotAQuantityIsAnInputError) {
+TEST_F(Accuracy, AnUnknownQuantityIsAnInputError) {
   const std::string file =
       folder.file("case.toml", "accuracy = 0.01\naccuracy_of = [\"beauty\"]\n" + small_case);
   refuses({"check", file}, "accuracy_of");

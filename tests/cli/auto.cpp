@@ -166,7 +166,7 @@ TEST_F(Auto, StandsAloneAndIsNothingToCompare) {
   refuses({"run", both}, "both.toml: models: auto cannot be combined");
 }
 
-TEST_F(Auto, CheckSaysWhatIsExpectedAndStudyWhatSufficed) {
+TEST_F(Auto, CheckPrintsTheForecastAndStudyTheSufficientModel) {
   const std::string file = folder.file("case.toml", quick);
   const Outcome check = call({"check", file});
   EXPECT_TRUE(says(check.out, "  half-space, ", "  for 1 %: half-space: about "));

@@ -64,7 +64,7 @@ const std::vector<std::string> theories{"hertz",   "linear", "vermeulen-johnson"
                                         "polach",  "carter", "fastsim",
                                         "fastrip", "strip",  "halfspace"};
 
-TEST(Bars, AreSaidOfEveryNumberOfEveryModel) {
+TEST(Bars, ArePrintedForEveryNumberOfEveryModel) {
   const json summary = summary_of(rolling("[0.0, 0.001, 0.02]", 20), theories);
   expect_all_said(summary);
   const json& hertz = model_of(summary, "hertz")["points"][0];
@@ -84,7 +84,7 @@ TEST(Bars, AreSaidOfEveryNumberOfEveryModel) {
 
 /// The model error of a theory is at least its distance from the half-space, which a fine grid
 /// knows up to its bar; Hertz's pressure is the half-space's.
-TEST(Bars, ModelErrorsCoverWhatTheoriesAreOff) {
+TEST(Bars, ModelErrorsCoverTheErrorsOfTheories) {
   const json summary = summary_of(rolling("0.001", 80), theories);
   const json& half = model_of(summary, "halfspace")["points"][0];
   for (const char* name :
@@ -105,7 +105,7 @@ TEST(Bars, ModelErrorsCoverWhatTheoriesAreOff) {
 
 /// Like rollers: Hertz's and Carter's closed forms leave nothing of the half-plane out. Unlike
 /// ones: friction moves the pressure.
-TEST(Bars, ModelErrorsAreNoneWhereTheoriesAreExact) {
+TEST(Bars, ModelErrorsVanishWhereTheoriesAreExact) {
   const std::string rollers =
       "[load]\nnormal_force = 16.2\n[friction]\ncoefficient = 0.3\n"
       "[wheel]\nyoung_modulus = 210000.0\npoisson_ratio = 0.3\n"
@@ -125,7 +125,7 @@ TEST(Bars, ModelErrorsAreNoneWhereTheoriesAreExact) {
   EXPECT_GT(rolled["max_pressure"].get<double>(), 0.0);
 }
 
-TEST(Bars, AreSaidOfWhatIsFoundForAForce) {
+TEST(Bars, ArePrintedForCreepagesFoundForAForce) {
   const json summary = summary_of(small_case +
                                       "[contact_grid]\nelements_across = 20\n"
                                       "[rolling]\nlongitudinal_force = -10e3\n",
@@ -138,7 +138,7 @@ TEST(Bars, AreSaidOfWhatIsFoundForAForce) {
   EXPECT_EQ(point["no_bar"]["lateral_creepage"], "given");
 }
 
-TEST(Bars, AreSaidInOtherProblems) {
+TEST(Bars, ArePrintedForOtherProblems) {
   expect_all_said(summary_of(with("normal_force = 50e3", "approach = 0.05") +
                                  "[contact_grid]\nelements_across = 12\n"
                                  "[output]\nstress_maxima = true\n",
@@ -163,7 +163,7 @@ std::string wheel_with(const std::string& line) {
   return text;
 }
 
-TEST(Bars, AreSaidOfPatchesOfProfiles) {
+TEST(Bars, ArePrintedForPatchesOfProfiles) {
   const json summary = summary_of(wheel_with(""), {"hertz", "fastsim", "strip", "halfspace"});
   expect_all_said(summary);
   for (const json& model : summary["models"])
@@ -173,7 +173,7 @@ TEST(Bars, AreSaidOfPatchesOfProfiles) {
     EXPECT_EQ(model_of(summary, name)["points"][0]["no_bar"]["max_pressure"], "theory") << name;
 }
 
-TEST(Bars, AreSaidOfWhatTheBalanceOfAWheelsetFinds) {
+TEST(Bars, ArePrintedForTheBalanceOfAWheelset) {
   const json summary = summary_of(wheel_with("free_rolling = \"force\""), {"halfspace"});
   expect_all_said(summary);
   const json& point = summary["models"][0]["points"][0];
@@ -183,7 +183,7 @@ TEST(Bars, AreSaidOfWhatTheBalanceOfAWheelsetFinds) {
 }
 
 #if ROLLFEM_WITH_FEM
-TEST(Bars, AreSaidOfFiniteElements) {
+TEST(Bars, ArePrintedForFiniteElements) {
   const json summary =
       summary_of(small_case +
                      "[fem]\ncell_size = 2.0\nextent = 40.0\n"

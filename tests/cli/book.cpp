@@ -50,7 +50,7 @@ TEST_F(Book, HoldsClosedFormNumberReachedAndTestOfEveryChapterAskedFor) {
                    "`unit.Hertz.GivesTheBenchmarkTable`", "Cost: "));
 }
 
-TEST_F(Book, OfANumberBeyondWhatIsAllowedEndsWithStatusOneAndSaysWhich) {
+TEST_F(Book, ANumberBeyondItsLimitIsNamedAndEndsWithStatusOne) {
   const Outcome made =
       book(folder, {"--only", "fastsim"}, "published.CONTACT_FASTSIM_A[0.002] = (0.36, 329.48376)");
   EXPECT_EQ(made.status, 1);
@@ -93,7 +93,7 @@ TEST_F(Book, HasOneOwnerWhoseRunsEndWithIt) {
     EXPECT_FALSE(folder.holds(lock)) << lock;
 }
 
-TEST_F(Book, SaysWhatIsWrongWithACall) {
+TEST_F(Book, NamesTheErrorOfACall) {
   const Outcome unknown = book(folder, {"--only", "hertzz"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_TRUE(says(unknown.err, "hertzz: unknown chapter; allowed: hertz,"));

@@ -85,7 +85,7 @@ TEST_F(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
   EXPECT_FALSE(all.at("cases")[0].at("complete").get<bool>());
 }
 
-TEST_F(Compare, AFailureDoesNotLoseTheOthersAndIsToldAtTheEnd) {
+TEST_F(Compare, AFailureKeepsTheOtherResultsAndIsReportedLast) {
   // The half-space ends at 320 elements across, short of this accuracy.
   const std::string bad = folder.file("bad.toml", "accuracy = 1e-5\n" + rolling("0.001", 20));
   const std::string good = folder.file("good.toml", quick_pair);
@@ -109,7 +109,7 @@ TEST_F(Compare, AWrongCaseIsRefusedBeforeAnythingIsComputed) {
   EXPECT_TRUE(folder.made().empty());
 }
 
-TEST_F(Compare, ResumeKeepsWhatIsDone) {
+TEST_F(Compare, ResumeKeepsFinishedRuns) {
   const std::string one = folder.file("one.toml", quick_pair);
   const std::string two = folder.file("two.toml", quick_pair);
   const std::vector<std::string> models{"--model",     "hertz", "halfspace",

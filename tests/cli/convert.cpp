@@ -76,7 +76,7 @@ std::string pressed_twice() {
                   " 3\n 001120\n 100000\n 0011111\n 200 100 30 1 1d-6\n 20.0 -0.5 0.0 0.0\n 0\n");
 }
 
-TEST_F(Convert, LeavesOutCasesOfTooFewElementsAndGoesOn) {
+TEST_F(Convert, SkipsCasesOfTooFewElements) {
   const std::string file = folder.file("press.inp", pressed_twice());
   const Outcome made = call({"convert", file});
   EXPECT_EQ(made.status, 1);
@@ -130,7 +130,7 @@ int accepted(const Folder& folder, const std::string& file, const std::string& i
   return files;
 }
 
-TEST_F(Convert, CheckAcceptsWhatIsWritten) {
+TEST_F(Convert, CheckAcceptsConvertedCases) {
   int number = 0;
   for (const std::string& text : {pushed_ball, rolling_ellipse, rolled_twice, driven_roller,
                                   pushed_ellipse, pushed_then_rolled, pressed_twice()}) {
@@ -139,7 +139,7 @@ TEST_F(Convert, CheckAcceptsWhatIsWritten) {
   }
 }
 
-TEST_F(Convert, CheckAcceptsWhatIsWrittenOfTheReferenceInputs) {
+TEST_F(Convert, CheckAcceptsTheConvertedReferenceInputs) {
   int files = 0;
   for (const char* set : {"contact_examples", "contact_testbank"}) {
     const fs::path from = reference_folder() / set;

@@ -114,7 +114,7 @@ TEST(Cache, IsKnownToTheModelAuto) {
   EXPECT_LT(seconds("found"), 0.2 * anew);
 }
 
-TEST(Cache, ADamagedFileIsToldAndReplaced) {
+TEST(Cache, ADamagedFileIsReportedAndReplaced) {
   Cache cache;
   const std::string text = coarse_case("405", "50e3", "0.55", "0.001");
   const json first = cache.run("first", text);
@@ -152,7 +152,7 @@ TEST(Cache, TwoProcessesShareWhatTheFirstFinds) {
   expect_same_point(two, found, 1e-13);
 }
 
-TEST(Cache, KeepsStressesForThoseWhoAskForThem) {
+TEST(Cache, KeepsStressesForCasesThatRequestThem) {
   Cache cache;
   const std::string plain = coarse_case("450", "50e3", "0.3", "0.001");
   const std::string asking = plain + "[output]\nstress_maxima = true\n";

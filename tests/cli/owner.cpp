@@ -54,7 +54,7 @@ TEST_F(Owner, OtherCommandsOwnTheirFoldersToo) {
 
 using Interruption = ProgramTest;
 
-TEST_F(Interruption, SaysWhatIsKeptAndHowToGoOn) {
+TEST_F(Interruption, NamesTheKeptWorkAndHowToResume) {
   const std::string file = folder.file("slow.toml", slow_case());
   const fs::path unfinished = folder.work() / "out.unfinished";
   for (const auto& [signal, status] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {

@@ -62,7 +62,7 @@ TEST_F(Profile, OfACaseShowsBothBodiesAndMayBeAskedForAgain) {
                                "results/c_profile/wheel.svg"}));
 }
 
-TEST_F(Profile, RefusesWhatIsNoProfileAndWritesNothing) {
+TEST_F(Profile, RefusesFilesWithoutAProfileAndWritesNothing) {
   refuses({"profile", "S1003"}, "S1002, S1002-smooth, 60E1");
   refuses({"profile", folder.file("a.csv", "1,2\n")}, "--wheel or --rail");
   refuses({"profile", folder.file("a.csv", "1,2\n"), "--rail"}, "has 1 points");
@@ -97,7 +97,7 @@ TEST_F(Profile, TheKeysOfOneMessageMendAFile) {
   EXPECT_TRUE(tells(outcome, "gauge face 14 mm below the top, mm  y = -35.98")) << outcome.out;
 }
 
-TEST_F(Profile, ScatterIsToldWithTheSmoothingThatItNeeds) {
+TEST_F(Profile, ScatterIsReportedWithTheSmoothingThatItNeeds) {
   Points points = points_of("60E1", 0.2);
   std::mt19937 generator(4);
   std::normal_distribution<double> normal(0.0, 0.004);

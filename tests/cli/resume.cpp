@@ -126,7 +126,7 @@ TEST_F(Resume, ADamagedLoadPointIsComputedAgain) {
   expect_same_results(folder, whole(), folder.work() / "out");
 }
 
-TEST_F(Resume, RecordsThatNobodyCanTellAreNoneAndInNobodysWay) {
+TEST_F(Resume, UnidentifiedRecordsAreIgnoredAndRemoved) {
   // Possible remains of a kill during the final clean-up.
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
@@ -142,7 +142,7 @@ TEST_F(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {
   EXPECT_TRUE(says(outcome.err, "no load points"));
 }
 
-TEST_F(Resume, ADiskThatIsFullIsToldOnceAndTheRunGoesOn) {
+TEST_F(Resume, AFullDiskIsReportedOnceAndTheRunContinues) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   // Records need more than the limit, the files of the result less, except results.h5.
   const Outcome outcome =

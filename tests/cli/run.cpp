@@ -111,7 +111,7 @@ TEST_F(Run, QuietPrintsNothingAndWritesToTheNamedFolder) {
   EXPECT_TRUE(has(folder.made(), "a/b/summary.json"));
 }
 
-TEST_F(Run, WhatIsInTheWayIsSparedAndRefusedBeforeComputing) {
+TEST_F(Run, AnExistingForeignFolderIsKeptAndRefusedBeforeComputing) {
   const std::string file = folder.file("q.toml", quick_run);
   for (const char* precious : {"mine/thesis.txt", "out.unfinished/thesis.txt", "locked.lock"})
     folder.file(std::string("work/") + precious, "years of work");

@@ -140,7 +140,7 @@ TEST_F(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
   EXPECT_NEAR(reader.wheel_at(2.0).rolling_radius, 449.82, 0.02);
 }
 
-TEST_F(Table, WrongInputIsSaidInOneLine) {
+TEST_F(Table, WrongInputIsReportedInOneLine) {
   for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
            {table_case("axis_ratio = [2.0, 1.0]\n"), "table.axis_ratio: 1 follows 2"},
            {table_case("points = [1, 8, 11]\n"), "table.points"},

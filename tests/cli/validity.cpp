@@ -66,7 +66,7 @@ TEST_F(Gate, APatchAsLargeAsTheBodiesIsWarnedOfEverywhere) {
   }
 }
 
-TEST_F(Gate, SlipsOfUnitsAreToldWhenACaseIsCheckedAndRun) {
+TEST_F(Gate, CheckAndRunWarnOfWrongUnits) {
   const std::string kilonewtons =
       folder.file("kn.toml", text_of("[load]\nnormal_force = 80\n",
                                      "[rolling]\nlongitudinal_creepage = 0.6\nspin = 1.0\n"));

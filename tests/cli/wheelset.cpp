@@ -81,7 +81,7 @@ TEST_F(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   EXPECT_NEAR(number(2, "radius_difference [mm]"), number(2, "rigid_radius_difference [mm]"), 0.2);
 }
 
-TEST_F(Wheelset, WheelOffTheRailIsSaidInOneLine) {
+TEST_F(Wheelset, AWheelOffTheRailIsReportedInOneLine) {
   const std::string text = edited(twenty_across, {"wheelset.lateral_shift=-60.0"});
   const Outcome outcome = call({"run", folder.file("case.toml", text), "-o", "out"});
   EXPECT_EQ(outcome.status, 1);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Imports rollfem_wheelset.fmu as a simulation program does, and holds it against examples/hunting_in_python: the same
 motion, states that are restored, failures with a reason, libraries of its own. Status 77 without NumPy.
-Call: fmu.py FMU EXAMPLES rollfem.h librollfem_c.so"""
+Call: fmu.py FMU EXAMPLES rollfem.h librollfem_c.so power_law.so"""
 import ctypes
 import pathlib
 import sys
@@ -88,22 +88,26 @@ def same_motion(fmu, example, header, library):
 
 
 def fall_with_the_slip_velocity(fmu):
-    """A wheelset that slides at 0.4 m/s, by its yaw, has half of the fall: as with the coefficient 0.2."""
-    sliding = []
-    for friction in (dict(friction=0.2), dict(friction=0.3, friction_law="exponential", kinetic_coefficient=0.1,
-                                              half_velocity=0.4)):
-        fmu.call("fmi2Reset")
-        fmu.set(start_yaw=0.02, speed=20.0, **friction)
-        assert fmu.initialise() == 0, fmu.said
-        sliding.append(fmu.get("left_fy"))
-    print(f"left_fy: {sliding[1]:.6g}, with the coefficient there {sliding[0]:.6g}")
-    assert abs(sliding[1] / sliding[0] - 1.0) < 0.02
+    """A wheelset that slides at 0.4 m/s, by its yaw, has half of the fall: as with the coefficient 0.2. By a law from
+    outside with a constant of its own, its power 2, it has a quarter of the fall from sqrt(2) times s_h on."""
+    falls = dict(friction=0.3, kinetic_coefficient=0.1)
+    for coefficient, law in ((0.2, dict(friction_law="exponential", half_velocity=0.4)),
+                             (0.15, dict(friction_law="power", half_velocity=0.4 / 2**0.5, law_constant_1=2.0))):
+        sliding = []
+        for friction in (dict(friction=coefficient), {**falls, **law}):
+            fmu.call("fmi2Reset")
+            fmu.set(start_yaw=0.02, speed=20.0, **friction)
+            assert fmu.initialise() == 0, fmu.said
+            sliding.append(fmu.get("left_fy"))
+        print(f"left_fy: {sliding[1]:.6g}, with the coefficient there {sliding[0]:.6g}")
+        assert abs(sliding[1] / sliding[0] - 1.0) < 0.02
     fmu.call("fmi2Reset")
 
 
 def main():
-    path, examples, header, library = sys.argv[1:]
+    path, examples, header, library, law = sys.argv[1:]
     fmu = Fmu(path)
+    ctypes.CDLL(law)  # into the libraries of the FMU
     assert fmu.library.fmi2GetVersion() == b"2.0" and fmu.description.get("fmiVersion") == "2.0"
     fmu.instantiate("another guid")
     assert fmu.slave is None and "guid" in fmu.said[-1]
@@ -116,7 +120,10 @@ def main():
     assert fmu.initialise() == 3 and "friction" in fmu.said[-1], fmu.said
     fmu.call("fmi2Reset")
     fmu.set(friction_law="falls")
-    assert fmu.initialise() == 3 and "friction_law" in fmu.said[-1], fmu.said
+    assert fmu.initialise() == 3 and "friction_law" in fmu.said[-1] and "rational" in fmu.said[-1], fmu.said
+    fmu.call("fmi2Reset")
+    fmu.set(law_constant_2=2.0)
+    assert fmu.initialise() == 3 and "law_constants[1]" in fmu.said[-1], fmu.said
     fall_with_the_slip_velocity(fmu)
     fmu.set(largest_step=1e-12)
     assert fmu.initialise() == 0 and fmu.step(0.0, 0.01) == 2 and "largest_step" in fmu.said[-1], fmu.said

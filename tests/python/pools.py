@@ -23,7 +23,7 @@ SMALL = {"load": {"normal_force": 50e3}, "friction": {"coefficient": 0.5},
 TABLE = {"axis_ratio": [0.5, 2.0], "points": [3, 3, 3], "largest": [2.0, 2.0, 2.0], "check_points": 5}
 
 
-def in_threads(job, count=24):
+def in_threads(job, count=16):
     with ThreadPoolExecutor(8) as pool:
         return list(pool.map(job, range(count)))
 
@@ -84,7 +84,7 @@ class Threads(unittest.TestCase):
             same.write(f"{self.folder}/{number % 4}")
             again = rollfem.study(SMALL, levels=2).columns()
             np.testing.assert_array_equal(again["value"], study["value"])
-        in_threads(job, 16)
+        in_threads(job, 8)
 
     @unittest.skipUnless("fem" in rollfem.models(), "built without finite elements")
     def test_finite_elements_wait_for_each_other(self):

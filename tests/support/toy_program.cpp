@@ -5,7 +5,7 @@
 #include "halfspace/registry.hpp"
 #include "models/registry.hpp"
 
-#include <cmath>
+#include "support/power_law.hpp"
 
 namespace {
 
@@ -32,16 +32,9 @@ contact::ModelInfo stiff_model() {
   return stiff;
 }
 
-/// Friction falls as 2^(-(s/s_h)^n).
-contact::FallShape::Left power(std::size_t, double s, const contact::FallShape::Constants& own) {
-  const double n = own[0], left = std::exp2(-std::pow(s, n));
-  return {left, -std::log(2.0) * n * std::pow(s, n - 1.0) * left};
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  contact::fall_shapes().push_back(
-      {"power", power, false, {{{"power_of_slip", "n", 1.0, 10.0, 1.0, "Power of s over s_h1."}}}});
+  test::add_power_law();
   return app::run_program(argc, argv, modelling::built_in_models().add(stiff_model()));
 }

@@ -146,7 +146,7 @@ TEST(CurvedHalfspace, ForcesBalanceThePressure) {
   EXPECT_NEAR(point.lateral_force, 0.0, 1e-3);
 }
 
-TEST(CurvedHalfspace, RefusesWhatItLeavesOut) {
+TEST(CurvedHalfspace, RefusesCasesBeyondItsAssumptions) {
   PatchCase quadratic = curved(conformal('e'));
   quadratic.undeformed_distance.quadratic = {1e-3, 1e-3};
   EXPECT_THROW(run(quadratic), contact::InputError);

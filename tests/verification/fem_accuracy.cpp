@@ -39,7 +39,7 @@ TEST(FemAccuracy, IsReachedWithAnEstimateOfTheRightSize) {
   EXPECT_EQ(point.max_traction, 0.0);
 }
 
-TEST(FemAccuracy, ThatMemoryDoesNotAllowIsSaidAndTheFinestResultIsThere) {
+TEST(FemAccuracy, WithoutEnoughMemoryIsReportedWithTheFinestResult) {
   contact::Case input = frictionless_case_a();
   input.accuracy = 1e-5;
   input.fem.cell_size = 0.95;  // two levels fit, the next does not

@@ -29,7 +29,7 @@ TEST(AlgebraicMultigrid, EqualsTheFactorisationWithHangingNodesAndSymmetryPlane)
   }
 }
 
-TEST(AlgebraicMultigrid, CoarsensAMeshThatNobodyRefined) {
+TEST(AlgebraicMultigrid, CoarsensAnUnrefinedMesh) {
   BlockOptions options;
   options.cells = {9, 6, 6};
   options.bend = 0.1;

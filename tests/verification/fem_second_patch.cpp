@@ -58,7 +58,7 @@ TEST(SecondPatch, TheHybridFindsIt) {
       hybrid::run_hybrid(second_patch(), {}, nullptr, hybrid::find_smooth_parts), "hybrid");
 }
 
-TEST(SecondPatch, FiniteElementsKeepToAnExtentAndSayWhatItLeavesOut) {
+TEST(SecondPatch, FiniteElementsKeepToAnExtentAndReportTheTruncation) {
   contact::Scene scene = second_patch();
   scene.contact_grid.extent = {{14.0, 6.0}};
   scene.contact_grid.middle = {{0.0, -half_way_apart}};

@@ -106,7 +106,7 @@ TEST(LeadingEdge, WeightFallsAsTheEdgeMovesAheadAndIsUsualWhereTheUsualDifferenc
     EXPECT_GT(contact::leading_weight(e), contact::leading_weight(e + 0.05));
 }
 
-TEST(LeadingEdge, OfAPunchKeepsTheUsualDifference) {
+TEST(LeadingEdge, FlatPunchKeepsStandardDifference) {
   const ContactGrid grid = ContactGrid::centred(16, 3, 0.1, 0.1);
   const Field bound = grid.sample(
       [](double x, double) { return std::abs(x) < 0.5 ? 1.0 / std::sqrt(0.3 - x * x) : 0.0; });

@@ -33,7 +33,7 @@ TEST(LineContact, OfFiniteWidthIsAnElementOfContact) {
 }
 
 /// Rubber on a small roller: Hertz's half width sqrt(4 F R / (pi E* l)) is 41 mm at R = 35 mm.
-TEST(LineContact, APatchLongerThanTheBodyIsSaidBeforeItsReference) {
+TEST(LineContact, APatchLongerThanTheBodyIsReportedBeforeItsReference) {
   const std::string roller = R"(
 [load]
 normal_force = 380.0

@@ -143,7 +143,7 @@ TEST(WheelsetBalance, FrictionOnTheFlangeSettlesWhereAnElementComesIntoContact) 
   }
 }
 
-TEST(WheelsetBalance, FrictionThatCarriesTheWheelUpIsSaid) {
+TEST(WheelsetBalance, FrictionThatLiftsTheWheelIsReported) {
   // A flange at 54 degrees that slides down is carried upwards by friction: cos - mu sin < 0.
   Case input = scene_at(8.0, 0.02);
   input.wheelset.side = WheelSide::right;

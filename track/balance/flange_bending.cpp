@@ -24,7 +24,7 @@ constexpr double worth_noting = 5e-3;
 
 std::vector<double> normal_forces(const std::vector<Scene>& scenes, double load) {
   std::vector<double> forces;
-  for (const halfspace::Share& share : halfspace::share_load(scenes, load).shares)
+  for (const halfspace::PatchLoad& share : halfspace::share_load(scenes, load).shares)
     forces.push_back(share.normal_force);
   return forces;
 }

@@ -129,7 +129,7 @@ class Position {
       if (k == 0 || friction) shared.push_back(shared_load(wheel, load, friction ? &k : nullptr));
       for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
         Patch& patch = wheel.patches[i];
-        const halfspace::Share& own = shared.back().shares[i];
+        const halfspace::PatchLoad& own = shared.back().shares[i];
         change = std::max(change, std::abs(asked_force(patch, k) - own.normal_force) / load);
         patch.placed.scene.points[k].load = {own.normal_force, {}};
       }
@@ -228,7 +228,7 @@ class Position {
     const auto carried = [&](const halfspace::SharedLoad& shared) {
       double sum = 0.0;
       for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
-        const halfspace::Share& own = shared.shares[i];
+        const halfspace::PatchLoad& own = shared.shares[i];
         wheel.patches[i].sideways =
             own.normal_force > 0.0 ? own.lateral_force / own.normal_force : 0.0;
         sum += lift(wheel.patches[i], own.normal_force, k);

@@ -22,6 +22,10 @@ set(fmu_reals
   "second_half_velocity|parameter|0|m/s|at which it is halved"
   "memory_distance|parameter|0|m|slid until friction has followed"
   "memory_velocity|parameter|0|m/s|below which it follows as at this velocity (0: 0.001)"
+  "law_constant_1|parameter|0|1|the first that the friction_law alone has (0: its default)"
+  "law_constant_2|parameter|0|1|the second (0: its default)"
+  "law_constant_3|parameter|0|1|the third (0: its default)"
+  "law_constant_4|parameter|0|1|the fourth (0: its default)"
   "layer_thickness|parameter|0|m|of an elastic layer between wheel and rail (0: none)"
   "layer_shear_modulus|parameter|0|Pa|of the layer"
   "largest_step|parameter|0.002|s|of the integration in a communication step"
@@ -39,9 +43,7 @@ set(fmu_reals
   "right_fy|output||N|of the right rail on its wheel, to the right"
   "left_t_gamma|output||N|wear number of the left wheel"
   "right_t_gamma|output||N|wear number of the right wheel")
-set(fmu_laws constant linear rational exponential)  # in the order of rollfem_law
-string(REPLACE ";" ", " fmu_law_words "${fmu_laws}")
 set(fmu_strings
   "wheel_profile|parameter|S1002||built in or a file"
   "rail_profile|parameter|60E1||built in or a file"
-  "friction_law|parameter|constant||${fmu_law_words}: how friction falls with the slip velocity")
+  "friction_law|parameter|constant||how friction falls with the slip velocity, as friction.law of a case")

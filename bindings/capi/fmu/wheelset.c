@@ -3,6 +3,7 @@
    under the forces of the springs, which are inputs. Within a communication step inputs stay as they are; the step is
    integrated by ROS2 (Verwer et al. 1999), linearly implicit with the derivatives of rollfem_linearise. */
 #include "fmi2.h"
+#include "laws.h"
 #include "variables.h"
 
 #include <math.h>
@@ -207,12 +208,8 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
   for (int k = V_mass; k <= V_spin_inertia; ++k)
     if (!(v[k] > 0.0)) return fail(s, fmi2Error, "mass and inertias; allowed: above 0; do: correct them");
   if (!(v[V_largest_step] > 0.0)) return fail(s, fmi2Error, "largest_step; allowed: above 0; do: correct it");
-  static const char* const laws[] = {LAWS};
-  enum { COUNT = sizeof laws / sizeof *laws };
-  int law = 0;
-  while (law < COUNT && strcmp(s->text[2], laws[law]) != 0) ++law;
-  if (law == COUNT)
-    return fail(s, fmi2Error, "friction_law; allowed: " LAW_WORDS "; do: name one of them");
+  const int law = number_of_law(s->text[2], s->message, TEXT);
+  if (law < 0) return fail(s, fmi2Error, s->message);
   drop_wheels(s);
   for (int side = 0; side < 2; ++side) {
     rollfem_definition definition = {.struct_size = sizeof definition};
@@ -231,6 +228,7 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
     definition.second_half_velocity = v[V_second_half_velocity];
     definition.memory_distance = v[V_memory_distance];
     definition.memory_velocity = v[V_memory_velocity];
+    memcpy(definition.law_constants, &v[V_law_constant_1], sizeof definition.law_constants);
     definition.layer_thickness = v[V_layer_thickness];
     definition.layer_shear_modulus = v[V_layer_shear_modulus];
     s->wheel[side] = rollfem_create(&definition, s->message, TEXT);

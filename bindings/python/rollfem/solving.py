@@ -61,9 +61,9 @@ def threads(number: int | None = None) -> int:
     8
     """
     if number is not None:
-        if not 1 <= number <= 1024:
-            raise _core.InputError(f"threads({number}): is out of range; allowed: 1 to 1024; do: os.cpu_count() gives "
-                                   "the cores of this machine")
+        if not 1 <= number <= _core.most_threads:
+            raise _core.InputError(f"threads({number}): is out of range; allowed: 1 to {_core.most_threads}; "
+                                   "do: os.cpu_count() gives the cores of this machine")
         _core.use_threads(number)
     return _core.threads()
 

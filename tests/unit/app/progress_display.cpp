@@ -20,7 +20,7 @@ std::string line(int point, bool finished, double seconds) {
 
 }  // namespace
 
-TEST(ProgressDisplay, TellsWhatIsLeftFromTheLoadPointsThatAreDone) {
+TEST(ProgressDisplay, EstimatesTheRemainingTimeFromFinishedLoadPoints) {
   EXPECT_TRUE(says(line(2, true, 20.0), " 20.0 s, about 30 s left"));
   EXPECT_TRUE(says(line(3, false, 20.0), ", about 30 s left"));
 }

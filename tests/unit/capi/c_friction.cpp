@@ -127,7 +127,7 @@ TEST(CFriction, IsInTheUnitsOfThePair) {
   for (int d = 0; d < 3; ++d) EXPECT_NEAR(one.force[d], other.force[d], 1e-6 * 50e3);
 }
 
-TEST(CFriction, RefusesWhatIsMissingOrUnused) {
+TEST(CFriction, RefusesMissingAndUnusedMembers) {
   const auto refusal = [](const rollfem_definition& definition) {
     char message[1000];
     EXPECT_EQ(rollfem_create(&definition, message, sizeof message), nullptr);

@@ -93,7 +93,7 @@ TEST(CHeight, ARollThatIsFoundServesTheOtherWheel) {
   EXPECT_EQ(solve(right, state).force[1], other.force[1]);
 }
 
-TEST(CHeight, WhatIsGivenMustBeKnownAndFinite) {
+TEST(CHeight, RefusesUnknownAndNonFiniteLoads) {
   char message[1000];
   const Pair pair = make(defaults());
   auto result = sized<rollfem_result>();

@@ -243,7 +243,7 @@ TEST(CInterface, NullIsRefusedWithAMessageByEveryCall) {
   rollfem_table_close(nullptr);
 }
 
-TEST(CInterface, ASideThatIsNoneIsRefused) {
+TEST(CInterface, AnUnknownSideIsRefused) {
   char message[1000];
   rollfem_definition definition = defaults();
   definition.side = static_cast<rollfem_side>(9);

@@ -60,7 +60,7 @@ TEST(CTable, SaysWhatTheTableSays) {
   EXPECT_EQ(forces.moment_bar, expected.moment_bar);
 }
 
-TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNone) {
+TEST(CTable, RefusesAnEllipseOutsideAndAFileThatIsNoTable) {
   const TemporaryFolder folder;
   char message[300];
   const std::string text = folder.file("text.h5", "no table");

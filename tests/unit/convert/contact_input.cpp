@@ -79,7 +79,7 @@ TEST(ContactInput, HasNoModuleLineWhereTheCaseBeforeStaysInItsModule) {
   EXPECT_EQ(cases[2].kinematics[1], 0.0012);
 }
 
-TEST(ContactInput, SkipsWhatIsNotConvertedAndFindsTheNextCase) {
+TEST(ContactInput, SkipsUnsupportedBlocksAndFindsTheNextCase) {
   // Debugging digits (X = 1), settings of GDsteady, stresses in two blocks of points.
   std::string text = replaced(rolling_ellipse, " 203100 ", " 203103 ");
   text = replaced(text, " 0001341  H-G-I-A-O-W-R", "10501341\n 1000005 P-S-F-L-R-I-N");

@@ -171,7 +171,7 @@ TEST(FrictionDigits, D4IsTheCurvedSurface) {
   EXPECT_FALSE(says(curved, "extra_slip"));
 }
 
-TEST(FrictionDigits, WrongNumbersNameTheLineAndWhatIsWanted) {
+TEST(FrictionDigits, WrongNumbersNameTheLineAndTheExpectedDigits) {
   const auto message = [](const std::string& text) {
     return refusal<contact::InputError>([&] { convert::read_contact_file(text, "made.inp"); });
   };

@@ -85,7 +85,7 @@ TEST(ProfileReading, TextThatMakesNoSenseIsRefusedWithItsLine) {
 }
 
 /// A corner right after points in a row: it is where the curve turns, and as large as it is.
-TEST(ProfileReading, AKinkIsSaidWhereItIsWithItsAngle) {
+TEST(ProfileReading, AKinkIsReportedWithItsPlaceAndAngle) {
   std::string rows;
   for (int k = -40; k <= 40; ++k)
     rows += fmt::format("{} {:.9f}\n", 0.5 * k, k <= 0 ? 0.0 : 0.5 * k * std::tan(0.4));

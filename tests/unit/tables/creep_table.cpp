@@ -167,7 +167,7 @@ TEST(CreepTable, BarsAreThoseOfTheGridAndOfInterpolation) {
   EXPECT_NEAR(found.moment_bar, 0.002 + 0.02, 1e-15);
 }
 
-TEST(CreepTable, RefusesRatiosOutsideAndWhatIsNotFinite) {
+TEST(CreepTable, RefusesRatiosOutsideAndNaNs) {
   const CreepTableReader reader(table_of_law(4));
   EXPECT_THROW(reader.at(0.49, {}), contact::InputError);
   EXPECT_THROW(reader.at(2.01, {}), contact::InputError);

@@ -137,7 +137,7 @@ TEST(TableFilling, TakenUpItIsTheSameToTheLastBit) {
   EXPECT_EQ(memory.records.size(), all);
 }
 
-TEST(TableFilling, WhatIsRaisedByProgressEndsIt) {
+TEST(TableFilling, AnExceptionOfProgressEndsIt) {
   struct Stop {};
   const contact::Case input = case_of("points = [3, 3, 3]\ncheck_points = 0\n");
   CreepTable table = tables::empty_table(input);

@@ -229,7 +229,7 @@ void expect_refused(contact::Case input, const std::string& said) {
   EXPECT_TRUE(says(message, said));
 }
 
-TEST(WheelTable, WrongInputIsSaid) {
+TEST(WheelTable, WrongInputIsReported) {
   const contact::Case input = rim_case();
   const auto changed = [&](const auto& change) {
     contact::Case other = input;

@@ -163,7 +163,7 @@ TEST(KalkerCoefficients, RiseWithTheLengthOfThePatch) {
   }
 }
 
-TEST(KalkerCoefficients, RefuseWhatIsNoEllipse) {
+TEST(KalkerCoefficients, RefuseInvalidAxesAndPoissonRatios) {
   EXPECT_THROW(kalker_coefficients(0.0, 1.0, 0.3), contact::InputError);
   EXPECT_THROW(kalker_coefficients(1.0, INFINITY, 0.3), contact::InputError);
   EXPECT_THROW(kalker_coefficients(1.0, 1.0, 0.51), contact::InputError);

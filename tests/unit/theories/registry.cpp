@@ -219,7 +219,7 @@ TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
 
 /// Under friction: on a plane along rolling no place below one element has more shear than the
 /// largest below the surface, and no line along x a larger range.
-TEST(StressMaxima, ShearIsToldOnTheSurfaceAndBelowIt) {
+TEST(StressMaxima, ShearIsReportedOnTheSurfaceAndBelowIt) {
   const contact::Case input = contact::parse_case(
       "title = \"friction\"\nmodels = [\"halfspace\"]\n[load]\nnormal_force = 50e3\n[friction]\n"
       "coefficient = 0.2\n[wheel]\nrolling_radius = 405.0\ntransverse_radius = inf\n[rail]\n"

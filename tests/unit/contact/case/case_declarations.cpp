@@ -42,7 +42,7 @@ std::string head_of(const Section& section) {
   return section.repeated ? "[[" + section.name + "]]\n" : "[" + section.name + "]\n";
 }
 
-TEST(CaseDeclarations, TheReaderTakesWhatIsAllowedAndFillsTheMember) {
+TEST(CaseDeclarations, AllowedValuesFillTheMember) {
   for (const Section& section : case_sections())
     for (const Key& key : section) {
       const KeyValue value = other_value(key);
@@ -57,7 +57,7 @@ TEST(CaseDeclarations, TheReaderTakesWhatIsAllowedAndFillsTheMember) {
     }
 }
 
-TEST(CaseDeclarations, TheReaderRefusesWhatIsOutOfBoundsAndSaysWhatIsAllowed) {
+TEST(CaseDeclarations, ValuesOutOfBoundsAreRefusedWithTheAllowedRange) {
   int bounded = 0;
   for (const Section& section : case_sections())
     for (const Key& key : section) {

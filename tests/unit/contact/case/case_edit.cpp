@@ -79,7 +79,7 @@ TEST(CaseEdit, AddsToSectionsWrittenWithDots) {
                    "case.toml:1: load: the section is an inline table"));
 }
 
-TEST(CaseEdit, SaysOfTheCallWhatIsWrongWithIt) {
+TEST(CaseEdit, NamesTheErrorOfACall) {
   EXPECT_EQ(refused("friction.coefficient").find("--set friction.coefficient: expected KEY=VALUE"),
             0u);
   EXPECT_EQ(refused("friction.coefficent=0.3")

@@ -69,7 +69,7 @@ TEST(FrictionKeys, AShiftNeedsNoSpeed) {
       "case.toml"));
 }
 
-TEST(FrictionKeys, WhatIsRefused) {
+TEST(FrictionKeys, RefuseInconsistentLaws) {
   expect_error(falling(exponential, ""),
                {"rolling.speed: is missing, and the friction depends on the slip velocity",
                 "do: add `speed = 10e3`"});
@@ -139,7 +139,7 @@ TEST(FrictionKeys, BetweenPointsTheNumbersAreLinearAndOutsideConstant) {
   EXPECT_NEAR(contact::friction_of(input)->coefficient(), 0.4, 1e-15);
 }
 
-TEST(FrictionKeys, WhatIsRefusedOfFrictionOverTheRail) {
+TEST(FrictionKeys, RefuseInconsistentFrictionOverTheRail) {
   const std::string two = "coefficient = [0.1, 0.4]\n";
   expect_error(over_rail(two),
                {"friction.coefficient = [0.1, 0.4]: has 2 entries, but nothing says "

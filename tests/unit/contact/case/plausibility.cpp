@@ -31,7 +31,7 @@ void expect_one(const Values& values, const std::string& beginning) {
   EXPECT_TRUE(says(found.front(), "do: give it "));
 }
 
-TEST(Plausibility, SlipsOfUnitsAreTold) {
+TEST(Plausibility, WarnsOfWrongUnits) {
   Values metres;
   metres.wheel = "0.46";
   metres.force = "1";
@@ -65,7 +65,7 @@ TEST(Plausibility, SlipsOfUnitsAreTold) {
   }
 }
 
-TEST(Plausibility, SlipsOfUnitsOfTheTrackAreTold) {
+TEST(Plausibility, WarnsOfWrongUnitsOfTheTrack) {
   const auto doubts_of = [](const std::string& lines) {
     return implausible_values(parse_case(
         "[load]\nvertical_force = 80e3\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = "
@@ -87,7 +87,7 @@ TEST(Plausibility, SlipsOfUnitsOfTheTrackAreTold) {
   }
 }
 
-TEST(Plausibility, WhatIsMeantIsNotDoubted) {
+TEST(Plausibility, AcceptsDeliberateExtremeValues) {
   EXPECT_TRUE(doubts({}).empty());
   EXPECT_TRUE(doubts({"100", "20", "60", "0.3", "0.1", "210e3"}).empty());  // a roller rig
   EXPECT_TRUE(doubts({"250", "300", "80", "0.1", "0", "5"}).empty());       // rubber

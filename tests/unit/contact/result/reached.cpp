@@ -34,7 +34,7 @@ TEST(Reached, IsTheWorstOfQuantitiesAndPointsByBothErrorsTogether) {
   EXPECT_EQ(pressure.text(), "discretisation 0.2 %, model 0.4 % (max_pressure at load point 1)");
 }
 
-TEST(Reached, WhatIsMissingIsUnknownUnlessItIsExact) {
+TEST(Reached, AMissingErrorIsUnknownUnlessTheModelIsExact) {
   contact::ModelResult made = result();
   const contact::AccuracyRequest axis{0.01, {"semi_axis_x"}};
   EXPECT_NEAR(reached_by(made, axis, 0.3, true).together(), 0.005, 1e-12);

@@ -56,7 +56,7 @@ TEST(Validity, LetsASoundResultPass) {
   EXPECT_TRUE(validity_warnings(scene(), result()).empty());
 }
 
-TEST(Validity, RefusesNumbersThatAreNoneAndIterationsThatDidNotEnd) {
+TEST(Validity, RefusesNaNsAndUnfinishedIterations) {
   const double none = std::nan("");
   EXPECT_TRUE(says(refused([&](PointResult& p, ModelResult&) { p.spin_moment = none; }),
                    "load point 2 of 2", "spin_moment = nan", "do: "));

@@ -70,7 +70,7 @@ TEST(BelowSurface, StreamlinesOfAWheelAreCircles) {
   EXPECT_NEAR(below[0], 8.0, 1e-9);
 }
 
-TEST(BelowSurface, NormalsThatMeetAreSaid) {
+TEST(BelowSurface, NormalsThatMeetAreReported) {
   const ChartedGeometry geometry(radii(405.0, -10.2, 10.0), Chart::arc);
   const BelowSurface rail(geometry, false);
   EXPECT_LT(rail.coordinates({0.0, 0.0, -9.8}).spread, 0.05);

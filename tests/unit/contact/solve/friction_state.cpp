@@ -130,7 +130,7 @@ TEST(FrictionState, ConstantSlipDecaysExponentially) {
   }
 }
 
-TEST(FrictionState, ShortMemoryIsNone) {
+TEST(FrictionState, AVanishingMemoryHasNoEffect) {
   const Row row(20);
   const FallingFriction law = law_with(FrictionMemory{1e-12, s_0});
   FrictionState state;

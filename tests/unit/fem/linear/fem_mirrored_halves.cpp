@@ -83,7 +83,7 @@ TEST(MirroredHalves, SolveForManyLoadsAsForEach) {
   }
 }
 
-TEST(MirroredHalves, AreNotTakenOfWhatIsNoMirrorImage) {
+TEST(MirroredHalves, AreNotUsedWithoutMirrorSymmetry) {
   BlockOptions options;  // on one side of x = 0
   options.communicator = MPI_COMM_SELF;
   const Block block(options, {});

@@ -194,7 +194,7 @@ TEST(CellQuality, OfKnownCells) {
   EXPECT_NEAR(meshes::cell_quality(cell).scaled_jacobian, -std::sqrt(0.5), 1e-14);
 }
 
-TEST(MeshCheck, RefusesWhatIsNoMeshOfOneBody) {
+TEST(MeshCheck, RefusesUnusableMeshes) {
   EXPECT_EQ(check(small_block()), "");
   expect_message(check({}), "no hexahedra");
 
@@ -317,7 +317,7 @@ TEST(MeshFile, ReadsFormat22) {
   EXPECT_EQ(check(mesh), "");
 }
 
-TEST(MeshFile, RefusesWhatIsNoHexahedralMesh) {
+TEST(MeshFile, RefusesMeshesThatAreNotHexahedral) {
   const TemporaryFolder folder;
   expect_message(
       refusal<contact::InputError>([&] { meshes::read_msh(folder.path("none.msh"), "rail.msh"); }),

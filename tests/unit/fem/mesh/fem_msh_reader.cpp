@@ -155,7 +155,7 @@ std::string refusal_of(const std::string& from, const std::string& to) {
   return refusal<contact::InputError>([&] { meshes::read_msh(path, "cube.msh"); });
 }
 
-TEST(MshReader, SaysWhatIsWrongAndInWhichLine) {
+TEST(MshReader, NamesTheErrorAndItsLine) {
   const TemporaryFolder folder;
   const HexMesh mesh = meshes::read_msh(folder.file("cube.msh", cube), "cube.msh");
   meshes::check_mesh(mesh, "cube.msh");

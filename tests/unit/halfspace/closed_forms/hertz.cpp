@@ -113,7 +113,7 @@ TEST(Hertz, LongEllipseTendsToTheLine) {
   EXPECT_NEAR(benchmark.max_pressure, 113.889, 1e-3);
 }
 
-TEST(Hertz, RefusesWhatIsNoEllipticContact) {
+TEST(Hertz, RefusesContactsThatAreNotElliptic) {
   EXPECT_THROW(hertz_from_force(1e-3, 0.0, 1e5, 1.0), contact::InputError);
   EXPECT_THROW(hertz_from_force(1e-3, -1e-3, 1e5, 1.0), contact::InputError);
   EXPECT_THROW(hertz_from_force(1e-3, 1e-3, 1e5, 0.0), contact::InputError);

@@ -49,7 +49,7 @@ TEST(ExtremeGrids, AnAccuracyIsNotClimbedForBeyondThatMemory) {
   EXPECT_TRUE(says(result.shortfall, "accuracy = 1e-05 was not reached", "0.04 GB are available"));
 }
 
-TEST(ExtremeGrids, AreNoneThatHoldThePatch) {
+TEST(ExtremeGrids, ThatHoldThePatchAreNotExtreme) {
   // Hertz's ellipse is 7.58 by 21.75 mm; the middle may be off where the area still holds it.
   for (const char* grid : {"extent = [10.0, 25.0]\nmiddle = [0.5, -0.5]\ncell_size = [0.5, 1.0]",
                            "cell_size = [0.1, 2.0]", "middle = [1.0, 0.0]\nelements_across = 10"})

@@ -81,7 +81,7 @@ TEST(LoadSharing, UnequalTiltedPatchesFollowHertzsLaw) {
               80e3, 3.0);
 }
 
-TEST(LoadSharing, RefusesWhatIsNoScene) {
+TEST(LoadSharing, RefusesScenesWithoutPlaceOrLoad) {
   EXPECT_THROW(halfspace::share_load({thesis_case('b')}, 50e3), contact::InputError);
   EXPECT_THROW(halfspace::share_load({}, 50e3), contact::InputError);
   EXPECT_THROW(halfspace::share_load({scene(300.0, 0.0, 0.0)}, 0.0), contact::InputError);

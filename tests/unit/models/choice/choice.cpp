@@ -120,14 +120,14 @@ TEST(Choice, LaysNoFineGridForAModelErrorThatIsExpectedOnly) {
   EXPECT_EQ(toys.solved, (Solved{{"plain", 16}, {"corrected", 64}}));
 }
 
-TEST(Choice, RefinesWhatIsWorseThanExpected) {
+TEST(Choice, RefinesGridsThatAreWorseThanExpected) {
   Toys toys;
   toys.plain.discretisation = 0.05;  // 0.0177 on 32, 0.00625 on 64
   choose(candidates(toys), wanted(0.01));
   EXPECT_EQ(toys.solved, (Solved{{"plain", 32}, {"plain", 64}}));
 }
 
-TEST(Choice, GoesOnWhereTheModelItselfLeavesOutTooMuch) {
+TEST(Choice, ContinuesWhereTheModelErrorIsTooLarge) {
   Toys toys;
   toys.plain.model_error = 0.03;
   const contact::ModelResult result = choose(candidates(toys), wanted(0.01));
@@ -139,7 +139,7 @@ TEST(Choice, GoesOnWhereTheModelItselfLeavesOutTooMuch) {
   EXPECT_EQ(result.notes.front(), "auto, for 1 %: " + result.choice);
 }
 
-TEST(Choice, LeavesOutWhatFailsOrCannot) {
+TEST(Choice, SkipsModelsThatFailOrCannotSolveTheCase) {
   Toys toys;
   toys.plain.model_error = 0.03;
   toys.corrected.fails = "the bodies are none that it can take";
@@ -206,7 +206,7 @@ TEST(Choice, SolvesTheQuickestWhereTheLimitHoldsNone) {
   EXPECT_EQ(chosen.advice, "`--set accuracy=0.01` allows more time: plain would take about 4 s.");
 }
 
-TEST(Choice, SaysBeforehandWhatIsSolvedAndHowLongItTakes) {
+TEST(Choice, ForecastsTheModelsAndTheirTime) {
   Toys toys;
   toys.plain.model_error = 0.03;
   auto all = candidates(toys);
@@ -261,7 +261,7 @@ TEST(Choice, AContactThatTheFirstModelCannotTakeDecidesForAll) {
   EXPECT_TRUE(says(chosen.results.front().choice, "plain: the bodies conform"));
 }
 
-TEST(Choice, WhatIsUnknownDoesNotDo) {
+TEST(Choice, AnUnknownErrorDoesNotSuffice) {
   Toys toys;
   auto all = candidates(toys);
   all[0].solve = [&](int across) {

@@ -162,7 +162,7 @@ std::string words(const std::string& line) {
   return text;
 }
 
-TEST(Comparison, TheTableMarksWhatIsBeyondTheErrorBars) {
+TEST(Comparison, TheTableMarksDifferencesBeyondTheErrorBars) {
   const CaseStandings stand = case_standings(example(), references);
   ASSERT_EQ(stand.seconds.size(), 3U);
   std::istringstream table(comparison_table(stand));
@@ -253,7 +253,7 @@ TEST(Comparison, TheVerdictTellsTheDifferenceThatTheErrorBarsAllowLeast) {
             "Within the error bars of halfspace: none. Beyond them: fem (-F_x/F_z 2.0 % of mu).");
 }
 
-TEST(Comparison, FilesHoldEveryNumberAndWhatIsMissing) {
+TEST(Comparison, FilesHoldEveryNumberAndTheMissingModels) {
   ComparisonRecord record;
   record.models = {"hertz", "fastsim", "halfspace", "fem"};
   record.references = references;

@@ -147,7 +147,7 @@ TEST_F(ResultsReaderTest, TellsPatchesApart) {
   EXPECT_EQ(read.read(second).key(), second.key);
 }
 
-TEST_F(ResultsReaderTest, RefusesWhatIsNoWholeResult) {
+TEST_F(ResultsReaderTest, RefusesIncompleteResults) {
   const std::string whole = results_hdf5(full_run());
   EXPECT_EQ(refusal(file(whole)), "");
   EXPECT_TRUE(says(refusal("no/such/folder"), "there is no such file or folder"));

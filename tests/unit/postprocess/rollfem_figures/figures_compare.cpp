@@ -28,7 +28,7 @@ class PagesTest : public DrawnPages {
   }
 };
 
-TEST_F(PagesTest, AComparisonHasEveryCaseAndSaysWhatIsMissing) {
+TEST_F(PagesTest, AComparisonHasEveryCaseAndNamesMissingOnes) {
   RunRecord run = synthetic_run();
   ComparisonRecord record;
   record.provenance.labels = labels;

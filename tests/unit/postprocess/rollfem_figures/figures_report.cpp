@@ -262,7 +262,7 @@ TEST_F(FiguresTest, AVirtualEnvironmentDrawsWithItsOwnPython) {
   EXPECT_TRUE(says(make_report("/nowhere", environment / package), "its own"));
 }
 
-TEST(MakeReport, SaysWhatIsMissing) {
+TEST(MakeReport, ReportsMissingProgramsAndScripts) {
   EXPECT_TRUE(says(make_report("/nowhere", "/nowhere"), "no Python package"));
   ::setenv("ROLLFEM_PYTHON", "/nowhere/python3", 1);
   EXPECT_TRUE(says(make_report("/nowhere", scripts), "cannot run /nowhere/python3"));

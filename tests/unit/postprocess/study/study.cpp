@@ -82,7 +82,7 @@ TEST(Limit, BarsHoldForSumsOfTwoOrders) {
   EXPECT_GE(covered, 0.95 * all) << "of " << all;
 }
 
-TEST(Limit, WhatIsSettledToRoundingHasNoOrderAndABarThatIsNotZero) {
+TEST(Limit, AValueConvergedToRoundingHasNoOrderButABar) {
   const double a = 5.001008;
   const double bit = 8.9e-16;
   for (const auto& values : {std::vector<double>{a, a, a},
@@ -184,7 +184,7 @@ std::map<std::string, StudyReference> references_of(const StudyRecord& study,
   return references(study.places[0], study.places[0].series[series], study.rule);
 }
 
-TEST(Study, TakesWhatIsExactAndExtrapolatesTheRest) {
+TEST(Study, UsesExactValuesAndExtrapolatesTheOthers) {
   StudyRecord study = record();
   study.places[0].exact = {{"max_pressure", 100.0}};
   auto refs = references_of(study);

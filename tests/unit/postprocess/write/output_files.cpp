@@ -109,7 +109,7 @@ std::string refused(const RunRecord& run) {
 
 using Change = std::function<void(std::vector<contact::ModelResult>&)>;
 
-TEST(WriteResults, RefusesWhatIsNotFiniteDoesNotFitOrMakesNoFileNameAndNamesIt) {
+TEST(WriteResults, RefusesAndNamesNonFiniteValuesWrongSizesAndBadFileNames) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [change, named] : std::vector<std::pair<Change, const char*>>{
            {[&](auto& m) { m[1].points[2].max_pressure = nan; },

@@ -163,7 +163,7 @@ TEST_F(ResultFolderTest, AFileThatCannotBeWrittenWholeLeavesTheEarlierResultInta
   EXPECT_EQ(entries(), 1U);
 }
 
-TEST_F(ResultFolderTest, NoPermissionIsSaidAndLeavesNothing) {
+TEST_F(ResultFolderTest, MissingPermissionIsReportedAndLeavesNothing) {
   // The administrator may write everywhere but in /proc.
   const std::string directory = ::geteuid() == 0 ? "/proc/rollfem" : (base_ / "locked/r").string();
   fs::create_directory(base_ / "locked");

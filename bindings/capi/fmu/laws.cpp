@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "laws.h"
+
+#include "contact/case/fall_shape.hpp"
+
+#include <cstdio>
+#include <string>
+
+int number_of_law(const char* word, char* message, std::size_t size) {
+  std::string words;
+  int number = 0;
+  for (const rollfem::contact::FallShape& law : rollfem::contact::fall_shapes()) {
+    if (std::string(word) == law.word) return number;
+    words += (number++ == 0 ? "" : ", ") + std::string(law.word);
+  }
+  std::snprintf(message, size, "friction_law; allowed: %s; do: name one of them", words.c_str());
+  return -1;
+}
