@@ -4,8 +4,6 @@
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/discretisation/node_entries.hpp"
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -26,10 +24,12 @@ dealii::AlignedVector<Out> pack(const Data& data, std::size_t items,
   if (data.empty()) return {};
   const std::size_t batches = (chosen.size() + width - 1) / width;
   dealii::AlignedVector<Out> packed(batches * items * width, Out(0));
-  for (std::size_t k = 0; k < chosen.size(); ++k)
-    for (std::size_t item = 0; item < items; ++item)
-      packed[((k / width) * items + item) * width + k % width] =
-          static_cast<Out>(data[chosen[k] * items + item]);
+  for_each_cells(chosen.size(), [&](std::size_t k, std::size_t end) {
+    for (; k < end; ++k)
+      for (std::size_t item = 0; item < items; ++item)
+        packed[((k / width) * items + item) * width + k % width] =
+            static_cast<Out>(data[chosen[k] * items + item]);
+  });
   return packed;
 }
 
@@ -40,13 +40,16 @@ dealii::AlignedVector<double> pack_in_place(dealii::AlignedVector<double>& data,
   constexpr std::size_t width = lanes<Number>;
   if (data.empty()) return {};
   data.resize((cells + width - 1) / width * width * items, 0.0);
-  std::vector<double> batch(width * items);
-  for (double* first = data.begin(); first != data.end(); first += batch.size()) {
-    std::copy_n(first, batch.size(), batch.begin());
-    for (std::size_t item = 0; item < items; ++item)
-      for (std::size_t lane = 0; lane < width; ++lane)
-        first[item * width + lane] = batch[lane * items + item];
-  }
+  for_each_cells(data.size() / items, [&](std::size_t cell, std::size_t end) {
+    std::vector<double> batch(width * items);
+    for (; cell < end; cell += width) {
+      double* const first = data.begin() + cell * items;
+      std::copy_n(first, batch.size(), batch.begin());
+      for (std::size_t item = 0; item < items; ++item)
+        for (std::size_t lane = 0; lane < width; ++lane)
+          first[item * width + lane] = batch[lane * items + item];
+    }
+  });
   return std::move(data);
 }
 
@@ -64,48 +67,6 @@ std::vector<std::size_t> all_of(const LocalCells& cells) {
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
-
-/// Mean of sqrt(det J) d xi / d x over the points of every cell, and the cells in which it is
-/// constant up to a relative tolerance.
-struct StraightCells {
-  dealii::AlignedVector<double> matrix;  ///< [cell][e][d]
-  std::vector<std::size_t> straight, bent;
-
-  StraightCells(const LocalCells& cells, double tolerance) {
-    const bool plain = tolerance > 0 && cells.flow.empty() && cells.dilatation.empty();
-    const std::vector<double> roots = root_weights(cells.degree);
-    if (plain) matrix.resize(9 * cells.count);
-    for (std::size_t cell = 0; cell < cells.count; ++cell) {
-      const double* const geometry = cells.geometry.data() + cell * roots.size() * 9;
-      const bool same = plain && is_straight(geometry, roots, tolerance, &matrix[9 * cell]);
-      (same ? straight : bent).push_back(cell);
-    }
-  }
-
- private:
-  static std::vector<double> root_weights(int degree) {
-    const dealii::QGauss<3> quadrature(static_cast<unsigned int>(degree) + 1);
-    std::vector<double> roots;
-    for (const double weight : quadrature.get_weights()) roots.push_back(std::sqrt(weight));
-    return roots;
-  }
-  static bool is_straight(const double* geometry, const std::vector<double>& roots,
-                          double tolerance, double* mean) {
-    double size = 0.0, largest = 0.0;
-    for (int i = 0; i < 9; ++i) {
-      mean[i] = 0.0;
-      for (std::size_t q = 0; q < roots.size(); ++q) mean[i] += geometry[9 * q + i] / roots[q];
-      mean[i] /= static_cast<double>(roots.size());
-      size += mean[i] * mean[i];
-    }
-    for (std::size_t q = 0; q < roots.size(); ++q) {
-      double change = 0.0;
-      for (int i = 0; i < 9; ++i) change += std::pow(geometry[9 * q + i] / roots[q] - mean[i], 2);
-      largest = std::max(largest, change);
-    }
-    return largest < tolerance * tolerance * size;
-  }
-};
 
 void nothing(unsigned int, unsigned int) {}
 
@@ -292,12 +253,19 @@ void ElasticityOperator<Number>::for_each_cell(const F& f) const {
   const CellConstraints constraints(*dofs_);
   constexpr std::size_t width = lanes<Number>;
   const int cell_dofs = 3 * cell_nodes_;
-  dealii::AlignedVector<Number> matrices(width * cell_dofs * cell_dofs);
+  // Matrices of some batches at a time, computed side by side, before they are added one by one.
+  constexpr std::size_t at_once = 32;
+  const std::size_t of_batch = width * static_cast<std::size_t>(cell_dofs * cell_dofs);
+  dealii::AlignedVector<Number> computed(at_once * of_batch);
   std::vector<CellMaster> masters;
   for (const Group& group : groups_)
     for (std::size_t cell = 0; cell < group.cells; ++cell) {
       const std::size_t batch = cell / width, lane = cell % width;
-      if (lane == 0) kernel_.element_matrices(group.batches, material_, batch, matrices.data());
+      if (cell % (at_once * width) == 0)
+        contact::for_each_index(std::min(at_once, group.batches.count - batch), [&](std::size_t k) {
+          kernel_.element_matrices(group.batches, material_, batch + k, &computed[k * of_batch]);
+        });
+      const Number* const matrices = &computed[batch % at_once * of_batch];
       const unsigned int* offset = group.nodes.data() + batch * cell_nodes_ * width + lane;
       masters.clear();
       for (int i = 0; i < cell_dofs; ++i) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/base/spares.hpp"
+#include "contact/base/threads.hpp"
 #include "fem/discretisation/coloured_pieces.hpp"
 #include "fem/discretisation/elastic_problem.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
@@ -42,6 +43,24 @@ struct LocalCells {
 /// Collective. Throws contact::InputError for degrees other than 1 and 2 and for cells inverted by
 /// the mapping.
 LocalCells make_local_cells(const ElasticProblem& problem);
+
+/// Mean of sqrt(det J) d xi / d x over the points of every cell, and the cells in which it is
+/// constant up to a relative tolerance.
+struct StraightCells {
+  StraightCells(const LocalCells& cells, double tolerance);
+
+  dealii::AlignedVector<double> matrix;  ///< [cell][e][d]
+  std::vector<std::size_t> straight, bent;
+};
+
+/// Passes [begin, end) over cells in pieces of whole batches.
+template <typename F>
+void for_each_cells(std::size_t cells, const F& f) {
+  contact::for_each_piece(static_cast<std::ptrdiff_t>(cells), 512,
+                          [&](std::ptrdiff_t first, std::ptrdiff_t end) {
+                            f(static_cast<std::size_t>(first), static_cast<std::size_t>(end));
+                          });
+}
 
 /// Lower triangle of a sparse symmetric matrix in global numbers, row after row.
 struct MatrixEntry {

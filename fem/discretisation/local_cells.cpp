@@ -255,11 +255,52 @@ void add_geometry(const ElasticProblem& problem, LocalCells& cells) {
     }
   });
   // All processes throw or none does.
-  if (dealii::Utilities::MPI::min(valid ? 1 : 0, dofs.get_communicator()) == 0)
+  const bool valid_everywhere =
+      cells.dofs->owned_only->n_mpi_processes() == 1
+          ? valid.load()
+          : dealii::Utilities::MPI::min(valid ? 1 : 0, dofs.get_communicator()) == 1;
+  if (!valid_everywhere)
     throw contact::InputError("the mesh has a cell that is inside out: refine or smooth it");
 }
 
+/// Whether sqrt(det J) d xi / d x, given at the points of a cell, is constant up to a relative
+/// tolerance; `mean`: its mean. `roots`: of the weights of the points.
+bool is_straight(const double* geometry, const std::vector<double>& roots, double tolerance,
+                 double* mean) {
+  double size = 0.0, largest = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    mean[i] = 0.0;
+    for (std::size_t q = 0; q < roots.size(); ++q) mean[i] += geometry[9 * q + i] / roots[q];
+    mean[i] /= static_cast<double>(roots.size());
+    size += mean[i] * mean[i];
+  }
+  for (std::size_t q = 0; q < roots.size(); ++q) {
+    double change = 0.0;
+    for (int i = 0; i < 9; ++i) change += std::pow(geometry[9 * q + i] / roots[q] - mean[i], 2);
+    largest = std::max(largest, change);
+  }
+  return largest < tolerance * tolerance * size;
+}
+
 }  // namespace
+
+StraightCells::StraightCells(const LocalCells& cells, double tolerance) {
+  const bool plain = tolerance > 0 && cells.flow.empty() && cells.dilatation.empty();
+  const dealii::QGauss<3> quadrature(static_cast<unsigned int>(cells.degree) + 1);
+  std::vector<double> roots;
+  for (const double weight : quadrature.get_weights()) roots.push_back(std::sqrt(weight));
+  if (plain) matrix.resize(9 * cells.count);
+  std::vector<char> same(cells.count, 0);
+  for_each_cells(plain ? cells.count : 0, [&](std::size_t cell, std::size_t end) {
+    for (; cell < end; ++cell)
+      same[cell] = is_straight(cells.geometry.data() + cell * roots.size() * 9, roots, tolerance,
+                               &matrix[9 * cell])
+                       ? 1
+                       : 0;
+  });
+  for (std::size_t cell = 0; cell < cells.count; ++cell)
+    (same[cell] != 0 ? straight : bent).push_back(cell);
+}
 
 LocalCells make_local_cells(const ElasticProblem& problem) {
   const auto& element = problem.dofs.get_fe();

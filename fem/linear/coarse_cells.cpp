@@ -43,7 +43,10 @@ class Owners {
     Place first = nowhere;
     for (const auto& cell : mesh.active_cell_iterators())
       if (cell->is_locally_owned()) first = std::min(first, place_of(cell->id()));
-    first_ = dealii::Utilities::MPI::all_gather(mesh.get_communicator(), first);
+    const MPI_Comm communicator = mesh.get_communicator();
+    first_ = dealii::Utilities::MPI::n_mpi_processes(communicator) == 1
+                 ? std::vector{first}
+                 : dealii::Utilities::MPI::all_gather(communicator, first);
     // A process without cells is skipped: it begins where the next one does.
     for (std::size_t k = first_.size(); k-- > 1;)
       first_[k - 1] = std::min(first_[k - 1], first_[k]);

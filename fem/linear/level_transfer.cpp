@@ -20,8 +20,6 @@ namespace rollfem::fem {
 
 namespace {
 
-using FloatVector = LevelTransfer::VectorType;
-
 /// Values at lines of nodes from values at other lines: `before` and `after` count the nodes in the
 /// faster and slower directions. Four lanes, three of them components.
 constexpr int lanes = 4;

@@ -9,15 +9,16 @@
 
 namespace rollfem::fem {
 
+using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
+
 class LevelTransfer {
  public:
-  using VectorType = dealii::LinearAlgebra::distributed::Vector<float>;
   virtual ~LevelTransfer() = default;
   /// fine += P coarse: values at constrained unknowns of `coarse` are ignored, those of `fine`
   /// unchanged. Collective.
-  virtual void prolongate_and_add(VectorType& fine, const VectorType& coarse) const = 0;
+  virtual void prolongate_and_add(FloatVector& fine, const FloatVector& coarse) const = 0;
   /// coarse += P^T fine. Collective.
-  virtual void restrict_and_add(VectorType& coarse, const VectorType& fine) const = 0;
+  virtual void restrict_and_add(FloatVector& coarse, const FloatVector& fine) const = 0;
 };
 
 /// The cells of `fine` are those of `coarse`, refined once or not at all, with any distribution

@@ -3,18 +3,14 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/spares.hpp"
-#include "contact/base/threads.hpp"
-#include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/cholmod.hpp"
 #include "fem/linear/first_process.hpp"
 #include "fem/linear/flush_subnormals.hpp"
-#include "fem/linear/level_transfer.hpp"
 #include "fem/linear/memory.hpp"
+#include "fem/linear/multigrid_level.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
-#include <deal.II/lac/diagonal_matrix.h>
-#include <deal.II/lac/precondition.h>
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 #include <fmt/format.h>
 
@@ -24,24 +20,12 @@
 #include <memory>
 #include <mpi.h>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace rollfem::fem {
 
 namespace {
-
-using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
-
-/// Ratio of largest to smallest damped eigenvalue for one degree of the polynomial. Isotropic cells
-/// need less; with the cells of aspect 3 that graded meshes have, wider ranges save a third of the
-/// iterations (measured: degree 4 to 8, ratios 15 to 100; flat from 8 to 20 times the degree).
-constexpr double range_per_degree = 10;
-
-/// Cells bent by less than this are parallelepipeds in the preconditioner: the range of eigenvalues
-/// widens by twice as much, without additional iterations.
-constexpr double straightened = 0.02;
 
 /// Counts of all processes in order.
 struct Shares {
@@ -72,13 +56,13 @@ std::vector<MatrixEntry> gather(const std::vector<MatrixEntry>& mine, MPI_Comm c
   return all;
 }
 
-/// Direct solution on the coarsest level: its matrix is gathered and factorised on the first
-/// process, because iterations fail on the stretched cells of a graded coarse mesh.
+/// Direct solution on the coarsest level, where iterations fail on the stretched cells of a graded
+/// mesh: its matrix is gathered and factorised on the first process.
 class CoarseSolver {
  public:
   /// `entries`: contributions of this process to the lower triangle; `owned`: number of unknowns it
-  /// owns, numbered consecutively over the processes. Collective. Throws contact::SolveError when
-  /// the matrix is not positive definite (the body is not clamped) or memory runs out.
+  /// owns, consecutive over the processes. Collective. Throws contact::SolveError when the matrix
+  /// is not positive definite (the body is not clamped) or memory runs out.
   CoarseSolver(const std::vector<MatrixEntry>& entries, std::size_t owned, MPI_Comm communicator);
 
   /// x = K^-1 b in owned entries, collective.
@@ -126,42 +110,6 @@ void CoarseSolver::solve(FloatVector& x, const FloatVector& b) const {
                  MPI_FLOAT, 0, communicator_);
 }
 
-/// The stiffness in the interface through which deal.II estimates its eigenvalues.
-struct ScaledMatrix : dealii::Subscriptor {
-  explicit ScaledMatrix(const ElasticityOperator<float>& of)
-      : stiffness(of), rows(of.make_vector().size()) {}
-  void vmult(FloatVector& product, const FloatVector& x) const { stiffness.vmult(product, x); }
-  FloatVector::size_type m() const { return rows; }
-  /// Required by deal.II only if no diagonal is given, but one is.
-  float el(FloatVector::size_type, FloatVector::size_type) const {
-    throw std::logic_error("the smoother's diagonal is given");
-  }
-
-  const ElasticityOperator<float>& stiffness;
-  FloatVector::size_type rows;
-};
-
-/// The estimate of the largest eigenvalue of D^-1 K by conjugate gradients, with deal.II's margin.
-double largest_eigenvalue(const ElasticityOperator<float>& stiffness, const FloatVector& diagonal) {
-  using Diagonal = dealii::DiagonalMatrix<FloatVector>;
-  dealii::PreconditionChebyshev<ScaledMatrix, FloatVector, Diagonal> estimate;
-  const ScaledMatrix matrix(stiffness);
-  decltype(estimate)::AdditionalData data;
-  data.eig_cg_n_iterations = 15;
-  data.smoothing_range = range_per_degree;
-  data.degree = 1;
-  data.preconditioner = std::make_shared<Diagonal>(diagonal);
-  estimate.initialize(matrix, data);
-  return estimate.estimate_eigenvalues(diagonal).max_eigenvalue_estimate;
-}
-
-/// Passes over a vector in pieces that depend on its size alone.
-constexpr std::ptrdiff_t entries_of_a_piece = 3 * 8192;
-template <typename F>
-void for_each_entries(std::size_t size, const F& f) {
-  contact::for_each_piece(static_cast<std::ptrdiff_t>(size), entries_of_a_piece, f);
-}
-
 /// a b, of all processes.
 double product_of(const Vector& a, const Vector& b) {
   const std::size_t size = a.locally_owned_size();
@@ -177,96 +125,8 @@ double product_of(const Vector& a, const Vector& b) {
              : dealii::Utilities::MPI::sum(sum, partitioner.get_mpi_communicator());
 }
 
-/// One level above the coarsest; single precision, it only preconditions.
-class Level {
- public:
-  /// Vectors of one solve.
-  struct Work {
-    FloatVector solution, right, product, before;
-  };
-  Level(const LocalCells& cells, std::unique_ptr<LevelTransfer> transfer, int smoother_degree)
-      : stiffness_(cells, straightened),
-        to_coarser_(std::move(transfer)),
-        inverse_diagonal_(stiffness_.inverse_diagonal()),
-        degree_(std::max(smoother_degree, 1)) {
-    const double largest = largest_eigenvalue(stiffness_, inverse_diagonal_);
-    const double smallest = largest / (range_per_degree * degree_);
-    middle_ = 0.5 * (largest + smallest);
-    half_width_ = 0.5 * (largest - smallest);
-  }
-  Work make_work() const {
-    Work work;
-    for (FloatVector* vector : {&work.solution, &work.right, &work.product, &work.before})
-      *vector = stiffness_.make_vector();
-    return work;
-  }
-  /// The Chebyshev iteration (Saad, Iterative Methods for Sparse Linear Systems, algorithm 12.1)
-  /// towards K^-1 right for the eigenvalues of D^-1 K in the range of the smoother, `degree`
-  /// products; from a solution of zero one of them is saved, and `solution` need not be set.
-  void smooth(Work& at, bool from_zero) const;
-  /// Sets the right-hand side of the next coarser level to the restricted residual.
-  void restrict_residual(Work& at, FloatVector& coarser) const;
-  void prolongate(Work& at, const FloatVector& correction) const {
-    to_coarser_->prolongate_and_add(at.solution, correction);
-  }
-
- private:
-  void advance(Work& at, double along, double step) const;
-
-  ElasticityOperator<float> stiffness_;
-  std::unique_ptr<LevelTransfer> to_coarser_;
-  FloatVector inverse_diagonal_;
-  int degree_;
-  double middle_ = 0.0, half_width_ = 0.0;  ///< of the range of eigenvalues
-};
-
-/// x <- x + along (x - before) + step D^-1 (right - K x).
-void Level::advance(Work& at, double along, double step) const {
-  const float *const x = at.solution.begin(), *const b = at.right.begin(),
-                     *const scale = inverse_diagonal_.begin(), *const product = at.product.begin();
-  float* const before = at.before.begin();
-  const auto of_before = static_cast<float>(along), of_residual = static_cast<float>(step),
-             of_x = static_cast<float>(1.0 + along);
-  stiffness_.vmult(
-      at.product, at.solution, [](unsigned int, unsigned int) {},
-      [&](unsigned int first, unsigned int end) {
-        for (unsigned int i = first; i < end; ++i)
-          before[i] =
-              of_x * x[i] - of_before * before[i] + of_residual * scale[i] * (b[i] - product[i]);
-      });
-  at.solution.swap(at.before);
-}
-
-void Level::smooth(Work& at, bool from_zero) const {
-  const double first_step = 1.0 / middle_;
-  if (from_zero) {
-    for_each_entries(at.solution.locally_owned_size(), [&](std::ptrdiff_t i, std::ptrdiff_t end) {
-      std::fill(at.before.begin() + i, at.before.begin() + end, 0.0F);
-      for (; i < end; ++i)
-        at.solution.begin()[i] =
-            static_cast<float>(first_step) * inverse_diagonal_.begin()[i] * at.right.begin()[i];
-    });
-  } else {
-    advance(at, 0.0, first_step);
-  }
-  double along = half_width_ / middle_;
-  for (int k = 1; k < degree_; ++k) {
-    const double next = 1.0 / (2.0 * middle_ / half_width_ - along);
-    advance(at, next * along, 2.0 * next / half_width_);
-    along = next;
-  }
-}
-
-void Level::restrict_residual(Work& at, FloatVector& coarser) const {
-  float* const residual = at.product.begin();
-  const float* const right = at.right.begin();
-  stiffness_.vmult(
-      at.product, at.solution, [](unsigned int, unsigned int) {},
-      [&](unsigned int first, unsigned int end) {
-        for (unsigned int i = first; i < end; ++i) residual[i] = right[i] - residual[i];
-      });
-  std::fill(coarser.begin(), coarser.end(), 0.0F);
-  to_coarser_->restrict_and_add(coarser, at.product);
+double norm_of(const Vector& a) {
+  return std::sqrt(product_of(a, a));
 }
 
 /// From coarse to fine, the body's mesh last. Coarsened meshes keep the memory of the original
@@ -330,7 +190,7 @@ class Multigrid : public LinearSolver {
  private:
   /// Vectors of one solve.
   struct Work {
-    std::vector<Level::Work> levels;
+    std::vector<MultigridLevel::Work> levels;
     FloatVector coarse_solution, coarse_right;
     Vector right, solution, residual, preconditioned, direction, product;
     int iterations = 0;
@@ -351,7 +211,8 @@ class Multigrid : public LinearSolver {
 
   MultigridOptions options_;
   std::unique_ptr<ElasticityOperator<double>> stiffness_;
-  std::vector<std::unique_ptr<Level>> levels_;  ///< from coarse to fine, without the coarsest
+  std::vector<std::unique_ptr<MultigridLevel>>
+      levels_;  ///< from coarse to fine, without the coarsest
   std::unique_ptr<CoarseSolver> coarse_;
   FloatVector coarse_vector_;  ///< of the coarsest level's layout
   contact::Spares<Work> work_;
@@ -373,9 +234,14 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
       discretised.push_back(std::make_unique<Discretisation>(*meshes[i], problem));
     discretised.push_back(std::make_unique<Discretisation>(problem));
   });
-  std::vector<std::unique_ptr<LevelTransfer>> transfers(1);
-  for (std::size_t i = 1; i < discretised.size(); ++i)
-    transfers.push_back(discretised[i]->transfer_to(*discretised[i - 1]));
+  std::vector<std::unique_ptr<LevelTransfer>> transfers(discretised.size());
+  const auto make_transfer = [&](std::size_t i) {
+    transfers[i] = discretised[i]->transfer_to(*discretised[i - 1]);
+  };
+  if (dealii::Utilities::MPI::n_mpi_processes(problem.dofs.get_communicator()) == 1)
+    contact::for_each_index(transfers.size() - 1, [&](std::size_t i) { make_transfer(i + 1); });
+  else
+    for (std::size_t i = 1; i < transfers.size(); ++i) make_transfer(i);
   hand_back_memory();
   LocalCells cells = discretised.front()->cells();
   factorise_coarsest(cells);
@@ -384,12 +250,10 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
     cells = {};
     cells = discretised[i]->cells();
     levels_.push_back(
-        std::make_unique<Level>(cells, std::move(transfers[i]), options.smoother_degree));
+        std::make_unique<MultigridLevel>(cells, std::move(transfers[i]), options.smoother_degree));
   }
-  one_at_a_time([&] {
-    discretised.clear();
-    meshes.clear();
-  });
+  discretised.clear();
+  one_at_a_time([&] { meshes.clear(); });
   stiffness_ = std::make_unique<ElasticityOperator<double>>(std::move(cells));
   cells = {};
   hand_back_memory();
@@ -416,8 +280,8 @@ std::unique_ptr<Multigrid::Work> Multigrid::make_work() const {
 /// V-cycle: solution on level `level` (the coarsest is 0) from its right-hand side.
 void Multigrid::cycle(std::size_t level, Work& work) const {
   if (level == 0) return coarse_->solve(work.coarse_solution, work.coarse_right);
-  const Level& fine = *levels_[level - 1];
-  Level::Work& at = work.levels[level - 1];
+  const MultigridLevel& fine = *levels_[level - 1];
+  MultigridLevel::Work& at = work.levels[level - 1];
   fine.smooth(at, true);
   fine.restrict_residual(at, work.right_of(level - 1));
   cycle(level - 1, work);
@@ -428,11 +292,11 @@ void Multigrid::cycle(std::size_t level, Work& work) const {
 /// V-cycle of the residual, scaled by its norm to stay within single precision.
 void Multigrid::precondition(Work& work) const {
   const FlushSubnormals flush;
-  const double norm = std::sqrt(product_of(work.residual, work.residual));
+  const double norm = norm_of(work.residual);
   const std::size_t finest = levels_.size(), size = work.residual.locally_owned_size();
-  float* const right = work.right_of(finest).begin();
+  FloatVector& right = work.right_of(finest);
   for_each_entries(size, [&](std::ptrdiff_t i, std::ptrdiff_t end) {
-    for (; i < end; ++i) right[i] = static_cast<float>(work.residual.begin()[i] / norm);
+    for (; i < end; ++i) right.begin()[i] = static_cast<float>(work.residual.begin()[i] / norm);
   });
   cycle(finest, work);
   const float* const solution = work.solution_of(finest).begin();
@@ -454,10 +318,9 @@ void Multigrid::set_residual(Work& work) const {
 /// Conjugate gradients from the solution and its residual. The Polak-Ribiere formula for beta
 /// tolerates a preconditioner in single precision (Golub and Ye, SIAM J. Sci. Comput. 21, 1999).
 void Multigrid::iterate(Work& work, double target) const {
-  const std::size_t size = work.residual.locally_owned_size();
   double before = 0.0, step = 0.0;
   for (; work.iterations < options_.max_iterations; ++work.iterations) {
-    if (!(std::sqrt(product_of(work.residual, work.residual)) > target)) return;
+    if (!(norm_of(work.residual) > target)) return;
     precondition(work);
     const double along = product_of(work.preconditioned, work.residual);
     // The residual has changed by -step times the last product.
@@ -472,7 +335,7 @@ void Multigrid::iterate(Work& work, double target) const {
         },
         [](unsigned int, unsigned int) {});
     step = along / product_of(work.direction, work.product);
-    for_each_entries(size, [&](std::ptrdiff_t i, std::ptrdiff_t end) {
+    for_each_entries(work.residual.locally_owned_size(), [&](std::ptrdiff_t i, std::ptrdiff_t end) {
       for (; i < end; ++i) {
         work.solution.begin()[i] += step * work.direction.begin()[i];
         work.residual.begin()[i] -= step * work.product.begin()[i];
@@ -487,12 +350,11 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
   Work& work = *borrowed;
   std::copy_n(b.begin(), work.right.locally_owned_size(), work.right.begin());
   stiffness_->condense(work.right);
-  const double scale = std::sqrt(product_of(work.right, work.right)),
-               target = options_.tolerance * scale;
+  const double scale = norm_of(work.right), target = options_.tolerance * scale;
   if (!std::isfinite(scale))
     throw contact::SolveError("multigrid: the load is not a finite number");
-  for (Vector* vector : {&work.solution, &work.direction})
-    std::fill(vector->begin(), vector->end(), 0.0);
+  std::fill(work.solution.begin(), work.solution.end(), 0.0);
+  std::fill(work.direction.begin(), work.direction.end(), 0.0);
   std::copy(work.right.begin(), work.right.end(), work.residual.begin());
   work.iterations = 0;
   double norm = scale;
@@ -500,7 +362,7 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
   for (int pass = 0; pass < 3 && norm > target && scale > 0; ++pass) {
     iterate(work, pass == 0 ? target : 0.5 * target);
     set_residual(work);
-    norm = std::sqrt(product_of(work.residual, work.residual));
+    norm = norm_of(work.residual);
     if (!std::isfinite(norm)) break;
   }
   iterations_ = work.iterations;

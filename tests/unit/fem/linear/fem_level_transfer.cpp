@@ -11,7 +11,7 @@
 namespace {
 
 using dealii::Point;
-using FloatVector = fem::LevelTransfer::VectorType;
+using fem::FloatVector;
 
 class Levels : public ::testing::TestWithParam<unsigned int> {
  protected:
