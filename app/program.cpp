@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <iostream>
@@ -130,6 +131,15 @@ std::vector<std::string> arguments(int argc, char** argv) {
   return words;
 }
 
+/// Processes of mpirun on one machine share its cores, unless each is bound to some of them.
+void share_cores(Call& call) {
+  const int together = modelling::processes().on_machine;
+  if (together == 1 || std::getenv("OMP_NUM_THREADS") != nullptr) return;
+  const int cores = std::min(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)),
+                             contact::allowed_cores("/proc", "/sys/fs/cgroup"));
+  call.threads.emplace(std::min(contact::allowed_threads(), std::max(1, cores / together)));
+}
+
 int execute(int argc, char** argv, const contact::ModelRegistry& models) {
   Call call{models, fmt::format("{}", fmt::join(argv, argv + argc, " ")), argc, argv};
   CLI::App program("rollfem: rolling contact of wheel and rail by half-spaces and finite elements",
@@ -142,6 +152,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
     add(program, call);
   add_quiet_flags(program);
   add_threads_option(program, call);
+  share_cores(call);
   std::vector<std::string> words = arguments(argc, argv);
   check_command(program, words);
   std::reverse(words.begin(), words.end());  // the order CLI11 expects

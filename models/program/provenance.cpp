@@ -91,6 +91,8 @@ Processes processes() {
   Processes found;
   found.rank = number_from({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"}, 0);
   found.count = number_from({"OMPI_COMM_WORLD_SIZE", "PMIX_SIZE", "PMI_SIZE"}, found.rank + 1);
+  found.on_machine =
+      number_from({"OMPI_COMM_WORLD_LOCAL_SIZE", "PMIX_LOCAL_SIZE", "MPI_LOCALNRANKS"}, 1);
   return found;
 }
 

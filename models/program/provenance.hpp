@@ -38,6 +38,7 @@ std::filesystem::path script_directory();
 struct Processes {
   int rank = 0;
   int count = 1;
+  int on_machine = 1;  ///< those that share this machine, where the launcher tells
   bool first() const { return rank == 0; }
 };
 Processes processes();
