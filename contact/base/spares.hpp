@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Working memory of an object whose const members run on several threads at once.
+// Memory to work in that is kept from one use to the next, by an object that several threads use at
+// once.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -10,34 +10,41 @@
 
 namespace rollfem::contact {
 
-/// Makes as many as are in use at the same time, and keeps them for later calls.
+/// Must outlive what was borrowed from it.
 template <class Work>
 class Spares {
  public:
-  using Loan = std::unique_ptr<Work, std::function<void(Work*)>>;
-
-  /// For the exclusive use of the caller until the loan ends; contents are those that an earlier
-  /// user left, or as made by `make`.
+  /// The caller's own until it goes out of scope, with what an earlier use left in it; made by
+  /// make() while all others are in use.
   template <class Make>
-  Loan borrow(const Make& make) const {
-    std::unique_ptr<Work> work;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      if (!spare_.empty()) {
-        work = std::move(spare_.back());
-        spare_.pop_back();
-      }
-    }
+  auto borrow(const Make& make) const {
+    std::unique_ptr<Work> work = left_over();
     if (!work) work = make();
-    return Loan(work.release(), [this](Work* done) {
+    const auto give_back = [this](Work* used) {
       const std::lock_guard<std::mutex> lock(mutex_);
-      spare_.emplace_back(done);
-    });
+      free_.emplace_back(used);
+    };
+    return std::unique_ptr<Work, decltype(give_back)>(work.release(), give_back);
+  }
+  auto borrow() const {
+    return borrow([] { return std::make_unique<Work>(); });
   }
 
  private:
+  std::unique_ptr<Work> left_over() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (free_.empty()) {
+      free_.reserve(++made_);
+      return nullptr;
+    }
+    std::unique_ptr<Work> work = std::move(free_.back());
+    free_.pop_back();
+    return work;
+  }
+
   mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<Work>> spare_;
+  mutable std::size_t made_ = 0;
+  mutable std::vector<std::unique_ptr<Work>> free_;
 };
 
 }  // namespace rollfem::contact

@@ -169,15 +169,13 @@ typename ElasticityOperator<Number>::VectorType ElasticityOperator<Number>::make
 }
 
 template <typename Number>
-typename contact::Spares<typename ElasticityOperator<Number>::Scratch>::Loan
-ElasticityOperator<Number>::scratch() const {
-  return scratch_.borrow([&] {
-    auto made = std::make_unique<Scratch>();
-    made->source.resize(entries_per_node * dofs_->nodes());
-    made->result.resize(entries_per_node * dofs_->nodes());
-    if (dofs_->owned_only->n_mpi_processes() > 1) made->exchange.reinit(dofs_->with_ghosts);
-    return made;
-  });
+std::unique_ptr<typename ElasticityOperator<Number>::Scratch>
+ElasticityOperator<Number>::new_scratch() const {
+  auto made = std::make_unique<Scratch>();
+  made->source.resize(entries_per_node * dofs_->nodes());
+  made->result.resize(entries_per_node * dofs_->nodes());
+  if (dofs_->owned_only->n_mpi_processes() > 1) made->exchange.reinit(dofs_->with_ghosts);
+  return made;
 }
 
 /// scratch.source = C x with its ghosts.

@@ -133,7 +133,10 @@ class ElasticityOperator {
     dealii::AlignedVector<Number> source, result;  ///< in the format of the kernel
     VectorType exchange;                           ///< with ghosts, of several processes
   };
-  typename contact::Spares<Scratch>::Loan scratch() const;
+  auto scratch() const {
+    return scratch_.borrow([&] { return new_scratch(); });
+  }
+  std::unique_ptr<Scratch> new_scratch() const;
   void load(const VectorType& x, const Work& before, Scratch& scratch) const;
   void add_of_ghosts(Scratch& scratch) const;
 

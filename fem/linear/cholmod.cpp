@@ -192,7 +192,7 @@ void CholeskyFactor::solve(std::vector<double>& b, std::size_t right_sides) cons
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
   const SerialRegions serial;
-  const auto own = it.solves.borrow([] { return std::make_unique<Cholmod::Solve>(); });
+  const auto own = it.solves.borrow();
   it.require(cholmod_solve2(CHOLMOD_A, it.factor, &right, nullptr, &own->solution, nullptr,
                             &own->work, &own->more_work, &own->common) != 0,
              own->common);

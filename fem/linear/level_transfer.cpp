@@ -133,7 +133,7 @@ class CellTransfer : public LevelTransfer {
   void add_children(const Cell& cell, const unsigned int* of_cell, const Indices& positions,
                     Untaken& untaken);
   void add_constraints(const CoarseCells& received);
-  contact::Spares<FloatVector>::Loan borrow() const {
+  auto borrow() const {
     return whole_.borrow([&] { return std::make_unique<FloatVector>(with_others_); });
   }
   unsigned int local(unsigned int coarse_unknown) const {

@@ -2,6 +2,7 @@
 #include "fem/linear/multigrid.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pieces.hpp"
 #include "contact/base/spares.hpp"
 #include "fem/linear/cholmod.hpp"
 #include "fem/linear/first_process.hpp"
@@ -112,13 +113,9 @@ void CoarseSolver::solve(FloatVector& x, const FloatVector& b) const {
 
 /// a b, of all processes.
 double product_of(const Vector& a, const Vector& b) {
-  const std::size_t size = a.locally_owned_size();
-  std::vector<double> of_piece(size / entries_of_a_piece + 1, 0.0);
-  for_each_entries(size, [&](std::ptrdiff_t first, std::ptrdiff_t end) {
-    of_piece[first / entries_of_a_piece] =
-        std::inner_product(a.begin() + first, a.begin() + end, b.begin() + first, 0.0);
+  const double sum = contact::sum_in_pieces(a.locally_owned_size(), [&](auto first, auto count) {
+    return std::inner_product(a.begin() + first, a.begin() + first + count, b.begin() + first, 0.0);
   });
-  const double sum = std::accumulate(of_piece.begin(), of_piece.end(), 0.0);
   const auto& partitioner = *a.get_partitioner();
   return partitioner.n_mpi_processes() == 1
              ? sum
@@ -295,13 +292,13 @@ void Multigrid::precondition(Work& work) const {
   const double norm = norm_of(work.residual);
   const std::size_t finest = levels_.size(), size = work.residual.locally_owned_size();
   FloatVector& right = work.right_of(finest);
-  for_each_entries(size, [&](std::ptrdiff_t i, std::ptrdiff_t end) {
-    for (; i < end; ++i) right.begin()[i] = static_cast<float>(work.residual.begin()[i] / norm);
+  contact::for_each_element(size, [&](std::ptrdiff_t i) {
+    right.begin()[i] = static_cast<float>(work.residual.begin()[i] / norm);
   });
   cycle(finest, work);
   const float* const solution = work.solution_of(finest).begin();
-  for_each_entries(size, [&](std::ptrdiff_t i, std::ptrdiff_t end) {
-    for (; i < end; ++i) work.preconditioned.begin()[i] = norm * static_cast<double>(solution[i]);
+  contact::for_each_element(size, [&](std::ptrdiff_t i) {
+    work.preconditioned.begin()[i] = norm * static_cast<double>(solution[i]);
   });
 }
 
@@ -335,11 +332,9 @@ void Multigrid::iterate(Work& work, double target) const {
         },
         [](unsigned int, unsigned int) {});
     step = along / product_of(work.direction, work.product);
-    for_each_entries(work.residual.locally_owned_size(), [&](std::ptrdiff_t i, std::ptrdiff_t end) {
-      for (; i < end; ++i) {
-        work.solution.begin()[i] += step * work.direction.begin()[i];
-        work.residual.begin()[i] -= step * work.product.begin()[i];
-      }
+    contact::for_each_element(work.residual.locally_owned_size(), [&](std::ptrdiff_t i) {
+      work.solution.begin()[i] += step * work.direction.begin()[i];
+      work.residual.begin()[i] -= step * work.product.begin()[i];
     });
     before = along;
   }

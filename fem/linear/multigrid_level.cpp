@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/linear/multigrid_level.hpp"
 
+#include "contact/base/pieces.hpp"
+
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
 
@@ -91,11 +93,10 @@ void MultigridLevel::advance(Work& at, double along, double step) const {
 void MultigridLevel::smooth(Work& at, bool from_zero) const {
   const double first_step = 1.0 / middle_;
   if (from_zero) {
-    for_each_entries(at.solution.locally_owned_size(), [&](std::ptrdiff_t i, std::ptrdiff_t end) {
-      std::fill(at.before.begin() + i, at.before.begin() + end, 0.0F);
-      for (; i < end; ++i)
-        at.solution.begin()[i] =
-            static_cast<float>(first_step) * inverse_diagonal_.begin()[i] * at.right.begin()[i];
+    contact::for_each_element(at.solution.locally_owned_size(), [&](std::ptrdiff_t i) {
+      at.before.begin()[i] = 0.0F;
+      at.solution.begin()[i] =
+          static_cast<float>(first_step) * inverse_diagonal_.begin()[i] * at.right.begin()[i];
     });
   } else {
     advance(at, 0.0, first_step);

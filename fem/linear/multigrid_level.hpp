@@ -3,21 +3,12 @@
 // coarser one. Single precision, it only preconditions.
 #pragma once
 
-#include "contact/base/threads.hpp"
 #include "fem/discretisation/elasticity_operator.hpp"
 #include "fem/linear/level_transfer.hpp"
 
-#include <cstddef>
 #include <memory>
 
 namespace rollfem::fem {
-
-/// Passes over a vector in pieces that depend on its size alone.
-constexpr std::ptrdiff_t entries_of_a_piece = 3 * 8192;
-template <typename F>
-void for_each_entries(std::size_t size, const F& f) {
-  contact::for_each_piece(static_cast<std::ptrdiff_t>(size), entries_of_a_piece, f);
-}
 
 class MultigridLevel {
  public:

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
-#include "halfspace/elasticity/work_pool.hpp"
+#include "contact/base/spares.hpp"
 
 #include <boost/align/aligned_allocator.hpp>
 
@@ -42,7 +42,7 @@ class PaddedFft {
   int spectrum_size() const { return frequencies_x() * py_; }
 
   /// A spectrum to work in, the caller's own until it goes out of scope.
-  auto spectrum() const { return spectra_.take(); }
+  auto spectrum() const { return spectra_.borrow(); }
 
   void forward(const contact::Field& field, Spectrum& spectrum) const;
   /// The nx by ny window of the inverse transform, normalised.
@@ -71,7 +71,7 @@ class PaddedFft {
   int px_;
   int py_;
   std::unique_ptr<Plans> plans_;
-  mutable WorkPool<Spectrum> spectra_;
+  contact::Spares<Spectrum> spectra_;
 };
 
 }  // namespace rollfem::halfspace
