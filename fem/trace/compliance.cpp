@@ -36,6 +36,7 @@ struct FemCompliance::Shared {
       concurrent = concurrent && (body == nullptr || solver->runs_beside_others());
       if (body == nullptr) continue;
       one_at_a_time([&] { coupling[k].emplace(*body, grid, the_surface); });
+      nothing[k] = make_vector(body->dofs());
       const MPI_Comm communicator = body->dofs().get_communicator();
       first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     }
@@ -74,6 +75,7 @@ struct FemCompliance::Shared {
   contact::PatchShape shape;
   contact::CurvatureSlip curvature_slip;
   std::optional<SurfaceCoupling> coupling[2];  ///< none: rigid
+  Vector nothing[2];  ///< of the body's layout, which only all processes together can make
   std::optional<MiddleDisplacement> middle[2];
   std::optional<FarField> far_field[2];  ///< none: clamped
   bool concurrent = false;               ///< solves may run beside each other
@@ -84,8 +86,7 @@ struct FemCompliance::Shared {
 struct FemCompliance::State {
   explicit State(const Shared& shared) {
     for (int k = 0; k < 2; ++k)
-      if (shared.coupling[k])
-        loads[k] = displacements[k] = make_vector(shared.parts[k].body->dofs());
+      if (shared.coupling[k]) loads[k] = displacements[k] = shared.nothing[k];
   }
 
   /// Displacement of body k.
