@@ -43,9 +43,10 @@ std::optional<double> root_of_parabola(const Line& inward, int first, int count)
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, most_for_parabola, 3> basis(count, 3);
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_for_parabola, 1> values(count);
   for (int k = 0; k < count; ++k) {
-    const double t = -static_cast<double>(k + first);
+    const int inwards = first + k;
+    const double t = -static_cast<double>(inwards);
     basis.row(k) << 1.0, t, t * t;
-    values[k] = inward[static_cast<std::size_t>(k + first)];
+    values[k] = inward[static_cast<std::size_t>(inwards)];
   }
   const Eigen::Vector3d c = basis.colPivHouseholderQr().solve(values);
   const double discriminant = c[1] * c[1] - 4.0 * c[0] * c[2];

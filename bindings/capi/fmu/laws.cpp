@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "laws.h"
+#include "bindings/capi/fmu/laws.h"
 
 #include "contact/case/fall_shape.hpp"
 
