@@ -82,7 +82,7 @@ LevelResult put_together(std::vector<Part>& parts, std::size_t count) {
 /// Threads for a grid besides the first: each has its own fields, and all together must fit into
 /// memory.
 std::size_t further_threads(const ContactGrid& grid) {
-  constexpr double bytes_per_element = 1300.0;  // as measured for one (halfspace/model)
+  constexpr double bytes_per_element = 1100.0;  // as measured
   constexpr double worth_a_look = 50e6;
   const double of_a_thread = bytes_per_element * grid.size();
   const auto all = static_cast<std::size_t>(threads() - 1);
