@@ -27,7 +27,8 @@ namespace rollfem::contact {
 namespace {
 
 // ThreadSanitizer does not see how libtbb, which is built without it, hands parts over and waits
-// for them.
+// for them. A part may read nothing of its caller's before it has taken hold.
+char handed_over;
 #ifdef __SANITIZE_THREAD__
 void let_go(void* at) {
   __tsan_release(at);
@@ -155,10 +156,9 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
   }
   Arena& arena = arena_here();
   FirstError error;
-  tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
   const auto part = [&](std::size_t k) {
+    take_hold(&handed_over);
     if (error.before(k)) return;
-    take_hold(&context);
     const Inside inside(arena);
     try {
       work(k);
@@ -167,7 +167,8 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
     }
     let_go(&error);
   };
-  let_go(&context);
+  tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
+  let_go(&handed_over);
   // Isolated: a thread that waits for its own parts takes up no part of another computation, whose
   // memory and time would add to this one.
   arena.tasks->execute([&] {
