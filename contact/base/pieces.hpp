@@ -36,16 +36,6 @@ void for_each_element(Eigen::Index size, const Work& work) {
   });
 }
 
-/// Calls work(j) for every row of `length` elements.
-template <class Work>
-void for_each_row(Eigen::Index rows, Eigen::Index length, const Work& work) {
-  const Eigen::Index piece =
-      rows * length < elements_for_threads ? rows : (rows + most_pieces - 1) / most_pieces;
-  for_each_piece(rows, piece, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-    for (std::ptrdiff_t j = first; j < last; ++j) work(j);
-  });
-}
-
 /// The sum of what term(first, count) returns for the pieces, in their order.
 template <class Term>
 double sum_in_pieces(Eigen::Index size, const Term& term) {

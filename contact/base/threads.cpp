@@ -27,7 +27,8 @@ namespace rollfem::contact {
 namespace {
 
 // ThreadSanitizer does not see how libtbb, which is built without it, hands parts over and waits
-// for them.
+// for them. A part may read nothing of its caller's before it has taken hold.
+char handed_over;
 #ifdef __SANITIZE_THREAD__
 void let_go(void* at) {
   __tsan_release(at);
@@ -163,10 +164,9 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
   }
   Arena& arena = arena_here();
   FirstError error;
-  tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
   const auto part = [&](std::size_t k) {
+    take_hold(&handed_over);
     if (error.before(k)) return;
-    take_hold(&context);
     const Inside inside(arena, true);
     try {
       work(k);
@@ -175,15 +175,17 @@ void for_each_index(std::size_t count, const std::function<void(std::size_t)>& w
     }
     let_go(&error);
   };
-  let_go(&context);
+  tbb::task_group_context context(tbb::task_group_context::bound, as_this_thread);
+  const bool nested = within_part;
   const auto loop = [&] {
     tbb::parallel_for(std::size_t{0}, count, part, tbb::simple_partitioner(), context);
   };
   // Within a part a thread that waits takes up no other part of the outer loop, whose memory and
   // time would add to this one's. A thread that waits for the outermost loop helps within its
   // parts.
+  let_go(&handed_over);
   arena.tasks->execute([&] {
-    if (within_part)
+    if (nested)
       tbb::this_task_arena::isolate(loop);
     else
       loop();

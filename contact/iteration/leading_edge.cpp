@@ -88,12 +88,10 @@ double smoothing_across_rows(const ContactGrid& grid) {
 /// D of the differences d_i that a first-order D gives.
 Field weighted(const ContactGrid& grid, const Field& differences, const Field& weights) {
   Field result(differences.size());
-  for_each_row(grid.ny, grid.nx, [&](Eigen::Index j) {
-    const Eigen::Index last = (j + 1) * grid.nx - 1;
-    for (Eigen::Index k = j * grid.nx; k < last; ++k)
-      result[k] = differences[k] + weights[k] * (differences[k] - differences[k + 1]);
-    result[last] = differences[last];
+  for_each_element(grid.size() - 1, [&](Eigen::Index k) {
+    result[k] = differences[k] + weights[k] * (differences[k] - differences[k + 1]);
   });
+  for (int j = 1; j <= grid.ny; ++j) result[j * grid.nx - 1] = differences[j * grid.nx - 1];
   return result;
 }
 

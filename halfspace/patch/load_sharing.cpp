@@ -4,6 +4,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
+#include "contact/base/threads.hpp"
 #include "contact/iteration/compliance.hpp"
 #include "contact/result/result.hpp"
 #include "contact/solve/standin.hpp"
@@ -103,6 +104,7 @@ ContactGrid grid_over(const Overlap& overlap, const contact::ChartedGeometry& ge
 /// less accurate for a small fraction of it.
 class ForceLaw {
  public:
+  ForceLaw() = default;
   /// `largest_approach`: mm along z.
   ForceLaw(const Patch& patch, double largest_approach)
       : material_(patch.scene.material.uncoupled()) {
@@ -163,9 +165,11 @@ class ForceLaw {
 /// The patches on grids that hold them up to a largest sinking.
 class SinkingWheel {
  public:
-  SinkingWheel(const std::vector<Patch>& patches, double largest_sinking) : patches_(patches) {
-    for (const Patch& patch : patches)
-      laws_.emplace_back(patch, patch.approach_at(largest_sinking));
+  SinkingWheel(const std::vector<Patch>& patches, double largest_sinking)
+      : patches_(patches), laws_(patches.size()) {
+    contact::for_each_index(patches.size(), [&](std::size_t i) {
+      laws_[i] = ForceLaw(patches[i], patches[i].approach_at(largest_sinking));
+    });
   }
 
   /// Solves every patch under the displacement due to the others, in turn until all agree.

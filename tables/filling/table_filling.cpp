@@ -332,11 +332,9 @@ void forecast(const CreepTable& table, const TableSource& source, int check_poin
   const std::size_t places = table.nodes(), of_a_place = table.size() / places;
   const std::vector<Scaled> creepages =
       creepages_of(table, {of_a_place / 2, std::min(of_a_place / 2 + sample, of_a_place)});
-  const std::clock_t begin = std::clock();  // CPU time: other programs would spoil a short sample
-  {
-    const contact::Threads alone(1);
-    static_cast<void>(source.at_node(places / 2, creepages));
-  }
+  // CPU time of all threads: other programs would spoil a short sample.
+  const std::clock_t begin = std::clock();
+  static_cast<void>(source.at_node(places / 2, creepages));
   const double of_a_point = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC /
                             static_cast<double>(creepages.size());
   const double points = static_cast<double>(table.size()) / share.of;

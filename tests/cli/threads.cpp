@@ -31,6 +31,10 @@ const std::vector<Kind> kinds{
     // 100 elements across: transforms in pieces.
     {"CreepCurve", edited(small_case, {"models=[\"halfspace\"]", creep_curve,
                                        "contact_grid.elements_across=100"})},
+    // Sums over its elements in pieces.
+    {"LargeGrid",
+     edited(small_case, {"models=[\"halfspace\"]", "rolling.longitudinal_creepage=0.001",
+                         "contact_grid.elements_across=200"})},
     {"UnlikeBodies",
      edited(small_case, {"models=[\"halfspace\"]", creep_curve, "wheel.young_modulus=70e3",
                          "friction.coefficient=0.3", "contact_grid.elements_across=20"})},
