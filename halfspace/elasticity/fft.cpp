@@ -243,7 +243,7 @@ void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum) const {
   const std::ptrdiff_t some = piece(frequencies_x());
   plans_->forward.have(px_, py_, static_cast<int>(some), FFTW_FORWARD);
   spectrum.resize(static_cast<std::size_t>(spectrum_size()));
-  const auto columns = spectrum();
+  const auto columns = this->spectrum();
   columns->resize(spectrum.size());
   contact::for_each_piece(ny_, piece(ny_, rows_at_once), [&](std::ptrdiff_t first, auto last) {
     rows_forward(field, first, last, *columns);
@@ -259,7 +259,7 @@ void PaddedFft::forward(const contact::Field& field, Spectrum& spectrum) const {
 void PaddedFft::backward(const Spectrum& spectrum, contact::Field& field) const {
   const std::ptrdiff_t some = piece(frequencies_x());
   plans_->backward.have(px_, py_, static_cast<int>(some), FFTW_BACKWARD);
-  const auto columns = spectrum();
+  const auto columns = this->spectrum();
   columns->resize(static_cast<std::size_t>(spectrum_size()));
   field.resize(static_cast<Eigen::Index>(nx_) * ny_);
   contact::for_each_piece(frequencies_x(), some, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
