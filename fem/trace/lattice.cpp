@@ -2,6 +2,7 @@
 #include "fem/trace/lattice.hpp"
 
 #include "contact/base/pi.hpp"
+#include "contact/base/threads.hpp"
 #include "fem/discretisation/elasticity_assembly.hpp"
 
 #include <Eigen/Dense>
@@ -170,26 +171,33 @@ ElementResponse halfspace_response(const Lattice& lattice, double along_x, doubl
 
 std::vector<ElementResponse> lattice_deficit(const Lattice& lattice) {
   const Column column(lattice);
+  const auto along = [](int wave) { return contact::pi * (wave + 0.5) / waves; };
+  std::vector<ElementResponse> less(waves * waves);  // of finite elements than of the half-space
+  contact::for_each_index(less.size(), [&](std::size_t k) {
+    const double x = along(static_cast<int>(k) % waves), y = along(static_cast<int>(k) / waves);
+    const ElementResponse half = halfspace_response(lattice, x, y);
+    const Matrix3cd fe = column.response(x, y);
+    less[k].xx = half.xx - fe(0, 0).real();
+    less[k].yy = half.yy - fe(1, 1).real();
+    less[k].nn = half.nn - fe(2, 2).real();
+    less[k].xy = half.xy - fe(0, 1).real();
+  });
   constexpr int side = lattice_reach + 1;
   std::vector<ElementResponse> deficit(side * side);
-  for (int b = 0; b < waves; ++b)
-    for (int a = 0; a < waves; ++a) {
-      const double along_x = contact::pi * (a + 0.5) / waves;
-      const double along_y = contact::pi * (b + 0.5) / waves;
-      const ElementResponse half = halfspace_response(lattice, along_x, along_y);
-      const Matrix3cd fe = column.response(along_x, along_y);
-      constexpr double share = 1.0 / (waves * waves);
-      for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
-          ElementResponse& at = deficit[static_cast<std::size_t>(j * side + i)];
-          const double even = share * std::cos(i * along_x) * std::cos(j * along_y);
-          const double odd = -share * std::sin(i * along_x) * std::sin(j * along_y);
-          at.xx += even * (half.xx - fe(0, 0).real());
-          at.yy += even * (half.yy - fe(1, 1).real());
-          at.nn += even * (half.nn - fe(2, 2).real());
-          at.xy += odd * (half.xy - fe(0, 1).real());
-        }
-    }
+  for (std::size_t k = 0; k < less.size(); ++k) {
+    const double x = along(static_cast<int>(k) % waves), y = along(static_cast<int>(k) / waves);
+    constexpr double share = 1.0 / (waves * waves);
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) {
+        ElementResponse& at = deficit[static_cast<std::size_t>(j * side + i)];
+        const double even = share * std::cos(i * x) * std::cos(j * y);
+        const double odd = -share * std::sin(i * x) * std::sin(j * y);
+        at.xx += even * less[k].xx;
+        at.yy += even * less[k].yy;
+        at.nn += even * less[k].nn;
+        at.xy += odd * less[k].xy;
+      }
+  }
   return deficit;
 }
 
