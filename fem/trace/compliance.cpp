@@ -85,8 +85,10 @@ struct FemCompliance::Shared {
 /// The bodies under the last tractions.
 struct FemCompliance::State {
   explicit State(const Shared& shared) {
-    for (int k = 0; k < 2; ++k)
-      if (shared.coupling[k]) loads[k] = displacements[k] = shared.nothing[k];
+    // Unlike an assignment, without the other processes.
+    for (auto* vectors : {loads, displacements})
+      for (int k = 0; k < 2; ++k)
+        if (shared.coupling[k]) vectors[k].reinit(shared.nothing[k]);
   }
 
   /// Displacement of body k.
