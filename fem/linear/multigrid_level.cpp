@@ -2,6 +2,7 @@
 #include "fem/linear/multigrid_level.hpp"
 
 #include "contact/base/pieces.hpp"
+#include "fem/linear/first_process.hpp"
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
@@ -49,7 +50,11 @@ double largest_eigenvalue(const ElasticityOperator<float>& stiffness, const Floa
   data.degree = 1;
   data.preconditioner = std::make_shared<Diagonal>(diagonal);
   estimate.initialize(matrix, data);
-  return estimate.estimate_eigenvalues(diagonal).max_eigenvalue_estimate;
+  double largest = 0.0;
+  one_at_a_time([&] {  // deal.II's stores of vectors are the process's
+    largest = estimate.estimate_eigenvalues(diagonal).max_eigenvalue_estimate;
+  });
+  return largest;
 }
 
 }  // namespace
