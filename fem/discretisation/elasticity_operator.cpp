@@ -68,8 +68,6 @@ std::vector<std::size_t> all_of(const LocalCells& cells) {
   return all;
 }
 
-void nothing(unsigned int, unsigned int) {}
-
 std::atomic<std::uint64_t> products_so_far{0};
 
 }  // namespace
@@ -184,7 +182,7 @@ void ElasticityOperator<Number>::load(const VectorType& x, const Work& before,
                                       Scratch& scratch) const {
   Number* const source = scratch.source.data();
   for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
-    before(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
+    if (before) before(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
     spread(x.begin() + 3 * first, end - first, source + entries_per_node * first);
   });
   VectorType& exchange = scratch.exchange;
@@ -234,13 +232,23 @@ void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x,
   add_of_ghosts(*work);
   for_each_part(dofs_->owned_nodes(), [&](std::size_t first, std::size_t end) {
     collect(result + entries_per_node * first, end - first, product.begin() + 3 * first);
-    after(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
+    if (after) after(static_cast<unsigned int>(3 * first), static_cast<unsigned int>(3 * end));
   });
 }
 
 template <typename Number>
 void ElasticityOperator<Number>::vmult(VectorType& product, const VectorType& x) const {
-  vmult(product, x, nothing, nothing);
+  vmult(product, x, {}, {});
+}
+
+template <typename Number>
+void ElasticityOperator<Number>::residual(VectorType& residual, const VectorType& b,
+                                          const VectorType& x) const {
+  const Number* const given = b.begin();
+  Number* const left = residual.begin();
+  vmult(residual, x, {}, [=](unsigned int i, unsigned int end) {
+    for (; i < end; ++i) left[i] = given[i] - left[i];
+  });
 }
 
 /// Calls f(masters, matrix) for every cell: the unconstrained dofs on which its dofs depend, and
@@ -351,7 +359,7 @@ void ElasticityOperator<Number>::condense(VectorType& b) const {
 template <typename Number>
 void ElasticityOperator<Number>::distribute(VectorType& u) const {
   const auto work = scratch();
-  load(u, nothing, *work);
+  load(u, {}, *work);
   collect(work->source.data(), dofs_->owned_nodes(), u.begin());
 }
 

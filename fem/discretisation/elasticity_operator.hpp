@@ -90,10 +90,12 @@ class ElasticityOperator {
   /// K x, collective.
   void vmult(VectorType& product, const VectorType& x) const;
   /// The same with work on consecutive ranges of the owned unknowns [begin, end): `before` may
-  /// still change x there, `after` is called with the product there and may change both. Ranges
-  /// are worked on side by side.
+  /// still change x there, `after` is called with the product there and may change both; either may
+  /// be empty. Ranges are worked on side by side.
   using Work = std::function<void(unsigned int begin, unsigned int end)>;
   void vmult(VectorType& product, const VectorType& x, const Work& before, const Work& after) const;
+  /// b - K x, collective.
+  void residual(VectorType& residual, const VectorType& b, const VectorType& x) const;
   /// The inverse diagonal of the constrained matrix, 1 at constrained dofs.
   VectorType inverse_diagonal() const;
   /// Contributions of this process to the constrained matrix; every entry occurs once.

@@ -17,7 +17,6 @@
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <optional>

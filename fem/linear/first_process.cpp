@@ -142,4 +142,11 @@ void one_at_a_time(const std::function<void()>& work) {
   contact::isolated(work);
 }
 
+void beside_or_in_turn(MPI_Comm communicator, std::size_t count,
+                       const std::function<void(std::size_t)>& work) {
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+    return contact::for_each_index(count, work);
+  for (std::size_t k = 0; k < count; ++k) work(k);
+}
+
 }  // namespace rollfem::fem

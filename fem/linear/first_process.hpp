@@ -48,4 +48,9 @@ class FirstProcess {
 /// Work that calls MPI or changes meshes, which threads may do one after the other only.
 void one_at_a_time(const std::function<void()>& work);
 
+/// Calls work(0), ... work(count - 1), which may be collective: side by side in a single process,
+/// by several one after the other. Collective.
+void beside_or_in_turn(MPI_Comm communicator, std::size_t count,
+                       const std::function<void(std::size_t)>& work);
+
 }  // namespace rollfem::fem

@@ -202,8 +202,7 @@ class Multigrid : public LinearSolver {
   void factorise_coarsest(const LocalCells& cells);
   std::unique_ptr<Work> make_work() const;
   void cycle(std::size_t level, Work& work) const;
-  void precondition(Work& work) const;
-  void set_residual(Work& work) const;
+  void precondition(Work& work, double norm) const;
   void iterate(Work& work, double target) const;
 
   MultigridOptions options_;
@@ -232,13 +231,9 @@ Multigrid::Multigrid(const ElasticProblem& problem, const MultigridOptions& opti
     discretised.push_back(std::make_unique<Discretisation>(problem));
   });
   std::vector<std::unique_ptr<LevelTransfer>> transfers(discretised.size());
-  const auto make_transfer = [&](std::size_t i) {
-    transfers[i] = discretised[i]->transfer_to(*discretised[i - 1]);
-  };
-  if (dealii::Utilities::MPI::n_mpi_processes(problem.dofs.get_communicator()) == 1)
-    contact::for_each_index(transfers.size() - 1, [&](std::size_t i) { make_transfer(i + 1); });
-  else
-    for (std::size_t i = 1; i < transfers.size(); ++i) make_transfer(i);
+  beside_or_in_turn(problem.dofs.get_communicator(), transfers.size() - 1, [&](std::size_t i) {
+    transfers[i + 1] = discretised[i + 1]->transfer_to(*discretised[i]);
+  });
   hand_back_memory();
   LocalCells cells = discretised.front()->cells();
   factorise_coarsest(cells);
@@ -287,9 +282,8 @@ void Multigrid::cycle(std::size_t level, Work& work) const {
 }
 
 /// V-cycle of the residual, scaled by its norm to stay within single precision.
-void Multigrid::precondition(Work& work) const {
+void Multigrid::precondition(Work& work, double norm) const {
   const FlushSubnormals flush;
-  const double norm = norm_of(work.residual);
   const std::size_t finest = levels_.size(), size = work.residual.locally_owned_size();
   FloatVector& right = work.right_of(finest);
   contact::for_each_element(size, [&](std::ptrdiff_t i) {
@@ -302,35 +296,25 @@ void Multigrid::precondition(Work& work) const {
   });
 }
 
-/// residual = right - K solution.
-void Multigrid::set_residual(Work& work) const {
-  stiffness_->vmult(
-      work.residual, work.solution, [](unsigned int, unsigned int) {},
-      [&](unsigned int first, unsigned int end) {
-        for (unsigned int i = first; i < end; ++i)
-          work.residual.begin()[i] = work.right.begin()[i] - work.residual.begin()[i];
-      });
-}
-
 /// Conjugate gradients from the solution and its residual. The Polak-Ribiere formula for beta
 /// tolerates a preconditioner in single precision (Golub and Ye, SIAM J. Sci. Comput. 21, 1999).
 void Multigrid::iterate(Work& work, double target) const {
   double before = 0.0, step = 0.0;
   for (; work.iterations < options_.max_iterations; ++work.iterations) {
-    if (!(norm_of(work.residual) > target)) return;
-    precondition(work);
+    const double norm = norm_of(work.residual);
+    if (!(norm > target)) return;
+    precondition(work, norm);
     const double along = product_of(work.preconditioned, work.residual);
     // The residual has changed by -step times the last product.
     const double beta =
         before == 0.0 ? 0.0 : -step * product_of(work.preconditioned, work.product) / before;
-    stiffness_->vmult(
-        work.product, work.direction,
-        [&](unsigned int first, unsigned int end) {
-          double* const direction = work.direction.begin();
-          for (unsigned int i = first; i < end; ++i)
-            direction[i] = work.preconditioned.begin()[i] + beta * direction[i];
-        },
-        [](unsigned int, unsigned int) {});
+    stiffness_->vmult(work.product, work.direction,
+                      [&](unsigned int first, unsigned int end) {
+                        double* const direction = work.direction.begin();
+                        for (unsigned int i = first; i < end; ++i)
+                          direction[i] = work.preconditioned.begin()[i] + beta * direction[i];
+                      },
+                      {});
     step = along / product_of(work.direction, work.product);
     contact::for_each_element(work.residual.locally_owned_size(), [&](std::ptrdiff_t i) {
       work.solution.begin()[i] += step * work.direction.begin()[i];
@@ -356,7 +340,7 @@ void Multigrid::solve(Vector& u, const Vector& b) const {
   // The true residual decides; a second pass corrects rounding errors of the recursive one.
   for (int pass = 0; pass < 3 && norm > target && scale > 0; ++pass) {
     iterate(work, pass == 0 ? target : 0.5 * target);
-    set_residual(work);
+    stiffness_->residual(work.residual, work.right, work.solution);
     norm = norm_of(work.residual);
     if (!std::isfinite(norm)) break;
   }

@@ -85,13 +85,11 @@ void MultigridLevel::advance(Work& at, double along, double step) const {
   float* const before = at.before.begin();
   const auto of_before = static_cast<float>(along), of_residual = static_cast<float>(step),
              of_x = static_cast<float>(1.0 + along);
-  stiffness_.vmult(
-      at.product, at.solution, [](unsigned int, unsigned int) {},
-      [&](unsigned int first, unsigned int end) {
-        for (unsigned int i = first; i < end; ++i)
-          before[i] =
-              of_x * x[i] - of_before * before[i] + of_residual * scale[i] * (b[i] - product[i]);
-      });
+  stiffness_.vmult(at.product, at.solution, {}, [&](unsigned int first, unsigned int end) {
+    for (unsigned int i = first; i < end; ++i)
+      before[i] =
+          of_x * x[i] - of_before * before[i] + of_residual * scale[i] * (b[i] - product[i]);
+  });
   at.solution.swap(at.before);
 }
 
@@ -115,13 +113,7 @@ void MultigridLevel::smooth(Work& at, bool from_zero) const {
 }
 
 void MultigridLevel::restrict_residual(Work& at, FloatVector& coarser) const {
-  float* const residual = at.product.begin();
-  const float* const right = at.right.begin();
-  stiffness_.vmult(
-      at.product, at.solution, [](unsigned int, unsigned int) {},
-      [&](unsigned int first, unsigned int end) {
-        for (unsigned int i = first; i < end; ++i) residual[i] = right[i] - residual[i];
-      });
+  stiffness_.residual(at.product, at.right, at.solution);
   std::fill(coarser.begin(), coarser.end(), 0.0F);
   to_coarser_->restrict_and_add(coarser, at.product);
 }

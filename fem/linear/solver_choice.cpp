@@ -3,7 +3,6 @@
 
 #include "contact/base/available_memory.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/threads.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/first_process.hpp"
@@ -165,11 +164,7 @@ Solvers make_solvers(const Scene& scene, const BodyPair& bodies, bool factorisat
                          : make_iterative_solver(scene, *body);
   };
   Solvers solvers;
-  const auto make_one = [&](std::size_t k) { solvers[k] = make(bodies[k]); };
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
-    contact::for_each_index(2, make_one);
-  else
-    for (const std::size_t k : {0U, 1U}) make_one(k);
+  beside_or_in_turn(MPI_COMM_WORLD, 2, [&](std::size_t k) { solvers[k] = make(bodies[k]); });
   return solvers;
 }
 
