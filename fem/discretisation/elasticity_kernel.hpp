@@ -21,7 +21,7 @@ constexpr int lanes = 64 / static_cast<int>(sizeof(Number));
 constexpr int entries_per_node = 4;
 template <typename Number>
 struct NodeEntries {
-  typedef Number type __attribute__((vector_size(entries_per_node * sizeof(Number)), may_alias));
+  using type [[gnu::vector_size(entries_per_node * sizeof(Number)), gnu::may_alias]] = Number;
 };
 
 /// Cells in batches of lanes<Number>, in structure-of-arrays form. Lanes without a cell have zero

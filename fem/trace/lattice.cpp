@@ -92,7 +92,7 @@ class Column {
       const int y = cell_y * lattice_.degree + u.step[1];
       phase.push_back((x == period ? wave[0] : 1.0) * (y == period ? wave[1] : 1.0));
       const Index node =
-          static_cast<Index>(u.step[2]) * period * period + (y % period) * period + x % period;
+          (static_cast<Index>(u.step[2]) * period + y % period) * period + x % period;
       place.push_back(3 * node + u.component);
       if (u.step[2] == 0) mean(u.component, place.back()) += u.mean * phase.back();
     }
@@ -172,7 +172,8 @@ ElementResponse halfspace_response(const Lattice& lattice, double along_x, doubl
 std::vector<ElementResponse> lattice_deficit(const Lattice& lattice) {
   const Column column(lattice);
   const auto along = [](int wave) { return contact::pi * (wave + 0.5) / waves; };
-  std::vector<ElementResponse> less(waves * waves);  // of finite elements than of the half-space
+  std::vector<ElementResponse> less(static_cast<std::size_t>(waves) *
+                                    waves);  // of finite elements than of the half-space
   contact::for_each_index(less.size(), [&](std::size_t k) {
     const double x = along(static_cast<int>(k) % waves), y = along(static_cast<int>(k) / waves);
     const ElementResponse half = halfspace_response(lattice, x, y);
@@ -183,7 +184,7 @@ std::vector<ElementResponse> lattice_deficit(const Lattice& lattice) {
     less[k].xy = half.xy - fe(0, 1).real();
   });
   constexpr int side = lattice_reach + 1;
-  std::vector<ElementResponse> deficit(side * side);
+  std::vector<ElementResponse> deficit(static_cast<std::size_t>(side) * side);
   for (std::size_t k = 0; k < less.size(); ++k) {
     const double x = along(static_cast<int>(k) % waves), y = along(static_cast<int>(k) / waves);
     constexpr double share = 1.0 / (waves * waves);

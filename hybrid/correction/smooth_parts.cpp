@@ -79,9 +79,9 @@ std::unique_ptr<LinearSolver> make_solver(const Body& body) {
 }
 
 /// One body under tractions on the contact grid.
-class LoadedBody {
+class SolvedBody {
  public:
-  LoadedBody(const Scene& scene, const Body& body, const ContactGrid& grid, bool flat)
+  SolvedBody(const Scene& scene, const Body& body, const ContactGrid& grid, bool flat)
       : body_(body),
         coupling_(body, grid, scene.geometry.surface),
         shape_(contact::patch_shape(scene.geometry.surface, grid)),
@@ -233,8 +233,8 @@ struct Pair {
 
   const Body& body;
   Body twin;
-  LoadedBody loaded;
-  LoadedBody flat;
+  SolvedBody loaded;
+  SolvedBody flat;
 };
 
 /// Coefficients of body less twin, one column for each traction.
@@ -372,7 +372,7 @@ halfspace::SmoothParts find_smooth_parts_with(double cells_in_semi_axis, const S
   const Scene boxes = with_boxes(scene);
   if (bodies.wheel) wheel.emplace(scene, boxes, layout, *bodies.wheel);
   if (bodies.rail) rail.emplace(scene, boxes, layout, *bodies.rail);
-  std::vector<LoadedBody*> loaded;
+  std::vector<SolvedBody*> loaded;
   for (auto* pair : {&wheel, &rail})
     if (*pair) loaded.insert(loaded.end(), {&(*pair)->loaded, &(*pair)->flat});
   contact::for_each_index(loaded.size(), [&](std::size_t k) { loaded[k]->prepare(); });
