@@ -65,6 +65,7 @@ BlockedSection mesh_around(const BlockMesh& block, const std::vector<BlockedLine
   result.block_quads = section.quads.size();
   const std::vector<int> around = BlockNodes(block).around();
   std::vector<SectionPoint> corners;
+  corners.reserve(polygon.size());
   for (const BlockedLine& line : polygon) corners.push_back(line.begin);
   const PlaneMesh rest = mesh_polygon(corners, what);
   const auto distance = [&](int node, int other) {

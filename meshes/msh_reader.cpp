@@ -180,7 +180,7 @@ void MshReader::read_elements() {
       bytes_.fail(
           fmt::format("elements of type {} are in an entity of dimension {}", kind.name, dimension),
           save_msh_again);
-    const auto each = static_cast<std::size_t>(kind.nodes + 1);
+    const auto each = static_cast<std::size_t>(kind.nodes) + 1;
     const std::size_t count = bytes_.count("the number of elements of a block", 2 * each, 4 * each);
     for (std::size_t k = 0; k < count; ++k)
       read_element(bytes_.large("an element", 1, largest_number), kind, entity);

@@ -84,7 +84,7 @@ Json number(double value) {
 Json keys_json(const contact::Case& input) {
   Json keys = Json::object();
   for (const contact::Section& section : contact::case_sections()) {
-    if (section.repeated || (section.of_profiles && !input.has_profiles())) continue;
+    if (section.repeated || !section.applies_to(input)) continue;
     for (const contact::Key& key : section)
       std::visit(
           [&](const auto& value) {

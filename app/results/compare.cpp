@@ -233,7 +233,7 @@ void refuse_failures(const postprocess::ComparisonRecord& record) {
 /// own list applies only to `run`.
 std::vector<std::string> models_of(const CompareRequest& request) {
   const contact::ModelRegistry& known = request.call.models;
-  const std::vector<std::string> models =
+  std::vector<std::string> models =
       request.models.empty()
           ? modelling::built_of(known, known.names(&contact::ModelInfo::in_compare))
           : request.models;

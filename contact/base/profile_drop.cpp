@@ -20,7 +20,9 @@ ProfileDrop profile_drop(double transverse_radius, double y, double round_to) {
 }
 
 double circle_drop(double radius, double x) {
-  return std::isfinite(radius) ? x * x / (radius + std::sqrt(radius * radius - x * x)) : 0.0;
+  return std::isfinite(radius)
+             ? x * x / (radius + std::copysign(std::sqrt(radius * radius - x * x), radius))
+             : 0.0;
 }
 
 }  // namespace rollfem::contact

@@ -35,8 +35,12 @@ struct Wheel : Body {
   double rolling_radius = 0.0;  ///< mm, radius at the running circle
 };
 
-/// Lower body (2): a straight extruded rail.
-struct Rail : Body {};
+/// Lower body (2): a straight extruded rail, or a roller.
+struct Rail : Body {
+  /// mm, radius of its surface at z = 0: inf straight, > 0 a roller below the wheel, < 0 a ring
+  /// around it.
+  double rolling_radius = infinity;
+};
 
 enum class ContactShape {
   point,  ///< bodies of finite width: radii, profiles, points
@@ -295,6 +299,7 @@ struct Case : ModelOptions {
   ContactShapeCase geometry;
   Track track;        ///< with profiles
   Wheelset wheelset;  ///< with profiles
+  Displacement wheel_displacement, rail_displacement;
   Rolling rolling;
   std::vector<HistoryStep>
       history;  ///< as long as rolling.creepages for shift and transient, else empty
@@ -310,6 +315,8 @@ struct Case : ModelOptions {
   /// Whether wheel and rail are given by profiles: the case is not solved directly but converted
   /// into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
+  /// Whether the position of the wheel is given in place of its load.
+  bool sinks() const { return load.approach || !wheelset.height.empty(); }
 };
 
 /// Whether the inertia of wheel and rail rolling through the contact is included.

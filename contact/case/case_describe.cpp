@@ -88,7 +88,7 @@ std::string describe(const Case& input, const ModelWords& models) {
     if (!keys.empty()) text += head + keys;
   };
   for (const Section& section : case_sections()) {
-    if (section.of_profiles && !input.has_profiles()) continue;
+    if (!section.applies_to(input)) continue;
     if (!section.repeated) {
       const std::string head = section.name.empty() ? "" : "[" + section.name + "]\n";
       add(head, describe_keys(section, input, by_default, file));

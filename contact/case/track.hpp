@@ -61,7 +61,22 @@ enum class FreeRolling {
   torque,  ///< no torque of both wheels' tractions about the axle
 };
 
+/// Displacement and velocity of wheels or rails from where wheelset and track put them, left and
+/// right, in the track frame. Wheels turn about their centre, rails about the origin of their
+/// profile. Displacements change where the bodies are, not how they move.
+struct Displacement {
+  using Sides = std::array<double, 2>;
+  Sides longitudinal{}, lateral{}, vertical{};  ///< mm; vertical: down
+  Sides roll{}, yaw{};                          ///< rad
+  /// Over the forward speed; rotations in rad/mm.
+  Sides longitudinal_velocity{}, lateral_velocity{}, vertical_velocity{};
+  Sides roll_velocity{}, yaw_velocity{}, rotation{};
+};
+
 struct Wheelset {
+  /// The wheel alone is placed in the coordinates of the rail's profile, y to the field and z down,
+  /// without a track: positions and motion are those of its centre, with the signs of that frame.
+  bool on_rail = false;
   WheelSide side = WheelSide::left;      ///< which wheels are computed
   double flange_back_distance = 1360.0;  ///< mm, between the backs of the flanges
   double flange_back_position = -70.0;   ///< mm, of the back in the wheel's profile coordinates
@@ -69,10 +84,15 @@ struct Wheelset {
   std::vector<double> lateral_shift{0.0};  ///< mm, positive to the right
   std::vector<double> yaw{0.0};            ///< rad, positive from x to y (to the right)
   std::vector<double> roll;                ///< rad, positive from y to z; empty: found by contact
-  std::vector<double> track_position;      ///< mm along the track; empty: friction does not ask
+  /// mm, z of the middle of the axle plus the rolling radius; empty: the load determines it
+  std::vector<double> height;
+  std::vector<double> track_position;  ///< mm along the track; empty: friction does not ask
   double lateral_velocity =
-      0.0;                    ///< of the wheelset, over the forward speed, positive to the right
-  double yaw_velocity = 0.0;  ///< rad/mm: yaw rate over the forward speed
+      0.0;                     ///< of the wheelset, over the forward speed, positive to the right
+  double yaw_velocity = 0.0;   ///< rad/mm: yaw rate over the forward speed
+  double roll_velocity = 0.0;  ///< rad/mm
+  /// Over the forward speed, downwards; not given: wheel and rail neither part nor overlap.
+  std::optional<double> vertical_velocity;
   /// Relative change of the rotation against V / rolling_radius; load points. Empty: 0.
   std::vector<double> rotation_change;
   FreeRolling free_rolling = FreeRolling::none;

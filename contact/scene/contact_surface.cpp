@@ -16,10 +16,14 @@ CurveValue wheel_height(const ContactSurface& surface, double x, double y) {
   return {drop.value + circle_drop(radius, x), drop.slope, 0.0};
 }
 
-CurveValue rail_height(const ContactSurface& surface, double y) {
-  if (surface.profiles) return surface.profiles->rail().at(y);
+CurveValue rail_height(const ContactSurface& surface, double x, double y) {
+  if (surface.profiles) {
+    CurveValue height = surface.profiles->rail().at(y);
+    if (surface.profiles->is_roller()) height.value = surface.profiles->rail_height(x, y);
+    return height;
+  }
   const ProfileDrop drop = surface.rail_drop(y);
-  return {-drop.value, -drop.slope, 0.0};
+  return {-drop.value - circle_drop(surface.local_rail_radius(y), x), -drop.slope, 0.0};
 }
 
 /// Distance along the normal of the common surface at y to a surface of the given height, by
@@ -93,6 +97,12 @@ double ContactSurface::local_rolling_radius(double y) const {
   return rolling_radius - wheel_drop(y).value;
 }
 
+double ContactSurface::local_rail_radius(double y) const {
+  if (!std::isfinite(rail_rolling_radius)) return rail_rolling_radius;
+  if (profiles) return profiles->local_rail_radius(y);
+  return rail_rolling_radius - rail_drop(y).value;
+}
+
 ProfileDrop ContactSurface::wheel_drop(double y) const {
   return profile_drop(wheel_transverse_radius, y, wheel_round_to);
 }
@@ -111,11 +121,16 @@ bool ContactSurface::known(double y) const {
 
 ContactSurface ContactSurface::of(std::shared_ptr<const PatchGeometry> patch) {
   const double radius = patch->local_rolling_radius(0.0);
-  return {radius, infinity, infinity, std::move(patch)};
+  const double rail_radius = patch->rail_rolling_radius();
+  ContactSurface surface{radius, infinity, infinity, std::move(patch)};
+  surface.rail_rolling_radius = rail_radius;
+  return surface;
 }
 
 double surface_drop(const ContactSurface& surface, bool wheel, double x, double y) {
-  if (!wheel) return -rail_height(surface, y).value;
+  if (!wheel)
+    return std::abs(x) < std::abs(surface.local_rail_radius(y)) ? -rail_height(surface, x, y).value
+                                                                : infinity;
   if (surface.profiles) return surface.profiles->wheel_height(x, y);
   if (!(std::abs(x) < surface.local_rolling_radius(y))) return infinity;
   return wheel_height(surface, x, y).value;
@@ -142,7 +157,7 @@ PatchShape patch_shape(const ContactSurface& surface, const ContactGrid& grid) {
 
 double undeformed_distance(const ContactSurface& surface, double x, double y) {
   const double rail =
-      way_along_normal(surface, y, [&](double at) { return rail_height(surface, at); });
+      way_along_normal(surface, y, [&](double at) { return rail_height(surface, x, at); });
   if (surface.profiles) return way_to_profile(surface, x, y) - rail;
   return way_along_normal(surface, y, [&](double at) { return wheel_height(surface, x, at); }) -
          rail;

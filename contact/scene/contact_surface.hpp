@@ -27,6 +27,9 @@ struct ContactSurface {
   /// Fractions of the transverse radii up to which the bodies are circular.
   double wheel_round_to = usual_round_to;
   double rail_round_to = usual_round_to;
+  /// mm, about the rail's own axle: inf straight, > 0 a roller below the wheel, < 0 a ring around
+  /// it; with true profiles nominal.
+  double rail_rolling_radius = infinity;
 
   /// For true profiles.
   static ContactSurface of(std::shared_ptr<const PatchGeometry> patch);
@@ -37,6 +40,8 @@ struct ContactSurface {
   double height(double y) const;
   /// Distance of the wheel's surface at x = 0 from its axle, mm.
   double local_rolling_radius(double y) const;
+  /// The same of the rail, with the sign of its rolling radius; infinite for a straight rail.
+  double local_rail_radius(double y) const;
   /// Drop of the circles of wheel and rail at y; without profiles.
   ProfileDrop wheel_drop(double y) const;
   ProfileDrop rail_drop(double y) const;

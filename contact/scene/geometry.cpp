@@ -36,7 +36,8 @@ Curvatures curvatures_at_contact_point(const PatchGeometry& patch) {
   const CurveValue f = patch.wheel_radius().at(at.axial);
   const auto radial = [&](std::size_t d) { return at.across[d] / at.radius; };
   const double radius_xx = (1.0 - e[0] * e[0] - radial(0) * radial(0)) / at.radius;
-  const double z_xx = -(radius_xx - f.second * e[0] * e[0]) / (radial(2) - f.slope * e[2]);
+  double z_xx = -(radius_xx - f.second * e[0] * e[0]) / (radial(2) - f.slope * e[2]);
+  if (patch.is_roller()) z_xx += patch.rail_axle().direction[1] / patch.local_rail_radius(0.0);
   return {0.5 * z_xx, 0.5 * (mean_second(patch.wheel()) - mean_second(patch.rail()))};
 }
 
@@ -73,6 +74,12 @@ Vector3 axle_of(const ContactSurface& surface) {
   return surface.profiles ? surface.profiles->axle().direction : Vector3{0.0, 1.0, 0.0};
 }
 
+/// The same of a roller.
+Vector3 rail_axle_of(const ContactSurface& surface) {
+  return surface.profiles && surface.profiles->is_roller() ? surface.profiles->rail_axle().direction
+                                                           : Vector3{0.0, 1.0, 0.0};
+}
+
 }  // namespace
 
 Geometry::Geometry(const Case& input)
@@ -86,10 +93,13 @@ Geometry::Geometry(const Case& input)
   surface.rail_transverse_radius = input.rail.transverse_radius;
   surface.wheel_round_to = input.wheel.round_to;
   surface.rail_round_to = input.rail.round_to;
+  surface.rail_rolling_radius = input.rail.rolling_radius;
   const ContactShapeCase& shape = input.geometry;
   if (shape.shape != ContactShape::line) return;
   // In a line contact only the curvature of the distance matters.
-  if (shape.relative_radius) surface.rolling_radius = *shape.relative_radius;
+  surface.rolling_radius = shape.relative_radius.value_or(
+      1.0 / (1.0 / surface.rolling_radius + 1.0 / surface.rail_rolling_radius));
+  surface.rail_rolling_radius = infinity;
   line = LineContact{shape.width, shape.reference_distance.value_or(surface.rolling_radius)};
 }
 
@@ -97,7 +107,7 @@ Curvatures relative_curvatures(const Geometry& geometry) {
   if (geometry.has_profiles()) return curvatures_at_contact_point(*geometry.surface.profiles);
   if (geometry.quadratic) return {(*geometry.quadratic)[0], (*geometry.quadratic)[1]};
   const ContactSurface& surface = geometry.surface;
-  return {0.5 / surface.rolling_radius,
+  return {0.5 / surface.rolling_radius + 0.5 / surface.rail_rolling_radius,
           0.5 / surface.wheel_transverse_radius + 0.5 / surface.rail_transverse_radius};
 }
 
@@ -198,10 +208,13 @@ void ChartedGeometry::rigid_slip(const Creepage& creepage, const ContactGrid& gr
   const ContactSurface& surface = geometry_.surface;
   const bool from_surface = geometry_.extra_slip == ExtraSlip::automatic;
   const double radius = surface.rolling_radius;
+  const double rail_turning = from_surface ? 1.0 / surface.rail_rolling_radius : 0.0;
+  const double rail_speed =
+      rail_turning != 0.0 ? rail_turning * surface.local_rail_radius(0.0) : 1.0;
   const double turning =
-      from_surface && std::isfinite(radius) ? (1.0 - creepage.longitudinal) / radius : 0.0;
-  const Vector3 e = axle_of(surface);
-  const double beyond = creepage.spin - turning * e[2];
+      from_surface && std::isfinite(radius) ? (rail_speed - creepage.longitudinal) / radius : 0.0;
+  const Vector3 e = axle_of(surface), g = rail_axle_of(surface);
+  const double beyond = creepage.spin - turning * e[2] - rail_turning * g[2];
   slip.x.resize(grid.size());
   slip.y.resize(grid.size());
   for (int j = 0; j < grid.ny; ++j) {
@@ -210,8 +223,12 @@ void ChartedGeometry::rigid_slip(const Creepage& creepage, const ContactGrid& gr
     const double cosine = 1.0 / stretch_of(rise);
     const double drop = turning > 0.0 ? radius - surface.local_rolling_radius(y) : 0.0;
     // 1 - (1 - xi) rho / rho_0 without cancellation.
-    const double along = creepage.longitudinal + turning * drop - beyond * y;
-    const double turning_about_normal = turning * (e[2] - rise * e[1]) * cosine;
+    double along = creepage.longitudinal + turning * drop - beyond * y;
+    double turning_about_normal = turning * (e[2] - rise * e[1]) * cosine;
+    if (rail_turning != 0.0) {
+      along += rail_turning * surface.local_rail_radius(y) - rail_speed;
+      turning_about_normal += rail_turning * (g[2] - rise * g[1]) * cosine;
+    }
     for (int i = 0; i < grid.nx; ++i) {
       const int k = grid.index(i, j);
       slip.x[k] = along;

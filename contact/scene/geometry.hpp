@@ -86,8 +86,11 @@ class ChartedGeometry {
   /// spin phi. With beyond = phi - omega e_z and the climb tan(alpha):
   ///   s_x = xi + omega (rho(0) - rho(y)) - beyond y,
   ///   s_y = (eta + beyond x) cos(alpha) + omega x (e_z cos(alpha) - e_y sin(alpha)).
-  /// A flat wheel leaves (xi - phi y, eta + phi x). ExtraSlip::none uses this for any surface,
-  /// ExtraSlip::file adds the file's values to it. Throws as undeformed_distance.
+  /// A roller turns with 1/R_r about its axle g: 1 becomes rho_r(0)/R_r in omega and adds
+  ///   (rho_r(y) - rho_r(0))/R_r to s_x, x (g_z cos(alpha) - g_y sin(alpha))/R_r to s_y, and
+  ///   beyond = phi - omega e_z - g_z/R_r; V is the speed of its surface at the radius R_r.
+  /// A flat wheel on a straight rail leaves (xi - phi y, eta + phi x). ExtraSlip::none uses this
+  /// for any surface, ExtraSlip::file adds the file's values to it. Throws as undeformed_distance.
   TangentialField rigid_slip(const Creepage& creepage, const ContactGrid& grid) const;
   /// The same into an existing field.
   void rigid_slip(const Creepage& creepage, const ContactGrid& grid, TangentialField& slip) const;

@@ -117,8 +117,32 @@ double PatchGeometry::wheel_height(double x, double y) const {
   return height.found ? height.value : std::numeric_limits<double>::infinity();
 }
 
+void PatchGeometry::set_roller(double rolling_radius, HeightCurve radius, const Axle& axle) {
+  rail_rolling_radius_ = rolling_radius;
+  rail_radius_ = std::move(radius);
+  rail_axle_ = axle;
+}
+
+double PatchGeometry::rail_height(double x, double y) const {
+  const double section = rail_.at(y).value;
+  if (!is_roller() || x == 0.0) return section;
+  // Seen upside down, a roller is a wheel; a ring lies below its axle as a wheel does.
+  const double up = rail_rolling_radius_ > 0.0 ? -1.0 : 1.0;
+  Axle axle = rail_axle_;
+  axle.point[2] *= up;
+  axle.direction[2] *= up;
+  const double start = up * section + 0.5 * x * x / std::abs(local_rail_radius(y));
+  const Height height = height_of(rail_radius_, axle, x, y, start);
+  return height.found ? up * height.value : -std::numeric_limits<double>::infinity();
+}
+
+double PatchGeometry::local_rail_radius(double y) const {
+  return std::copysign(contact::axle_place(rail_axle_, {0.0, y, rail_.at(y).value}).radius,
+                       rail_rolling_radius_);
+}
+
 double PatchGeometry::distance(double x, double y) const {
-  return wheel_height(x, y - sinking_.way[0]) - rail_.at(y).value;
+  return wheel_height(x, y - sinking_.way[0]) - rail_height(x, y);
 }
 
 double PatchGeometry::local_rolling_radius(double y) const {

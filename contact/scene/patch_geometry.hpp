@@ -8,6 +8,7 @@
 #include "contact/scene/height_curve.hpp"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -62,6 +63,13 @@ class PatchGeometry {
   const HeightCurve& wheel_radius() const { return wheel_radius_; }
   const Axle& axle() const { return axle_; }
 
+  /// Makes the rail a roller of this rolling radius (Rail::rolling_radius): `radius` over the axial
+  /// coordinate of its axle, which lies in the plane x = 0; rail() is its section there.
+  void set_roller(double rolling_radius, HeightCurve radius, const Axle& axle);
+  bool is_roller() const { return std::isfinite(rail_rolling_radius_); }
+  double rail_rolling_radius() const { return rail_rolling_radius_; }  ///< mm, infinite: straight
+  const Axle& rail_axle() const { return rail_axle_; }                 ///< of a roller
+
   /// The same bodies with distances of the wheel at its height under load, still measured from
   /// first touch: the approach is added again. In a plane whose normal is not vertical, a sinking
   /// wheel also moves sideways, which closes some flanks and opens others by microns; a small
@@ -77,11 +85,15 @@ class PatchGeometry {
   AxlePlace axle_place(const Vector3& place) const { return contact::axle_place(axle_, place); }
   /// Height z of the wheel's surface, mm; infinite outside the wheel.
   double wheel_height(double x, double y) const;
+  /// The same of the rail; minus infinity outside a roller.
+  double rail_height(double x, double y) const;
   /// Undeformed distance along z, mm; 0 where the bodies just touch, which need not be the origin.
   /// Under load (`under_load`) microns more or less.
   double distance(double x, double y) const;
   /// Distance of the wheel's surface at x = 0 from the axle, mm.
   double local_rolling_radius(double y) const;
+  /// The same of a roller, with the sign of its rolling radius.
+  double local_rail_radius(double y) const;
   /// Angle of the axle against the y axis in the plane x = 0, rad: sine = e_z.
   double tilt() const;
   /// Beyond these y (mm) any contact of the bodies is a separate contact.
@@ -97,6 +109,9 @@ class PatchGeometry {
   HeightCurve wheel_radius_;
   HeightCurve wheel_;
   Axle axle_;
+  double rail_rolling_radius_ = std::numeric_limits<double>::infinity();
+  HeightCurve rail_radius_;
+  Axle rail_axle_;
   Sinking sinking_;
   std::array<double, 2> limits_{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};

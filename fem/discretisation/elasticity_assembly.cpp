@@ -309,6 +309,7 @@ void order_for_elimination(const dealii::DoFHandler<3>& dofs, FreeUnknowns& unkn
 std::vector<SymmetricMatrix> assemble(const ElasticProblem& problem,
                                       const std::vector<const FreeUnknowns*>& unknowns) {
   std::vector<Assembly> parts;
+  parts.reserve(unknowns.size());
   for (const FreeUnknowns* of_part : unknowns) parts.emplace_back(problem, *of_part);
   CellStiffness cell_stiffness(problem);
   std::vector<dealii::types::global_dof_index> indices(problem.dofs.get_fe().dofs_per_cell);
@@ -326,6 +327,7 @@ std::vector<SymmetricMatrix> assemble(const ElasticProblem& problem,
     ++number;
   }
   std::vector<SymmetricMatrix> matrices;
+  matrices.reserve(parts.size());
   for (Assembly& part : parts) matrices.push_back(part.take());
   return matrices;
 }

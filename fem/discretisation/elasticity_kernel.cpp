@@ -325,7 +325,8 @@ ROLLFEM_INLINE void element_matrices(const CellBatches<Number>& cells,
   }
 }
 
-// The same code compiled for each instruction set.
+// The same code compiled for each instruction set; attributes cannot stand in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define ROLLFEM_VARIANT(name, bytes, attribute)                                                    \
   template <int n, typename Number>                                                                \
   attribute void add_product_##name(const CellBatches<Number>& cells,                              \
@@ -343,6 +344,7 @@ ROLLFEM_INLINE void element_matrices(const CellBatches<Number>& cells,
   ElasticityKernel<Number> kernel_##name() {                                                       \
     return {&add_product_##name<n, Number>, &element_matrices_##name<n, Number>};                  \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 
 ROLLFEM_VARIANT(sse2, 16, )
 #ifdef __x86_64__

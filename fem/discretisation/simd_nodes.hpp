@@ -18,7 +18,7 @@ namespace rollfem::fem {
 /// instruction set through memory, six times slower.
 template <typename Number, int bytes>
 struct Simd {
-  typedef Number type __attribute__((vector_size(bytes)));
+  using type [[gnu::vector_size(bytes)]] = Number;
 };
 
 /// Four lanes of each component from four nodes: the transpose, without its last row.

@@ -39,7 +39,9 @@ struct Shares {
         offsets(counts.size(), 0) {
     std::partial_sum(counts.begin(), counts.end() - 1, offsets.begin() + 1);
   }
-  std::size_t sum() const { return static_cast<std::size_t>(offsets.back() + counts.back()); }
+  std::size_t sum() const {
+    return static_cast<std::size_t>(offsets.back()) + static_cast<std::size_t>(counts.back());
+  }
 };
 
 /// The contributions of all processes, on the first one.

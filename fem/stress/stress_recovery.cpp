@@ -302,7 +302,8 @@ StressRecovery::StressRecovery(const Body& body)
 StressRecovery::~StressRecovery() = default;
 
 NodalStress StressRecovery::recover(const Vector& displacement) const {
-  Vector ghosted(displacement);  // copies lack ghost values
+  // Copies lack ghost values. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+  Vector ghosted(displacement);
   ghosted.update_ghost_values();
   return implementation_->recover(ghosted);
 }
@@ -328,7 +329,8 @@ EnergyError energy_error(const Body& body, const Vector& displacement, const Nod
   const unsigned int points = values.n_quadrature_points;
   std::vector<dealii::Tensor<2, 3>> gradients(points);
   std::vector<dealii::Tensor<1, 3>> direct(points), shear(points);
-  Vector ghosted(displacement);  // copies lack ghost values
+  // Copies lack ghost values. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+  Vector ghosted(displacement);
   ghosted.update_ghost_values();
   CellStress law(body.problem());
   double error = 0, energy = 0;

@@ -32,8 +32,8 @@ struct FemCompliance::Shared {
         curvature_slip(the_surface, the_grid) {
     concurrent = wheel.solver != rail.solver;
     for (int k = 0; k < 2; ++k) {
-      const auto [body, solver] = parts[k];
-      concurrent = concurrent && (body == nullptr || solver->runs_beside_others());
+      const Body* const body = parts[k].body;
+      concurrent = concurrent && (body == nullptr || parts[k].solver->runs_beside_others());
       if (body == nullptr) continue;
       one_at_a_time([&] { coupling[k].emplace(*body, grid, the_surface); });
       nothing[k] = make_vector(body->dofs());
@@ -41,10 +41,11 @@ struct FemCompliance::Shared {
       first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     }
     for_each_body([&](std::size_t k) {
-      const auto [body, solver] = parts[k];
+      const Body* const body = parts[k].body;
       const auto lattice = coupling[k]->lattice();
       if (first) middle[k].emplace(grid, body->material(), shape.stretch, lattice);
-      if (far == FarBoundary::point_load) far_field[k].emplace(*body, *solver, *coupling[k]);
+      if (far == FarBoundary::point_load)
+        far_field[k].emplace(*body, *parts[k].solver, *coupling[k]);
     });
   }
 

@@ -190,7 +190,7 @@ std::vector<ElementResponse> lattice_deficit(const Lattice& lattice) {
     constexpr double share = 1.0 / (waves * waves);
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) {
-        ElementResponse& at = deficit[static_cast<std::size_t>(j * side + i)];
+        ElementResponse& at = deficit[static_cast<std::size_t>(j) * side + i];
         const double even = share * std::cos(i * x) * std::cos(j * y);
         const double odd = -share * std::sin(i * x) * std::sin(j * y);
         at.xx += even * less[k].xx;

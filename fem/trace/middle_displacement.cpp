@@ -57,10 +57,10 @@ InfluenceQuadrant quadrant(const ContactGrid& grid, const PaddedFft& plane,
   std::vector<ElementResponse> kernel(static_cast<std::size_t>(nx + 1) * (ny + 1));
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
-      ElementResponse& at = kernel[static_cast<std::size_t>(j * (nx + 1) + i)];
+      ElementResponse& at = kernel[static_cast<std::size_t>(j) * (nx + 1) + i];
       at = middle_less_mean(i, j, grid, alone);
       if (lattice && std::max(i, j) <= lattice_reach)
-        add(1.0, deficit[static_cast<std::size_t>(j * (lattice_reach + 1) + i)], at);
+        add(1.0, deficit[static_cast<std::size_t>(j) * (lattice_reach + 1) + i], at);
     }
   return {nx, std::move(kernel)};
 }

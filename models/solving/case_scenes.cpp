@@ -37,8 +37,7 @@ std::vector<std::array<double, 2>> wheel_on_track(const Case& input,
                                                   const profiles::ProfileCurve& wheel,
                                                   const track::WheelRailContact& contact) {
   const bool left = contact.place.left;
-  const contact::Axle axle =
-      track::place_axle(contact.pose, input.wheelset, input.wheel.rolling_radius, left);
+  const contact::Axle axle = track::place_axle(contact.pose, input, left);
   // Unit vector downwards from the axle, perpendicular to it.
   const double length = std::hypot(axle.direction[1], axle.direction[2]);
   const std::array<double, 2> along{axle.direction[1] / length, axle.direction[2] / length};
@@ -58,7 +57,8 @@ std::vector<postprocess::PlacedPair> drawn_pairs(const Case& input,
   for (const track::PlacedScene& scene : scenes) {
     const contact::ContactPlace& place = scene.contact.place;
     if (place.patch == 1)
-      pairs.push_back({place.left, place.position, on_track(search.rail, place.left),
+      pairs.push_back({place.left, place.position,
+                       on_track(search.rail(place.left).curve, place.left),
                        wheel_on_track(input, search.profiles.wheel, scene.contact)});
   }
   return pairs;
@@ -84,7 +84,8 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input,
   Case first = input;
   first.wheelset.lateral_shift.resize(1);
   first.wheelset.yaw.resize(1);
-  if (!first.wheelset.roll.empty()) first.wheelset.roll.resize(1);
+  for (auto* list : {&first.wheelset.roll, &first.wheelset.height})
+    if (!list->empty()) list->resize(1);
   const std::vector<track::PlacedScene> scenes = track::make_scenes(first, search);
   std::vector<std::pair<std::string, std::string>> tables;
   for (const postprocess::PlacedPair& pair : drawn_pairs(first, search, scenes)) {

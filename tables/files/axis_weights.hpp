@@ -19,14 +19,17 @@ struct AxisWeights {
 template <class Visit>
 void each_node(const AxisWeights& weights, const Visit& visit) {
   for (std::size_t n = 0; n < 4; ++n)
-    if (weights.weight[n] != 0.0)
-      visit(static_cast<std::size_t>(weights.first + static_cast<int>(n)), weights.weight[n], n);
+    if (weights.weight[n] != 0.0) {
+      const int node = weights.first + static_cast<int>(n);
+      visit(static_cast<std::size_t>(node), weights.weight[n], n);
+    }
 }
 
 /// The two nodes around the place, of `count`: slots 1 and 2, if they exist.
 inline std::array<std::size_t, 2> around(const AxisWeights& axis, std::size_t count) {
   if (count == 1) return {0, 0};
-  const auto lower = static_cast<std::size_t>(axis.first + 1);
+  const int below = axis.first + 1;
+  const auto lower = static_cast<std::size_t>(below);
   return {lower, lower + 1};
 }
 

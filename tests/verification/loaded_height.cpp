@@ -64,7 +64,7 @@ struct Bodies {
   double rail(double y) const {
     return root([&](double s) {  // z points down
       const Vector3 at = place(0.0, y, s);
-      return search.rail_head.at(at[1]).value - at[2];
+      return search.rail(false).head.at(at[1]).value - at[2];
     });
   }
 
@@ -216,7 +216,7 @@ class LoadedHeight : public ::testing::TestWithParam<double> {
     Bodies bodies{search, placed.contact};
     bodies.rolling_radius = input.wheel.rolling_radius;
     bodies.axle =
-        track::place_axle(placed.contact.pose, input.wheelset, input.wheel.rolling_radius, false)
+        track::place_axle(placed.contact.pose, input, false)
             .point;
     return by_lowered_wheel(bodies, placed.scene.material.contact_modulus);
   }

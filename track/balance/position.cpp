@@ -117,7 +117,7 @@ class Position {
   /// Normal forces of a wheel's patches under its load; returns their largest change relative to
   /// it. With friction, the tangential forces keep their ratio to the normal force.
   double share(Wheel& wheel, bool friction) {
-    if (input_.load.approach) {
+    if (input_.sinks()) {
       drop_untouched(wheel);
       press_at_approach(wheel);
     }

@@ -26,7 +26,7 @@ namespace {
 /// The case's approach applies to the first patch; the others have the same sinking.
 contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) {
   const contact::Load& load = input.load;
-  if (load.approach) return {{}, contact.approach};
+  if (input.sinks()) return {{}, contact.approach};
   if (contact.place.patches > 1 && !load.vertical_force)
     throw contact::InputError(fmt::format(
         "{}: load.normal_force: the {} wheel at position {} touches in {} patches, among which a "
@@ -86,8 +86,8 @@ std::vector<double> approaches(const contact::Case& input, const std::vector<Pla
   std::vector<double> found;
   if (wheel.size() == 1 || !input.load.vertical_force) {
     for (const PlacedScene& placed : wheel)
-      found.push_back(input.load.approach ? placed.contact.approach
-                                          : halfspace::PatchSearch(placed.scene).patch().approach);
+      found.push_back(input.sinks() ? placed.contact.approach
+                                    : halfspace::PatchSearch(placed.scene).patch().approach);
     return found;
   }
   std::vector<contact::Scene> scenes;

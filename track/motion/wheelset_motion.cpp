@@ -21,29 +21,38 @@ Vector3 sum(const Vector3& a, const Vector3& b, double factor = 1.0) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 
-/// Angular velocity in the track frame. The axle's direction points to the right; a wheel that
-/// rolls forward turns from x to z (down), hence the minus sign.
+/// Angular velocity of the wheel in the track frame. The axle's direction points to the right; a
+/// wheel that rolls forward turns from x to z (down), hence the minus sign.
 Vector3 angular_velocity(const WheelRailContact& contact, const Motion& motion) {
   const Vector3 turning = sum({}, contact.axle.direction, -motion.rotation);
-  return sum(turning, {0.0, 0.0, motion.yaw_velocity});
+  return sum(sum(turning, {motion.roll_velocity, 0.0, motion.yaw_velocity}), contact.own_turning);
 }
 
+/// Of the wheel over the rail, which a roller carries backwards under an axle that stands still.
 Vector3 velocity(const WheelRailContact& contact, const Motion& motion, const Vector3& place) {
   const Vector3 arm = sum(place, contact.axle.point, -1.0);
-  return sum({1.0, motion.lateral_velocity, 0.0}, cross(angular_velocity(contact, motion), arm));
+  const double turning = 1.0 / contact.geometry.rail_rolling_radius();
+  const Vector3 forward{1.0 - turning * place[2], motion.lateral_velocity, turning * place[0]};
+  const Vector3 own_turning =
+      cross(contact.own_turning, sum(contact.origin, contact.axle.point, -1.0));
+  const Vector3 own = sum(contact.own_velocity, own_turning, -1.0);
+  return sum(sum(forward, cross(angular_velocity(contact, motion), arm)), own);
 }
 
 contact::Creepage creepage_at(const WheelRailContact& contact, const Motion& motion,
                               const Vector3& place) {
   const Vector3 slip = slip_at(contact, motion, place);
-  return {slip[0], slip[1], dot(angular_velocity(contact, motion), contact.normal)};
+  const double of_rail = contact.normal[1] / contact.geometry.rail_rolling_radius();
+  return {slip[0], slip[1], dot(angular_velocity(contact, motion), contact.normal) - of_rail};
 }
 
 }  // namespace
 
 Motion motion_of(const contact::Case& input, double rotation_change) {
-  return {(1.0 + rotation_change) / input.wheel.rolling_radius, input.wheelset.lateral_velocity,
-          input.wheelset.yaw_velocity};
+  const contact::Wheelset& given = input.wheelset;
+  const double sign = frame_sign(given);
+  return {(1.0 + rotation_change) / input.wheel.rolling_radius, sign * given.lateral_velocity,
+          sign * given.yaw_velocity, sign * given.roll_velocity, given.vertical_velocity};
 }
 
 Vector3 slip_at(const WheelRailContact& contact, const Motion& motion, const Vector3& place) {
@@ -55,10 +64,11 @@ Vector3 slip_at(const WheelRailContact& contact, const Motion& motion, const Vec
   // Vertical speed that keeps the bodies together; z points down, the normal up. Rotation about the
   // axle moves the wheel along its own surface and does not separate the bodies.
   const Vector3 arm = sum(contact.origin, contact.axle.point, -1.0);
+  const Vector3 turning{motion.roll_velocity, 0.0, motion.yaw_velocity};
   const Vector3 aside =
-      sum({0.0, motion.lateral_velocity, 0.0}, cross({0.0, 0.0, motion.yaw_velocity}, arm));
+      sum(sum({0.0, motion.lateral_velocity, 0.0}, cross(turning, arm)), contact.own_velocity);
   const double parting = dot(aside, contact.normal);
-  slip[2] -= parting / contact.normal[2];
+  slip[2] += motion.vertical_velocity.value_or(-parting / contact.normal[2]);
   return {dot(slip, contact.along), dot(slip, contact.across), dot(slip, contact.normal)};
 }
 

@@ -19,14 +19,16 @@ struct Motion {
   double rotation = 0.0;          ///< 1/mm, about the axle, positive when rolling forward
   double lateral_velocity = 0.0;  ///< positive to the right
   double yaw_velocity = 0.0;      ///< rad/mm, positive from x to y
+  double roll_velocity = 0.0;     ///< rad/mm, positive from y to z
+  /// Positive down; not given: wheel and rail neither part nor overlap at the reference point.
+  std::optional<double> vertical_velocity{};
 };
 
-/// (1 + rotation_change) / rolling_radius, lateral and yaw velocity of the case.
+/// (1 + rotation_change) / rolling_radius, and the velocities of the case.
 Motion motion_of(const contact::Case& input, double rotation_change);
 
 /// Velocity of the wheel's material at a point of the patch frame (mm) relative to the rail, in the
-/// patch frame. Under lateral and yaw velocity the wheelset rises or falls so that the bodies
-/// neither part nor overlap at the reference point.
+/// patch frame.
 contact::Vector3 slip_at(const WheelRailContact& contact, const Motion& motion,
                          const contact::Vector3& place);
 

@@ -80,6 +80,44 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
   return place;
 }
 
+RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Case& input, bool left) {
+  if (input.wheelset.on_rail) return {};
+  RailPlace place = rail_place(rail, input.track);
+  const contact::Displacement& moved = input.rail_displacement;
+  const std::size_t side = left ? 0 : 1;
+  place.angle += side_sign(left) * moved.roll[side];
+  place.shift_y += side_sign(left) * moved.lateral[side];
+  place.shift_z += moved.vertical[side];
+  return place;
+}
+
+AlongRail::AlongRail(double at_x, double z, double rail_rolling_radius)
+    : x(at_x), rolling_radius(rail_rolling_radius) {
+  if (!on_roller()) return;
+  sine = x / (rolling_radius - z);
+  cosine = std::sqrt(1.0 - sine * sine);
+}
+
+contact::Vector3 AlongRail::place_from_top(const contact::Vector3& place) const {
+  if (!on_roller()) return {place[0] + x, place[1], place[2]};
+  const double up = rolling_radius - place[2];
+  return {cosine * place[0] + sine * up, place[1], rolling_radius + sine * place[0] - cosine * up};
+}
+
+contact::Vector3 AlongRail::place_to_top(const contact::Vector3& place) const {
+  if (!on_roller()) return {place[0] - x, place[1], place[2]};
+  const double up = rolling_radius - place[2];
+  return {cosine * place[0] - sine * up, place[1], rolling_radius - sine * place[0] - cosine * up};
+}
+
+contact::Vector3 AlongRail::direction_from_top(const contact::Vector3& v) const {
+  return {cosine * v[0] - sine * v[2], v[1], sine * v[0] + cosine * v[2]};
+}
+
+contact::Vector3 AlongRail::direction_to_top(const contact::Vector3& v) const {
+  return {cosine * v[0] + sine * v[2], v[1], cosine * v[2] - sine * v[0]};
+}
+
 profiles::ProfileCurve place_rail(const profiles::ProfileCurve& rail, const RailPlace& place) {
   return rail.moved(place.angle, place.shift_y, place.shift_z);
 }
@@ -90,16 +128,38 @@ std::array<double, 2> profile_coordinates(const RailPlace& place, double y, doub
   return {c * dy + s * dz, -s * dy + c * dz};
 }
 
-contact::Axle place_axle(const WheelsetPose& pose, const contact::Wheelset& wheelset,
-                         double rolling_radius, bool left) {
-  const double sign = side_sign(left);
+double frame_sign(const contact::Wheelset& wheelset) {
+  return wheelset.on_rail && wheelset.side == contact::WheelSide::left ? -1.0 : 1.0;
+}
+
+contact::Axle wheelset_axle(const WheelsetPose& pose, const contact::Case& input) {
   contact::Axle axle;
-  axle.direction = {-sign * std::sin(pose.yaw) * std::cos(pose.roll),
-                    std::cos(pose.yaw) * std::cos(pose.roll), sign * std::sin(pose.roll)};
+  axle.direction = {-std::sin(pose.yaw) * std::cos(pose.roll),
+                    std::cos(pose.yaw) * std::cos(pose.roll), std::sin(pose.roll)};
+  axle.point = {0.0, pose.lateral_shift, pose.height - input.wheel.rolling_radius};
+  return axle;
+}
+
+contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, bool left) {
+  const double sign = side_sign(left);
+  const contact::Wheelset& wheelset = input.wheelset;
+  const contact::Displacement& moved = input.wheel_displacement;
+  const std::size_t side = left ? 0 : 1;
+  const auto direction_at = [sign](double yaw, double roll) {
+    return contact::Vector3{-sign * std::sin(yaw) * std::cos(roll), std::cos(yaw) * std::cos(roll),
+                            sign * std::sin(roll)};
+  };
+  contact::Axle axle;
+  axle.direction = direction_at(pose.yaw, pose.roll);
   // Distance of profile y = 0 of an upright, centred wheel from the middle of the track.
-  const double middle = 0.5 * wheelset.flange_back_distance - wheelset.flange_back_position;
-  const contact::Vector3 centre{0.0, sign * pose.lateral_shift, pose.height - rolling_radius};
+  const double middle =
+      wheelset.on_rail ? 0.0 : 0.5 * wheelset.flange_back_distance - wheelset.flange_back_position;
+  const contact::Vector3 centre{moved.longitudinal[side],
+                                sign * (pose.lateral_shift + moved.lateral[side]),
+                                pose.height + moved.vertical[side] - input.wheel.rolling_radius};
   for (int d = 0; d < 3; ++d) axle.point[d] = centre[d] + middle * axle.direction[d];
+  if (moved.roll[side] != 0.0 || moved.yaw[side] != 0.0)
+    axle.direction = direction_at(pose.yaw + moved.yaw[side], pose.roll + moved.roll[side]);
   return axle;
 }
 

@@ -9,6 +9,8 @@
 #include "contact/scene/patch_geometry.hpp"
 #include "profiles/profile_curve.hpp"
 
+#include <cmath>
+
 namespace rollfem::track {
 
 /// Wheel and rail in their profile coordinates, the same on both sides.
@@ -17,7 +19,7 @@ struct ProfilePair {
   profiles::ProfileCurve rail;
 };
 
-/// Position of the wheelset: signs of the track frame.
+/// Position of the wheelset, or of a wheel by itself (Wheelset::on_rail): signs of the track frame.
 struct WheelsetPose {
   double lateral_shift = 0.0;  ///< mm, of the middle of the axle, positive to the right
   double yaw = 0.0;            ///< rad about z, positive from x to y
@@ -40,6 +42,28 @@ struct RailPlace {
 /// reach down to that height on the gauge side.
 RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track);
 
+/// The same of one side, moved by the case's displacement; the profile as it is for a wheel by
+/// itself (Wheelset::on_rail).
+RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Case& input, bool left);
+
+/// Way along a rail from the plane x = 0 through its top: a shift on a straight rail, a rotation on
+/// a roller. Turning a scene back by it brings its contact to the top, where the rail's section is
+/// its profile.
+struct AlongRail {
+  double x = 0.0;                             ///< mm, of the place
+  double sine = 0.0, cosine = 1.0;            ///< of the angle about a roller's axle
+  double rolling_radius = contact::infinity;  ///< Rail::rolling_radius
+
+  AlongRail() = default;
+  /// To a place with this radial height z (mm).
+  AlongRail(double x, double z, double rail_rolling_radius);
+  bool on_roller() const { return std::isfinite(rolling_radius); }
+  contact::Vector3 place_from_top(const contact::Vector3& place) const;
+  contact::Vector3 place_to_top(const contact::Vector3& place) const;
+  contact::Vector3 direction_from_top(const contact::Vector3& v) const;
+  contact::Vector3 direction_to_top(const contact::Vector3& v) const;
+};
+
 /// The rail in the side frame.
 profiles::ProfileCurve place_rail(const profiles::ProfileCurve& rail, const RailPlace& place);
 
@@ -49,9 +73,17 @@ std::array<double, 2> profile_coordinates(const RailPlace& place, double y, doub
 /// +1 for the right wheel, -1 for the left one: y_track = side_sign Y.
 double side_sign(bool left);
 
-/// Axle of a wheel in the side frame (x, Y, z). Its axial coordinate is the wheel's profile y, so
-/// axial 0 is the running circle; the direction points to the field side.
-contact::Axle place_axle(const WheelsetPose& pose, const contact::Wheelset& wheelset,
-                         double rolling_radius, bool left);
+/// Sign of the case's lateral positions and turns in the track frame: -1 for a left wheel by
+/// itself, which is placed in the frame of its rail.
+double frame_sign(const contact::Wheelset& wheelset);
+
+/// Axle of a wheel in the side frame (x, Y, z), moved by the case's displacement. Its axial
+/// coordinate is the wheel's profile y, so axial 0 is the running circle; the direction points to
+/// the field side.
+contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, bool left);
+
+/// Axle of the wheelset in the track frame, whose middle is the centre of a wheel by itself: as
+/// that of its motion. Its direction points to the right.
+contact::Axle wheelset_axle(const WheelsetPose& pose, const contact::Case& input);
 
 }  // namespace rollfem::track

@@ -34,29 +34,81 @@ AxleFrame axle_frame(const Axle& axle) {
 }
 
 struct Seen {
-  Vector3 place{};
+  Vector3 place{};     ///< z over a roller radial
   double slope = 0.0;  ///< dz/dy of the outline
   double profile_y = 0.0;
 };
 
-/// Wheel surface n = u - r' d with u = cos(a) down + sin(a) ahead; n_x = 0 gives sin(a).
-std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius, const Axle& axle,
-                         const AxleFrame& frame) {
-  if (!(at.tangent_y > 0.0)) return {};
-  const double by_axial = at.tangent_z / at.tangent_y;
-  const double sine = by_axial * frame.tangent_of_yaw;
-  if (std::abs(sine) > 0.9) return {};
-  const double cosine = std::sqrt(1.0 - sine * sine);
-  const double radius = rolling_radius + at.z;
-  Seen result;
-  Vector3 normal{};
-  for (int d = 0; d < 3; ++d) {
-    const double across = cosine * frame.down[d] + sine * frame.ahead[d];
-    result.place[d] = axle.point[d] + at.y * axle.direction[d] + radius * across;
-    normal[d] = across - by_axial * axle.direction[d];
+/// A circle of the wheel: points at an angle a from straight down, and normals of the wheel's
+/// surface n = u - r' d there, with u = cos(a) down + sin(a) ahead.
+struct Circle {
+  const Axle& axle;
+  const AxleFrame& frame;
+  double axial, radius;  ///< mm
+  double by_axial;       ///< r', of its radius
+
+  Vector3 outward(double sine, double cosine) const {
+    Vector3 across{};
+    for (int d = 0; d < 3; ++d) across[d] = cosine * frame.down[d] + sine * frame.ahead[d];
+    return across;
   }
-  if (!(normal[2] > 0.0)) return {};
-  result.slope = -normal[1] / normal[2];
+  Vector3 place(const Vector3& across) const {
+    Vector3 at{};
+    for (int d = 0; d < 3; ++d)
+      at[d] = axle.point[d] + axial * axle.direction[d] + radius * across[d];
+    return at;
+  }
+  Vector3 normal(const Vector3& across) const {
+    Vector3 n{};
+    for (int d = 0; d < 3; ++d) n[d] = across[d] - by_axial * axle.direction[d];
+    return n;
+  }
+};
+
+/// Where the normal has no component along the roller's circle, n_x (R_r - z) + n_z x = 0: the
+/// angle by Newton's method from that of a straight rail. False: there is none.
+bool face_roller(const Circle& circle, double rail_radius, double& sine, double& cosine) {
+  double angle = std::atan2(sine, cosine);
+  for (int step = 0; step < 30; ++step) {
+    const Vector3 across = circle.outward(sine, cosine), turn = circle.outward(cosine, -sine);
+    const Vector3 place = circle.place(across), normal = circle.normal(across);
+    const double up = 1.0 - place[2] / rail_radius, x = place[0] / rail_radius;
+    const double moved = circle.radius / rail_radius;
+    const double along = normal[0] * up + normal[2] * x;
+    const double by_angle = turn[0] * (up + normal[2] * moved) + turn[2] * (x - normal[0] * moved);
+    const double change = along / by_angle;
+    if (std::abs(change) < 1e-14) return true;
+    angle -= change;
+    if (!(std::abs(angle) < 1.2)) return false;
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  return false;
+}
+
+std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius, const Axle& axle,
+                         const AxleFrame& frame, double rail_radius) {
+  if (!(at.tangent_y > 0.0)) return {};
+  const Circle circle{axle, frame, at.y, rolling_radius + at.z, at.tangent_z / at.tangent_y};
+  // Along a straight rail n_x = 0.
+  double sine = circle.by_axial * frame.tangent_of_yaw;
+  if (std::abs(sine) > 0.9) return {};
+  double cosine = std::sqrt(1.0 - sine * sine);
+  const bool straight = std::isinf(rail_radius);
+  if (!straight && !face_roller(circle, rail_radius, sine, cosine)) return {};
+  const Vector3 across = circle.outward(sine, cosine);
+  const Vector3 normal = circle.normal(across);
+  Seen result;
+  result.place = circle.place(across);
+  double down = normal[2];
+  if (!straight) {
+    const double up = rail_radius - result.place[2], x = result.place[0];
+    const double radial = std::copysign(std::hypot(up, x), up);
+    down = (normal[2] * up - normal[0] * x) / radial;
+    result.place[2] -= x * x / (radial + up);
+  }
+  if (!(down > 0.0)) return {};
+  result.slope = -normal[1] / down;
   result.profile_y = at.y;
   if (std::abs(result.slope) > profiles::steepest) return {};
   return result;
@@ -90,8 +142,9 @@ WheelPoints wheel_points(const profiles::ProfileCurve& wheel, double tread_y) {
   return result;
 }
 
-Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Axle& axle)
-    : axle_(axle) {
+Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Axle& axle,
+                       double rail_rolling_radius)
+    : axle_(axle), rail_rolling_radius_(rail_rolling_radius) {
   const AxleFrame frame = axle_frame(axle);
   // From the tread both ways, as far as the outline remains a height over y.
   const auto start = static_cast<std::ptrdiff_t>(wheel.start);
@@ -101,8 +154,8 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
   const auto walk = [&](std::ptrdiff_t first, int step, std::vector<Seen>& part) {
     for (std::ptrdiff_t k = first; k >= 0 && k < static_cast<std::ptrdiff_t>(wheel.points.size());
          k += step) {
-      const auto point =
-          seen(wheel.points[static_cast<std::size_t>(k)], rolling_radius, axle, frame);
+      const auto point = seen(wheel.points[static_cast<std::size_t>(k)], rolling_radius, axle,
+                              frame, rail_rolling_radius);
       if (!point) return;
       if (!part.empty() && step * (point->place[1] - part.back().place[1]) <= 1e-6) return;
       part.push_back(*point);
@@ -135,11 +188,12 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
 
 OutlinePoint Silhouette::at(double y) const {
   OutlinePoint point;
-  point.x = value_over_y(curve_.knots(), x_, y);
   point.y = y;
   point.z = curve_.at(y).value;
+  point.along = {value_over_y(curve_.knots(), x_, y), point.z, rail_rolling_radius_};
   point.profile_y = value_over_y(curve_.knots(), profile_y_, y);
-  const Vector3 arm{point.x - axle_.point[0], y - axle_.point[1], point.z - axle_.point[2]};
+  const Vector3 place = point.along.place_from_top({0.0, y, point.z});
+  const Vector3 arm{place[0] - axle_.point[0], y - axle_.point[1], place[2] - axle_.point[2]};
   const Vector3 across = contact::cross(arm, axle_.direction);
   point.radius = std::sqrt(contact::dot(across, across));
   return point;

@@ -5,7 +5,9 @@
 // A straight rail is the same at every x, so wheel and rail touch where the rail touches the
 // outline of the wheel seen along x: for every point of the wheel's profile, the point of its
 // circle whose normal has no x component. With yaw that point lies ahead of or behind the axle;
-// without yaw the outline is the profile itself.
+// without yaw the outline is the profile itself. Along a roller, its circles take the place of x:
+// the normal has no component along them, and heights are radial, from the roller's radius at z =
+// 0.
 #pragma once
 
 #include "contact/scene/patch_geometry.hpp"
@@ -18,9 +20,9 @@ namespace rollfem::track {
 
 /// A point of the outline in the side frame.
 struct OutlinePoint {
-  double x = 0.0;          ///< mm, ahead of the axle's middle
+  AlongRail along;         ///< from the top of the rail
   double y = 0.0;          ///< mm
-  double z = 0.0;          ///< mm
+  double z = 0.0;          ///< mm, over a roller radial
   double profile_y = 0.0;  ///< mm, wheel profile coordinate
   double radius = 0.0;     ///< mm, of its circle
 };
@@ -37,7 +39,8 @@ class Silhouette {
  public:
   /// `wheel` in profile coordinates; `axle` with axial coordinate = profile y (placement.hpp).
   /// Throws std::invalid_argument when no part of the profile is visible.
-  Silhouette(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle);
+  Silhouette(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
+             double rail_rolling_radius);
 
   /// z over y; covers the part not steeper than a height curve allows.
   const contact::HeightCurve& curve() const { return curve_; }
@@ -49,6 +52,7 @@ class Silhouette {
   std::vector<double> x_;          ///< mm, at the knots of the curve
   std::vector<double> profile_y_;  ///< mm, of the wheel's profile
   contact::Axle axle_;
+  double rail_rolling_radius_;
 };
 
 // The vertical gap between the outline of a wheel and the rail under it, and its minima. Sinking of
@@ -72,7 +76,7 @@ class VerticalGap {
   /// `rail`: its head in the side frame (rail_heights). Throws contact::SolveError when the wheel
   /// is not above it.
   VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
-              const contact::HeightCurve& rail);
+              const contact::HeightCurve& rail, double rail_rolling_radius = contact::infinity);
 
   /// Lowers the wheel by `way` mm. Heights from wheel() keep their previous values.
   void lower_wheel(double way);

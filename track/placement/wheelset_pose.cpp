@@ -19,11 +19,20 @@ using contact::Case;
 namespace {
 
 std::string where(const Case& input, int position, bool left) {
-  return fmt::format("{}: wheelset.lateral_shift = {:.6g} (position {}), {} wheel",
-                     input.file.empty() ? "case" : input.file,
-                     input.wheelset.lateral_shift.at(static_cast<std::size_t>(position - 1)),
-                     position, contact::side_word(left));
+  return fmt::format(
+      "{}: {} = {:.6g} (position {}), {} wheel", input.file.empty() ? "case" : input.file,
+      input.wheelset.on_rail ? "placement.lateral_position" : "wheelset.lateral_shift",
+      input.wheelset.lateral_shift.at(static_cast<std::size_t>(position - 1)), position,
+      contact::side_word(left));
 }
+
+/// What a user may have mistaken, for messages.
+const char* what_places(const Case& input) {
+  return input.wheelset.on_rail ? "lateral_position"
+                                : "gauge, flange_back_distance and lateral_shift";
+}
+
+constexpr int most_lowerings = 10;
 
 /// The tape line, wherever the profile has its origin; that origin where the profile does not reach
 /// the tape line, as treads of rigs may.
@@ -52,20 +61,20 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
   if (has_flange && first.profile_y < scene.tread_y && height > knots.z[tip] - tip_height)
     throw contact::SolveError(
         fmt::format("{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "
-                    "left the rail; do: check gauge, flange_back_distance and lateral_shift",
-                    where(input, position, left), first.profile_y));
+                    "left the rail; do: check {}",
+                    where(input, position, left), first.profile_y, what_places(input)));
 }
 
 /// The gap under a wheel at a pose. Throws contact::SolveError when it is not above its rail.
 VerticalGap make_gap(const Case& input, const SearchScene& scene, const WheelsetPose& pose,
                      int position, bool left) {
-  const Axle axle = place_axle(pose, input.wheelset, input.wheel.rolling_radius, left);
+  const Axle axle = place_axle(pose, input, left);
   try {
-    return {scene.wheel, input.wheel.rolling_radius, axle, scene.rail_head};
+    return {scene.wheel, input.wheel.rolling_radius, axle, scene.rail(left).head,
+            input.rail.rolling_radius};
   } catch (const contact::SolveError& error) {
-    throw contact::SolveError(
-        fmt::format("{}: {}; do: check gauge, flange_back_distance and lateral_shift",
-                    where(input, position, left), error.what()));
+    throw contact::SolveError(fmt::format("{}: {}; do: check {}", where(input, position, left),
+                                          error.what(), what_places(input)));
   }
 }
 
@@ -97,12 +106,13 @@ double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose p
   const bool wheel_ends =
       inner ? wheel.first() > gap.rail().first() : wheel.last() < gap.rail().last();
   throw contact::InputError(fmt::format(
-      "{}: {} the {} end of the {} profile, {:.2f} mm from the middle of the track; allowed: "
+      "{}: {} the {} end of the {} profile, {:.2f} mm from the {}; allowed: "
       "profiles that extend beyond the contact on both sides, as a height over y; do: use a longer "
-      "{} profile, or check gauge, flange_back_distance and lateral_shift",
+      "{} profile, or check {}",
       where(input, position, left), what, inner ? "flange-side" : "field-side",
       wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),
-      wheel_ends ? "wheel" : "rail"));
+      input.wheelset.on_rail ? "origin of the rail's profile" : "middle of the track",
+      wheel_ends ? "wheel" : "rail", what_places(input)));
 }
 
 VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPose& pose,
@@ -112,14 +122,27 @@ VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPo
   check_support(input, scene, gap, position, left);
   pose.height = gap.smallest();
   gap.lower_wheel(pose.height);
+  // On a roller ahead or behind its top the gap is not vertical.
+  const auto off_top = [&] { return gap.wheel().at(gap.lowest().y).along.sine != 0.0; };
+  for (int step = 0; step < most_lowerings && off_top() && std::isfinite(gap.lowest().gap);
+       ++step) {
+    gap = make_gap(input, scene, pose, position, left);
+    const double left_over = gap.smallest();
+    pose.height += left_over;
+    gap.lower_wheel(left_over);
+    if (std::abs(left_over) < 1e-12) break;
+  }
   return gap;
 }
 
 SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
   SearchScene scene;
-  scene.rail_place = rail_place(profiles.rail, input.track);
-  scene.rail = place_rail(profiles.rail, scene.rail_place);
-  scene.rail_head = rail_heights(scene.rail);
+  for (const bool left : {true, false}) {
+    SearchScene::Rail& rail = scene.rails[left ? 0 : 1];
+    rail.place = rail_place(profiles.rail, input, left);
+    rail.curve = place_rail(profiles.rail, rail.place);
+    rail.head = rail_heights(rail.curve);
+  }
   scene.tread_y = tread_of(input.wheelset, profiles.wheel);
   scene.wheel = wheel_points(profiles.wheel, scene.tread_y);
   try {
@@ -135,10 +158,14 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
 WheelsetPose find_pose(const Case& input, const SearchScene& scene, int position) {
   const auto k = static_cast<std::size_t>(position - 1);
   WheelsetPose pose;
-  pose.lateral_shift = input.wheelset.lateral_shift.at(k);
-  pose.yaw = input.wheelset.yaw.at(k);
-  pose.roll = input.wheelset.roll.empty() ? touching_roll(input, scene, pose, position)
-                                          : input.wheelset.roll.at(k);
+  const contact::Wheelset& given = input.wheelset;
+  const double sign = frame_sign(given);
+  pose.lateral_shift = sign * given.lateral_shift.at(k);
+  pose.yaw = sign * given.yaw.at(k);
+  if (!given.roll.empty())
+    pose.roll = sign * given.roll.at(k);
+  else if (!given.on_rail)
+    pose.roll = touching_roll(input, scene, pose, position);
   return pose;
 }
 

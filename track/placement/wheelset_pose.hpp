@@ -6,6 +6,7 @@
 #include "track/placement/placement.hpp"
 #include "track/placement/vertical_gap.hpp"
 
+#include <array>
 #include <string>
 
 namespace rollfem::track {
@@ -16,9 +17,14 @@ struct SearchScene {
   ProfilePair profiles;
   double tread_y = 0.0;  ///< mm, of a place on the tread in the wheel's profile coordinates
   WheelPoints wheel;
-  RailPlace rail_place;
-  profiles::ProfileCurve rail;     ///< placed, side frame
-  contact::HeightCurve rail_head;  ///< the same as a height over y
+  /// The rail of one side, in its side frame.
+  struct Rail {
+    RailPlace place;
+    profiles::ProfileCurve curve;
+    contact::HeightCurve head;  ///< the same as a height over y
+  };
+  std::array<Rail, 2> rails;  ///< left, right
+  const Rail& rail(bool left) const { return rails[left ? 0 : 1]; }
   /// The wheel's profile about that place as a height over y; empty where it is too steep.
   contact::HeightCurve wheel_tread;
 };

@@ -82,11 +82,12 @@ contact::HeightCurve changed(const contact::HeightCurve& curve, const Change& ch
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
                                      const PatchAxes& axes, const Axle& axle_of_side, bool left,
                                      const OutlinePoint& touch, double sink, double reach) {
-  const double at_touch = parameter_near(scene.rail, axes.y0, axes.z0);
+  const profiles::ProfileCurve& whole_rail = scene.rail(left).curve;
+  const double at_touch = parameter_near(whole_rail, axes.y0, axes.z0);
   // Shifted to the touching point, then rotated.
   const double cosine = axes.cosine, sine = axes.sine;
   const profiles::ProfileCurve rail =
-      scene.rail.part(at_touch - reach, at_touch + reach)
+      whole_rail.part(at_touch - reach, at_touch + reach)
           .moved(std::atan2(sine, cosine), sine * axes.z0 - cosine * axes.y0,
                  -sine * axes.y0 - cosine * axes.z0);
   // z of the patch points up, that of the profile down.
@@ -109,16 +110,27 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
                     to_radius);
   // Mirrored for the right side: y changes its sign, and the direction is reversed so that it
   // points to larger y again (with its axial coordinate, as in `changed`).
-  const Vector3& p = axle_of_side.point;
-  const Vector3& d = axle_of_side.direction;
-  Axle axle;
-  axle.point = {p[0] - touch.x, sign_y * axes.across(p[1], p[2] + sink),
-                axes.along_normal(p[1], p[2] + sink)};
-  const double d_across = axes.cosine * d[1] - axes.sine * d[2];
-  const double d_normal = -axes.sine * d[1] - axes.cosine * d[2];
-  axle.direction = {sign_y * d[0], d_across, sign_y * d_normal};
+  const auto patch_axle = [&](const Vector3& at, const Vector3& way) {
+    const double across = axes.cosine * way[1] - axes.sine * way[2];
+    const double along_normal = -axes.sine * way[1] - axes.cosine * way[2];
+    return Axle{{at[0], sign_y * axes.across(at[1], at[2]), axes.along_normal(at[1], at[2])},
+                {sign_y * way[0], across, sign_y * along_normal}};
+  };
+  Vector3 p = touch.along.place_to_top(axle_of_side.point);
+  p[2] += sink;
+  const Axle axle = patch_axle(p, touch.along.direction_to_top(axle_of_side.direction));
   const double section = std::min(section_reach, reach);
-  return {std::move(heights), std::move(radius), axle, -section, section};
+  contact::PatchGeometry geometry{std::move(heights), std::move(radius), axle, -section, section};
+  if (const double roller = input.rail.rolling_radius; std::isfinite(roller)) {
+    // The axial coordinate of its axle is y of the side frame.
+    const contact::HeightCurve head = profiles::height_over_y(whole_rail, at_touch);
+    const double outwards = roller > 0.0 ? 1.0 : -1.0;
+    geometry.set_roller(
+        roller,
+        changed(head, {sign_y, -outwards, std::abs(roller), axes.y0 - reach, axes.y0 + reach}),
+        patch_axle({0.0, 0.0, roller}, {0.0, 1.0, 0.0}));
+  }
+  return geometry;
 }
 
 class WheelSearch {
@@ -131,7 +143,7 @@ class WheelSearch {
         left_(left),
         pose_(pose),
         gap_(touching_gap(input, scene, pose_, position, left)),
-        axle_(place_axle(pose_, input.wheelset, input.wheel.rolling_radius, left)),
+        axle_(place_axle(pose_, input, left)),
         modulus_(contact::combine(input.wheel.material, input.rail.material).contact_modulus) {}
 
   std::vector<WheelRailContact> contacts(const SearchOptions& options) const {
@@ -214,6 +226,7 @@ class WheelSearch {
     contact.normal_force = estimate_force(gap_, group, contact.approach, modulus_);
     fill_place(contact.place, group, axes, touch);
     fill_frames(contact, axes, touch);
+    fill_own_motion(contact);
     if (contact.normal_force > 0.0) check_reach(group, sinking);
     const auto across = [&](double at) { return axes.across(at, gap_.rail().at(at).value); };
     const auto pair = [&](double lower, double upper) {
@@ -238,19 +251,25 @@ class WheelSearch {
                   const OutlinePoint& touch) const {
     place.left = left_;
     place.position = position_;
-    place.lateral_shift = pose_.lateral_shift;
-    place.yaw = pose_.yaw;
-    place.roll = pose_.roll;
+    const double sign = frame_sign(input_.wheelset);
+    place.lateral_shift = sign * pose_.lateral_shift;
+    place.yaw = sign * pose_.yaw;
+    place.roll = sign * pose_.roll;
     place.height = pose_.height;
     place.y_track = side_sign(left_) * axes.y0;
     place.z_track = axes.z0;
-    place.y_rail = profile_coordinates(scene_.rail_place, axes.y0, axes.z0)[0];
+    place.y_rail = profile_coordinates(scene_.rail(left_).place, axes.y0, axes.z0)[0];
     place.y_wheel = touch.profile_y;
     place.contact_angle = std::atan2(axes.sine, axes.cosine);
     place.rolling_radius = touch.radius;
-    place.x_track = touch.x;
+    place.x_track = contact_place(axes, touch)[0];
     place.way_across = way_across(axes.y0);
     place.separation = stretch.deepest.gap * axes.cosine;
+  }
+
+  /// Reference point on the rail, side frame.
+  static Vector3 contact_place(const PatchAxes& axes, const OutlinePoint& touch) {
+    return touch.along.place_from_top({0.0, axes.y0, axes.z0});
   }
 
   /// Arc length of the common surface outward to y, mm, from the middle of its known part.
@@ -270,13 +289,32 @@ class WheelSearch {
 
   void fill_frames(WheelRailContact& contact, const PatchAxes& axes,
                    const OutlinePoint& touch) const {
-    contact.axle.point = {0.0, pose_.lateral_shift, pose_.height - input_.wheel.rolling_radius};
-    const Vector3 outward = to_track(left_, axle_.direction);
-    for (int d = 0; d < 3; ++d) contact.axle.direction[d] = side_sign(left_) * outward[d];
-    contact.origin = to_track(left_, {touch.x, axes.y0, axes.z0});
-    contact.along = {1.0, 0.0, 0.0};
-    contact.normal = to_track(left_, {0.0, -axes.sine, -axes.cosine});
-    contact.across = {0.0, contact.normal[2], -contact.normal[1]};  // normal x along
+    contact.axle = wheelset_axle(pose_, input_);
+    contact.origin = to_track(left_, contact_place(axes, touch));
+    contact.along = to_track(left_, touch.along.direction_from_top({1.0, 0.0, 0.0}));
+    contact.normal =
+        to_track(left_, touch.along.direction_from_top({0.0, -axes.sine, -axes.cosine}));
+    contact.across = contact::cross(contact.normal, contact.along);
+  }
+
+  /// Velocities of this wheel less those of its rail by themselves.
+  void fill_own_motion(WheelRailContact& contact) const {
+    const std::size_t side = left_ ? 0 : 1;
+    const auto add = [&](const contact::Displacement& of, const Vector3& centre, double sign) {
+      const Vector3 turning{of.roll_velocity[side], -of.rotation[side], of.yaw_velocity[side]};
+      Vector3 arm{};
+      for (int d = 0; d < 3; ++d) arm[d] = contact.origin[d] - centre[d];
+      const Vector3 by_turning = contact::cross(turning, arm);
+      const Vector3 velocity{of.longitudinal_velocity[side], of.lateral_velocity[side],
+                             of.vertical_velocity[side]};
+      for (int d = 0; d < 3; ++d) {
+        contact.own_velocity[d] += sign * (velocity[d] + by_turning[d]);
+        contact.own_turning[d] += sign * turning[d];
+      }
+    };
+    add(input_.wheel_displacement, to_track(left_, axle_.point), 1.0);
+    const RailPlace& rail = scene_.rail(left_).place;
+    add(input_.rail_displacement, to_track(left_, {0.0, rail.shift_y, rail.shift_z}), -1.0);
   }
 
   void check_reach(const Stretch& stretch, double sinking) const {
@@ -312,7 +350,10 @@ std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene
   for (const bool left : {true, false}) {
     const contact::WheelSide other = left ? contact::WheelSide::right : contact::WheelSide::left;
     if (input.wheelset.side == other) continue;
-    for (WheelRailContact& contact : find_contacts(input, scene, pose, position, left, options))
+    SearchOptions here = options;
+    if (!input.wheelset.height.empty() && !options.height)
+      here.height = input.wheelset.height.at(static_cast<std::size_t>(position - 1));
+    for (WheelRailContact& contact : find_contacts(input, scene, pose, position, left, here))
       all.push_back(std::move(contact));
   }
   return all;

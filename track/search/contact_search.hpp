@@ -23,8 +23,11 @@ struct WheelRailContact {
   contact::ContactPlace place;
   contact::PatchGeometry geometry;  ///< sunk vertically until this patch touches in one point
   WheelsetPose pose;                ///< at first contact of the wheel
-  contact::Axle axle;               ///< track frame, at first contact; direction to the right
-  contact::Vector3 origin{};        ///< contact reference point on the rail, track frame
+  contact::Axle axle;               ///< of the motion (wheelset_axle), at first contact
+  /// Track frame: velocity at the origin over the forward speed, and rotation in rad/mm, which
+  /// wheel and rail have by themselves (Displacement).
+  contact::Vector3 own_velocity{}, own_turning{};
+  contact::Vector3 origin{};  ///< contact reference point on the rail, track frame
   /// Approach along the normal at which the next hump overlaps, mm; infinite where the load reaches
   /// no other hump.
   double next_hump = std::numeric_limits<double>::infinity();

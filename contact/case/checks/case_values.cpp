@@ -254,10 +254,12 @@ void complete(const GivenCase& given, Case& input) {
                          given.find("rolling", "lateral_creepage") != nullptr,
                          given.find("rolling", "spin") != nullptr};
   Wheelset& wheelset = input.wheelset;
-  const std::size_t count = std::max({wheelset.lateral_shift.size(), wheelset.yaw.size(),
-                                      wheelset.roll.size(), wheelset.track_position.size()});
-  for (auto* list :
-       {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.track_position})
+  wheelset.on_rail = given.section_lines.count("placement") > 0;
+  const auto lists = {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.height,
+                      &wheelset.track_position};
+  std::size_t count = 0;
+  for (const auto* list : lists) count = std::max(count, list->size());
+  for (auto* list : lists)
     if (!list->empty()) list->resize(count, list->front());
 }
 

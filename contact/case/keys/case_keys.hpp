@@ -67,9 +67,14 @@ struct Key {
 struct Section {
   std::string name;
   std::string sentence;
-  bool repeated = false;      ///< [[name]], any number of times; keys get and set in the last one
-  bool alternatives = false;  ///< `check` omits the key if it is not given
-  bool of_profiles = false;   ///< meaningful only if wheel and rail have profiles
+  bool repeated = false;        ///< [[name]], any number of times; keys get and set in the last one
+  bool alternatives = false;    ///< `check` omits the key if it is not given
+  bool of_profiles = false;     ///< meaningful only if wheel and rail have profiles
+  std::optional<bool> on_rail;  ///< only for a wheel placed on a rail; false: on a track
+  bool applies_to(const Case& input) const {
+    return (!of_profiles || input.has_profiles()) &&
+           (!on_rail || *on_rail == input.wheelset.on_rail);
+  }
 
   const Key* begin() const { return first; }
   const Key* end() const { return last; }

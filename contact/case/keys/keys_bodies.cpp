@@ -56,7 +56,12 @@ SectionWithKeys wheel_section() {
 }
 
 SectionWithKeys rail_section() {
-  Keys<Rail> keys("rail", "Lower body (2): a straight extruded rail", &Case::rail);
+  Keys<Rail> keys("rail", "Lower body (2): a straight extruded rail, or a roller", &Case::rail);
+  keys.add(
+      "rolling_radius", &Rail::rolling_radius, symbol("R_r"), unit("mm"),
+      or_inf(sized(smallest_radius, largest)),
+      "Radius about the rail's own axle, at z = 0: inf a straight rail, positive a roller below "
+      "the wheel, negative a ring around it.");
   add_radius(keys, "R_ry", "2000.0",
              "Radius of the rail's head: positive convex, negative concave, inf flat; not with "
              "`profile`.");
@@ -77,7 +82,8 @@ SectionWithKeys geometry_section() {
   keys.add("width", &ContactShapeCase::width, unit("mm"), positive(),
            "Line contact: width to which forces, moments, areas and work refer; 1: per mm.");
   keys.add("relative_radius", &ContactShapeCase::relative_radius, symbol("R"), unit("mm"),
-           between(smallest_radius, largest), otherwise("wheel.rolling_radius, on a straight rail"),
+           between(smallest_radius, largest),
+           otherwise("that of wheel.rolling_radius and rail.rolling_radius"),
            "Line contact: R of the undeformed distance h = x^2 / (2 R); for two rollers 1/R = 1/R1 "
            "+ 1/R2.");
   keys.add("reference_distance", &ContactShapeCase::reference_distance, unit("mm"),

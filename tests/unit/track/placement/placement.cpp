@@ -75,10 +75,11 @@ TEST(RailPlace, RefusesAProfileThatEndsAboveTheGaugeHeight) {
 }
 
 TEST(Axle, RunningCirclesAreSetByTheFlangeBacks) {
-  contact::Wheelset wheelset;  // 1360 between the backs, which are at profile y = -70
+  contact::Case input;  // 1360 between the backs, which are at profile y = -70
+  input.wheel.rolling_radius = 460.0;
   const track::WheelsetPose pose{2.0, 0.0, 0.0, 0.3};
-  const auto left = track::place_axle(pose, wheelset, 460.0, true);
-  const auto right = track::place_axle(pose, wheelset, 460.0, false);
+  const auto left = track::place_axle(pose, input, true);
+  const auto right = track::place_axle(pose, input, false);
   // Outward: a shift to the right takes the left wheel inward.
   EXPECT_NEAR(left.point[1], 748.0, 1e-12);
   EXPECT_NEAR(right.point[1], 752.0, 1e-12);
@@ -87,10 +88,11 @@ TEST(Axle, RunningCirclesAreSetByTheFlangeBacks) {
 }
 
 TEST(Axle, YawTurnsTheRightWheelBackAndRollLowersIt) {
-  contact::Wheelset wheelset;
+  contact::Case input;
+  input.wheel.rolling_radius = 460.0;
   const track::WheelsetPose pose{0.0, 0.01, 0.002, 0.0};
-  const auto left = track::place_axle(pose, wheelset, 460.0, true);
-  const auto right = track::place_axle(pose, wheelset, 460.0, false);
+  const auto left = track::place_axle(pose, input, true);
+  const auto right = track::place_axle(pose, input, false);
   // Turning x towards y takes the right end of the axle to smaller x.
   EXPECT_NEAR(right.point[0], -750.0 * std::sin(0.01) * std::cos(0.002), 1e-9);
   EXPECT_NEAR(left.point[0], -right.point[0], 1e-12);

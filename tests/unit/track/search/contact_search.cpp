@@ -176,7 +176,7 @@ TEST(Patches, TwoHumpsAreOneContactWhetherTheyMeetOrNot) {
   contact::Case input = light_case(0.0, 0.0);
   input.wheelset.roll = {0.0};
   const auto scene = track::make_search_scene(input, two_humps(depth));
-  const double middle = scene.rail_place.shift_y;
+  const double middle = scene.rail(true).place.shift_y;
   for (const double share : {0.5, 1.5}) {
     input.load.approach = share * depth;
     const auto found = contacts_of(input, scene, true);
@@ -204,7 +204,7 @@ TEST(Patches, HumpsOfOtherNormalsAreContactsWithLimits) {
   const auto found = contacts_of(input, scene, true, options);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].place.patches, 2);
-  const double middle = scene.rail_place.shift_y;
+  const double middle = scene.rail(true).place.shift_y;
   EXPECT_NEAR(std::abs(-found[0].place.y_track + found[0].touching[0][0] - middle), 5.0, 1e-4);
   const double inner = 5.0 * std::sqrt(1.0 - std::sqrt(0.5));
   const double outer = 5.0 * std::sqrt(1.0 + std::sqrt(0.5));
@@ -240,7 +240,7 @@ TEST(Patches, PlaneIsThatOfTheWholeOverlap) {
   const double place = (right * right - left * left) * first / weight;
   const double mean_slope =
       0.5 * (2.0 / 600.0 * right * right - 2.0 / 100.0 * left * left) * first / weight;
-  EXPECT_NEAR(-found[0].place.y_track - scene.rail_place.shift_y, place, 1e-3);
+  EXPECT_NEAR(-found[0].place.y_track - scene.rail(true).place.shift_y, place, 1e-3);
   EXPECT_NEAR(found[0].place.contact_angle, -std::atan(mean_slope), 1e-6);
 }
 
