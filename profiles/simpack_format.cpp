@@ -65,12 +65,10 @@ ProfilePoints read_simpack(std::string_view text, const contact::ProfileSource& 
     if (line.empty()) continue;
     if (line == "header.begin")
       place = Place::header;
-    else if (line == "spline.begin")
+    else if (line == "spline.begin" || line == "point.end")
       place = Place::spline;
     else if (line == "point.begin")
       place = Place::points, seen = true;
-    else if (line == "point.end")
-      place = Place::spline;
     else if (line == "header.end" || line == "spline.end")
       place = Place::outside;
     else if (place == Place::points) {

@@ -212,11 +212,37 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
   const double mpa = units == ROLLFEM_M_N ? 1e6 : units == ROLLFEM_MM_KN ? 1e-3 : 1.0;
   Given<rollfem_definition> place(definition);
   if (place.fits())
-    place.give({0, units, ROLLFEM_LEFT, "S1002", "60E1", 460.0 * mm, 1435.0 * mm, 14.0 * mm,
-                1.0 / 40.0, 1360.0 * mm, -70.0 * mm, 210e3 * mpa, 0.3, 210e3 * mpa, 0.3, 0.3, 12,
+    place.give({0,
+                units,
+                ROLLFEM_LEFT,
+                "S1002",
+                "60E1",
+                460.0 * mm,
+                1435.0 * mm,
+                14.0 * mm,
+                1.0 / 40.0,
+                1360.0 * mm,
+                -70.0 * mm,
+                210e3 * mpa,
+                0.3,
+                210e3 * mpa,
+                0.3,
+                0.3,
+                12,
                 // friction is constant, and there is no layer
-                0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, ROLLFEM_CONSTANT, 0.0, 0.0, 0.0, 0.0, 0.0,
-                0.0, 1});
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                ROLLFEM_CONSTANT,
+                0.0,
+                0.0,
+                {0.0, 0.0, 0.0, 0.0},
+                1});
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {

@@ -158,11 +158,12 @@ Lattice parse_lattice(std::string_view text, const std::string& shown_name, int 
   const auto missing = std::find(lines.begin(), lines.end(), std::size_t{0});
   if (missing == lines.end()) return lattice;
   const int at = static_cast<int>(missing - lines.begin());
-  fail_at(shown_name, 0,
-          fmt::format("has {} points, but the lattice of {} by {} lacks ({:.6g}, {:.6g})",
-                      rows.size(), x.count, y.count, x.first + (at % x.count) * x.step,
-                      y.first + (at / x.count) * y.step),
-          regular);
+  const int column = at % x.count, row = at / x.count;
+  fail_at(
+      shown_name, 0,
+      fmt::format("has {} points, but the lattice of {} by {} lacks ({:.6g}, {:.6g})", rows.size(),
+                  x.count, y.count, x.first + column * x.step, y.first + row * y.step),
+      regular);
 }
 
 namespace {

@@ -51,7 +51,7 @@ std::array<double, 3> principal(const Stress& stress) {
   // The iterative solver, because the closed form loses half of the digits where two values
   // coincide, as on the axis of a circular contact.
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(tensor_of(stress), Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d values = solver.eigenvalues();
+  const Eigen::Vector3d& values = solver.eigenvalues();
   return {values[2], values[1], values[0]};
 }
 

@@ -13,8 +13,8 @@ namespace {
 template <int bytes>
 struct Register {
   static constexpr int lanes = bytes / static_cast<int>(sizeof(double));
-  typedef double type __attribute__((vector_size(bytes)));
-  typedef double anywhere __attribute__((vector_size(bytes), aligned(sizeof(double)), may_alias));
+  using type [[gnu::vector_size(bytes)]] = double;
+  using anywhere [[gnu::vector_size(bytes), gnu::aligned(sizeof(double)), gnu::may_alias]] = double;
 
   static ROLLFEM_INLINE const anywhere& at(const double* place) {
     return *reinterpret_cast<const anywhere*>(place);
@@ -79,6 +79,8 @@ ROLLFEM_INLINE void multiply(const double* matrix, std::ptrdiff_t stride, std::p
     multiply_rows<bytes, 1>(matrix + row * stride, stride, columns, x, y + row);
 }
 
+// Attributes cannot stand in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define ROLLFEM_VARIANT(name, bytes, attribute)                                                    \
   attribute void convolve_##name(const InfluenceRows& influence, const Source* first,              \
                                  const Source* last, int nx, int ny, double* result) {             \
@@ -89,6 +91,7 @@ ROLLFEM_INLINE void multiply(const double* matrix, std::ptrdiff_t stride, std::p
     multiply<bytes>(matrix, stride, rows, columns, x, y);                                          \
   }                                                                                                \
   constexpr ElementSums sums_##name{&convolve_##name, &multiply_##name};
+// NOLINTEND(bugprone-macro-parentheses)
 
 ROLLFEM_VARIANT(sse2, 16, )
 #ifdef __x86_64__

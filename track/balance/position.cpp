@@ -145,9 +145,9 @@ class Position {
     for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
       std::vector<contact::NeighbourLoad>& all = wheel.patches[i].placed.scene.neighbour_loads;
       all.clear();
-      for (std::size_t k = 0; k < shared.size(); ++k)
+      for (const halfspace::SharedLoad& at : shared)
         for (std::size_t j = 0; j < wheel.patches.size(); ++j)
-          for (contact::NeighbourLoad load : shared[k].shares[i].neighbour_loads[j]) {
+          for (contact::NeighbourLoad load : at.shares[i].neighbour_loads[j]) {
             for (double* force : {&load.normal, &load.longitudinal, &load.lateral}) *force *= part;
             all.push_back(load);
           }

@@ -54,9 +54,9 @@ template <class Member>
 constexpr bool is_optional = !std::is_same_v<Member, typename Held<Member>::Value>;
 
 template <class Member>
-constexpr std::size_t array_size = 0;
+inline constexpr std::size_t array_size = 0;
 template <class Number, std::size_t count>
-constexpr std::size_t array_size<std::array<Number, count>> = count;
+inline constexpr std::size_t array_size<std::array<Number, count>> = count;
 
 /// The kind of the keys of a member.
 template <class Member>
