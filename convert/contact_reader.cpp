@@ -335,22 +335,26 @@ void check_first(const InputLines& lines, const ContactCase& first) {
 std::vector<ContactCase> read_contact_file(std::string_view text, const std::string& name) {
   InputLines lines(text, name);
   std::vector<ContactCase> cases;
-  ContactCase next;
+  std::map<std::pair<double, double>, ContactCase> kept;  // by module and result element
+  std::vector<double> which{0.0};
   while (!lines.at_end()) {
     // Digit R of the previous case may state that this one has the same module.
-    const bool stays = !cases.empty() && next.digits.R % 2 == 0;
-    const double module = stays ? next.module : lines.numbers({"the module number"}).front();
+    if (cases.empty() || cases.back().digits.R % 2 != 0)
+      which = lines.numbers({"the module number", "the result element"}, 1);
+    const double module = which.front();
     if (module == 0.0) break;
     if (module != 1.0 && module != 3.0)
       lines.fail(fmt::format("module {:g}; allowed: 1 (wheel and rail), 3 (single contacts), "
                              "0 (the end)",
                              module),
                  "check for a missing line above it");
+    ContactCase& next = kept[{module, which.size() > 1 ? which[1] : 0.0}];
+    const bool first = next.module == 0;
     next.module = static_cast<int>(module);
     next.number = static_cast<int>(cases.size()) + 1;
     next.line = lines.line();
     read_digits(lines, next);
-    if (cases.empty() || cases.back().module != next.module) check_first(lines, next);
+    if (first) check_first(lines, next);
     if (next.module == 3)
       read_single_contact(lines, next);
     else

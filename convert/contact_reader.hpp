@@ -52,7 +52,8 @@ struct ProfileFile {
 struct WheelRail {
   int search = 2;                 ///< digit D as last given anew
   std::array<double, 2> cell{};   ///< DX, DS
-  std::array<double, 4> track{};  ///< GAUGHT, GAUGSQ, GAUGWD, CANT
+  /// GAUGHT, GAUGSQ, GAUGWD, or GAUGHT <= 0, RAILY0, RAILZ0; CANT or the roller's NOMRAD
+  std::array<double, 4> track{};
   ProfileFile rail, wheel;
   std::vector<double> rail_deviations;   ///< DY, DZ, ROLL, VY, VZ, VROLL
   std::vector<double> wheel_deviations;  ///< twelve, E = 4 and 5
@@ -75,7 +76,7 @@ struct FrictionSet {
 };
 
 struct ContactCase {
-  int module = 3;
+  int module = 0;        ///< 1 or 3
   int number = 0;        ///< counted from 1, as in CONTACT
   std::size_t line = 0;  ///< line of the module number, or of the last one before it
   Digits digits;

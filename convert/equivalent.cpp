@@ -94,7 +94,7 @@ void fill_friction(const ContactCase& given, Equivalent& made) {
             "INISLP = 0: where friction falls so steeply that a case has several states, CONTACT "
             "takes one near the case before, rollfem the one with the most friction");
   if (given.module == 1)
-    made.set("rolling", "speed", given.wheel_rail.velocity[0], "mm/s, VS");
+    made.set("rolling", "speed", std::abs(forward_speed(given)), "mm/s, VS");
   else if (given.digits.T >= 2)
     made.set("rolling", "speed", given.rolling[2], "mm/s");
 }

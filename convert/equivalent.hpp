@@ -58,6 +58,9 @@ bool is_simplified(const Digits& digits);
 /// Whether CHI turns the axes of module 3 by half a turn.
 bool rolls_backwards(const ContactCase& given);
 
+/// Of the wheelset over the track, or of the surface of rollers, mm/s: module 1.
+double forward_speed(const ContactCase& given);
+
 /// Parts of equivalent_of. Young's modulus and Poisson's ratio of the two bodies in these sections.
 void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,
                  Equivalent& made);

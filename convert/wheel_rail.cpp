@@ -4,14 +4,12 @@
 
 #include "convert/equivalent.hpp"
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 namespace rollfem::convert {
 
 namespace {
-
-bool any(const std::vector<double>& values) {
-  return std::any_of(values.begin(), values.end(), [](double value) { return value != 0.0; });
-}
 
 void fill_profile(const ProfileFile& profile, const std::string& body,
                   const std::string& profile_folder, Equivalent& made) {
@@ -36,15 +34,34 @@ void fill_profile(const ProfileFile& profile, const std::string& body,
          "profiles that vary along the track");
 }
 
-void fill_track(const WheelRail& pair, const std::string& profile_folder, Equivalent& made) {
-  const auto& [height, sequence, gauge, cant] = pair.track;
-  made.refuse(height <= 0.0, "GAUGHT <= 0: a rail placed by RAILY0, RAILZ0 instead of the gauge");
-  made.refuse(height > 0.0 && sequence > 1.0,
-              fmt::format("GAUGSQ = {:g}: the gauge is always measured at the first gauge point",
-                          sequence));
-  made.refuse(any(pair.rail_deviations), "DY to VROLL: a displaced or moving rail");
-  made.set("track", "gauge", gauge, "mm");
-  made.set("track", "gauge_height", height, "mm below the top of the rails");
+bool on_roller(const Digits& digits) {
+  return digits.config >= 4;
+}
+
+/// Numbers of a displacement, left and right alike.
+void fill_displacement(const std::string& section, const std::vector<double>& values,
+                       const std::vector<const char*>& keys, double speed, Equivalent& made) {
+  for (std::size_t k = 0; k < std::min(keys.size(), values.size()); ++k) {
+    if (values[k] == 0.0 || std::string(keys[k]).empty()) continue;
+    const double value = k < keys.size() / 2 ? values[k] : values[k] / speed;
+    made.set_list(section, keys[k], {value, value});
+  }
+}
+
+void fill_track(const ContactCase& given, const std::string& profile_folder, Equivalent& made) {
+  const WheelRail& pair = given.wheel_rail;
+  const auto& [height, sequence, gauge, last] = pair.track;
+  const double cant = on_roller(given.digits) ? 0.0 : last;
+  if (on_roller(given.digits)) made.set("rail", "rolling_radius", last, "mm");
+  if (height > 0.0) {
+    made.refuse(sequence > 1.0,
+                fmt::format("GAUGSQ = {:g}: the gauge is always measured at the first gauge point",
+                            sequence));
+    made.set("track", "gauge", gauge, "mm");
+    made.set("track", "gauge_height", height, "mm below the top of the rails");
+  } else {
+    made.set_list("track", "rail_position", {sequence, gauge}, "mm, RAILY0 and RAILZ0");
+  }
   if (cant == 0.0)
     made.set_word("track", "inclination", "none");
   else
@@ -52,31 +69,33 @@ void fill_track(const WheelRail& pair, const std::string& profile_folder, Equiva
   fill_profile(pair.rail, "rail", profile_folder, made);
 }
 
-/// Position and motion. CONTACT's track axes are ours: x forward, y to the right, z down.
-void fill_wheelset(const ContactCase& given, Equivalent& made) {
-  const WheelRail& pair = given.wheel_rail;
+/// Motion of the wheelset by the forward speed, on rollers that of their surface.
+struct Forward {
+  double speed = 0.0;  ///< mm/s, > 0
+  /// A wheelset that rolls backwards is that of the mirror image x to -x, in which yaw, pitch and
+  /// the velocity along x change their signs.
+  double sign = 1.0;
+};
+
+Forward forward_of(const ContactCase& given, Equivalent& made) {
+  const double speed = forward_speed(given);
+  made.refuse(speed == 0.0 && given.digits.T != 0, "the wheelset does not roll");
+  made.note(speed < 0.0, "the wheelset rolls backwards: this is the mirror image x to -x");
+  return {speed == 0.0 ? 1.0 : std::abs(speed), speed < 0.0 ? -1.0 : 1.0};
+}
+
+void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& made) {
   const Digits& digits = given.digits;
-  const auto& [back_distance, back_position, radius] = pair.wheelset;
-  const auto& [s, y, vertical, roll, yaw, pitch] = pair.position;
-  const auto& [vs, vy, vz, vroll, vyaw, vpitch] = pair.velocity;
-  made.refuse(digits.N == 0,
-              "digit N = 0: a prescribed height of the wheelset instead of its load");
-  made.refuse(any(pair.wheel_deviations), "digit E >= 4: a flexible wheelset");
-  made.set_word("wheelset", "side", digits.config == 0 ? "left" : "right");
-  made.set("wheelset", "flange_back_distance", back_distance, "mm");
-  made.set("wheelset", "flange_back_position", back_position, "mm");
-  made.set("load", "vertical_force", vertical, "N, on this wheel");
-  made.varied["wheelset.lateral_shift"] = y;
-  made.varied["wheelset.yaw"] = yaw;
-  made.varied["wheelset.roll"] = roll;
-  if (digits.T == 0) return;
-  made.refuse(vs <= 0.0, "VS is not positive: the wheelset must roll forward");
-  if (vs <= 0.0) return;
-  made.refuse(vz != 0.0 || vroll != 0.0, "VZ, VROLL: a wheelset with a vertical or roll velocity");
-  if (vy != 0.0) made.set("wheelset", "lateral_velocity", vy / vs, "VY / VS");
-  if (vyaw != 0.0) made.set("wheelset", "yaw_velocity", vyaw / vs, "rad/mm, VYAW / VS");
+  const auto& [vs, vy, vz, vroll, vyaw, vpitch] = given.wheel_rail.velocity;
+  const double radius = given.wheel_rail.wheelset[2], speed = forward.speed;
+  if (vy != 0.0) made.set("wheelset", "lateral_velocity", vy / speed, "VY / VS");
+  if (vyaw != 0.0)
+    made.set("wheelset", "yaw_velocity", forward.sign * vyaw / speed, "rad/mm, VYAW / VS");
+  if (vroll != 0.0) made.set("wheelset", "roll_velocity", vroll / speed, "rad/mm, VROLL / VS");
+  if (vz != 0.0) made.set("wheelset", "vertical_velocity", vz / speed, "VZ / VS");
   if (digits.F == 0)
-    made.set("wheelset", "rotation_change", -vpitch * radius / vs - 1.0, "-VPITCH NOMRAD / VS - 1");
+    made.set("wheelset", "rotation_change", -forward.sign * vpitch * radius / speed - 1.0,
+             "-VPITCH NOMRAD / VS - 1");
   else if (digits.F == 1 && vpitch == 0.0)
     made.set_word("wheelset", "free_rolling", "force");
   else
@@ -85,18 +104,59 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
                                   digits.F));
 }
 
+/// Displacements of wheel and rail by themselves.
+void fill_displacements(const WheelRail& pair, const Forward& forward, Equivalent& made) {
+  std::vector<double> wheel = pair.wheel_deviations;
+  // DX, DYAW, DPITCH, VX, VYAW and VPITCH of the mirror image.
+  for (const std::size_t k : {0, 4, 5, 6, 10, 11})
+    if (k < wheel.size()) wheel[k] *= forward.sign;
+  if (wheel.size() > 11) wheel[11] = -wheel[11];
+  fill_displacement(
+      "wheel_displacement", wheel,
+      {"longitudinal", "lateral", "vertical", "roll", "yaw", "", "longitudinal_velocity",
+       "lateral_velocity", "vertical_velocity", "roll_velocity", "yaw_velocity", "rotation"},
+      forward.speed, made);
+  fill_displacement(
+      "rail_displacement", pair.rail_deviations,
+      {"lateral", "vertical", "roll", "lateral_velocity", "vertical_velocity", "roll_velocity"},
+      forward.speed, made);
+}
+
+/// Position and motion. CONTACT's track axes are ours: x forward, y to the right, z down.
+void fill_wheelset(const ContactCase& given, Equivalent& made) {
+  const WheelRail& pair = given.wheel_rail;
+  const auto& [back_distance, back_position, radius] = pair.wheelset;
+  const auto& [s, y, vertical, roll, yaw, pitch] = pair.position;
+  made.set_word("wheelset", "side", given.digits.config % 4 == 0 ? "left" : "right");
+  made.set("wheelset", "flange_back_distance", back_distance, "mm");
+  made.set("wheelset", "flange_back_position", back_position, "mm");
+  const Forward forward = forward_of(given, made);
+  if (given.digits.N == 0)
+    made.varied["wheelset.height"] = vertical;
+  else
+    made.set("load", "vertical_force", vertical, "N, on this wheel");
+  made.varied["wheelset.lateral_shift"] = y;
+  made.varied["wheelset.yaw"] = forward.sign * yaw;
+  made.varied["wheelset.roll"] = roll;
+  fill_displacements(pair, forward, made);
+  if (given.digits.T != 0) fill_motion(given, forward, made);
+}
+
 }  // namespace
+
+double forward_speed(const ContactCase& given) {
+  const double given_speed = given.wheel_rail.velocity[0];
+  return on_roller(given.digits) ? given_speed * given.wheel_rail.track[3] : given_speed;
+}
 
 void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder,
                      Equivalent& made) {
   const WheelRail& pair = given.wheel_rail;
-  made.refuse(given.digits.config > 1,
-              fmt::format("digit C1 = {}: a roller rig", given.digits.config));
   made.set("wheel", "rolling_radius", pair.wheelset[2], "mm");
   // Body 1 is the rail in this module, but the wheel (upper body) in rollfem and in module 3.
   fill_bodies(given.bodies, {"rail", "wheel"}, made);
   fill_profile(pair.wheel, "wheel", profile_folder, made);
-  fill_track(pair, profile_folder, made);
+  fill_track(given, profile_folder, made);
   fill_wheelset(given, made);
   made.set_list("contact_grid", "cell_size", {pair.cell[0], pair.cell[1]}, "mm, DX and DS");
   const int D = pair.search;

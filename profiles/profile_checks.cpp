@@ -295,8 +295,10 @@ void mend(ProfilePoints& points, const ProfileSource& source, bool wheel, bool a
     point.z *= source.flip ? -scale : scale;
   }
   check_size(points, source.unit);
-  check_upward(points, source, wheel);
-  wheel ? check_side(points, source) : check_head(points);
+  if (source.for_track) {
+    check_upward(points, source, wheel);
+    wheel ? check_side(points, source) : check_head(points);
+  }
   if (source.reverse) reverse(points);
   if (source.sort) sort(points);
   check_direction(points, source, wheel);

@@ -162,10 +162,8 @@ ProfileCurve profile_of_case(const contact::Case& input, bool wheel, ProfileRepo
   const ProfileSource& source = wheel ? input.wheel.profile : input.rail.profile;
   if (!source.name.empty()) {
     ProfileCurve curve = make_profile(source, wheel, input.file, report);
-    if (wheel)
-      check_flange(input, curve);
-    else
-      check_heads(input, curve);
+    if (wheel && source.for_track) check_flange(input, curve);
+    if (!wheel && source.for_track) check_heads(input, curve);
     return curve;
   }
   const double radius = wheel ? input.wheel.transverse_radius : input.rail.transverse_radius;

@@ -32,6 +32,8 @@ struct ProfileSource {
   double rotation = 0.0;              ///< rad, from y to z, about (0, 0), before the shift
   std::array<double, 2> shift{0, 0};  ///< mm, along y and z
   // For files.
+  bool for_track =
+      true;  ///< a wheel with a flange or a rail with a head, which show where z points
   LengthUnit unit = LengthUnit::mm;
   std::string section;           ///< of a MiniProf file with several profiles
   bool flip = false;             ///< z -> -z: the file's z is upward
@@ -50,6 +52,9 @@ struct Track {
   double gauge = 1435.0;       ///< mm, between the rails
   double gauge_height = 14.0;  ///< mm below the top of the rails at which it is measured
   double inclination = 0.0;    ///< of each rail towards the middle, as a tangent: 1/40
+  /// mm, of the origin of the rail's profile from the middle of the track outwards, and down:
+  /// instead of the gauge
+  std::optional<std::array<double, 2>> rail_position;
 };
 
 enum class WheelSide { left, right, both };

@@ -249,8 +249,6 @@ double Bars::rest_of_force(std::size_t i, const Roughness& rough, bool over_load
   // As forces: moments over the arm.
   const std::array<double, 3> arms{1.0, 1.0, length()};
   const contact::Creepage& creepage = fine_.creepage;
-  const double slip =
-      root_of_squares({creepage.longitudinal, creepage.lateral, length() * creepage.spin});
   const double load = over_load ? fine_.normal_force / coarse_.normal_force : 1.0;
   double others = 0.0, whole = 0.0;
   for (std::size_t j = 0; j < arms.size(); ++j) {
@@ -258,6 +256,10 @@ double Bars::rest_of_force(std::size_t i, const Roughness& rough, bool over_load
     whole = std::hypot(whole, now);
     if (j != i) others = std::hypot(others, now - load * value(coarse_, forces[j]) / arms[j]);
   }
+  // At least that which did the work: surfaces may slip without creepage.
+  const double slip =
+      std::max(root_of_squares({creepage.longitudinal, creepage.lateral, length() * creepage.spin}),
+               whole > 0.0 ? std::abs(fine_.creepage_work.value_or(0.0)) / whole : 0.0);
   const double own = std::abs(value(fine_, forces[i])) / arms[i];
   const double share = whole > 0.0 ? std::min(1.0, own / whole) : 0.0;
   // With almost no slip, the work of friction comes from single elements; in full sliding, rows are

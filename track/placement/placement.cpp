@@ -39,6 +39,8 @@ double side_sign(bool left) {
 RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track) {
   RailPlace place;
   place.angle = -std::atan(track.inclination);
+  if (track.rail_position)
+    return {place.angle, (*track.rail_position)[0], (*track.rail_position)[1]};
   const profiles::ProfileCurve turned = rail.moved(place.angle, 0.0, 0.0);
   // Dense enough for a profile to turn little between neighbours.
   const std::vector<double> at = profiles::dense_parameters(turned, 0.25);

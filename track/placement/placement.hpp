@@ -39,7 +39,7 @@ struct RailPlace {
 /// Turns the profile towards the middle of the track by the inclination, puts its highest point at
 /// z = 0 and its gauge face half the gauge from the middle: the point nearest to the middle among
 /// those within gauge_height of the top. Throws contact::InputError when the profile does not
-/// reach down to that height on the gauge side.
+/// reach down to that height on the gauge side. Where the case gives the place of the origin, there.
 RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track);
 
 /// The same of one side, moved by the case's displacement; the profile as it is for a wheel by

@@ -35,6 +35,10 @@ SectionWithKeys track_section() {
   keys.add("gauge", &Track::gauge, unit("mm"), between(1.0, 1e4), "Distance between the rails.");
   keys.add("gauge_height", &Track::gauge_height, unit("mm"), between(0.1, 100.0),
            "Depth below the top of the rails at which the gauge is measured.");
+  keys.add("rail_position", &Track::rail_position, unit("mm"), within(1e4),
+           otherwise("the gauge places the rails"),
+           "Where the origin of the rail's profile is, from the middle of the track outwards and "
+           "down, instead of the gauge.");
   keys.add(KeyKind::lean, "inclination",
            Access<Track>{
                [](const Track& track) { return lean_of(track.inclination); },
