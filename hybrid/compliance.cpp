@@ -26,17 +26,22 @@ HybridCompliance::HybridCompliance(const contact::Scene& scene,
     wheel_ = std::make_unique<halfspace::SmoothMapOnGrid>(parts.wheel, grid);
   if (!parts.rail.empty()) rail_ = std::make_unique<halfspace::SmoothMapOnGrid>(parts.rail, grid);
   const contact::ContactSurface& surface = scene.geometry.surface;
-  if (!wheel_ || !std::isfinite(surface.rolling_radius)) return;
-  wheel_half_ = std::make_unique<halfspace::HalfspaceCompliance>(
-      grid, contact::combine(scene.wheel.material, contact::rigid_material()));
   const auto along = [&](auto&& value) {
     return grid.sample([&](double, double s) { return value(geometry.lateral_place(s)); });
   };
   contact::PatchShape shape;
   shape.climb = along([&](double y) { return surface.climb(y); });
   shape.stretch = along([&](double y) { return contact::stretch_of(surface.climb(y)); });
-  curvature_slip_.emplace(shape, along([&](double y) { return surface.local_rolling_radius(y); }),
-                          surface.axle_tilt());
+  if (wheel_ && std::isfinite(surface.rolling_radius))
+    turning_wheel_.emplace(
+        Turning{{grid, contact::combine(scene.wheel.material, contact::rigid_material())},
+                {shape, along([&](double y) { return surface.local_rolling_radius(y); }),
+                 surface.axle_tilt()}});
+  if (rail_ && surface.rail_is_roller())
+    turning_rail_.reset(
+        new Turning{{grid, contact::combine(contact::rigid_material(), scene.rail.material)},
+                    {shape, along([&](double y) { return -surface.local_rail_radius(y); }),
+                     surface.rail_tilt()}});
 }
 
 SurfaceField HybridCompliance::apply(const SurfaceField& traction) const {
@@ -45,16 +50,22 @@ SurfaceField HybridCompliance::apply(const SurfaceField& traction) const {
 
 contact::Response HybridCompliance::respond(const SurfaceField& traction) const {
   contact::Response response{half_.apply(traction), {}};
-  if (wheel_) {
-    const SurfaceField beyond = wheel_->apply(traction);
+  const auto add_body = [&](const auto& parts, const std::unique_ptr<Turning>& turning) {
+    if (!parts) return;
+    const SurfaceField beyond = parts->apply(traction);
     add(response.displacement, beyond);
-    if (wheel_half_) {
-      SurfaceField u = wheel_half_->apply(traction);
-      add(u, beyond);
-      response.curvature_slip = (*curvature_slip_)(u);
-    }
-  }
-  if (rail_) add(response.displacement, rail_->apply(traction));
+    if (!turning) return;
+    SurfaceField u = turning->half.apply(traction);
+    add(u, beyond);
+    contact::TangentialField slip = turning->curvature_slip(u);
+    if (response.curvature_slip.x.size() == 0)
+      response.curvature_slip = std::move(slip);
+    else
+      response.curvature_slip = {response.curvature_slip.x + slip.x,
+                                 response.curvature_slip.y + slip.y};
+  };
+  add_body(wheel_, turning_wheel_);
+  add_body(rail_, turning_rail_);
   return response;
 }
 

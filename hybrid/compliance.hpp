@@ -25,10 +25,14 @@ class HybridCompliance : public contact::Compliance {
 
  private:
   halfspace::HalfspaceCompliance half_;
-  std::unique_ptr<halfspace::HalfspaceCompliance> wheel_half_;  ///< of the wheel; null: flat
+  /// The response of one body that turns about its axle.
+  struct Turning {
+    halfspace::HalfspaceCompliance half;
+    contact::CurvatureSlip curvature_slip;
+  };
+  std::unique_ptr<Turning> turning_wheel_, turning_rail_;
   std::unique_ptr<halfspace::SmoothMapOnGrid> wheel_;
   std::unique_ptr<halfspace::SmoothMapOnGrid> rail_;
-  std::optional<contact::CurvatureSlip> curvature_slip_;  ///< with wheel_half_
 };
 
 }  // namespace rollfem::hybrid

@@ -126,32 +126,39 @@ TrueSection rail_section(const contact::PatchGeometry& geometry, const RailStand
   return outline;
 }
 
-TrueSection wheel_section(const contact::PatchGeometry& geometry, double rim_thickness) {
-  const AxleTrace axle = axle_trace(geometry.axle());
+TrueSection rim_section(const contact::PatchGeometry& geometry, bool is_wheel,
+                        double rim_thickness) {
+  const AxleTrace axle = axle_trace(is_wheel ? geometry.axle() : geometry.rail_axle());
+  const contact::HeightCurve& body = is_wheel ? geometry.wheel_radius() : geometry.rail_radius();
+  const bool axle_below = !is_wheel && geometry.rail_rolling_radius() > 0.0;
+  const bool ring = !is_wheel && !axle_below;
   const auto place = [&](double axial, double radius) -> SectionPoint {
-    const double along = axial - axle.axial;
-    return {along * axle.cosine + radius * axle.sine,
-            axle.height + along * axle.sine - radius * axle.cosine};
+    const double along = axial - axle.axial, down = axle_below ? -radius : radius;
+    return {along * axle.cosine + down * axle.sine,
+            axle.height + along * axle.sine - down * axle.cosine};
   };
   TrueSection outline;
-  outline.inwards = 1.0;
-  const contact::HeightCurve& wheel = geometry.wheel_radius();
-  const int count = contact::count_of(std::ceil((wheel.last() - wheel.first()) / profile_step),
+  outline.inwards = is_wheel ? 1.0 : -1.0;
+  const int count = contact::count_of(std::ceil((body.last() - body.first()) / profile_step),
                                       "points along a profile");
-  double smallest = HUGE_VAL;
+  double smallest = HUGE_VAL, largest = 0.0;
   for (int k = 0; k <= count; ++k) {
-    const double axial = wheel.first() + (wheel.last() - wheel.first()) * k / count;
-    const double radius = wheel.at(axial).value;
+    const double axial = body.first() + (body.last() - body.first()) * k / count;
+    const double radius = body.at(axial).value;
     smallest = std::min(smallest, radius);
+    largest = std::max(largest, radius);
     outline.profile.push_back(place(axial, radius));
   }
-  const double inner = geometry.local_rolling_radius(0.0) - rim_thickness;
-  if (!(inner > 0.0 && inner < smallest - 5.0))
+  const double here =
+      is_wheel ? geometry.local_rolling_radius(0.0) : std::abs(geometry.local_rail_radius(0.0));
+  const double inner = ring ? here + rim_thickness : here - rim_thickness;
+  if (!(ring ? inner > largest + 5.0 : inner > 0.0 && inner < smallest - 5.0))
     throw contact::InputError(
-        fmt::format("fem.rim_thickness = {} mm leaves no rim: the wheel's radius is {:.4g} mm at "
-                    "the contact and {:.4g} mm at its smallest; do: give a thickness between these",
-                    rim_thickness, geometry.local_rolling_radius(0.0), smallest));
-  outline.around = {outline.profile.back(), place(wheel.last(), inner), place(wheel.first(), inner),
+        fmt::format("fem.rim_thickness = {} mm leaves no rim: the {}'s radius is {:.4g} mm at "
+                    "the contact and {:.4g} mm at its {}; do: give a thickness between these",
+                    rim_thickness, is_wheel ? "wheel" : "rail", here, ring ? largest : smallest,
+                    ring ? "largest" : "smallest"));
+  outline.around = {outline.profile.back(), place(body.last(), inner), place(body.first(), inner),
                     outline.profile.front()};
   outline.held = 1;
   return outline;

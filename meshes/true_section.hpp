@@ -40,9 +40,10 @@ struct RailStand {
 /// Throws contact::InputError when the cut is above the underside of the head.
 TrueSection rail_section(const contact::PatchGeometry& geometry, const RailStand& stand);
 
-/// The rim over the known extent of the profile, with its inner side `rim_thickness` (mm) from the
-/// origin.
-TrueSection wheel_section(const contact::PatchGeometry& geometry, double rim_thickness);
+/// The rim of the wheel or of a roller over the known extent of the profile, with its inner side
+/// `rim_thickness` (mm) from the origin; a ring around the wheel has it outside.
+TrueSection rim_section(const contact::PatchGeometry& geometry, bool is_wheel,
+                        double rim_thickness);
 
 /// The block of equal cells under the patch: columns on a lattice of y, rows at equal z below the
 /// surface.

@@ -194,6 +194,7 @@ void compare_with_radii(const Scene& scene, const PointResult& point, std::size_
                             std::abs(radius)));
   };
   raise(point.semi_axis_x, surface.rolling_radius, "rolling radius");
+  raise(point.semi_axis_x, surface.rail_rolling_radius, "rolling radius of the rail");
   if (!scene.has_profiles()) {
     raise(point.semi_axis_y, surface.wheel_transverse_radius, "wheel's transverse radius");
     raise(point.semi_axis_y, surface.rail_transverse_radius, "rail's transverse radius");
@@ -211,8 +212,9 @@ void compare_with_radii(const Scene& scene, const PointResult& point, std::size_
 
 double smallest_radius(const Scene& scene) {
   const ContactSurface& surface = scene.geometry.surface;
-  if (scene.has_profiles()) return surface.rolling_radius;
-  return std::min({surface.rolling_radius, std::abs(surface.wheel_transverse_radius),
+  const double rolling = std::min(surface.rolling_radius, std::abs(surface.rail_rolling_radius));
+  if (scene.has_profiles()) return rolling;
+  return std::min({rolling, std::abs(surface.wheel_transverse_radius),
                    std::abs(surface.rail_transverse_radius)});
 }
 

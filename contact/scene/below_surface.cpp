@@ -16,14 +16,18 @@ BelowSurface::BelowSurface(const ChartedGeometry& geometry, bool wheel)
     : geometry_(geometry),
       surface_(geometry.geometry().surface),
       wheel_(wheel),
-      turns_(wheel && std::isfinite(surface_.rolling_radius)) {
+      turns_(std::isfinite(wheel ? surface_.rolling_radius : surface_.rail_rolling_radius)) {
   if (!turns_) return;
+  // Of a roller the axle lies below.
+  const double above = wheel ? surface_.rolling_radius : -surface_.rail_rolling_radius;
   if (surface_.profiles)
-    axle_ = surface_.profiles->axle();
+    axle_ = wheel ? surface_.profiles->axle() : surface_.profiles->rail_axle();
   else
-    axle_.point = {0.0, 0.0, surface_.rolling_radius};
-  axle_.direction = {0.0, std::cos(surface_.axle_tilt()), std::sin(surface_.axle_tilt())};
-  down_ = {0.0, axle_.direction[2], -axle_.direction[1]};
+    axle_.point = {0.0, 0.0, above};
+  const double tilt = wheel ? surface_.axle_tilt() : surface_.rail_tilt();
+  axle_.direction = {0.0, std::cos(tilt), std::sin(tilt)};
+  const double to_surface = above > 0.0 ? 1.0 : -1.0;
+  down_ = {0.0, to_surface * axle_.direction[2], -to_surface * axle_.direction[1]};
 }
 
 /// The body's own section at x = 0.

@@ -111,8 +111,17 @@ ProfileDrop ContactSurface::rail_drop(double y) const {
   return profile_drop(rail_transverse_radius, y, rail_round_to);
 }
 
+double ContactSurface::relative_rolling_radius() const {
+  return rail_is_roller() ? 1.0 / (1.0 / rolling_radius + 1.0 / local_rail_radius(0.0))
+                          : rolling_radius;
+}
+
 double ContactSurface::axle_tilt() const {
   return profiles ? profiles->tilt() : 0.0;
+}
+
+double ContactSurface::rail_tilt() const {
+  return profiles && profiles->is_roller() ? profiles->rail_tilt() : 0.0;
 }
 
 bool ContactSurface::known(double y) const {

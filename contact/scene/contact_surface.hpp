@@ -9,6 +9,7 @@
 #include "contact/case/case.hpp"
 #include "contact/scene/patch_geometry.hpp"
 
+#include <cmath>
 #include <memory>
 
 namespace rollfem::contact {
@@ -45,8 +46,12 @@ struct ContactSurface {
   /// Drop of the circles of wheel and rail at y; without profiles.
   ProfileDrop wheel_drop(double y) const;
   ProfileDrop rail_drop(double y) const;
+  /// Radius of the rolling of both bodies on each other, mm: 1/R = 1/R_wheel + 1/R_rail.
+  double relative_rolling_radius() const;
+  bool rail_is_roller() const { return std::isfinite(rail_rolling_radius); }
   /// Angle of the axle against the y axis in the plane x = 0, rad; 0 without profiles.
   double axle_tilt() const;
+  double rail_tilt() const;  ///< the same of a roller
   /// Whether the surfaces of both bodies are known at y (circles are known everywhere).
   bool known(double y) const;
 };

@@ -265,10 +265,11 @@ double largest_extra_slip(const Geometry& geometry, double y_lower, double y_upp
   return extra.cwiseAbs().maxCoeff();
 }
 
-CurvatureSlip::CurvatureSlip(const ContactSurface& surface, const ContactGrid& grid)
-    : CurvatureSlip(patch_shape(surface, grid),
-                    grid.sample([&](double, double y) { return surface.local_rolling_radius(y); }),
-                    surface.axle_tilt()) {}
+CurvatureSlip::CurvatureSlip(const ContactSurface& surface, const ContactGrid& grid, bool wheel)
+    : CurvatureSlip(patch_shape(surface, grid), grid.sample([&](double, double y) {
+        return wheel ? surface.local_rolling_radius(y) : -surface.local_rail_radius(y);
+      }),
+                    wheel ? surface.axle_tilt() : surface.rail_tilt()) {}
 
 CurvatureSlip::CurvatureSlip(const PatchShape& shape, const Field& rolling_radius,
                              double axle_tilt) {

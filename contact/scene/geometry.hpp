@@ -123,8 +123,9 @@ double largest_extra_slip(const Geometry& geometry, double y_lower, double y_upp
 /// strain, so that a rigid displacement causes no slip.
 class CurvatureSlip {
  public:
-  /// On the elements of a grid along y.
-  CurvatureSlip(const ContactSurface& surface, const ContactGrid& grid);
+  /// On the elements of a grid along y. Of a roller, whose axle lies below: under displacements of
+  /// the rail, to be subtracted.
+  CurvatureSlip(const ContactSurface& surface, const ContactGrid& grid, bool wheel = true);
   /// The surface at each element: climb and stretch, rolling radius in mm, angle of the axle in rad
   /// (ContactSurface).
   CurvatureSlip(const PatchShape& shape, const Field& rolling_radius, double axle_tilt);

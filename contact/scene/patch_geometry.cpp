@@ -153,6 +153,10 @@ double PatchGeometry::tilt() const {
   return std::atan2(axle_.direction[2], axle_.direction[1]);
 }
 
+double PatchGeometry::rail_tilt() const {
+  return std::atan2(rail_axle_.direction[2], rail_axle_.direction[1]);
+}
+
 double turn_between(const ContactPlace& a, const ContactPlace& b) {
   // Towards the middle of the track a convex rail falls ever more steeply.
   const double turn = b.contact_angle - a.contact_angle;

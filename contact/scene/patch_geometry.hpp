@@ -68,7 +68,10 @@ class PatchGeometry {
   void set_roller(double rolling_radius, HeightCurve radius, const Axle& axle);
   bool is_roller() const { return std::isfinite(rail_rolling_radius_); }
   double rail_rolling_radius() const { return rail_rolling_radius_; }  ///< mm, infinite: straight
+  const HeightCurve& rail_radius() const { return rail_radius_; }      ///< of a roller
   const Axle& rail_axle() const { return rail_axle_; }                 ///< of a roller
+  /// tilt() of that axle.
+  double rail_tilt() const;
 
   /// The same bodies with distances of the wheel at its height under load, still measured from
   /// first touch: the approach is added again. In a plane whose normal is not vertical, a sinking

@@ -55,14 +55,15 @@ constexpr double default_rim_thickness = 65.0;  // mm
 constexpr double default_cut_depth = 172.0;     // mm, the whole rail
 
 meshes::TrueSection section_of(const contact::Scene& scene, bool is_wheel) {
-  if (is_wheel)
-    return meshes::wheel_section(*scene.geometry.surface.profiles,
-                                 scene.options.fem.rim_thickness.value_or(default_rim_thickness));
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  if (is_wheel || profiles.is_roller())
+    return meshes::rim_section(profiles, is_wheel,
+                               scene.options.fem.rim_thickness.value_or(default_rim_thickness));
   meshes::RailStand stand;
   stand.inclination = scene.rail_inclination;
   stand.field_at_left = scene.place && !scene.place->left;
   stand.cut_depth = scene.options.fem.depth.value_or(default_cut_depth);
-  return meshes::rail_section(*scene.geometry.surface.profiles, stand);
+  return meshes::rail_section(profiles, stand);
 }
 
 std::unique_ptr<Body> section_body(const contact::Scene& scene, const SurfaceShape& shape,
@@ -108,7 +109,7 @@ SurfaceShape surface_shape(const contact::Scene& scene, bool is_wheel) {
   if (scene.has_profiles()) return profile_surface(surface.profiles, is_wheel);
   SurfaceShape shape;
   shape.is_wheel = is_wheel;
-  if (is_wheel) shape.rolling_radius = surface.rolling_radius;
+  shape.rolling_radius = is_wheel ? surface.rolling_radius : -surface.rail_rolling_radius;
   shape.transverse_radius =
       is_wheel ? surface.wheel_transverse_radius : surface.rail_transverse_radius;
   shape.round_to = is_wheel ? surface.wheel_round_to : surface.rail_round_to;

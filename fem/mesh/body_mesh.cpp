@@ -59,11 +59,12 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
                     options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
                     shape.lower_t(), shape.upper_t(), ProfileShape::steepest));
   const double inwards = shape.drop_at(options.reach_t()).value + options.reach_depth();
-  if (shape.is_wheel && !(std::max(inwards, options.reach_s()) <= 0.7 * shape.rolling_radius))
+  const double radius = std::abs(shape.rolling_radius);
+  if (!(std::max(inwards, options.reach_s()) <= 0.7 * radius))
     throw contact::InputError(fmt::format(
-        "fem.extent = {} mm is too large for a wheel of radius {} mm: the segment would reach the "
+        "fem.extent = {} mm is too large for a {} of radius {} mm: the segment would reach the "
         "axle; give at most {:.4g} mm (or smaller [fem] width, depth and length)",
-        options.extent, shape.rolling_radius, 0.5 * shape.rolling_radius));
+        options.extent, shape.is_wheel ? "wheel" : "roller", radius, 0.5 * radius));
 }
 
 /// Coarse cells are cubes of cell_size * 2^level near the patch.

@@ -91,15 +91,14 @@ void check_size(const HexMesh& mesh, const std::string& name, const SurfaceShape
          fmt::format("is only {:.4g} mm large, but the contact patch alone needs {:.4g} mm", size,
                      2.0 * patch),
          "give coordinates in mm (multiply a mesh in metres by 1000)");
-  const double largest = shape.is_wheel && std::isfinite(shape.rolling_radius)
-                             ? 8.0 * shape.rolling_radius
-                             : 2000.0 * patch;
+  const double radius = std::abs(shape.rolling_radius);
+  const double largest = shape.is_revolved() ? 8.0 * radius : 2000.0 * patch;
   if (size > largest)
     fail(name,
          fmt::format("is {:.4g} mm large, far beyond {}", size,
-                     shape.is_wheel
-                         ? fmt::format("a wheel of radius {:.4g} mm", shape.rolling_radius)
-                         : fmt::format("a patch of {:.4g} mm", patch)),
+                     shape.is_revolved() ? fmt::format("a {} of radius {:.4g} mm",
+                                                       shape.is_wheel ? "wheel" : "roller", radius)
+                                         : fmt::format("a patch of {:.4g} mm", patch)),
          "give coordinates in mm");
 }
 
@@ -184,8 +183,8 @@ bool is_charted(const SurfaceShape& shape, const dealii::CellAccessor<3>& cell) 
   if (!shape.is_revolved()) return true;
   for (const unsigned int v : cell.vertex_indices()) {
     const auto chart = shape.coordinates(cell.vertex(v));
-    if (!(std::abs(chart[0]) < 1.5 * shape.streamline_radius(chart[1]) &&
-          chart[2] < 0.8 * shape.rolling_radius))
+    if (!(std::abs(chart[0]) < 1.5 * std::abs(shape.streamline_radius(chart[1])) &&
+          chart[2] < 0.8 * std::abs(shape.rolling_radius)))
       return false;
   }
   return true;

@@ -39,13 +39,16 @@ double default_extent(const Scene& scene, const PatchBox& patch) {
   const contact::ContactSurface& surface = scene.geometry.surface;
   const double least = 4.0 * patch.larger();
   double extent = 2.0 * least;
-  if (scene.wheel.material.rigid() || !scene.geometry.has_surfaces()) return extent;
+  if (!scene.geometry.has_surfaces()) return extent;
   const auto reaches_in = [&](double reach) {
-    const double drop = surface.profiles ? 0.0
-                                         : contact::profile_drop(surface.wheel_transverse_radius,
-                                                                 reach, surface.wheel_round_to)
-                                               .value;
-    return std::max(reach + drop, reach) / surface.rolling_radius;
+    const auto of_body = [&](bool rigid, contact::ProfileDrop drop, double radius) {
+      const double inwards = surface.profiles ? 0.0 : drop.value;
+      return rigid ? 0.0 : std::max(reach + inwards, reach) / std::abs(radius);
+    };
+    return std::max(
+        of_body(scene.wheel.material.rigid(), surface.wheel_drop(reach), surface.rolling_radius),
+        of_body(scene.rail.material.rigid(), surface.rail_drop(reach),
+                surface.rail_rolling_radius));
   };
   while (reaches_in(extent) > most && extent * in_steps_of > least) extent *= in_steps_of;
   return extent;

@@ -83,10 +83,11 @@ CoarseBody gmsh_mesh(const SurfaceShape& shape, const BodyOptions& options, int 
   // Faces stay below cell_size along s also at the largest radius of the patch, and where slices of
   // equal angle are inclined to lines of equal arc length.
   const double width = options.fine_half_width;
-  const double lean =
-      std::abs(shape.drop_at(width).slope) * options.fine_half_length / shape.rolling_radius;
+  const double lean = std::abs(shape.drop_at(width).slope) * options.fine_half_length /
+                      std::abs(shape.rolling_radius);
   const double radius =
-      std::max(shape.rolling_radius, shape.streamline_radius(width)) * (1.0 + lean);
+      std::max(std::abs(shape.rolling_radius), std::abs(shape.streamline_radius(width))) *
+      (1.0 + lean);
   const auto along =
       meshes::outward_steps(section.cell_size, options.fine_half_length, options.reach_s());
   return swept(quads, meshes::points_both_ways(along), shape, [=](const auto&) { return radius; });

@@ -40,12 +40,13 @@ SurfaceShape profile_surface(std::shared_ptr<const contact::PatchGeometry> geome
   SurfaceShape shape;
   shape.is_wheel = is_wheel;
   shape.profile = std::make_shared<ProfileShape>(std::move(geometry), is_wheel);
-  if (is_wheel) shape.rolling_radius = distance_from(shape.axle(), 0.0, shape.height(0.0).value);
+  if (is_wheel || shape.profile->geometry().is_roller())
+    shape.rolling_radius = distance_from(shape.axle(), 0.0, shape.height(0.0).value);
   return shape;
 }
 
 bool SurfaceShape::is_revolved() const {
-  return is_wheel && std::isfinite(rolling_radius);
+  return std::isfinite(rolling_radius);
 }
 
 double SurfaceShape::lower_t() const {
@@ -68,7 +69,9 @@ SurfaceHeight SurfaceShape::height(double t) const {
 }
 
 meshes::AxleTrace SurfaceShape::axle() const {
-  if (is_wheel && profile) return meshes::axle_trace(profile->geometry().axle());
+  if (profile && is_wheel) return meshes::axle_trace(profile->geometry().axle());
+  if (profile && profile->geometry().is_roller())
+    return meshes::axle_trace(profile->geometry().rail_axle());
   return {1.0, 0.0, rolling_radius, 0.0};
 }
 
@@ -88,18 +91,18 @@ dealii::Point<3> SurfaceShape::turned_about_axle(double y, double z, double angl
 dealii::Point<3> SurfaceShape::turned_to_section(const dealii::Point<3>& place) const {
   const meshes::AxleTrace about = axle();
   const double below = distance_from(about, place[1], place[2]);
-  const double radius = std::hypot(place[0], below);
+  const double radius = std::copysign(std::hypot(place[0], below), below);
   // From the difference of both distances, without cancellation.
   const double outwards = place[0] * place[0] / (radius + below);
-  return {std::atan2(place[0], below), place[1] + outwards * about.sine,
-          place[2] - outwards * about.cosine};
+  return {std::atan2(std::copysign(1.0, below) * place[0], std::abs(below)),
+          place[1] + outwards * about.sine, place[2] - outwards * about.cosine};
 }
 
 dealii::Point<3> SurfaceShape::place(double s, double t, double depth) const {
   if (functions) return functions->place({s, t, depth});
   const double z = height(t).value;
   if (!is_revolved()) return {s, t, z + inwards_of(*this) * depth};
-  return turned_about_axle(t, z + depth, s / distance_from(axle(), t, z));
+  return turned_about_axle(t, z + inwards_of(*this) * depth, s / distance_from(axle(), t, z));
 }
 
 dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const {
@@ -108,7 +111,8 @@ dealii::Point<3> SurfaceShape::coordinates(const dealii::Point<3>& place) const 
     return {place[0], place[1], inwards_of(*this) * (place[2] - height(place[1]).value)};
   const dealii::Point<3> back = turned_to_section(place);
   const double surface = height(back[1]).value;
-  return {distance_from(axle(), back[1], surface) * back[0], back[1], back[2] - surface};
+  return {distance_from(axle(), back[1], surface) * back[0], back[1],
+          inwards_of(*this) * (back[2] - surface)};
 }
 
 /// Central differences, accurate enough for tangents: meshes need none.

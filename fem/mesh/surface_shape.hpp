@@ -61,7 +61,8 @@ class ProfileShape {
 /// itself, below 25 mrad, is in undeformed distance and slip).
 struct SurfaceShape {
   bool is_wheel = false;
-  double rolling_radius = contact::infinity;     ///< wheel only
+  /// Height of the axle above the surface, < 0 of a roller below it; infinite for a straight rail.
+  double rolling_radius = contact::infinity;
   double transverse_radius = contact::infinity;  ///< > 0 convex, < 0 concave
   /// If given, these define the chart; the radii are ignored.
   std::shared_ptr<const ChartFunctions> functions = nullptr;
@@ -80,10 +81,10 @@ struct SurfaceShape {
   /// The same at a surface with lateral slope dz/dy = `climb` instead of the body's slope (chart
   /// functions keep their frame).
   SurfaceFrame tilted_frame(double s, double t, double climb) const;
-  /// Radius of the wheel's surface about the axle at lateral coordinate t, mm; infinite unless
-  /// revolved.
+  /// Radius of the surface about the axle at lateral coordinate t, mm, with the sign of the rolling
+  /// radius; infinite unless revolved.
   double streamline_radius(double t) const;
-  /// Whether this is a wheel of finite radius, whose streamlines are circles.
+  /// Whether this is a wheel or roller of finite radius, whose streamlines are circles.
   bool is_revolved() const;
   /// Range in which the surface can be meshed; infinite except for profiles.
   double lower_t() const;
@@ -91,7 +92,7 @@ struct SurfaceShape {
 
   // Without chart functions:
   SurfaceHeight height(double t) const;
-  /// Axle of a revolved wheel; level for all others.
+  /// Axle of a revolved body; level for all others.
   meshes::AxleTrace axle() const;
   /// A point of the section (y, z at x = 0) after rotation by `angle` about the axle.
   dealii::Point<3> turned_about_axle(double y, double z, double angle) const;

@@ -84,12 +84,14 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
 Place place_below(const SurfaceShape& shape, double x, double y, double depth) {
   const double on_surface = shape.streamline_radius(y);
   // Depth is along z, which is not perpendicular to a tilted axle.
-  const double radius = on_surface - depth * shape.axle().cosine;
+  const double inwards = shape.is_wheel ? depth : -depth;
+  const double radius = on_surface - inwards * shape.axle().cosine;
   double arc = x;
-  if (shape.is_wheel && std::isfinite(on_surface)) {
-    if (!(std::abs(x) < radius))
+  if (shape.is_revolved()) {
+    if (!(std::abs(x) < std::abs(radius)))
       throw contact::InputError(
-          fmt::format("[[subsurface.surface]]: the wheel does not reach x = {} mm", x));
+          fmt::format("[[subsurface.surface]]: the {} does not reach x = {} mm",
+                      shape.is_wheel ? "wheel" : "roller", x));
     arc = on_surface * std::asin(x / radius);
   }
   const auto place = shape.place(arc, y, depth);

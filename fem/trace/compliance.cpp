@@ -30,6 +30,7 @@ struct FemCompliance::Shared {
         parts{wheel, rail},
         shape(contact::patch_shape(the_surface, the_grid)),
         curvature_slip(the_surface, the_grid) {
+    if (the_surface.rail_is_roller()) rail_curvature_slip.emplace(the_surface, the_grid, false);
     concurrent = wheel.solver != rail.solver;
     for (int k = 0; k < 2; ++k) {
       const Body* const body = parts[k].body;
@@ -75,7 +76,8 @@ struct FemCompliance::Shared {
   Part parts[2];
   contact::PatchShape shape;
   contact::CurvatureSlip curvature_slip;
-  std::optional<SurfaceCoupling> coupling[2];  ///< none: rigid
+  std::optional<contact::CurvatureSlip> rail_curvature_slip;  ///< of a roller
+  std::optional<SurfaceCoupling> coupling[2];                 ///< none: rigid
   Vector nothing[2];  ///< of the body's layout, which only all processes together can make
   std::optional<MiddleDisplacement> middle[2];
   std::optional<FarField> far_field[2];  ///< none: clamped
@@ -154,7 +156,12 @@ contact::Response FemCompliance::respond(const contact::SurfaceField& traction) 
   const auto wheel = state_->surface_displacement(*shared_, 0, traction);
   const auto rail = state_->surface_displacement(*shared_, 1, traction);
   if (!shared_->first) return {};
-  return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n}, shared_->curvature_slip(wheel)};
+  contact::TangentialField slip = shared_->curvature_slip(wheel);
+  if (const auto& of_rail = shared_->rail_curvature_slip) {
+    const contact::TangentialField own = (*of_rail)(rail);
+    slip = {slip.x - own.x, slip.y - own.y};
+  }
+  return {{wheel.x - rail.x, wheel.y - rail.y, wheel.n - rail.n}, std::move(slip)};
 }
 
 std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceField& traction) const {

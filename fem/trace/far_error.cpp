@@ -69,12 +69,16 @@ double approach_left_out(const contact::Scene& scene, double normal_force, doubl
                    1.0 / surface.profiles->local_rolling_radius(0.0) +
                        std::abs(surface.profiles->wheel().at(0.0).second),
                    contact::usual_round_to) +
-           of_body(scene.rail.material, surface.profiles->rail().at(0.0).second,
+           of_body(scene.rail.material,
+                   1.0 / std::abs(surface.local_rail_radius(0.0)) +
+                       surface.profiles->rail().at(0.0).second,
                    contact::usual_round_to);
   return of_body(scene.wheel.material,
                  1.0 / surface.rolling_radius + 1.0 / surface.wheel_transverse_radius,
                  surface.wheel_round_to) +
-         of_body(scene.rail.material, 1.0 / surface.rail_transverse_radius, surface.rail_round_to);
+         of_body(scene.rail.material,
+                 1.0 / surface.rail_rolling_radius + 1.0 / surface.rail_transverse_radius,
+                 surface.rail_round_to);
 }
 
 std::string far_boundary_note(const contact::Scene& scene, double extent) {

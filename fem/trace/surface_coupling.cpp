@@ -84,7 +84,7 @@ struct SurfaceCoupling::Implementation {
     const ChartFace chart(face_corners(cell, face));
     // On a whole wheel one row of faces crosses the jump of the arc length from one end to the
     // other.
-    if (chart.s().length() > body.shape().streamline_radius(0.0)) return;
+    if (chart.s().length() > std::abs(body.shape().streamline_radius(0.0))) return;
     const auto [i0, i1] = overlapped(chart.s(), grid.x_first, grid.dx, grid.nx);
     const auto [j0, j1] = overlapped(chart.t(), grid.y_first, grid.dy, grid.ny);
     if (i0 > i1 || j0 > j1) return;

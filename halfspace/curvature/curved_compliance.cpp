@@ -46,7 +46,7 @@ void check_bodies_known(const Scene& scene) {
 BodySurface body_surface(const Scene& scene, bool wheel) {
   check_bodies_known(scene);
   const contact::ContactSurface surface = scene.geometry.surface;
-  const double along = wheel ? surface.rolling_radius : contact::infinity;
+  const double along = wheel ? surface.rolling_radius : surface.rail_rolling_radius;
   const double sign = wheel ? 1.0 : -1.0;
   BodySurface body;
   body.material = (wheel ? scene.wheel : scene.rail).material;
@@ -65,7 +65,9 @@ BodySurface body_surface(const Scene& scene, bool wheel) {
 }
 
 CurvedCompliance::CurvedCompliance(const Scene& scene, const ContactGrid& grid)
-    : half_(grid, scene.material), rolling_radius_(scene.geometry.surface.rolling_radius) {
+    : half_(grid, scene.material),
+      rolling_radius_(scene.geometry.surface.rolling_radius),
+      rail_rolling_radius_(scene.geometry.surface.rail_rolling_radius) {
   check_bodies_known(scene);
   if (!scene.wheel.material.rigid()) wheel_.emplace(grid, body_surface(scene, true));
   if (!scene.rail.material.rigid()) rail_.emplace(grid, body_surface(scene, false));
@@ -93,6 +95,7 @@ contact::Response CurvedCompliance::respond(const SurfaceField& traction) const 
     u.x -= own.correction.x;
     u.y -= own.correction.y;
     u.n += own.correction.n;
+    response.curvature_slip.x -= own.plane.n / rail_rolling_radius_;
   }
   return response;
 }

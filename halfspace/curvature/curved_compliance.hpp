@@ -25,7 +25,7 @@ class CurvedCompliance : public contact::Compliance {
 
  private:
   HalfspaceCompliance half_;
-  double rolling_radius_;
+  double rolling_radius_, rail_rolling_radius_;
   std::optional<CurvedBody> wheel_;  ///< none: rigid
   std::optional<CurvedBody> rail_;
 };

@@ -81,6 +81,7 @@ void add_surface(std::string& text, const contact::ContactSurface& surface) {
   add(text, "radii", surface.rolling_radius, surface.wheel_transverse_radius,
       surface.rail_transverse_radius, surface.follows, surface.wheel_round_to,
       surface.rail_round_to);
+  if (surface.rail_is_roller()) add(text, "roller", surface.rail_rolling_radius);
   if (!surface.profiles) return;
   const contact::PatchGeometry& profiles = *surface.profiles;
   add(text, "rail", profiles.rail());

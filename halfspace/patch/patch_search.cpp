@@ -216,7 +216,7 @@ ExpectedPatch patch_of_points(const Scene& scene) {
 
 ExpectedPatch patch_of_profiles(const Scene& scene, const Ridge& ridge, SearchDetail detail) {
   const contact::NormalLoad load = contact::largest_load(scene);
-  const double A = 0.5 / scene.geometry.surface.profiles->local_rolling_radius(0.0);
+  const double A = 0.5 / scene.geometry.surface.relative_rolling_radius();
   const double modulus = scene.material.contact_modulus;
   double level =
       load.force ? ridge.least_distance() + 1.1 * overlap_for_force(ridge, A, modulus, *load.force)

@@ -76,7 +76,7 @@ bool is_half_space(const contact::Scene& scene, bool wheel) {
   if (surface.profiles || fem::far_boundary_of(scene) != contact::FarBoundary::point_load)
     return false;
   return wheel ? std::isinf(surface.wheel_transverse_radius) && std::isinf(surface.rolling_radius)
-               : std::isinf(surface.rail_transverse_radius);
+               : std::isinf(surface.rail_transverse_radius) && !surface.rail_is_roller();
 }
 
 std::array<MatrixXd, 3> beyond_flat_body(const contact::Scene& scene, bool wheel,

@@ -80,7 +80,7 @@ ContactSize size_of(const Scene& scene) {
   size.wider = box.half_width / box.half_loaded;
   size.bodies_known = bodies_known(scene);
   if (size.bodies_known) {
-    size.rolling_radius = scene.geometry.surface.rolling_radius;
+    size.rolling_radius = std::abs(scene.geometry.surface.relative_rolling_radius());
     size.radius_across = radius_across(scene);
   }
   if (scene.friction() != nullptr) size.friction = scene.friction_coefficient();

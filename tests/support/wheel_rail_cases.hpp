@@ -93,8 +93,8 @@ inline double brute_force_distance(const track::SearchScene& scene, double rolli
         place[i] =
             axle.point[i] + at.y * d[i] +
             (rolling_radius + at.z) * (std::cos(angle) * down[i] + std::sin(angle) * ahead[i]);
-      if (!scene.rail(left).head.contains(place[1])) return 1e3;
-      return scene.rail(left).head.at(place[1]).value - place[2];
+      if (!scene.rail(true).head.contains(place[1])) return 1e3;
+      return scene.rail(true).head.at(place[1]).value - place[2];
     };
     for (double angle = -0.1; angle <= 0.1; angle += 0.0005) least = std::min(least, height(angle));
   }

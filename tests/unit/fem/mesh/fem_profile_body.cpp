@@ -216,11 +216,12 @@ TEST(TrueSections, HaveTheSizesOfRailAndRim) {
   EXPECT_NEAR(lowest, -172.0, 4.0);
   // EN 13674-1 gives 7670 mm^2; fillets are chords here.
   EXPECT_NEAR(area_of(rail) / 7670.0, 1.0, 0.03);
-  const meshes::TrueSection rim = meshes::wheel_section(*scene.geometry.surface.profiles, 65.0);
+  const meshes::TrueSection rim = meshes::rim_section(*scene.geometry.surface.profiles, true, 65.0);
   EXPECT_NEAR(rim.around[1][0] - rim.around[2][0], 130.0, 2.0);
   EXPECT_THROW(meshes::rail_section(*scene.geometry.surface.profiles, {0.025, false, 20.0}),
                contact::InputError);
-  EXPECT_THROW(meshes::wheel_section(*scene.geometry.surface.profiles, 1.0), contact::InputError);
+  EXPECT_THROW(meshes::rim_section(*scene.geometry.surface.profiles, true, 1.0),
+               contact::InputError);
 }
 
 TEST(TrueSections, MeshedHaveTheVolumeOfTheOutlineAndLieOnTheSurface) {
