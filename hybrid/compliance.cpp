@@ -33,10 +33,10 @@ HybridCompliance::HybridCompliance(const contact::Scene& scene,
   shape.climb = along([&](double y) { return surface.climb(y); });
   shape.stretch = along([&](double y) { return contact::stretch_of(surface.climb(y)); });
   if (wheel_ && std::isfinite(surface.rolling_radius))
-    turning_wheel_.emplace(
-        Turning{{grid, contact::combine(scene.wheel.material, contact::rigid_material())},
-                {shape, along([&](double y) { return surface.local_rolling_radius(y); }),
-                 surface.axle_tilt()}});
+    turning_wheel_.reset(
+        new Turning{{grid, contact::combine(scene.wheel.material, contact::rigid_material())},
+                    {shape, along([&](double y) { return surface.local_rolling_radius(y); }),
+                     surface.axle_tilt()}});
   if (rail_ && surface.rail_is_roller())
     turning_rail_.reset(
         new Turning{{grid, contact::combine(contact::rigid_material(), scene.rail.material)},
