@@ -261,7 +261,8 @@ void read_wheel_rail(InputLines& lines, ContactCase& next) {
   const Digits& digits = next.digits;
   const int Z = digits.Z, E = digits.E;
   if (digits.D >= 2) {
-    const auto grid = lines.numbers({"DX", "DS", "DQREL", "A_SEP", "D_SEP", "D_COMB"}, 2);
+    // Newer versions have D_SEP, D_COMB and more.
+    const auto grid = lines.numbers({"DX", "DS", "DQREL", "A_SEP"}, 4);
     pair.cell = {grid[0], grid[1]};
     pair.search = digits.D;
   }
@@ -340,7 +341,7 @@ std::vector<ContactCase> read_contact_file(std::string_view text, const std::str
   while (!lines.at_end()) {
     // Digit R of the previous case may state that this one has the same module.
     if (cases.empty() || cases.back().digits.R % 2 != 0)
-      which = lines.numbers({"the module number", "the result element"}, 1);
+      which = lines.numbers({"the module number"}, 1);  // and the result element
     const double module = which.front();
     if (module == 0.0) break;
     if (module != 1.0 && module != 3.0)

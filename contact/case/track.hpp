@@ -67,8 +67,9 @@ enum class FreeRolling {
 };
 
 /// Displacement and velocity of wheels or rails from where wheelset and track put them, left and
-/// right, in the track frame. Wheels turn about their centre, rails about the origin of their
-/// profile. Displacements change where the bodies are, not how they move.
+/// right, in the track frame. Both are turned about the origin of their profile, with their axles;
+/// velocities of a wheel are those of its centre. Displacements change where the bodies are, not
+/// how they move.
 struct Displacement {
   using Sides = std::array<double, 2>;
   Sides longitudinal{}, lateral{}, vertical{};  ///< mm; vertical: down

@@ -87,7 +87,9 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Case& in
   RailPlace place = rail_place(rail, input.track);
   const contact::Displacement& moved = input.rail_displacement;
   const std::size_t side = left ? 0 : 1;
-  place.angle += side_sign(left) * moved.roll[side];
+  place.upright_z = place.shift_z;
+  place.roll = side_sign(left) * moved.roll[side];
+  place.angle += place.roll;
   place.shift_y += side_sign(left) * moved.lateral[side];
   place.shift_z += moved.vertical[side];
   return place;
@@ -134,6 +136,12 @@ double frame_sign(const contact::Wheelset& wheelset) {
   return wheelset.on_rail && wheelset.side == contact::WheelSide::left ? -1.0 : 1.0;
 }
 
+contact::Axle roller_axle(const RailPlace& place, double rolling_radius) {
+  const double sine = std::sin(place.roll), cosine = std::cos(place.roll);
+  const double below = rolling_radius - place.upright_z;
+  return {{0.0, place.shift_y - below * sine, place.shift_z + below * cosine}, {0.0, cosine, sine}};
+}
+
 contact::Axle wheelset_axle(const WheelsetPose& pose, const contact::Case& input) {
   contact::Axle axle;
   axle.direction = {-std::sin(pose.yaw) * std::cos(pose.roll),
@@ -160,8 +168,12 @@ contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, b
                                 sign * (pose.lateral_shift + moved.lateral[side]),
                                 pose.height + moved.vertical[side] - input.wheel.rolling_radius};
   for (int d = 0; d < 3; ++d) axle.point[d] = centre[d] + middle * axle.direction[d];
-  if (moved.roll[side] != 0.0 || moved.yaw[side] != 0.0)
-    axle.direction = direction_at(pose.yaw + moved.yaw[side], pose.roll + moved.roll[side]);
+  if (moved.roll[side] != 0.0 || moved.yaw[side] != 0.0) {
+    const double roll = pose.roll + moved.roll[side];
+    axle.direction = direction_at(pose.yaw + moved.yaw[side], roll);
+    axle.point[1] += sign * input.wheel.rolling_radius * (std::sin(roll) - std::sin(pose.roll));
+    axle.point[2] -= input.wheel.rolling_radius * (std::cos(roll) - std::cos(pose.roll));
+  }
   return axle;
 }
 

@@ -34,12 +34,20 @@ struct RailPlace {
   double angle = 0.0;
   double shift_y = 0.0;  ///< mm
   double shift_z = 0.0;  ///< mm
+  /// Of this, what the displacement of the rail turns (rad), with the axle of a roller; and the
+  /// shift along z before it.
+  double roll = 0.0, upright_z = 0.0;
 };
+
+/// Axle of a roller in the side frame: level, and its rolling radius below z = 0, before the rail's
+/// displacement. Its axial coordinate is 0 at the origin of the profile.
+contact::Axle roller_axle(const RailPlace& place, double rolling_radius);
 
 /// Turns the profile towards the middle of the track by the inclination, puts its highest point at
 /// z = 0 and its gauge face half the gauge from the middle: the point nearest to the middle among
 /// those within gauge_height of the top. Throws contact::InputError when the profile does not
-/// reach down to that height on the gauge side. Where the case gives the place of the origin, there.
+/// reach down to that height on the gauge side. Where the case gives the place of the origin,
+/// there.
 RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track);
 
 /// The same of one side, moved by the case's displacement; the profile as it is for a wheel by

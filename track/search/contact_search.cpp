@@ -122,13 +122,19 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
   const double section = std::min(section_reach, reach);
   contact::PatchGeometry geometry{std::move(heights), std::move(radius), axle, -section, section};
   if (const double roller = input.rail.rolling_radius; std::isfinite(roller)) {
-    // The axial coordinate of its axle is y of the side frame.
-    const contact::HeightCurve head = profiles::height_over_y(whole_rail, at_touch);
+    const RailPlace& place = scene.rail(left).place;
+    const Axle turning = roller_axle(place, roller);
+    const double axial = contact::axle_place(turning, {0.0, axes.y0, axes.z0}).axial;
+    // z below the origin of the profile over the axial coordinate.
+    const profiles::ProfileCurve upright =
+        whole_rail.moved(0.0, -place.shift_y, -place.shift_z).moved(-place.roll, 0.0, 0.0);
     const double outwards = roller > 0.0 ? 1.0 : -1.0;
+    const double radius_at_origin = outwards * (roller - place.upright_z);
     geometry.set_roller(
         roller,
-        changed(head, {sign_y, -outwards, std::abs(roller), axes.y0 - reach, axes.y0 + reach}),
-        patch_axle({0.0, 0.0, roller}, {0.0, 1.0, 0.0}));
+        changed(profiles::height_over_y(upright, at_touch),
+                {sign_y, -outwards, radius_at_origin, axial - reach, axial + reach}),
+        patch_axle(turning.point, turning.direction));
   }
   return geometry;
 }

@@ -256,7 +256,7 @@ void complete(const GivenCase& given, Case& input) {
   Wheelset& wheelset = input.wheelset;
   wheelset.on_rail = given.section_lines.count("placement") > 0;
   for (ProfileSource* profile : {&input.wheel.profile, &input.rail.profile})
-    profile->for_track = !wheelset.on_rail;
+    profile->for_track = !wheelset.on_rail && !input.track.rail_position;
   const auto lists = {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.height,
                       &wheelset.track_position};
   std::size_t count = 0;

@@ -116,7 +116,7 @@ SectionWithKeys wheelset_section() {
   keys.add("side", &Wheelset::side,
            {{"left", WheelSide::left}, {"right", WheelSide::right}, {"both", WheelSide::both}},
            "Wheels to solve; both are always placed on the track.");
-  keys.add("flange_back_distance", &Wheelset::flange_back_distance, unit("mm"), between(1.0, 1e4),
+  keys.add("flange_back_distance", &Wheelset::flange_back_distance, unit("mm"), within(1e4),
            "Distance between the backs of the two flanges (back to back).");
   keys.add("flange_back_position", &Wheelset::flange_back_position, unit("mm"), within(1e3),
            "y of the back of the flange in the coordinates of the wheel's profile.");
@@ -161,12 +161,11 @@ SectionWithKeys displacement_section(const std::string& body, Displacement Case:
                        const std::string& sentence) {
     keys.add(name, member, unit(in), within(most), silent_default, sentence);
   };
-  const std::string by_wheel = ", about its centre", by_rail = ", about the profile's origin";
-  const std::string& about = is_wheel ? by_wheel : by_rail;
   if (is_wheel) add("longitudinal", &Displacement::longitudinal, "mm", 1e3, "Along x.");
   add("lateral", &Displacement::lateral, "mm", 1e3, "To the right.");
   add("vertical", &Displacement::vertical, "mm", 1e3, "Down.");
-  add("roll", &Displacement::roll, "rad", largest_turn, "From y to z" + about + ".");
+  add("roll", &Displacement::roll, "rad", largest_turn,
+      "From y to z, about the origin of the profile.");
   if (is_wheel) add("yaw", &Displacement::yaw, "rad", largest_turn, "From x to y.");
   if (is_wheel)
     add("longitudinal_velocity", &Displacement::longitudinal_velocity, "", 1.0,
