@@ -28,29 +28,11 @@ Vector3 angular_velocity(const WheelRailContact& contact, const Motion& motion) 
   return sum(sum(turning, {motion.roll_velocity, 0.0, motion.yaw_velocity}), contact.own_turning);
 }
 
-/// A roller turns about its axle under a wheel that stays where it is.
-Vector3 rail_rotation(const WheelRailContact& contact) {
-  const double turning = -1.0 / contact.geometry.rail_rolling_radius();
-  const Vector3& axle = contact.geometry.rail_axle().direction;
-  return sum(sum({}, contact.across, turning * axle[1]), contact.normal, turning * axle[2]);
-}
-
-/// Of the material, 1 backwards where the rail is straight.
-Vector3 rail_velocity(const WheelRailContact& contact, const Vector3& place) {
-  if (!contact.geometry.is_roller()) return {-1.0, 0.0, 0.0};
-  const Vector3& axle = contact.geometry.rail_axle().point;
-  Vector3 arm = sum(place, contact.origin, -1.0);
-  arm = sum(arm, contact.along, -axle[0]);
-  arm = sum(arm, contact.across, -axle[1]);
-  arm = sum(arm, contact.normal, -axle[2]);
-  return cross(rail_rotation(contact), arm);
-}
-
-/// Of the wheel over the rail.
+/// Of the wheel over the rail, which a roller carries backwards under an axle that stands still.
 Vector3 velocity(const WheelRailContact& contact, const Motion& motion, const Vector3& place) {
   const Vector3 arm = sum(place, contact.axle.point, -1.0);
-  const Vector3 forward =
-      sum({0.0, motion.lateral_velocity, 0.0}, rail_velocity(contact, place), -1.0);
+  const double turning = 1.0 / contact.geometry.rail_rolling_radius();
+  const Vector3 forward{1.0 - turning * place[2], motion.lateral_velocity, turning * place[0]};
   const Vector3 own_turning =
       cross(contact.own_turning, sum(contact.origin, contact.axle.point, -1.0));
   const Vector3 own = sum(contact.own_velocity, own_turning, -1.0);
@@ -60,8 +42,8 @@ Vector3 velocity(const WheelRailContact& contact, const Motion& motion, const Ve
 contact::Creepage creepage_at(const WheelRailContact& contact, const Motion& motion,
                               const Vector3& place) {
   const Vector3 slip = slip_at(contact, motion, place);
-  const Vector3 turning = sum(angular_velocity(contact, motion), rail_rotation(contact), -1.0);
-  return {slip[0], slip[1], dot(turning, contact.normal)};
+  const double of_roller = contact.normal[1] / contact.geometry.rail_rolling_radius();
+  return {slip[0], slip[1], dot(angular_velocity(contact, motion), contact.normal) - of_roller};
 }
 
 }  // namespace
