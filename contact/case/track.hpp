@@ -49,7 +49,9 @@ struct ProfileSource {
 struct Track {
   double gauge = 1435.0;       ///< mm, between the rails
   double gauge_height = 14.0;  ///< mm below the top of the rails at which it is measured
-  double inclination = 0.0;    ///< of each rail towards the middle, as a tangent: 1/40
+  /// mm, y of the gauge face in the coordinates of the rail's profile; none: found from it.
+  std::optional<double> gauge_face;
+  double inclination = 0.0;  ///< of each rail towards the middle, as a tangent: 1/40
 };
 
 enum class WheelSide { left, right, both };

@@ -9,6 +9,10 @@
 #include "contact/scene/patch_geometry.hpp"
 #include "profiles/profile_curve.hpp"
 
+#include <array>
+#include <functional>
+#include <vector>
+
 namespace rollfem::track {
 
 /// Wheel and rail in their profile coordinates, the same on both sides.
@@ -32,13 +36,20 @@ struct RailPlace {
   double angle = 0.0;
   double shift_y = 0.0;  ///< mm
   double shift_z = 0.0;  ///< mm
+  /// Parameters of the tops of the heads and of the bottoms of the grooves between them, in order;
+  /// only the top for an ordinary rail.
+  std::vector<double> tops_and_grooves;
 };
 
-/// Turns the profile towards the middle of the track by the inclination, puts its highest point at
-/// z = 0 and its gauge face half the gauge from the middle: the point nearest to the middle among
-/// those within gauge_height of the top. Throws contact::InputError when the profile does not
-/// reach down to that height on the gauge side.
-RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track);
+/// Turns the profile towards the middle of the track by the inclination, puts the top of its head
+/// at z = 0 and its gauge face half the gauge from the middle: track.gauge_face, or else the point
+/// nearest to the middle among those within gauge_height of the top. Of several heads (with a
+/// groove deeper than gauge_height between them) this is the one nearest to track.gauge_face, or
+/// else the only one at whose place the wheel `fits` (default: all do) of those that reach down to
+/// gauge_height towards the middle. Throws contact::InputError where several fit or none reaches
+/// down so far.
+RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track,
+                     const std::function<bool(const RailPlace&)>& fits = {});
 
 /// The rail in the side frame.
 profiles::ProfileCurve place_rail(const profiles::ProfileCurve& rail, const RailPlace& place);

@@ -81,7 +81,9 @@ contact::HeightCurve changed(const contact::HeightCurve& curve, const Change& ch
 
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
                                      const PatchAxes& axes, const Axle& axle_of_side, bool left,
-                                     const OutlinePoint& touch, double sink, double reach) {
+                                     const OutlinePoint& touch, double sink,
+                                     const std::array<double, 2>& overlap, double around_overlap) {
+  const double reach = std::max(-overlap[0], overlap[1]) + around_overlap;
   const double at_touch = parameter_near(scene.rail, axes.y0, axes.z0);
   // Shifted to the touching point, then rotated.
   const double cosine = axes.cosine, sine = axes.sine;
@@ -91,8 +93,12 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
                  -sine * axes.y0 - cosine * axes.z0);
   // z of the patch points up, that of the profile down.
   const double sign_y = left ? 1.0 : -1.0;
+  const Change to_patch{sign_y, -1.0, 0.0};
   contact::HeightCurve heights =
-      changed(profiles::height_over_y(rail, parameter_near(rail, 0.0, 0.0)), {sign_y, -1.0, 0.0});
+      changed(profiles::height_over_y(rail, parameter_near(rail, 0.0, 0.0)), to_patch);
+  const std::vector<double>& heads = scene.rail_place.tops_and_grooves;
+  if (heads.size() > 1 && !(heights.contains(overlap[0]) && heights.contains(overlap[1])))
+    heights = changed(rail_heights(rail, heads), to_patch);
   const profiles::ProfileCurve& wheel = scene.profiles.wheel;
   const double height = touch.radius - input.wheel.rolling_radius;
   // The part about the running circle uses the same knots for every contact there.
@@ -227,9 +233,8 @@ class WheelSearch {
       if (minimum.gap < sinking || minimum.y == first.y)
         contact.touching.push_back(
             {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
-    contact.geometry =
-        make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap,
-                      std::max(-contact.reach[0], contact.reach[1]) + options.around_overlap);
+    contact.geometry = make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap,
+                                     contact.reach, options.around_overlap);
     contact.geometry.set_limits(contact.limits);
     return contact;
   }
