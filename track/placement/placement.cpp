@@ -133,11 +133,12 @@ double gauge_face_of(const Head& head, double angle, const contact::Track& track
 }
 
 [[noreturn]] void ask_for_head(const profiles::ProfileCurve& rail, const std::vector<Head>& heads,
-                               double angle, const contact::Track& track) {
+                               const RailPlace& place, const contact::Track& track) {
+  const std::size_t all = place.tops_and_grooves.size() / 2 + 1;
   std::string places, keys;
   for (const Head& head : heads) {
     const profiles::ProfilePoint top = rail.at(head.top_at);
-    const double face = gauge_face_of(head, angle, track);
+    const double face = gauge_face_of(head, place.angle, track);
     const std::string separator = places.empty() ? "" : " or ";
     places +=
         fmt::format("{}at y = {:.4f} mm (of the head with its top at y = {:.1f} mm, z = {:.1f} mm)",
@@ -147,7 +148,7 @@ double gauge_face_of(const Head& head, double angle, const contact::Track& track
   throw contact::InputError(fmt::format(
       "rail.profile has {} heads, whose gauge face may be {}; allowed: one gauge face; do: put {} "
       "under [track], or name a file with the points of the head that carries the wheel alone",
-      heads.size() == 2 ? "two" : std::to_string(heads.size()), places, keys));
+      all == 2 ? "two" : std::to_string(all), places, keys));
 }
 
 }  // namespace
@@ -189,7 +190,7 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
       if (fits(place)) fitting.push_back(head);
     }
   if (fitting.empty()) fitting = candidates;
-  if (fitting.size() > 1) ask_for_head(rail, fitting, place.angle, track);
+  if (fitting.size() > 1) ask_for_head(rail, fitting, place, track);
   move_to_gauge(place, fitting.front(), track);
   return place;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 
 namespace rollfem::track {
 
@@ -35,8 +36,13 @@ contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
   if (tops_and_grooves.size() < 2) return rail_heights(rail);
   std::vector<double> y, z, slope;
   for (const double place : tops_and_grooves) {
+    contact::HeightCurve part;
+    try {
+      part = profiles::height_over_y(rail, place);
+    } catch (const std::invalid_argument&) {
+      continue;  // a groove without a floor
+    }
     // A part that reaches several of the places comes again unchanged.
-    const contact::HeightCurve part = profiles::height_over_y(rail, place);
     for (const double at : part.knots()) {
       const CurveValue value = part.at(at);
       while (!y.empty() && at <= y.back() && value.value < z.back())

@@ -180,7 +180,7 @@ TEST(TwoHeads, ABarBesideTheRailIsAHeadWhereItsGrooveIsDeepEnough) {
         return 0.3 * std::acos(-1.0) * std::sin(y * std::acos(-1.0) / 20.0) +
                std::copysign(0.02, y);
       },
-      -50.0, 50.0);
+      -60.0, 60.0);
   contact::Track track;
   track.gauge_height = 8.0;
   EXPECT_TRUE(says(question(waves, track), "rail.profile has 3 heads"));
