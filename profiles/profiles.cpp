@@ -99,23 +99,6 @@ void check_flange(const contact::Case& input, const ProfileCurve& curve) {
       shift[1], start.y));
 }
 
-/// Gauge and wheel are placed by the highest head alone.
-void check_heads(const contact::Case& input, const ProfileCurve& curve) {
-  constexpr double least_depth = 5.0;  // mm
-  const std::vector<double>&y = curve.knots().y, &z = curve.knots().z;
-  const Valley groove = deepest_valley(z);
-  const double top = std::min(z[groove.left], z[groove.right]);
-  if (groove.depth < least_depth || z[groove.bottom] < top + input.track.gauge_height) return;
-  throw InputError(fmt::format(
-      "{}: rail.profile = \"{}\" has two heads, with tops at y = {:.1f} mm (z = {:.1f} mm) and y = "
-      "{:.1f} mm (z = {:.1f} mm), and between them, at y = {:.1f} mm, a groove {:.1f} mm deep; "
-      "allowed: one head, from which gauge and wheel are placed; do: name a file with the points "
-      "of the head that carries the wheel alone, those at y < {:.1f} mm or at y > {:.1f} mm",
-      input.file, input.rail.profile.name, y[groove.left], z[groove.left], y[groove.right],
-      z[groove.right], y[groove.bottom], z[groove.bottom] - top, y[groove.bottom],
-      y[groove.bottom]));
-}
-
 }  // namespace
 
 std::optional<double> flange_tip(const ProfileCurve& curve) {
@@ -163,7 +146,6 @@ ProfileCurve profile_of_case(const contact::Case& input, bool wheel, ProfileRepo
   if (!source.name.empty()) {
     ProfileCurve curve = make_profile(source, wheel, input.file, report);
     if (wheel && source.for_track) check_flange(input, curve);
-    if (!wheel && source.for_track) check_heads(input, curve);
     return curve;
   }
   const double radius = wheel ? input.wheel.transverse_radius : input.rail.transverse_radius;

@@ -51,7 +51,9 @@ struct ProfileSource {
 struct Track {
   double gauge = 1435.0;       ///< mm, between the rails
   double gauge_height = 14.0;  ///< mm below the top of the rails at which it is measured
-  double inclination = 0.0;    ///< of each rail towards the middle, as a tangent: 1/40
+  /// mm, y of the gauge face in the coordinates of the rail's profile; none: found from it.
+  std::optional<double> gauge_face;
+  double inclination = 0.0;  ///< of each rail towards the middle, as a tangent: 1/40
   /// mm, of the origin of the rail's profile from the middle of the track outwards, and down:
   /// instead of the gauge
   std::optional<std::array<double, 2>> rail_position;

@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,39 +33,61 @@ double smallest(const std::vector<double>& at, const std::vector<double>& known,
   return std::min(known[best], beside.second);
 }
 
-}  // namespace
+/// Points along a profile: parameters and coordinates.
+struct Samples {
+  std::vector<double> at, y, z;
+  Samples part(std::size_t from, std::size_t to) const {
+    const auto cut = [&](const std::vector<double>& list) {
+      return std::vector<double>(list.begin() + static_cast<std::ptrdiff_t>(from),
+                                 list.begin() + static_cast<std::ptrdiff_t>(to));
+    };
+    return {cut(at), cut(y), cut(z)};
+  }
+};
 
-double side_sign(bool left) {
-  return left ? -1.0 : 1.0;
+Samples samples_of(const profiles::ProfileCurve& curve) {
+  // Dense enough for a profile to turn little between neighbours.
+  Samples samples{profiles::dense_parameters(curve, 0.25), {}, {}};
+  for (const double t : samples.at) {
+    const profiles::ProfilePoint point = curve.at(t);
+    samples.y.push_back(point.y);
+    samples.z.push_back(point.z);
+  }
+  return samples;
 }
 
-RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track) {
-  RailPlace place;
-  place.angle = -std::atan(track.inclination);
-  if (track.rail_position)
-    return {place.angle, (*track.rail_position)[0], (*track.rail_position)[1]};
-  const profiles::ProfileCurve turned = rail.moved(place.angle, 0.0, 0.0);
-  // Dense enough for a profile to turn little between neighbours.
-  const std::vector<double> at = profiles::dense_parameters(turned, 0.25);
-  std::vector<double> y, z;
-  for (const double t : at) {
-    const profiles::ProfilePoint point = turned.at(t);
-    y.push_back(point.y);
-    z.push_back(point.z);
-  }
-  const double top = smallest(at, z, [&](double t) { return turned.at(t).z; });
-  const double limit = top + track.gauge_height;
-  // Only above the gauge height; just below it the face may be even closer to the middle.
+/// The samples of each head, from the gauge side on. Heads are parted by grooves so deep that each
+/// has a gauge face; neighbours share the bottom of the groove.
+std::vector<Samples> heads_of(const Samples& samples, double gauge_height) {
+  constexpr double least_depth = 5.0;  // mm
+  const profiles::Valley groove = profiles::deepest_valley(samples.z);
+  if (groove.depth < std::max(least_depth, gauge_height)) return {samples};
+  std::vector<Samples> heads = heads_of(samples.part(0, groove.bottom + 1), gauge_height);
+  for (Samples& head : heads_of(samples.part(groove.bottom, samples.at.size()), gauge_height))
+    heads.push_back(std::move(head));
+  return heads;
+}
+
+/// A head of the turned profile.
+struct Head {
+  double top_at = 0.0, top = 0.0;  ///< parameter and z of its highest point
+  double end_y = 0.0;              ///< y of its end towards the middle
+  double deepest = 0.0;            ///< largest z between that end and the top
+  std::optional<double> gauge_y;   ///< none: it ends above the gauge height there
+};
+
+Head describe_head(const profiles::ProfileCurve& turned, const Samples& samples,
+                   double gauge_height) {
+  const auto& [at, y, z] = samples;
   const auto crown = static_cast<std::size_t>(std::min_element(z.begin(), z.end()) - z.begin());
-  const double deepest =
-      *std::max_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(crown) + 1);
-  if (deepest < limit - 1e-9)
-    throw contact::InputError(
-        fmt::format("rail.profile: ends {:.4g} mm below its top on the gauge side, but the gauge "
-                    "is measured {:.4g} mm below; allowed: a profile that extends at least to that "
-                    "depth; do: use a longer profile, a smaller track.gauge_height, or mirror the "
-                    "profile if its gauge face is at the larger y",
-                    deepest - top, track.gauge_height));
+  Head head;
+  head.top_at = at[crown];
+  head.top = smallest(at, z, [&](double t) { return turned.at(t).z; });
+  head.end_y = y.front();
+  head.deepest = *std::max_element(z.begin(), z.begin() + static_cast<std::ptrdiff_t>(crown) + 1);
+  const double limit = head.top + gauge_height;
+  if (head.deepest < limit - 1e-9) return head;
+  // Only above the gauge height; just below it the face may be even closer to the middle.
   std::size_t first = crown;
   while (first > 0 && z[first] <= limit) --first;
   // Between `first` and the next the face crosses the gauge height.
@@ -76,15 +101,106 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
       face.push_back(at[k]);
       face_y.push_back(y[k]);
     }
-  const double gauge_y = smallest(face, face_y, [&](double t) { return turned.at(t).y; });
+  head.gauge_y = smallest(face, face_y, [&](double t) { return turned.at(t).y; });
+  return head;
+}
+
+/// Puts the top of the head at z = 0 and its gauge face, or the y of the profile given for it, half
+/// the gauge from the middle.
+void move_to_gauge(RailPlace& place, const Head& head, const contact::Track& track) {
+  const double c = std::cos(place.angle), s = std::sin(place.angle);
+  const double gauge_y = track.gauge_face
+                             ? (*track.gauge_face - s * (head.top + track.gauge_height)) / c
+                             : head.gauge_y.value_or(head.end_y);
   place.shift_y = 0.5 * track.gauge - gauge_y;
-  place.shift_z = -top;
+  place.shift_z = -head.top;
+}
+
+/// y of the gauge face in profile coordinates, as track.gauge_face has it.
+double gauge_face_of(const Head& head, double angle, const contact::Track& track) {
+  return std::cos(angle) * head.gauge_y.value_or(head.end_y) +
+         std::sin(angle) * (head.top + track.gauge_height);
+}
+
+[[noreturn]] void refuse_end(const Head& head, const contact::Track& track) {
+  throw contact::InputError(
+      fmt::format("rail.profile: ends {:.4g} mm below its top on the gauge side, but the gauge "
+                  "is measured {:.4g} mm below; allowed: a profile that extends at least to that "
+                  "depth; do: use a longer profile, a smaller track.gauge_height, or mirror the "
+                  "profile if its gauge face is at the larger y, or give the y of the gauge face "
+                  "as track.gauge_face",
+                  head.deepest - head.top, track.gauge_height));
+}
+
+[[noreturn]] void ask_for_head(const profiles::ProfileCurve& rail, const std::vector<Head>& heads,
+                               const RailPlace& place, const contact::Track& track) {
+  const std::size_t all = place.tops_and_grooves.size() / 2 + 1;
+  std::string places, keys;
+  for (const Head& head : heads) {
+    const profiles::ProfilePoint top = rail.at(head.top_at);
+    const double face = gauge_face_of(head, place.angle, track);
+    const std::string separator = places.empty() ? "" : " or ";
+    places +=
+        fmt::format("{}at y = {:.4f} mm (of the head with its top at y = {:.1f} mm, z = {:.1f} mm)",
+                    separator, face, top.y, top.z);
+    keys += fmt::format("{}`gauge_face = {:.4f}`", separator, face);
+  }
+  throw contact::InputError(fmt::format(
+      "rail.profile has {} heads, whose gauge face may be {}; allowed: one gauge face; do: put {} "
+      "under [track], or name a file with the points of the head that carries the wheel alone",
+      all == 2 ? "two" : std::to_string(all), places, keys));
+}
+
+}  // namespace
+
+double side_sign(bool left) {
+  return left ? -1.0 : 1.0;
+}
+
+RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track,
+                     const std::function<bool(const RailPlace&)>& fits) {
+  RailPlace place;
+  place.angle = -std::atan(track.inclination);
+  const profiles::ProfileCurve turned = rail.moved(place.angle, 0.0, 0.0);
+  std::vector<Head> heads;
+  for (const Samples& samples : heads_of(samples_of(turned), track.gauge_height)) {
+    if (!heads.empty()) place.tops_and_grooves.push_back(samples.at.front());
+    heads.push_back(describe_head(turned, samples, track.gauge_height));
+    place.tops_and_grooves.push_back(heads.back().top_at);
+  }
+  if (track.rail_position) {
+    place.shift_y = (*track.rail_position)[0];
+    place.shift_z = (*track.rail_position)[1];
+    return place;
+  }
+  if (track.gauge_face) {
+    const auto distance = [&](const Head& head) {
+      return std::abs(gauge_face_of(head, place.angle, track) - *track.gauge_face);
+    };
+    move_to_gauge(
+        place,
+        *std::min_element(heads.begin(), heads.end(),
+                          [&](const Head& a, const Head& b) { return distance(a) < distance(b); }),
+        track);
+    return place;
+  }
+  // A head whose side towards the middle was not measured is taken for a guard rail's.
+  std::vector<Head> candidates, fitting;
+  std::copy_if(heads.begin(), heads.end(), std::back_inserter(candidates),
+               [](const Head& head) { return head.gauge_y.has_value(); });
+  if (candidates.empty()) refuse_end(heads.front(), track);
+  if (candidates.size() > 1 && fits)
+    for (const Head& head : candidates) {
+      move_to_gauge(place, head, track);
+      if (fits(place)) fitting.push_back(head);
+    }
+  if (fitting.empty()) fitting = candidates;
+  if (fitting.size() > 1) ask_for_head(rail, fitting, place, track);
+  move_to_gauge(place, fitting.front(), track);
   return place;
 }
 
-RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Case& input, bool left) {
-  if (input.wheelset.on_rail) return {};
-  RailPlace place = rail_place(rail, input.track);
+RailPlace displaced(RailPlace place, const contact::Case& input, bool left) {
   const contact::Displacement& moved = input.rail_displacement;
   const std::size_t side = left ? 0 : 1;
   place.upright_z = place.shift_z;

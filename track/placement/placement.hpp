@@ -9,7 +9,10 @@
 #include "contact/scene/patch_geometry.hpp"
 #include "profiles/profile_curve.hpp"
 
+#include <array>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace rollfem::track {
 
@@ -37,22 +40,27 @@ struct RailPlace {
   /// Of this, what the displacement of the rail turns (rad), with the axle of a roller; and the
   /// shift along z before it.
   double roll = 0.0, upright_z = 0.0;
+  /// Parameters of the tops of the heads and of the bottoms of the grooves between them, in order;
+  /// only the top for an ordinary rail.
+  std::vector<double> tops_and_grooves;
 };
 
 /// Axle of a roller in the side frame: level, and its rolling radius below z = 0, before the rail's
 /// displacement. Its axial coordinate is 0 at the origin of the profile.
 contact::Axle roller_axle(const RailPlace& place, double rolling_radius);
 
-/// Turns the profile towards the middle of the track by the inclination, puts its highest point at
-/// z = 0 and its gauge face half the gauge from the middle: the point nearest to the middle among
-/// those within gauge_height of the top. Throws contact::InputError when the profile does not
-/// reach down to that height on the gauge side. Where the case gives the place of the origin,
-/// there.
-RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track);
+/// Turns the profile towards the middle of the track by the inclination, puts the top of its head
+/// at z = 0 and its gauge face half the gauge from the middle: track.gauge_face, or else the point
+/// nearest to the middle among those within gauge_height of the top. Of several heads (with a
+/// groove deeper than gauge_height between them) this is the one nearest to track.gauge_face, or
+/// else the only one at whose place the wheel `fits` (default: all do) of those that reach down to
+/// gauge_height towards the middle. Throws contact::InputError where several fit or none reaches
+/// down so far. Where the case gives the place of the profile's origin, there.
+RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& track,
+                     const std::function<bool(const RailPlace&)>& fits = {});
 
-/// The same of one side, moved by the case's displacement; the profile as it is for a wheel by
-/// itself (Wheelset::on_rail).
-RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Case& input, bool left);
+/// The rail of one side where the case's displacement takes it.
+RailPlace displaced(RailPlace place, const contact::Case& input, bool left);
 
 /// Way along a rail from the plane x = 0 through its top: a shift on a straight rail, a rotation on
 /// a roller. Turning a scene back by it brings its contact to the top, where the rail's section is

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 
 namespace rollfem::track {
 
@@ -28,6 +29,31 @@ contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail) {
   const auto& knots = rail.knots();
   const auto top = std::min_element(knots.z.begin(), knots.z.end()) - knots.z.begin();
   return profiles::height_over_y(rail, knots.parameter[static_cast<std::size_t>(top)]);
+}
+
+contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
+                                  const std::vector<double>& tops_and_grooves) {
+  if (tops_and_grooves.size() < 2) return rail_heights(rail);
+  std::vector<double> y, z, slope;
+  for (const double place : tops_and_grooves) {
+    contact::HeightCurve part;
+    try {
+      part = profiles::height_over_y(rail, place);
+    } catch (const std::invalid_argument&) {
+      continue;  // a groove without a floor
+    }
+    // A part that reaches several of the places comes again unchanged.
+    for (const double at : part.knots()) {
+      const CurveValue value = part.at(at);
+      while (!y.empty() && at <= y.back() && value.value < z.back())
+        for (auto* list : {&y, &z, &slope}) list->pop_back();
+      if (!y.empty() && at < y.back() + 1e-9) continue;
+      y.push_back(at);
+      z.push_back(value.value);
+      slope.push_back(value.slope);
+    }
+  }
+  return {std::move(y), std::move(z), std::move(slope)};
 }
 
 VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,

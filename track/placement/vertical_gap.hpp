@@ -128,4 +128,9 @@ class VerticalGap {
 /// The head of a placed rail as z over y: the part about its highest point.
 contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail);
 
+/// A rail with several heads as z over y: the parts about these places (RailPlace), joined by
+/// steep walls, of which the higher one hides what it overhangs.
+contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
+                                  const std::vector<double>& tops_and_grooves);
+
 }  // namespace rollfem::track

@@ -135,23 +135,56 @@ VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPo
   return gap;
 }
 
+namespace {
+
+/// Whether an upright wheelset can run on the placed rails: whether, at some lateral shift within
+/// the play of a track, the wheel first touches above the lower part of its flange.
+bool tread_touches(const Case& input, const SearchScene& scene) {
+  constexpr double play = 10.0, step = 1.0;  // mm
+  constexpr double flange = 10.0;            // mm below the tread
+  for (double shift = -play; shift <= play; shift += step) {
+    WheelsetPose pose;
+    pose.lateral_shift = shift;
+    try {
+      const VerticalGap gap = touching_gap(input, scene, pose, 1, true);
+      if (gap.wheel().at(gap.lowest().y).radius < input.wheel.rolling_radius + flange) return true;
+    } catch (const contact::Failure&) {
+      // The wheel cannot stand here.
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
   SearchScene scene;
-  for (const bool left : {true, false}) {
-    SearchScene::Rail& rail = scene.rails[left ? 0 : 1];
-    rail.place = rail_place(profiles.rail, input, left);
-    rail.curve = place_rail(profiles.rail, rail.place);
-    rail.head = rail_heights(rail.curve);
-  }
   scene.tread_y = tread_of(input.wheelset, profiles.wheel);
   scene.wheel = wheel_points(profiles.wheel, scene.tread_y);
+  scene.profiles = std::move(profiles);
+  const auto place_at = [&](const RailPlace& place) {
+    for (const bool left : {true, false}) {
+      SearchScene::Rail& rail = scene.rails[left ? 0 : 1];
+      rail.place = displaced(place, input, left);
+      rail.curve = place_rail(scene.profiles.rail, rail.place);
+      rail.head = rail_heights(rail.curve, rail.place.tops_and_grooves);
+    }
+  };
+  contact::Track track = input.track;
+  if (input.wheelset.on_rail) {
+    track.inclination = 0.0;
+    track.rail_position = {0.0, 0.0};
+  }
+  place_at(rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {
+    place_at(place);
+    return tread_touches(input, scene);
+  }));
+  const profiles::ProfileCurve& wheel = scene.profiles.wheel;
   try {
-    scene.wheel_tread =
-        profiles::height_over_y(profiles.wheel, parameter_near(profiles.wheel, scene.tread_y, 0.0));
+    scene.wheel_tread = profiles::height_over_y(wheel, parameter_near(wheel, scene.tread_y, 0.0));
   } catch (const std::invalid_argument&) {
     scene.wheel_tread = {};
   }
-  scene.profiles = std::move(profiles);
   return scene;
 }
 

@@ -79,9 +79,39 @@ contact::HeightCurve changed(const contact::HeightCurve& curve, const Change& ch
   return {std::move(y), std::move(z), std::move(slope)};
 }
 
+/// An axle of the side frame in the frame of a patch: for the right side (sign_y = -1) y changes
+/// its sign, and the direction is reversed so that it points to larger y again (with its axial
+/// coordinate, as in `changed`).
+Axle in_patch(const PatchAxes& axes, double sign_y, const Axle& axle) {
+  const Vector3 &p = axle.point, &d = axle.direction;
+  return {{p[0], sign_y * axes.across(p[1], p[2]), axes.along_normal(p[1], p[2])},
+          {sign_y * d[0], axes.cosine * d[1] - axes.sine * d[2],
+           sign_y * (-axes.sine * d[1] - axes.cosine * d[2])}};
+}
+
+/// The part of a roller's surface about its contact.
+void turn_rail(double roller, const SearchScene::Rail& rail, const PatchAxes& axes, double sign_y,
+               double at_touch, double reach, contact::PatchGeometry& geometry) {
+  if (std::isinf(roller)) return;
+  const RailPlace& place = rail.place;
+  const Axle axle = roller_axle(place, roller);
+  const double axial = contact::axle_place(axle, {0.0, axes.y0, axes.z0}).axial;
+  // z below the origin of the profile over the axial coordinate.
+  const profiles::ProfileCurve upright =
+      rail.curve.moved(0.0, -place.shift_y, -place.shift_z).moved(-place.roll, 0.0, 0.0);
+  const double outwards = roller > 0.0 ? 1.0 : -1.0;
+  const double radius_at_origin = outwards * (roller - place.upright_z);
+  geometry.set_roller(roller,
+                      changed(profiles::height_over_y(upright, at_touch),
+                              {sign_y, -outwards, radius_at_origin, axial - reach, axial + reach}),
+                      in_patch(axes, sign_y, axle));
+}
+
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
                                      const PatchAxes& axes, const Axle& axle_of_side, bool left,
-                                     const OutlinePoint& touch, double sink, double reach) {
+                                     const OutlinePoint& touch, double sink,
+                                     const std::array<double, 2>& overlap, double around_overlap) {
+  const double reach = std::max(-overlap[0], overlap[1]) + around_overlap;
   const profiles::ProfileCurve& whole_rail = scene.rail(left).curve;
   const double at_touch = parameter_near(whole_rail, axes.y0, axes.z0);
   // Shifted to the touching point, then rotated.
@@ -92,8 +122,12 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
                  -sine * axes.y0 - cosine * axes.z0);
   // z of the patch points up, that of the profile down.
   const double sign_y = left ? 1.0 : -1.0;
+  const Change to_patch{sign_y, -1.0, 0.0};
   contact::HeightCurve heights =
-      changed(profiles::height_over_y(rail, parameter_near(rail, 0.0, 0.0)), {sign_y, -1.0, 0.0});
+      changed(profiles::height_over_y(rail, parameter_near(rail, 0.0, 0.0)), to_patch);
+  const std::vector<double>& heads = scene.rail(left).place.tops_and_grooves;
+  if (heads.size() > 1 && !(heights.contains(overlap[0]) && heights.contains(overlap[1])))
+    heights = changed(rail_heights(rail, heads), to_patch);
   const profiles::ProfileCurve& wheel = scene.profiles.wheel;
   const double height = touch.radius - input.wheel.rolling_radius;
   // The part about the running circle uses the same knots for every contact there.
@@ -108,34 +142,13 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
           ? changed(tread, to_radius)
           : changed(profiles::height_over_y(wheel, parameter_near(wheel, touch.profile_y, height)),
                     to_radius);
-  // Mirrored for the right side: y changes its sign, and the direction is reversed so that it
-  // points to larger y again (with its axial coordinate, as in `changed`).
-  const auto patch_axle = [&](const Vector3& at, const Vector3& way) {
-    const double across = axes.cosine * way[1] - axes.sine * way[2];
-    const double along_normal = -axes.sine * way[1] - axes.cosine * way[2];
-    return Axle{{at[0], sign_y * axes.across(at[1], at[2]), axes.along_normal(at[1], at[2])},
-                {sign_y * way[0], across, sign_y * along_normal}};
-  };
   Vector3 p = touch.along.place_to_top(axle_of_side.point);
   p[2] += sink;
-  const Axle axle = patch_axle(p, touch.along.direction_to_top(axle_of_side.direction));
+  const Axle axle =
+      in_patch(axes, sign_y, {p, touch.along.direction_to_top(axle_of_side.direction)});
   const double section = std::min(section_reach, reach);
   contact::PatchGeometry geometry{std::move(heights), std::move(radius), axle, -section, section};
-  if (const double roller = input.rail.rolling_radius; std::isfinite(roller)) {
-    const RailPlace& place = scene.rail(left).place;
-    const Axle turning = roller_axle(place, roller);
-    const double axial = contact::axle_place(turning, {0.0, axes.y0, axes.z0}).axial;
-    // z below the origin of the profile over the axial coordinate.
-    const profiles::ProfileCurve upright =
-        whole_rail.moved(0.0, -place.shift_y, -place.shift_z).moved(-place.roll, 0.0, 0.0);
-    const double outwards = roller > 0.0 ? 1.0 : -1.0;
-    const double radius_at_origin = outwards * (roller - place.upright_z);
-    geometry.set_roller(
-        roller,
-        changed(profiles::height_over_y(upright, at_touch),
-                {sign_y, -outwards, radius_at_origin, axial - reach, axial + reach}),
-        patch_axle(turning.point, turning.direction));
-  }
+  turn_rail(input.rail.rolling_radius, scene.rail(left), axes, sign_y, at_touch, reach, geometry);
   return geometry;
 }
 
@@ -246,9 +259,8 @@ class WheelSearch {
       if (minimum.gap < sinking || minimum.y == first.y)
         contact.touching.push_back(
             {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
-    contact.geometry =
-        make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap,
-                      std::max(-contact.reach[0], contact.reach[1]) + options.around_overlap);
+    contact.geometry = make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap,
+                                     contact.reach, options.around_overlap);
     contact.geometry.set_limits(contact.limits);
     return contact;
   }

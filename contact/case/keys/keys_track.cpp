@@ -35,6 +35,9 @@ SectionWithKeys track_section() {
   keys.add("gauge", &Track::gauge, unit("mm"), between(1.0, 1e4), "Distance between the rails.");
   keys.add("gauge_height", &Track::gauge_height, unit("mm"), between(0.1, 100.0),
            "Depth below the top of the rails at which the gauge is measured.");
+  keys.add("gauge_face", &Track::gauge_face, unit("mm"), within(1e3), otherwise("found"),
+           "y of the gauge face at that depth, in the coordinates of the rail's profile; it also "
+           "says which of several heads carries the wheel.");
   keys.add("rail_position", &Track::rail_position, unit("mm"), within(1e4),
            otherwise("the gauge places the rails"),
            "Where the origin of the rail's profile is, from the middle of the track outwards and "

@@ -214,43 +214,6 @@ TEST(ProfileReading, OldMiniprofHeadersAndRemarksNeedNoQuotes) {
   EXPECT_LT(off(read(rows, false, {}, "rail.ban"), "60E1"), spline_tolerance);
 }
 
-TEST(ProfileReading, TwoHeadsInOneSectionAreRefused) {
-  const TemporaryFolder folder;
-  contact::Case input;
-  input.file = folder.path("case.toml");
-  input.rail.profile.name = "rail.csv";
-  input.rail.profile.largest_kink = 100.0;
-  // 60E1 and a bar beside it whose flat top lies `lower` below the head's, with a groove between.
-  const auto read_with_bar = [&](double lower, double depth) {
-    Points points = points_of("60E1");
-    const double y = points.back()[0], z = points.back()[1];
-    for (double t = z + 0.5; t < depth; t += 0.5) points.push_back({y, t});
-    for (double t = 0.5; t < 40.0; t += 0.5) points.push_back({y + t, depth});
-    for (double t = depth; t > lower; t -= 0.5) points.push_back({y + 40.0, t});
-    for (double t = 0.5; t < 30.0; t += 0.5) points.push_back({y + 40.0 + t, lower});
-    folder.file("rail.csv", columns(points));
-    static_cast<void>(profile_of_case(input, false));
-  };
-  const auto refused = [&](double lower, double depth) {
-    return refusal<contact::InputError>([&] { read_with_bar(lower, depth); });
-  };
-  for (const double lower : {3.0, -1.0, 20.0})
-    EXPECT_TRUE(says(refused(lower, 50.0), "rail.profile = \"rail.csv\" has two heads",
-                     fmt::format("(z = {:.1f} mm)", lower),
-                     fmt::format("a groove {:.1f} mm deep", 50.0 - std::min(lower, 0.0)),
-                     "points of the head that carries the wheel"));
-  EXPECT_EQ(refused(48.0, 50.0), "");  // a ledge is no head
-  // A hollow above the gauge height hides no gauge face.
-  Points points;
-  for (double y = -40.0; y <= 40.0; y += 0.5)
-    points.push_back({y, 6.0 - 6.0 * std::cos(y * std::acos(-1.0) / 20.0)});
-  folder.file("rail.csv", columns(points));
-  input.track.gauge_height = 13.0;
-  EXPECT_NO_THROW(static_cast<void>(profile_of_case(input, false)));
-  input.track.gauge_height = 8.0;
-  EXPECT_THROW(static_cast<void>(profile_of_case(input, false)), contact::InputError);
-}
-
 /// Everything is wrong; what the message names mends it in one go.
 TEST(ProfileReading, AllRepairsAreNamedInOneMessage) {
   std::mt19937 generator(3);
