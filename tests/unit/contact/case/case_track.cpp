@@ -116,10 +116,39 @@ TEST(TrackErrors, OneProfileNeedsTheOther) {
 
 TEST(TrackErrors, LoadIsGivenOnce) {
   expect_error(with_pair("vertical_force = 100e3", "vertical_force = 100e3\nnormal_force = 5e4"),
-               {"contradicts load.", "exactly one of normal_force, approach and vertical_force"});
+               {"contradicts load.", "exactly one of normal_force, approach, vertical_force"});
   expect_error(with_pair("vertical_force = 100e3", ""),
-               {"is missing", "exactly one of normal_force, approach and vertical_force",
+               {"is missing", "exactly one of normal_force, approach, vertical_force",
                 "vertical_force = 50e3"});
+}
+
+const std::string wheel_alone =
+    "[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n"
+    "[rail]\nprofile = \"60E1\"\n";
+
+TEST(Placement, NeedsNoTrack) {
+  const Case input = parse_case(
+      wheel_alone + "[placement]\nside = \"right\"\nlateral_position = [1.0, 2.0]\nheight = 0.1\n",
+      "c.toml");
+  EXPECT_TRUE(input.wheelset.on_rail);
+  EXPECT_TRUE(input.sinks());
+  EXPECT_EQ(input.wheelset.side, contact::WheelSide::right);
+  EXPECT_EQ(input.wheelset.height, (std::vector<double>{0.1, 0.1}));
+  EXPECT_EQ(input.wheelset.lateral_shift, (std::vector<double>{1.0, 2.0}));
+}
+
+TEST(Placement, StandsInPlaceOfTrackAndWheelset) {
+  for (const char* other : {"[wheelset]\nlateral_shift = 1.0\n", "[track]\ngauge = 1435.0\n",
+                            "[wheel_displacement]\nlateral = [0.0, 1.0]\n"})
+    expect_error(wheel_alone + "[placement]\nheight = 0.1\n" + other,
+                 {"[placement] gives the pose of a wheel on the rail"});
+}
+
+TEST(Placement, HeightReplacesTheLoad) {
+  expect_error(wheel_alone + "[load]\nvertical_force = 1e4\n[placement]\nheight = 0.1\n",
+               {"placement.height", "contradicts load.vertical_force", "exactly one of"});
+  expect_error(wheel_alone + "[placement]\nyaw = 0.0\n",
+               {"is missing", "wheelset.height or placement.height"});
 }
 
 TEST(TrackErrors, OneThingDecidesTheRotation) {

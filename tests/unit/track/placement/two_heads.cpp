@@ -216,8 +216,8 @@ TEST(TwoHeads, TheFlangeDecidesOnASwitch) {
     const auto search = track::make_search_scene(
         input,
         {profiles::find_built_in_profile("S1002")->make(), section({{-46.0, lower}, {0.0, 0.0}})});
-    EXPECT_NEAR(search.rail_place.shift_y, half_gauge + 66.0, 1e-4) << lower;
-    EXPECT_NEAR(search.rail_place.shift_z, -lower, 1e-9);
+    EXPECT_NEAR(search.rail(true).place.shift_y, half_gauge + 66.0, 1e-4) << lower;
+    EXPECT_NEAR(search.rail(true).place.shift_z, -lower, 1e-9);
   }
   // Wider apart the wheel fits both.
   const auto wide = [&] {
