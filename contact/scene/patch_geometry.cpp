@@ -18,7 +18,7 @@ namespace {
 /// Largest slope at which a section is a height over y.
 constexpr double steepest = 12.0;
 /// Relative to a radius, of what Newton's method may leave of it.
-constexpr double rounding = 1e-15;
+constexpr double rounding_of_radius = 1e-15;
 /// Knots of the wheel's section.
 constexpr double knot_distance = 0.05;  // mm
 
@@ -42,7 +42,8 @@ Height height_of(const HeightCurve& wheel_radius, const Axle& axle, double x, do
     if (!(by_z < -1e-3)) return {z, 0.0, false};
     const double change = defect / by_z;
     if (std::abs(change) < 1e-13 * (1.0 + std::abs(z)) ||
-        (std::abs(change) < std::max(1e-11, rounding * at.radius) && std::abs(change) >= last))
+        (std::abs(change) < std::max(1e-11, rounding_of_radius * at.radius) &&
+         std::abs(change) >= last))
       return {z - change, -by_y / by_z, true};
     last = std::abs(change);
     z -= change;
