@@ -67,6 +67,8 @@ void fill_track(const ContactCase& given, const std::string& profile_folder, Equ
   else
     made.set("track", "inclination", cant, "rad");
   fill_profile(pair.rail, "rail", profile_folder, made);
+  // Files of rollers leave out their flat sides.
+  if (on_roller(given.digits)) made.set("rail_profile", "longest_gap", 25.0, "mm");
 }
 
 /// Motion of the wheelset by the forward speed, on rollers that of their surface.

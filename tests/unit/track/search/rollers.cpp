@@ -116,10 +116,14 @@ TEST(Roller, OfEndlessRadiusIsARail) {
       EXPECT_NEAR(b.place->y_rail, a.place->y_rail, 1e-5);
       EXPECT_NEAR(b.place->contact_angle, a.place->contact_angle, 1e-7);
       EXPECT_NEAR(b.place->height, a.place->height, 1e-3);
-      EXPECT_NEAR(b.points[0].creepage.longitudinal, a.points[0].creepage.longitudinal, 1e-6);
+      // A flange reaches below z = 0, where the roller's surface is slower.
+      const double slower = a.place->z_track / endless;
+      EXPECT_NEAR(b.points[0].creepage.longitudinal, a.points[0].creepage.longitudinal - slower,
+                  1e-7);
       EXPECT_NEAR(b.points[0].creepage.lateral, a.points[0].creepage.lateral, 1e-6);
       EXPECT_NEAR(b.points[0].creepage.spin, a.points[0].creepage.spin, 2e-6);
-      EXPECT_NEAR(b.geometry.surface.profiles->distance(4.0, 1.5) - 4.0 * 4.0 / (2.0 * endless),
+      const double drop = std::cos(a.place->contact_angle) * 4.0 * 4.0 / (2.0 * endless);
+      EXPECT_NEAR(b.geometry.surface.profiles->distance(4.0, 1.5) - drop,
                   a.geometry.surface.profiles->distance(4.0, 1.5), 1e-6);
     }
   }
