@@ -270,8 +270,8 @@ postprocess::ComparisonRecord begin_comparison(const contact::ModelRegistry& kno
 
 std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& how) {
   Solved solved;
-  Scenes scenes = scenes_of(record.input, how.placed ? how.placed : placed_wheels(record.input),
-                            how.progress, how.checkpoint, how.share);
+  const Placed wheels = how.placed ? how.placed : placed_wheels(record.input);
+  Scenes scenes = scenes_of(record.input, wheels, how.progress, how.checkpoint, how.share);
   std::vector<std::string> able = able_models(record.input, scenes, how, solved.missing);
   std::string advice;
   if (any_choice(*how.models, able))
@@ -281,11 +281,18 @@ std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& h
   track::check_results(record.input, solved.results);
   record.models = std::move(solved.results);
   record.pairs = std::move(scenes.pairs);
-  if (record.models.empty()) return solved.missing;
-  const contact::Scene& first = scenes.list.front();
-  record.verdict =
-      contact::missed_text(record.models, first.accuracy, first.friction_coefficient());
-  if (!advice.empty()) record.verdict += " " + advice;
+  std::vector<std::string> said;
+  if (!record.models.empty()) {
+    const contact::Scene& first = scenes.list.front();
+    said = {contact::missed_text(record.models, first.accuracy, first.friction_coefficient()),
+            advice};
+  }
+  if (wheels)
+    for (const std::string& text : track::untouched_wheels(record.input, *wheels))
+      said.push_back(text + ";");
+  for (const std::string& text : said)
+    if (!text.empty()) record.verdict += (record.verdict.empty() ? "" : " ") + text;
+  if (!record.verdict.empty() && record.verdict.back() == ';') record.verdict.pop_back();
   return solved.missing;
 }
 

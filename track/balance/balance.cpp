@@ -187,6 +187,26 @@ BalancedCase balance(const Case& input, const PlacedWheels& placed,
   return result;
 }
 
+std::vector<std::string> untouched_wheels(const Case& input, const PlacedWheels& placed) {
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < input.wheelset.height.size(); ++k)
+    for (const bool left : {true, false}) {
+      const int position = static_cast<int>(k) + 1;
+      const auto is_here = [&](const PlacedScene& scene) {
+        return scene.contact.place.left == left && scene.contact.place.position == position;
+      };
+      if (!asked_for(input, left) ||
+          std::any_of(placed.scenes.begin(), placed.scenes.end(), is_here))
+        continue;
+      WheelsetPose pose = find_pose(input, placed.search, position);
+      touching_gap(input, placed.search, pose, position, left);
+      texts.push_back(fmt::format("{}the {} wheel is {:.4g} mm above its rail and carries no load",
+                                  where(input, position), contact::side_word(left),
+                                  pose.height - input.wheelset.height[k]));
+    }
+  return texts;
+}
+
 namespace {
 
 /// Relative to the load. Models balance their own load to 1e-6; shares of a wheel add another

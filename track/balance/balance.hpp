@@ -54,6 +54,10 @@ BalancedCase balance(const contact::Case& input, const PlacedWheels& placed,
 /// The same, including the placement of the wheels.
 BalancedCase balance(const contact::Case& input);
 
+/// One sentence for each wheel that a given height leaves above its rail: it carries no load. Empty
+/// where the load is given.
+std::vector<std::string> untouched_wheels(const contact::Case& input, const PlacedWheels& placed);
+
 // Checks of the results of one wheel: patches must not overlap, each on a grid that holds its
 // reference point, with positive approaches and shares that add up to the load.
 

@@ -380,6 +380,7 @@ std::vector<contact::Scene> balanced_position(const Case& input,
                      input.rolling.problem == contact::Problem::steady &&
                      input.wheelset.free_rolling != FreeRolling::none;
   std::vector<contact::Scene> balanced, coarse;
+  if (scenes.empty()) return balanced;  // wheels above their rails
   contact::for_each_index(rolls ? 2 : 1, [&](std::size_t k) {
     if (k == 0) balanced = Position(input, scenes, elements_of_balance).balanced();
     try {

@@ -162,7 +162,14 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
   scene.tread_y = tread_of(input.wheelset, profiles.wheel);
   scene.wheel = wheel_points(profiles.wheel, scene.tread_y);
   scene.profiles = std::move(profiles);
-  const auto place_at = [&](const RailPlace& place) {
+  contact::Track track = input.track;
+  if (input.wheelset.on_rail) {
+    track.inclination = 0.0;
+    track.rail_position = {0.0, 0.0};
+  }
+  const auto place_at = [&](RailPlace place) {
+    // A roller has its radius where its profile has z = 0.
+    if (std::isfinite(input.rail.rolling_radius) && !track.rail_position) place.shift_z = 0.0;
     for (const bool left : {true, false}) {
       SearchScene::Rail& rail = scene.rails[left ? 0 : 1];
       rail.place = displaced(place, input, left);
@@ -170,11 +177,6 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
       rail.head = rail_heights(rail.curve, rail.place.tops_and_grooves);
     }
   };
-  contact::Track track = input.track;
-  if (input.wheelset.on_rail) {
-    track.inclination = 0.0;
-    track.rail_position = {0.0, 0.0};
-  }
   place_at(rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {
     place_at(place);
     return tread_touches(input, scene);

@@ -57,11 +57,11 @@ SectionWithKeys wheel_section() {
 
 SectionWithKeys rail_section() {
   Keys<Rail> keys("rail", "Lower body (2): a straight extruded rail, or a roller", &Case::rail);
-  keys.add(
-      "rolling_radius", &Rail::rolling_radius, symbol("R_r"), unit("mm"),
-      or_inf(sized(smallest_radius, largest)),
-      "Radius about the rail's own axle, at z = 0: inf a straight rail, positive a roller below "
-      "the wheel, negative a ring around it.");
+  keys.add("rolling_radius", &Rail::rolling_radius, symbol("R_r"), unit("mm"),
+           or_inf(sized(smallest_radius, largest)),
+           "Radius about the rail's own axle, where its profile has z = 0: inf a straight rail, "
+           "positive a roller below "
+           "the wheel, negative a ring around it.");
   add_radius(keys, "R_ry", "2000.0",
              "Radius of the rail's head: positive convex, negative concave, inf flat; not with "
              "`profile`.");
