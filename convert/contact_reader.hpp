@@ -50,8 +50,8 @@ struct ProfileFile {
 
 /// Module 1: track, wheelset and grid.
 struct WheelRail {
-  int search = 2;                 ///< digit D as last given anew
-  std::array<double, 2> cell{};   ///< DX, DS
+  int search = 2;                ///< digit D as last given anew
+  std::array<double, 2> cell{};  ///< DX, DS
   /// GAUGHT, GAUGSQ, GAUGWD, or GAUGHT <= 0, RAILY0, RAILZ0; CANT or the roller's NOMRAD
   std::array<double, 4> track{};
   ProfileFile rail, wheel;

@@ -45,7 +45,8 @@ void expect_touching(const contact::Case& input, const track::SearchScene& scene
   const auto axle = place_axle(found.at(0).pose, input, left);
   // On points 0.02 mm and 0.0005 rad apart the least distance is found to about 2e-5 mm.
   EXPECT_NEAR(
-      track::VerticalGap(scene.wheel, input.wheel.rolling_radius, axle, scene.rail(left).head).smallest(),
+      track::VerticalGap(scene.wheel, input.wheel.rolling_radius, axle, scene.rail(left).head)
+          .smallest(),
       0.0, 1e-8);
   const double brute = brute_force_distance(scene, input.wheel.rolling_radius, axle);
   EXPECT_GT(brute, -1e-7) << "shift " << input.wheelset.lateral_shift[0];

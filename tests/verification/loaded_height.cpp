@@ -215,9 +215,7 @@ class LoadedHeight : public ::testing::TestWithParam<double> {
                       const track::PlacedScene& placed) {
     Bodies bodies{search, placed.contact};
     bodies.rolling_radius = input.wheel.rolling_radius;
-    bodies.axle =
-        track::place_axle(placed.contact.pose, input, false)
-            .point;
+    bodies.axle = track::place_axle(placed.contact.pose, input, false).point;
     return by_lowered_wheel(bodies, placed.scene.material.contact_modulus);
   }
 };

@@ -48,8 +48,8 @@ inline const Condition line = is("geometry", "shape", "line");
 inline const Condition wheel_profile = has("wheel", "profile");
 inline const Condition rail_profile = has("rail", "profile");
 inline const Condition profiles = wheel_profile || rail_profile;
-inline const Condition placement = Condition(
-    [](const GivenCase& given) { return given.section_lines.count("placement") > 0; });
+inline const Condition placement =
+    Condition([](const GivenCase& given) { return given.section_lines.count("placement") > 0; });
 inline const Condition own_mesh = has("wheel", "mesh") || has("rail", "mesh");
 inline const Condition given_pressure = has("given_pressure", "semi_axis_x") ||
                                         has("given_pressure", "semi_axis_y") ||

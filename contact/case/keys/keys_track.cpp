@@ -155,7 +155,7 @@ SectionWithKeys displacement_section(const std::string& body, Displacement Case:
   Keys<Displacement> keys(body + "_displacement",
                           "Displacement of each " + body +
                               " by itself, [left, right], in the axes of the track" +
-                              (is_wheel ? "; it does not change the motion of the wheelset" : ""),
+                              "; it does not change the motion of wheelset and track",
                           part);
   keys.section().of_profiles = true;
   keys.section().on_rail = false;

@@ -265,64 +265,6 @@ TEST(ConvertedCase, ProfilesOfWindowsAreFound) {
   EXPECT_TRUE(says(text, "profile = \"../profiles/worn/wheel.csv\""));
 }
 
-TEST(ConvertedCase, RailIsPlacedWithoutAGauge) {
-  // RAILY0 and RAILZ0 stand where GAUGSQ and GAUGWD do.
-  const Case made = only(replaced(left_wheel, " 14.5 0 1435.0", " 0.0 750. 0.2"));
-  EXPECT_EQ(made.track.rail_position, (std::array<double, 2>{750.0, 0.2}));
-}
-
-TEST(ConvertedCase, HeightTakesThePlaceOfTheLoad) {
-  const Case made = only(replaced(replaced(left_wheel, " 0203100 ", " 0203000 "),
-                                  " 0.0 1.5 45000. ", " 0.0 1.5 0.4 "));
-  EXPECT_FALSE(made.load.vertical_force);
-  EXPECT_EQ(made.wheelset.height, (std::vector<double>{0.4}));
-  EXPECT_EQ(made.wheelset.lateral_shift, (std::vector<double>{1.5}));
-}
-
-TEST(ConvertedCase, RollersTurnWithTheSpeedOfTheirSurface) {
-  // The last number of the track is then NOMRAD, and VS the rate of the roller.
-  std::string text = replaced(left_wheel, " 0203100 ", " 4203100 ");
-  text = replaced(replaced(text, " 1435.0 0.025 ", " 1435.0 750. "), " 9000. 18. ", " 12. 18. ");
-  const Case made = only(text);
-  EXPECT_EQ(made.rail.rolling_radius, 750.0);
-  EXPECT_EQ(made.track.inclination, 0.0);
-  EXPECT_EQ(made.wheelset.side, contact::WheelSide::left);
-  EXPECT_EQ(made.wheelset.lateral_velocity, only(left_wheel).wheelset.lateral_velocity);
-}
-
-TEST(ConvertedCase, EachBodyIsDisplacedByItself) {
-  std::string text = replaced(
-      replaced(left_wheel, "\n 0.0 0.0 0.0 0.0 0.0 0.0\n", "\n 0.5 0.1 0.02 9.0 0.0 0.0\n"),
-      " 0022033 ", " 0022035 ");
-  text = replaced(text, "VROLL VYAW VPITCH\n",
-                  "VROLL VYAW VPITCH\n 0.0 0.1 -0.2 0.01 0.0 0.0\n 0.0 0.0 0.0 0.0 0.0 -0.9\n");
-  const Case made = only(text);
-  const contact::Displacement &rail = made.rail_displacement, &wheel = made.wheel_displacement;
-  EXPECT_EQ(rail.lateral[0], 0.5);
-  EXPECT_EQ(rail.roll[0], 0.02);
-  EXPECT_NEAR(rail.lateral_velocity[0], 1e-3, 1e-15);
-  EXPECT_EQ(wheel.vertical[0], -0.2);
-  EXPECT_NEAR(wheel.rotation[0], 1e-4, 1e-15);
-}
-
-TEST(ConvertedCase, ResultElementsKeepTheirOwnData) {
-  // The second element begins with its own data; the third case goes on with the first one's.
-  std::string text = replaced(left_wheel, " 1 module", " 1 1 module");
-  std::string right =
-      replaced(replaced(left_wheel, " 1 module", " 1 2 module"), " 0203100 ", " 1203100 ");
-  right =
-      replaced(replaced(right, " 1358.0 -70.0 450.0 ", " 1358.0 -70.0 400.0 "), " 0 module\n", "");
-  const std::string again =
-      " 1 1 module\n 0203100 \n 0111001 \n 0100321 \n 0.0 2.5 45000. -0.0001 0.003 0.0\n 0 "
-      "module\n";
-  const auto cases =
-      read_contact_file(replaced(text, " 0 module\n", "") + right + again, "two.inp");
-  ASSERT_EQ(cases.size(), 3U);
-  EXPECT_EQ(cases[1].wheel_rail.wheelset[2], 400.0);
-  EXPECT_EQ(cases[2].wheel_rail.wheelset[2], 450.0);
-  EXPECT_EQ(cases[2].wheel_rail.position[1], 2.5);
-}
-
 TEST(ConvertedCase, FrictionOverTheRailHasPoints) {
   const std::string points = " 2\n -30d 0.15 0.15\n 0.0 0.30 0.30\n";
   std::string text =

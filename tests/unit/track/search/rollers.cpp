@@ -23,6 +23,7 @@ contact::Case light_case(double lateral, double yaw, double roll) {
   input.track.inclination = 0.0;
   input.track.rail_position = {750.0 + lateral, 0.0};
   input.wheelset.roll = {roll};
+  input.wheelset.side = contact::WheelSide::both;
   return input;
 }
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Wheels of CONTACT without a gauge or a load, on rollers, and displaced by themselves.
+#include "contact/case/case_reader.hpp"
+
+#include "convert/contact_reader.hpp"
+#include "convert/conversion.hpp"
+#include "support/contact_inputs.hpp"
+
+namespace {
+
+/// The only case file of the conversion, as read.
+Case converted_alone(const std::string& text) {
+  const convert::Conversion made = convert::convert_cases(
+      convert::read_contact_file(text, "made.inp"), "made", "made.inp", "../profiles");
+  EXPECT_EQ(made.files.size(), 1U);
+  EXPECT_TRUE(made.refused.empty());
+  return contact::parse_case(made.files.at(0).text, "made.toml");
+}
+
+TEST(ConvertedWheel, RailIsPlacedWithoutAGauge) {
+  // RAILY0 and RAILZ0 stand where GAUGSQ and GAUGWD do.
+  const Case made = converted_alone(replaced(left_wheel, " 14.5 0 1435.0", " 0.0 750. 0.2"));
+  EXPECT_EQ(made.track.rail_position, (std::array<double, 2>{750.0, 0.2}));
+}
+
+TEST(ConvertedWheel, HeightTakesThePlaceOfTheLoad) {
+  const Case made = converted_alone(replaced(replaced(left_wheel, " 0203100 ", " 0203000 "),
+                                             " 0.0 1.5 45000. ", " 0.0 1.5 0.4 "));
+  EXPECT_FALSE(made.load.vertical_force);
+  EXPECT_EQ(made.wheelset.height, (std::vector<double>{0.4}));
+  EXPECT_EQ(made.wheelset.lateral_shift, (std::vector<double>{1.5}));
+}
+
+TEST(ConvertedWheel, RollersTurnWithTheSpeedOfTheirSurface) {
+  // The last number of the track is then NOMRAD, and VS the rate of the roller.
+  std::string text = replaced(left_wheel, " 0203100 ", " 4203100 ");
+  text = replaced(replaced(text, " 1435.0 0.025 ", " 1435.0 750. "), " 9000. 18. ", " 12. 18. ");
+  const Case made = converted_alone(text);
+  EXPECT_EQ(made.rail.rolling_radius, 750.0);
+  EXPECT_EQ(made.track.inclination, 0.0);
+  EXPECT_EQ(made.wheelset.side, contact::WheelSide::left);
+  EXPECT_EQ(made.wheelset.lateral_velocity, converted_alone(left_wheel).wheelset.lateral_velocity);
+}
+
+TEST(ConvertedWheel, EachBodyIsDisplacedByItself) {
+  std::string text = replaced(
+      replaced(left_wheel, "\n 0.0 0.0 0.0 0.0 0.0 0.0\n", "\n 0.5 0.1 0.02 9.0 0.0 0.0\n"),
+      " 0022033 ", " 0022035 ");
+  text = replaced(text, "VROLL VYAW VPITCH\n",
+                  "VROLL VYAW VPITCH\n 0.0 0.1 -0.2 0.01 0.0 0.0\n 0.0 0.0 0.0 0.0 0.0 -0.9\n");
+  const Case made = converted_alone(text);
+  const contact::Displacement &rail = made.rail_displacement, &wheel = made.wheel_displacement;
+  EXPECT_EQ(rail.lateral[0], 0.5);
+  EXPECT_EQ(rail.roll[0], 0.02);
+  EXPECT_NEAR(rail.lateral_velocity[0], 1e-3, 1e-15);
+  EXPECT_EQ(wheel.vertical[0], -0.2);
+  EXPECT_NEAR(wheel.rotation[0], 1e-4, 1e-15);
+}
+
+TEST(ConvertedWheel, ResultElementsKeepTheirOwnData) {
+  // The second element begins with its own data; the third case goes on with the first one's.
+  std::string text = replaced(left_wheel, " 1 module", " 1 1 module");
+  std::string right =
+      replaced(replaced(left_wheel, " 1 module", " 1 2 module"), " 0203100 ", " 1203100 ");
+  right =
+      replaced(replaced(right, " 1358.0 -70.0 450.0 ", " 1358.0 -70.0 400.0 "), " 0 module\n", "");
+  const std::string again =
+      " 1 1 module\n 0203100 \n 0111001 \n 0100321 \n 0.0 2.5 45000. -0.0001 0.003 0.0\n 0 "
+      "module\n";
+  const auto cases =
+      convert::read_contact_file(replaced(text, " 0 module\n", "") + right + again, "two.inp");
+  ASSERT_EQ(cases.size(), 3U);
+  EXPECT_EQ(cases[1].wheel_rail.wheelset[2], 400.0);
+  EXPECT_EQ(cases[2].wheel_rail.wheelset[2], 450.0);
+  EXPECT_EQ(cases[2].wheel_rail.position[1], 2.5);
+}
+
+}  // namespace
