@@ -27,9 +27,10 @@ void fill_profile(const ProfileFile& profile, const std::string& body,
   else
     refuse(profile.scale != 1.0,
            fmt::format("SCALE = {:g}; allowed: 1 (mm), 25.4 (inch), 1000 (m)", profile.scale));
-  refuse(profile.smooth != 0.0 || profile.has_options,
-         "smoothing by CONTACT's spline (SMOOTH, PRFOPT); set it to 0 and use "
-         "wheel_profile.smoothing or rail_profile.smoothing");
+  made.note(profile.smooth != 0.0 || profile.has_options,
+            fmt::format("the profile of the {} is not smoothed as CONTACT does (SMOOTH, PRFOPT), "
+                        "whose measure is another one: see {}.smoothing",
+                        body, details));
   refuse(name.size() > 5 && name.substr(name.size() - 5) == ".slcs",
          "profiles that vary along the track");
 }

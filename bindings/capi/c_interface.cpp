@@ -62,6 +62,25 @@ int threads_of(const rollfem_definition& given) {
   return given.threads;
 }
 
+/// On a track, or on the rail's profile by itself.
+void place_wheels(const rollfem_definition& given, double length, contact::NamedValues& values) {
+  if (given.gauge == 0.0) {
+    if (given.side != ROLLFEM_RIGHT)
+      throw contact::InputError(
+          "side: gauge = 0 is a wheel by itself, in the coordinates of the rail's profile, where "
+          "the field is at the right; allowed: ROLLFEM_RIGHT; do: write it, or give the gauge");
+    values.emplace_back("placement.side", "right");
+    return;
+  }
+  values.insert(values.end(),
+                {{"track.gauge", given.gauge * length},
+                 {"track.gauge_height", given.gauge_height * length},
+                 {"track.inclination", given.inclination},
+                 {"wheelset.side", name_of(given.side)},
+                 {"wheelset.flange_back_distance", given.flange_back_distance * length},
+                 {"wheelset.flange_back_position", given.flange_back_position * length}});
+}
+
 /// The definition as a case, which passes the checks of case files.
 contact::Case case_of(const rollfem_definition& given) {
   const Units units = units_of(given.units);
@@ -77,16 +96,12 @@ contact::Case case_of(const rollfem_definition& given) {
       {"rail.profile", profile_of("rail_profile", given.rail_profile)},
       {"rail.young_modulus", given.rail_young_modulus * stress},
       {"rail.poisson_ratio", given.rail_poisson_ratio},
-      {"track.gauge", given.gauge * length},
-      {"track.gauge_height", given.gauge_height * length},
-      {"track.inclination", given.inclination},
-      {"wheelset.side", name_of(given.side)},
-      {"wheelset.flange_back_distance", given.flange_back_distance * length},
-      {"wheelset.flange_back_position", given.flange_back_position * length},
       {"contact_grid.elements_across", static_cast<double>(given.elements_across)}};
+  place_wheels(given, length, values);
   const auto unless_zero = [&values](std::string key, double value) {
     if (value != 0.0) values.emplace_back(std::move(key), value);
   };
+  unless_zero("rail.rolling_radius", given.rail_rolling_radius * length);
   unless_zero("friction.kinetic_coefficient", given.kinetic_coefficient);
   unless_zero("friction.half_velocity", given.half_velocity * length);
   unless_zero("friction.second_part", given.second_part);
@@ -242,7 +257,8 @@ void rollfem_defaults(rollfem_definition* definition, rollfem_units units) {
                 0.0,
                 0.0,
                 {0.0, 0.0, 0.0, 0.0},
-                1});
+                1,
+                0.0});
 }
 
 rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message, size_t size) {

@@ -85,6 +85,7 @@ Case make_case(const NamedValues& values, const std::string& name) {
     const Key* key = find_key(path.substr(0, dot), path.substr(dot + 1));
     if (key == nullptr) throw std::logic_error(path + " is not a key of a case");
     given.values[key] = checked_value(name, *key, value);
+    given.section_lines.emplace(key->section, 0);
   }
   return case_of(given, {});
 }

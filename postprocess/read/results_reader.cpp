@@ -116,6 +116,7 @@ contact::Case read_case(hid_t file) {
   input.friction_coefficient = read_number(group, "friction_coefficient");
   put(input.wheel.rolling_radius, "wheel_rolling_radius");
   put(input.wheel.transverse_radius, "wheel_transverse_radius");
+  put(input.rail.rolling_radius, "rail_rolling_radius");
   put(input.rail.transverse_radius, "rail_transverse_radius");
   input.wheel.material.young_modulus = read_number(group, "wheel_young_modulus");
   input.wheel.material.poisson_ratio = read_number(group, "wheel_poisson_ratio");

@@ -120,6 +120,9 @@ def asked(result):
         if name in case:
             words[name] = "flat" if abs(case[name]) == float("inf") else f"{words[name]} mm"
     said = "".join(next(text for name, text in rows if name in case).format_map(words) for rows in (SHAPES, LOADS))
+    if "rail_rolling_radius" in case:
+        kind = "roller" if case["rail_rolling_radius"] > 0 else "ring around the wheel"
+        said += f"; the rail is a {kind} of radius {words['rail_rolling_radius']} mm"
     law = "without friction" if case.get("problem") == "frictionless" else (
         f"friction coefficient {words['friction_coefficient']}") + tables.law_words(result.case)
     what = PROBLEMS.get(case.get("problem"), "")

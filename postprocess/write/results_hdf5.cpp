@@ -98,6 +98,8 @@ void write_case(hid_t file, const contact::Case& input) {
     write_attribute(group, "distance_file", input.undeformed_distance.values->file);
   write_attribute(group, "wheel_rolling_radius", input.wheel.rolling_radius);
   write_attribute(group, "wheel_transverse_radius", input.wheel.transverse_radius);
+  if (std::isfinite(input.rail.rolling_radius))
+    write_attribute(group, "rail_rolling_radius", input.rail.rolling_radius);
   if (!input.wheel.profile.name.empty())
     write_attribute(group, "wheel_profile", input.wheel.profile.name);
   if (!input.rail.profile.name.empty())

@@ -26,6 +26,8 @@ step(${WORK}/friction_law_in_cpp/friction_law_in_cpp)
 message(STATUS "friction_law_in_cpp: ${output}")
 step(${WORK}/wheelset_in_c/wheelset_in_c 20)
 message(STATUS "wheelset_in_c: ${output}")
+step(${WORK}/wheelset_in_c/roller 0.02)
+message(STATUS "roller: ${output}")
 find_program(PKG_CONFIG pkg-config)
 if(PKG_CONFIG)
   step(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${WORK}/prefix/${LIBDIR}/pkgconfig

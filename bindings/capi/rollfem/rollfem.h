@@ -67,7 +67,7 @@ typedef struct {
   const char* wheel_profile;   /* built in ("S1002") or a file, in mm */
   const char* rail_profile;    /* built in ("60E1") or a file, in mm */
   double rolling_radius;       /* of the wheel at its running circle */
-  double gauge;                /* between the rails */
+  double gauge;                /* between the rails; 0: a wheel by itself, see rollfem_state */
   double gauge_height;         /* depth below the top of the rails at which the gauge is measured */
   double inclination;          /* of the rails towards the middle of the track, as a tangent (1/40) */
   double flange_back_distance; /* between the backs of the flanges */
@@ -92,6 +92,7 @@ typedef struct {
   double layer_hardening;      /* its rise per length by which a particle has yielded; below 0 the layer softens */
   double law_constants[4];     /* that the law alone has, in its order; 0: their defaults (no law above has any) */
   int threads;                 /* of a call; 0 or 1: the caller's alone. Results are the same */
+  double rail_rolling_radius;  /* of a roller in place of the rail, < 0 a ring around the wheel; 0: a straight rail */
 } rollfem_definition;
 
 /* Which member of a state gives the load on the wheel. */
@@ -101,12 +102,15 @@ typedef enum {
   ROLLFEM_PENETRATION = 2
 } rollfem_given;
 
-/* Position of the wheelset, its motion relative to the ground, and the load on this wheel. */
+/* Position of the wheelset, its motion relative to the ground, and the load on this wheel. With gauge = 0 all are those
+   of the wheel, whose middle is the origin of its profile, in the coordinates of the rail's profile (y to the field, which
+   is at the right: ROLLFEM_RIGHT; z down), as are positions and forces of the result. On a roller forward_speed is that of
+   its surface. */
 typedef struct {
   size_t struct_size;
   double lateral_shift;    /* positive to the right */
   double yaw;              /* positive to the right (from x to y) */
-  double roll;             /* positive with the right wheel lower (from y to z); NAN: both wheels touch, at a higher cost */
+  double roll;             /* positive with the right wheel lower (from y to z); NAN: both wheels touch, at a higher cost; 0 with gauge = 0 */
   double forward_speed;    /* > 0 */
   double lateral_velocity; /* positive to the right */
   double yaw_rate;         /* 1/s, positive to the right; in a curve it includes the turning of the track */

@@ -2,10 +2,13 @@
 // rollfem.h at a given height or penetration of the wheel, structures of other sizes, more patches
 // than are listed, and T-gamma.
 #include "rollfem/rollfem.h"
+#include "support/temporary_folder.hpp"
 #include "support/wheel_on_rail.hpp"
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 
 namespace {
 
@@ -57,6 +60,44 @@ TEST(CHeight, IsThatOfTheFullHalfSpace) {
     state.penetration = by_force.penetration;
     expect_same(solve(fine, state), by_force, 0.03);
   }
+}
+
+/// A sphere as a wheel below its axle or as a roller above it, z down; its file.
+std::string sphere(double radius, double sign, const std::string& path) {
+  std::ofstream file(path);
+  for (double y = -40.0; y <= 40.0; y += 0.5)
+    file << y << ' ' << sign * (std::sqrt(radius * radius - y * y) - radius) << '\n';
+  return path;
+}
+
+TEST(CHeight, OfASphereOnASphericalRollerIsHertzs) {
+  const TemporaryFolder folder;
+  const std::string wheel = sphere(300.0, 1.0, folder.path("wheel.csv"));
+  const std::string roller = sphere(500.0, -1.0, folder.path("roller.csv"));
+  rollfem_definition definition = defaults(ROLLFEM_RIGHT);
+  definition.gauge = 0.0;
+  definition.wheel_profile = wheel.c_str();
+  definition.rail_profile = roller.c_str();
+  definition.rolling_radius = 300.0;
+  definition.rail_rolling_radius = 500.0;
+  rollfem_state state = state_at(0.0, 0.0);
+  state.roll = 0.0;
+  state.rotation_speed = state.forward_speed / 300.0;
+  state.given = ROLLFEM_HEIGHT;
+  state.height = 0.05;
+  const rollfem_result result = solve(make(definition), state);
+  const double modulus = 210e3 / (2.0 * (1.0 - 0.09)), relative = 1.0 / (1.0 / 300.0 + 1.0 / 500.0);
+  const double force = 4.0 / 3.0 * modulus * std::sqrt(relative) * std::pow(0.05, 1.5);
+  ASSERT_EQ(result.patch_count, 1);
+  EXPECT_NEAR(result.touching_height, 0.0, 1e-6);
+  EXPECT_NEAR(result.patch[0].normal_force / force, 1.0, 0.01);
+  EXPECT_NEAR(result.patch[0].longitudinal_creepage, 0.0, 1e-6);
+  state.lateral_shift = 8.0;  // up the roller's side
+  EXPECT_NEAR(solve(make(definition), state).patch[0].position[1], 8.0 * 500.0 / 800.0, 0.01);
+  definition.side = ROLLFEM_LEFT;
+  char message[512];
+  EXPECT_EQ(rollfem_create(&definition, message, sizeof message), nullptr);
+  EXPECT_TRUE(says(message, "side", "ROLLFEM_RIGHT"));
 }
 
 TEST(CHeight, AboveTheRailThereIsNoForce) {
