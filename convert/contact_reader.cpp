@@ -266,7 +266,12 @@ void read_wheel_rail(InputLines& lines, ContactCase& next) {
     pair.cell = {grid[0], grid[1]};
     pair.search = digits.D;
   }
-  if (Z == 1 || Z == 3) lines.read(pair.track, {"GAUGHT", "GAUGSQ", "GAUGWD", "CANT"});
+  if (Z == 1 || Z == 3) {
+    const auto track = lines.numbers({"GAUGHT", "GAUGSQ", "GAUGWD"}, 1);
+    const bool old = track.size() == 3;  // GAUGWD, GAUGHT, CANT
+    pair.track = old ? std::array{track[1], 0.0, track[1] > 0.0 ? track[0] : 0.0, track[2]}
+                     : std::array{track[0], track[1], track[2], track[3]};
+  }
   if (Z == 3) pair.rail = read_profile(lines, "the file of the rail's profile");
   if (Z == 2 || Z == 3)
     pair.rail_deviations = lines.numbers({"DY", "DZ", "ROLL", "VY", "VZ", "VROLL"});

@@ -5,6 +5,7 @@
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"
 #include "support/contact_inputs.hpp"
+#include <cmath>
 
 namespace {
 
@@ -55,6 +56,23 @@ TEST(ConvertedWheel, EachBodyIsDisplacedByItself) {
   EXPECT_NEAR(rail.lateral_velocity[0], 1e-3, 1e-15);
   EXPECT_EQ(wheel.vertical[0], -0.2);
   EXPECT_NEAR(wheel.rotation[0], 1e-4, 1e-15);
+}
+
+TEST(ConvertedWheel, IsNotSmoothedAsByContact) {
+  const convert::Conversion made = convert::convert_cases(
+      convert::read_contact_file(
+          replaced(left_wheel, "'rail.csv' 0 1.0 0.0", "'rail.csv' 0 1.0 0.6"), "made.inp"),
+      "made", "made.inp", "../profiles");
+  EXPECT_NE(made.files.at(0).text.find("see rail_profile.smoothing"), std::string::npos);
+}
+
+TEST(ConvertedWheel, TracksOfOldVersionsHaveThreeNumbers) {
+  // GAUGWD, GAUGHT, CANT.
+  const Case made =
+      converted_alone(replaced(left_wheel, " 14.5 0 1435.0 0.025 ", " 1437.0 14.0 0.03 "));
+  EXPECT_EQ(made.track.gauge, 1437.0);
+  EXPECT_EQ(made.track.gauge_height, 14.0);
+  EXPECT_NEAR(std::atan(made.track.inclination), 0.03, 1e-12);
 }
 
 TEST(ConvertedWheel, ResultElementsKeepTheirOwnData) {
