@@ -63,7 +63,7 @@ std::string table_of(const std::vector<RigidWheelset>& rows) {
 void add_rigid_wheelset(const track::SearchScene& search, postprocess::RunRecord& record) {
   const contact::Case& input = record.input;
   const std::vector<double>& shifts = input.wheelset.lateral_shift;
-  if (input.wheelset.positions() < 2) return;
+  if (input.wheelset.positions() < 2 || input.wheelset.on_rail) return;
   const auto [least, most] = std::minmax_element(shifts.begin(), shifts.end());
   if (*least == *most) return;  // a sweep over yaw angles only
   const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
@@ -89,6 +89,12 @@ void check(const WheelsetRequest& request, const contact::Case& input) {
         "{}: wheel and rail are given by radii, without a track; allowed: a case with profiles; "
         "do: give wheel.profile, rail.profile and [wheelset], as in cases/manchester_A22.toml",
         input.file));
+  if (input.wheelset.on_rail)
+    throw contact::InputError(
+        fmt::format("{}: [placement] is a wheel by itself, without a track; allowed: a wheelset on "
+                    "a track; do: "
+                    "give [track] and [wheelset] instead",
+                    input.file));
   if (!(request.reach >= 2.0 * shift_step && request.reach <= 30.0))
     throw contact::InputError(fmt::format(
         "--reach {:g}: allowed: 0.2 to 30 mm; do: give a shift in this range", request.reach));

@@ -78,7 +78,8 @@ void write_and_tell(const RunRequest& request, const postprocess::RunRecord& rec
   const contact::ModelRegistry& models = request.call.models;
   const fs::path directory = request.folder();
   store_results(directory.string(), record);
-  const bool drawn = report_drawn(request, directory);
+  // A wheel above its rail leaves nothing to draw.
+  const bool drawn = !record.models.empty() && report_drawn(request, directory);
   if (request.quiet) return;
   std::cout << record.input.title << "\n\n"
             << run_table(record.models)

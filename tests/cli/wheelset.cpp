@@ -81,6 +81,28 @@ TEST_F(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   EXPECT_NEAR(number(2, "radius_difference [mm]"), number(2, "rigid_radius_difference [mm]"), 0.2);
 }
 
+TEST_F(Wheelset, AWheelAboveItsRailCarriesNothing) {
+  const std::string given =
+      "models = [\"halfspace\"]\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 460.0\n"
+      "profile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n[placement]\nside = \"right\"\n"
+      "[contact_grid]\nelements_across = 10\n";
+  const auto at = [&](const std::string& heights) {
+    const std::string text = given + "[output]\nfields = false\n";
+    return edited(text, {"placement.height=" + heights});
+  };
+  const Outcome both =
+      done({"run", folder.file("case.toml", at("[-0.4, -0.6]")), "-o", "out", "--no-report"});
+  EXPECT_TRUE(says(both.out, "warning: position 2: the right wheel is 0.1009 mm above its rail"));
+
+  const auto summary = folder.json("out/summary.json");
+  const auto& point = summary["models"][0]["points"][0];
+  EXPECT_GT(point["vertical_force"].get<double>(), 1e3);
+  EXPECT_GT(point["error_estimate"]["vertical_force"].get<double>(), 0.0);
+  const Outcome none = done({"run", folder.file("none.toml", at("-0.6")), "-o", "none"});
+  EXPECT_TRUE(says(none.out, "carries no load"));
+  EXPECT_EQ(folder.json("none/summary.json")["models"].size(), 0U);
+}
+
 TEST_F(Wheelset, AWheelOffTheRailIsReportedInOneLine) {
   const std::string text = edited(twenty_across, {"wheelset.lateral_shift=-60.0"});
   const Outcome outcome = call({"run", folder.file("case.toml", text), "-o", "out"});
