@@ -131,10 +131,10 @@ def measured(bench):
               "does (2.8 against 2.5 times), while every computed curve bends the other way, so at least one of them is some 10 % "
               "off. That friction is higher at 3 and 20 % than in between is beyond a constant mu.\n\n"
               "**What it means.** rollfem solves the given problem to 0.1 %. That elastic bodies with Coulomb's friction describe "
-              "your surfaces is not implied: here they do above 3 %, not below. Where the slope at small creepage "
-              "matters, as for stability or the control of drives, give a `[layer]` ([friction](../friction.md)), or "
+              "your surfaces is not implied: here they do in full slip, for which mu was fitted, and not below. Where the slope at "
+              "small creepage matters, as for stability or the control of drives, give a `[layer]` ([friction](../friction.md)), or "
               "`slope_reduction` and Polach's factors in the fast models, from a measurement on your surfaces. One curve of one "
               "machine is no validation; others with geometry, load and numbers were looked for and not found.\n\n"
-              "**Ends.** The width of 10 mm lowers T/N by 2 to 4 %. The pressure at the ends is beyond a half-space and "
+              "**Ends.** Rounded ends lower T/N by 2 to 4 %. The pressure at the ends is beyond a half-space and "
               f"beyond elastic steel: {ends.points[0]['max_pressure']:.0f} MPa here, 4550 with elements a fourth as large, which its "
               "bar of 60 % tells. Profiles that end inside the patch without a rounding are refused.")
