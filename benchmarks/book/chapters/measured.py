@@ -49,8 +49,8 @@ def _draw(bench, elastic, layered):
                   label="with a layer, fitted")
         for model, colour, marker in ((elastic, "#0072B2", "s"), (layered, "#D55E00", "D")):
             axis.plot([100 * p["longitudinal_creepage"] for p in model.points],
-                      [p["traction_coefficient"] for p in model.points], linestyle="none", marker=marker, markersize=4.5, markerfacecolor="none", color=colour,
-                      label="the same by half-space")
+                      [p["traction_coefficient"] for p in model.points], linestyle="none", marker=marker, markersize=4.5,
+                      markerfacecolor="none", color=colour, label="the same by half-space")
         axis.plot([100 * s for s in measured], list(measured.values()), linestyle="none", marker="o", markersize=6.5,
                   color="black", label="measured", zorder=4)
         axis.set_xlabel("slip [%]")
@@ -115,8 +115,8 @@ def measured(bench):
         "1500 MPa ([case](../../cases/twin_disc.toml)): a line contact with both radii. mu = 0.46 is what was measured from 7.5 to "
         f"15 %. The layer of {LAYER[0]} mm and {LAYER[1]:g} MPa was fitted to the curve.",
         "measured by Lewis and Dwyer-Joyce (2004), given as the heat of friction at eight slips (the paper itself was not at "
-        "hand): T/N = heat/(slip V N). Load and pressure, and speed and rotation, give 47 mm each (first two rows). Computed: Carter's closed form, and with a layer "
-        "collocation (`benchmarks/book/layered_cylinders.py`), which shares nothing with the program.",
+        "hand): T/N = heat/(slip V N). Load and pressure, and speed and rotation, give 47 mm each (first two rows). "
+        "Computed: Carter's closed form, and with a layer collocation (`benchmarks/book/layered_cylinders.py`), which shares nothing with the program.",
         rows, tables=[_beside(elastic, layered), _ends(ends)],
         figures=[(_draw(bench, elastic, layered), "Traction over slip: measured, and computed without and with a layer")],
         cost=[Cost("line contact, eight load points", elastic.seconds["total"], elastic.unknowns),
