@@ -135,6 +135,10 @@ CONTACT_GROOVES = {
     10.05: {"p0": 348.7, "approach": 0.017427, "creepage": -6.4950e-4, "p0_turned_back": 336.1},
     10.02: {"p0": 296.8, "p0_turned_back": 283.6}}
 
+# Dry twin disc, wheel steel R8T on rail steel 900A (Lewis and Dwyer-Joyce 2004): discs of 47 mm, track of 10 mm, 400 rpm,
+# 1500 MPa by Hertz, which is 7198 N. Slip: heat of friction in W; the traction coefficient is heat/(slip V F_n).
+TWIN_DISC = {0.002: 1.3, 0.005: 9.2, 0.01: 25.7, 0.03: 102.6, 0.075: 246.0, 0.1: 327.8, 0.15: 492.1, 0.2: 728.4}
+TWIN_DISC_SPEED, TWIN_DISC_FORCE, TWIN_DISC_PRESSURE = 0.984, 7198.0, 1500.0  # m/s, N, MPa
 
 def calculix(case):
     """({by: line without friction}, CalculiX's on the finest cells) of the comparison that holds `case`, as

@@ -18,6 +18,12 @@ TEST_F(Wheelset, CheckTellsWhereTheWheelsTouch) {
   EXPECT_TRUE(says(outcome.out, "where wheel and rail touch", "UIC60-manchester", "y track mm"));
 }
 
+TEST_F(Wheelset, ReportSaysThatTheHeightIsGivenInPlaceOfALoad) {
+  done({"run", std::string(ROLLFEM_SOURCE_DIR) + "/cases/guard_rail.toml", "-o", "out", "--set",
+        "contact_grid.elements_across=12", "--set", "placement.lateral_position=85.4"});
+  EXPECT_TRUE(says(folder.text("out/report.html"), "the height of the wheel is given"));
+}
+
 TEST_F(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   const Outcome outcome =
       done({"run", folder.file("case.toml", twenty_across), "-o", "out", "--no-report"});

@@ -6,6 +6,7 @@ from .curvature import curvature_slip
 from .fem import calculix, fem_hertz
 from .friction import cattaneo, creep_frequency, spence, transient
 from .hybrid import hybrid
+from .measured import measured
 from .normal import grid_order, hertz, steuermann
 from .profiles import manchester, wheel_on_rail
 from .kalker import kalker
@@ -16,4 +17,4 @@ from .thesis import half_space_limits, thesis_cases
 ALL = [hertz, grid_order, steuermann, cattaneo, spence, carter, bentall_johnson, nowell_hills, kalker, benchmark_9,
        fastsim, transient, creep_frequency, stress_circle, stress_case_a, elements, persson, fem_hertz, incompressible,
        inertia, thesis_cases, half_space_limits, calculix, hybrid, curvature_slip, conformal_contact, wheel_on_rail,
-       manchester]
+       manchester, measured]
