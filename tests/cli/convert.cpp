@@ -125,6 +125,8 @@ int accepted(const Folder& folder, const std::string& file, const std::string& i
     if (name.rfind(into + "/", 0) != 0 || fs::path(name).extension() != ".toml") continue;
     ++files;
     const Outcome checked = folder.call({"check", name});
+    if (says(made.err, "does not exist") && says(checked.err, "neither a known profile nor"))
+      continue;  // its profile is not among the inputs, as convert has said
     EXPECT_EQ(checked.status, 0) << name << ": " << checked.err;
   }
   return files;
