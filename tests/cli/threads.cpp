@@ -12,6 +12,11 @@ struct Kind {
 
 const std::string creep_curve = "rolling.longitudinal_creepage=[0.0, 0.0005, 0.001, 0.004]";
 
+const std::string roller_at_heights =
+    "[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n"
+    "[rail]\nrolling_radius = 500.0\nprofile = \"60E1\"\n[placement]\nyaw = 0.002\n"
+    "height = [-0.42, -0.4]\n";
+
 class SameBits : public ProgramTest, public ::testing::WithParamInterface<Kind> {};
 
 TEST_P(SameBits, ForAnyNumberOfThreads) {
@@ -55,7 +60,9 @@ const std::vector<Kind> kinds{
     {"Wheelset",
      edited(wheel_on_rail, {"models=[\"halfspace\"]", "friction.coefficient=0.3",
                             "wheelset.side=both", "wheelset.lateral_shift=[0.0, 3.0, 5.5]",
-                            "wheelset.free_rolling=torque", "contact_grid.elements_across=12"})}};
+                            "wheelset.free_rolling=torque", "contact_grid.elements_across=12"})},
+    {"RollerAtHeights",
+     edited(roller_at_heights, {"models=[\"halfspace\"]", "contact_grid.elements_across=12"})}};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SameBits, ::testing::ValuesIn(kinds),
                          [](const auto& of) { return of.param.name; });
@@ -71,6 +78,27 @@ TEST_F(Threads, FillTheSameTable) {
     done({"table", file, "--no-report", "--threads", threads, "-o", "on" + std::string(threads)});
   for (const std::string name : {"table.csv", "interpolation.csv"})
     EXPECT_EQ(folder.text("on16/" + name), folder.text("on1/" + name)) << name;
+}
+
+TEST_F(Threads, SolveAPlanOfSeveralContactsAlike) {
+  const std::string file = folder.file(
+      "case.toml",
+      edited(wheel_on_rail, {"models=[\"auto\"]", "accuracy=0.05", "friction.coefficient=0.3",
+                             "wheelset.side=both", "wheelset.lateral_shift=[0.0, 3.0, 5.5]"}));
+  const auto points_on = [&](const std::string& threads) {
+    done({"run", file, "--no-report", "--threads", threads, "-o", "on" + threads});
+    std::vector<nlohmann::json> points;
+    const auto summary = folder.json("on" + threads + "/summary.json");
+    for (const auto& model : summary["models"])
+      for (auto point : model["points"]) {
+        point.erase("seconds");
+        points.push_back(point);
+      }
+    return points;
+  };
+  const auto alone = points_on("1");
+  EXPECT_GE(alone.size(), 6U);
+  EXPECT_EQ(points_on("16"), alone);
 }
 
 TEST_F(Threads, FindTheSameLevelsOfAStudy) {
