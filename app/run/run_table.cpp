@@ -117,14 +117,21 @@ std::string curve_table(const std::vector<const ModelResult*>& models, const std
                         const Quantity& quantity) {
   const auto& points = models.front()->points;
   const auto given = given_columns(points);
+  const auto text_of = [](const PointResult& point, const auto& name) {
+    return fmt::format("{:.6g}", contact::quantity(point, name));
+  };
+  std::size_t width = 12;
+  for (const auto& [name, head] : given)
+    for (const PointResult& point : points)
+      width = std::max(width, text_of(point, name).size() + 2);
   std::string text = fmt::format("\n{}\n", heading);
-  for (const auto& [name, head] : given) text += fmt::format("{:<12}", head);
+  for (const auto& [name, head] : given) text += fmt::format("{:<{}}", head, width);
   for (const ModelResult* model : models)
     text += fmt::format("{:>{}}", model->name, width_of(*model));
   for (std::size_t k = 0; k < points.size(); ++k) {
     text += '\n';
     for (const auto& [name, head] : given)
-      text += fmt::format("{:<12.6g}", contact::quantity(points[k], name));
+      text += fmt::format("{:<{}}", text_of(points[k], name), width);
     for (const ModelResult* model : models) {
       if (k >= model->points.size() || !contact::is_solved(model->points[k])) {
         text += fmt::format("{:>{}}", "-", width_of(*model));

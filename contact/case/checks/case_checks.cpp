@@ -80,13 +80,25 @@ void check_approach(const GivenCase& given, const Case& input) {
   if (approach == nullptr) return;
   if (replaces_radii(given)) return;
   const double smallest =
-      std::min({input.wheel.rolling_radius, std::abs(input.wheel.transverse_radius),
-                std::abs(input.rail.transverse_radius)});
+      std::min({input.wheel.rolling_radius, std::abs(input.rail.rolling_radius),
+                std::abs(input.wheel.transverse_radius), std::abs(input.rail.transverse_radius)});
   if (*input.load.approach < 0.1 * smallest) return;
   fail_at(given, "load.approach", *approach,
           fmt::format("is not small against the smallest radius, {} mm", smallest),
           fmt::format("less than {} mm, a tenth of it", 0.1 * smallest),
           "give a smaller approach, or a force; linear elasticity does not cover more");
+}
+
+/// A ring holds its wheel.
+void check_ring(const GivenCase& given, const Case& input) {
+  const GivenValue* ring = given.find("rail", "rolling_radius");
+  const double radius = -input.rail.rolling_radius;
+  if (ring == nullptr || radius < 0.0 || radius > input.wheel.rolling_radius) return;
+  fail_at(given, "rail.rolling_radius", *ring,
+          fmt::format("is a ring that is not larger than the wheel in it, {} mm",
+                      input.wheel.rolling_radius),
+          "a larger magnitude below 0, or a positive radius (a roller below the wheel)",
+          "check the sign");
 }
 
 /// The contact grid of a line is one row of elements across its width.
@@ -213,6 +225,7 @@ void check_together(const GivenCase& given) {
 
 void check_geometry(const GivenCase& given, const Case& input) {
   check_approach(given, input);
+  check_ring(given, input);
   check_grid_of_line(given, input);
   if (replaces_radii(given) || when::profiles(given) || when::line(given)) return;
   const double wheel = input.wheel.transverse_radius;

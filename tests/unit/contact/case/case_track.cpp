@@ -126,6 +126,12 @@ const std::string wheel_alone =
     "[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n"
     "[rail]\nprofile = \"60E1\"\n";
 
+TEST(Roller, ARingIsLargerThanItsWheel) {
+  expect_error(wheel_alone + "rolling_radius = -460.0\n[placement]\nheight = 0.1\n",
+               {"rail.rolling_radius = -460.0", "not larger than the wheel in it, 460 mm"});
+  parse_case(wheel_alone + "rolling_radius = -600.0\n[placement]\nheight = 0.1\n", "c.toml");
+}
+
 TEST(Placement, NeedsNoTrack) {
   const Case input = parse_case(
       wheel_alone + "[placement]\nside = \"right\"\nlateral_position = [1.0, 2.0]\nheight = 0.1\n",
