@@ -124,13 +124,17 @@ VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPo
   gap.lower_wheel(pose.height);
   // On a roller ahead or behind its top the gap is not vertical.
   const auto off_top = [&] { return gap.wheel().at(gap.lowest().y).along.sine != 0.0; };
-  for (int step = 0; step < most_lowerings && off_top() && std::isfinite(gap.lowest().gap);
-       ++step) {
+  constexpr double touching = 1e-9;  // mm
+  for (int step = 0; off_top() && std::isfinite(gap.lowest().gap); ++step) {
     gap = make_gap(input, scene, pose, position, left);
     const double left_over = gap.smallest();
     pose.height += left_over;
     gap.lower_wheel(left_over);
-    if (std::abs(left_over) < 1e-12) break;
+    if (std::abs(left_over) < touching) break;
+    if (step == most_lowerings)
+      throw contact::SolveError(
+          fmt::format("{}: the height at which it touches its roller is not found in {} steps",
+                      where(input, position, left), most_lowerings));
   }
   return gap;
 }
