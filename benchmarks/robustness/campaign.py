@@ -50,7 +50,7 @@ elements_across = {across}
 cell_size = 1.88
 """
 NUMBERS = [b"-1", b"0", b"2147483648", b"-2147483649", b"4294967297", b"18446744073709551616", b"1e308", b"nan"]
-TIMES = {"seconds", "started", "command", "case_file", "checksum", "host", "date", "time", "timestamp"}
+TIMES = {"seconds", "started", "command", "case_file", "checksum", "host", "date", "time", "timestamp", "choice"}
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 CHAPTERS = ["hertz", "carter"]  # runs and a test, one second in all
 
