@@ -34,9 +34,9 @@ def convert(program, source, folder):
     seen = set()
     for line in (done.stdout + done.stderr).splitlines():
         if found := re.match(r"cases? ([\d, to]+): (no equivalent: )?(.*)", line):
-            if (found[1], "first") in seen:
+            if found[1] in seen:
                 continue  # one reason for each case, the first
-            seen.add((found[1], "first"))
+            seen.add(found[1])
             reason = re.sub(r"'[^']*'|\S+\.(?:toml|prr|prw|ban|whl|slcs|slcw)[:\d]*", "...", found[3]).split(";")[0]
             refused[reason[:90]] += numbers(found[1])
     if not made and not refused:

@@ -86,9 +86,12 @@ void add_surface(std::string& text, const contact::ContactSurface& surface) {
   const contact::PatchGeometry& profiles = *surface.profiles;
   add(text, "rail", profiles.rail());
   add(text, "wheel", profiles.wheel_radius());
-  const contact::Axle& axle = profiles.axle();
-  for (const auto& vector : {axle.point, axle.direction})
-    text += fmt::format("axle {:.8f} {:.8f} {:.8f}\n", vector[0], vector[1], vector[2]);
+  const auto add_axle = [&](const contact::Axle& axle) {
+    for (const auto& vector : {axle.point, axle.direction})
+      text += fmt::format("axle {:.8f} {:.8f} {:.8f}\n", vector[0], vector[1], vector[2]);
+  };
+  add_axle(profiles.axle());
+  if (profiles.is_roller()) add_axle(profiles.rail_axle());
 }
 
 /// Parameters of bodies that are not boxes under their surface.

@@ -258,12 +258,19 @@ contact::Axle roller_axle(const RailPlace& place, double rolling_radius) {
   return {{0.0, place.shift_y - below * sine, place.shift_z + below * cosine}, {0.0, cosine, sine}};
 }
 
+namespace {
+
+/// In the track frame, or in the side frame of the wheel with this sign.
+contact::Vector3 axle_direction(double sign, double yaw, double roll) {
+  return contact::Vector3{-sign * std::sin(yaw) * std::cos(roll), std::cos(yaw) * std::cos(roll),
+                          sign * std::sin(roll)};
+}
+
+}  // namespace
+
 contact::Axle wheelset_axle(const WheelsetPose& pose, const contact::Case& input) {
-  contact::Axle axle;
-  axle.direction = {-std::sin(pose.yaw) * std::cos(pose.roll),
-                    std::cos(pose.yaw) * std::cos(pose.roll), std::sin(pose.roll)};
-  axle.point = {0.0, pose.lateral_shift, pose.height - input.wheel.rolling_radius};
-  return axle;
+  return {{0.0, pose.lateral_shift, pose.height - input.wheel.rolling_radius},
+          axle_direction(1.0, pose.yaw, pose.roll)};
 }
 
 contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, bool left) {
@@ -271,12 +278,8 @@ contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, b
   const contact::Wheelset& wheelset = input.wheelset;
   const contact::Displacement& moved = input.wheel_displacement;
   const std::size_t side = left ? 0 : 1;
-  const auto direction_at = [sign](double yaw, double roll) {
-    return contact::Vector3{-sign * std::sin(yaw) * std::cos(roll), std::cos(yaw) * std::cos(roll),
-                            sign * std::sin(roll)};
-  };
   contact::Axle axle;
-  axle.direction = direction_at(pose.yaw, pose.roll);
+  axle.direction = axle_direction(sign, pose.yaw, pose.roll);
   // Distance of profile y = 0 of an upright, centred wheel from the middle of the track.
   const double middle =
       wheelset.on_rail ? 0.0 : 0.5 * wheelset.flange_back_distance - wheelset.flange_back_position;
@@ -286,7 +289,7 @@ contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, b
   for (int d = 0; d < 3; ++d) axle.point[d] = centre[d] + middle * axle.direction[d];
   if (moved.roll[side] != 0.0 || moved.yaw[side] != 0.0) {
     const double roll = pose.roll + moved.roll[side];
-    axle.direction = direction_at(pose.yaw + moved.yaw[side], roll);
+    axle.direction = axle_direction(sign, pose.yaw + moved.yaw[side], roll);
     axle.point[1] += sign * input.wheel.rolling_radius * (std::sin(roll) - std::sin(pose.roll));
     axle.point[2] -= input.wheel.rolling_radius * (std::cos(roll) - std::cos(pose.roll));
   }

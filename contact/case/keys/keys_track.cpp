@@ -56,12 +56,7 @@ using WheelsetKeys = Keys<Wheelset>;
 
 /// Of a wheelset on a track or, `on_rail`, of a wheel by itself.
 WheelsetKeys keys_of(const std::string& name, const std::string& sentence, bool on_rail) {
-  WheelsetKeys keys(name, sentence,
-                    {[](const Case& c) { return &c.wheelset; },
-                     [on_rail](Case& c) -> Wheelset& {
-                       c.wheelset.on_rail = on_rail;
-                       return c.wheelset;
-                     }});
+  WheelsetKeys keys(name, sentence, &Case::wheelset);
   keys.section().of_profiles = true;
   keys.section().on_rail = on_rail;
   return keys;
