@@ -91,6 +91,7 @@ TEST(CaseDeclarations, CheckTemplateAndReferenceNameEveryKey) {
     for (const Key& key : section) {
       Case input = default_case();
       input.wheel.profile.name = "S1002";  // without one, [track] and the like are not talked of
+      input.wheelset.on_rail = section.on_rail.value_or(false);
       key.set(input, other_value(key));
       const std::string said = toml_text(key.get(input)) + (key.unit.empty() ? "" : " " + key.unit);
       const bool title = key.path() == "title";
