@@ -5,6 +5,7 @@
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_points.hpp"
+#include "profiles/section_surface.hpp"
 
 #include <fmt/format.h>
 
@@ -76,6 +77,11 @@ ProfileCurve of_source(const ProfileSource& source, bool wheel, const std::strin
   report.kind = source.name;
   if (source.name == "arcs") return arc_profile_curve(source, wheel, section);
   if (source.name == "polynomial") return polynomial_profile_curve(source, section);
+  if (source.lists_sections()) {
+    const auto sections = make_sections(source, wheel, case_file);
+    report.kind = fmt::format("{} sections", sections->sections());
+    return sections->section(sections->first());
+  }
   report.kind = "file";
   return from_file(source, wheel, case_file, report);
 }
@@ -134,10 +140,12 @@ ProfileCurve make_profile(const ProfileSource& source, bool wheel, const std::st
   ProfileReport here;
   ProfileCurve curve = of_source(source, wheel, case_file, here);
   // The points of a file were mirrored before they were checked.
+  if (report != nullptr) *report = here;
+  // Each section has been placed by itself.
+  if (source.lists_sections()) return curve;
   if (source.mirror && here.kind != "file") curve = curve.mirrored();
   if (source.rotation != 0.0 || source.shift[0] != 0.0 || source.shift[1] != 0.0)
     curve = curve.moved(source.rotation, source.shift[0], source.shift[1]);
-  if (report != nullptr) *report = here;
   return curve;
 }
 
@@ -145,6 +153,9 @@ ProfileCurve profile_of_case(const contact::Case& input, bool wheel, ProfileRepo
   const ProfileSource& source = wheel ? input.wheel.profile : input.rail.profile;
   if (!source.name.empty()) {
     ProfileCurve curve = make_profile(source, wheel, input.file, report);
+    const auto& places = wheel ? input.wheelset.wheel_angle : input.wheelset.track_position;
+    if (source.lists_sections() && !places.empty())
+      curve = make_sections(source, wheel, input.file)->section(places.front());
     if (wheel && source.for_track) check_flange(input, curve);
     return curve;
   }

@@ -228,29 +228,30 @@ ModelInfo theory(const char* name, const char* label, const char* sentence, cons
 
 void add_closed_forms(contact::ModelRegistry& models) {
   // Frictionless: accepts any problem and gives only the patch.
-  ModelInfo hertz = theory(
-      "hertz", "Hertz", "elliptic patch and pressure in closed form, without friction",
-      {Demand::line_contact, Demand::history, Demand::tangential_force, Demand::profiles,
-       Demand::lateral_creepage, Demand::spin, Demand::extra_slip, Demand::extra_slip_on_profiles,
-       Demand::falling_friction, Demand::varying_friction, Demand::layer, Demand::plastic_layer},
-      [](const Scene& c, const Progress& p) {
-        return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
-      },
-      {false, true});
+  ModelInfo hertz =
+      theory("hertz", "Hertz", "elliptic patch and pressure in closed form, without friction",
+             {Demand::line_contact, Demand::history, Demand::tangential_force, Demand::profiles,
+              Demand::sections, Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
+              Demand::extra_slip_on_profiles, Demand::falling_friction, Demand::varying_friction,
+              Demand::layer, Demand::plastic_layer},
+             [](const Scene& c, const Progress& p) {
+               return c.has_profiles() ? run_hertz_of_patch(c, p) : run_hertz(c, p);
+             },
+             {false, true});
   hertz.in_compare = true;
-  ModelInfo linear = theory("linear", "linear theory",
-                            "Kalker's linear theory: creep forces without a friction bound",
-                            {Demand::profiles, Demand::lateral_creepage, Demand::spin},
-                            elliptic(run_linear, {false, true}));
+  ModelInfo linear = theory(
+      "linear", "linear theory", "Kalker's linear theory: creep forces without a friction bound",
+      {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin},
+      elliptic(run_linear, {false, true}));
   linear.bounded = false;
   ModelInfo vermeulen = theory("vermeulen-johnson", "Vermeulen-Johnson",
                                "Vermeulen and Johnson's creep forces on an ellipse, without spin",
-                               {Demand::profiles, Demand::lateral_creepage},
+                               {Demand::profiles, Demand::sections, Demand::lateral_creepage},
                                elliptic(run_vermeulen_johnson, {true, true}));
-  ModelInfo polach = theory("polach", "Polach",
-                            "Polach's closed form of the creep force, without spin, for comparison",
-                            {Demand::profiles, Demand::lateral_creepage, Demand::falling_friction},
-                            elliptic(run_polach, {true, true}));
+  ModelInfo polach = theory(
+      "polach", "Polach", "Polach's closed form of the creep force, without spin, for comparison",
+      {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::falling_friction},
+      elliptic(run_polach, {true, true}));
   for (ModelInfo* model : {&hertz, &linear, &vermeulen, &polach}) {
     model->bars = closed_form;
     models.add(*model);
@@ -263,16 +264,18 @@ void add_theories_of_strips(contact::ModelRegistry& models) {
       theory("carter", "Carter", "strips of an ellipse along rolling, each a line contact",
              {Demand::line_contact, Demand::extra_slip}, run_carter);
   carter.refinements = {refined_strips<contact::CarterOptions, &ModelOptions::carter>()};
-  ModelInfo fastsim = theory("fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse",
-                             {Demand::profiles, Demand::lateral_creepage, Demand::spin,
-                              Demand::extra_slip, Demand::falling_friction, Demand::layer},
-                             elliptic(run_fastsim));
+  ModelInfo fastsim =
+      theory("fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse",
+             {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin,
+              Demand::extra_slip, Demand::falling_friction, Demand::layer},
+             elliptic(run_fastsim));
   fastsim.refinements = {refined_strips<FastsimOptions, &ModelOptions::fastsim>()};
   fastsim.in_compare = true;
-  ModelInfo fastrip = theory(
-      "fastrip", "FaStrip", "FASTSIM's direction of slip with the adhesion area of strip theory",
-      {Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip},
-      elliptic(run_fastrip));
+  ModelInfo fastrip = theory("fastrip", "FaStrip",
+                             "FASTSIM's direction of slip with the adhesion area of strip theory",
+                             {Demand::profiles, Demand::sections, Demand::lateral_creepage,
+                              Demand::spin, Demand::extra_slip},
+                             elliptic(run_fastrip));
   fastrip.refinements = fastsim.refinements;
   for (ModelInfo* model : {&carter, &fastsim, &fastrip}) {
     model->bars = strips_on_ellipse;
@@ -280,8 +283,8 @@ void add_theories_of_strips(contact::ModelRegistry& models) {
   }
   ModelInfo strip =
       theory("strip", "strip", "strips along rolling, each with Hertzian pressure and brushes",
-             {Demand::profiles, Demand::lateral_creepage, Demand::spin, Demand::extra_slip,
-              Demand::extra_slip_on_profiles},
+             {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin,
+              Demand::extra_slip, Demand::extra_slip_on_profiles},
              [](const Scene& c, const Progress& p) { return run_each_load(run_strip, c, p); },
              {true, false});
   strip.refinements = {refined_strips<contact::StripOptions, &ModelOptions::strip>()};

@@ -46,7 +46,20 @@ struct ProfileSource {
   double largest_kink = 20.0;    ///< degrees between two chords
   double rounding = 0.0;         ///< mm dropped on both sides of a kink or step
   double smoothing = 0.0;        ///< mm, scatter to be smoothed away; 0: through the points
+
+  /// Whether the name is that of a list of sections along the way: .sections, .slcs (CONTACT, of a
+  /// rail) or .slcw (of a wheel).
+  bool lists_sections() const;
 };
+
+inline bool ProfileSource::lists_sections() const {
+  for (const char* ending : {".sections", ".slcs", ".slcw"}) {
+    const std::string end = ending;
+    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
+      return true;
+  }
+  return false;
+}
 
 struct Track {
   double gauge = 1435.0;       ///< mm, between the rails
@@ -94,7 +107,10 @@ struct Wheelset {
   std::vector<double> roll;                ///< rad, positive from y to z; empty: found by contact
   /// mm, z of the middle of the axle plus the rolling radius; empty: the load determines it
   std::vector<double> height;
-  std::vector<double> track_position;  ///< mm along the track; empty: friction does not ask
+  std::vector<double> track_position;  ///< mm along the track; empty: nothing depends on it
+  /// rad, of the section of a wheel that points down, larger as the wheel rolls forward; empty: the
+  /// wheel is round
+  std::vector<double> wheel_angle;
   double lateral_velocity =
       0.0;                     ///< of the wheelset, over the forward speed, positive to the right
   double yaw_velocity = 0.0;   ///< rad/mm: yaw rate over the forward speed

@@ -19,7 +19,8 @@ CurveValue wheel_height(const ContactSurface& surface, double x, double y) {
 CurveValue rail_height(const ContactSurface& surface, double x, double y) {
   if (surface.profiles) {
     CurveValue height = surface.profiles->rail().at(y);
-    if (surface.profiles->is_roller()) height.value = surface.profiles->rail_height(x, y);
+    if (surface.profiles->is_roller() || surface.profiles->varies())
+      height.value = surface.profiles->rail_height(x, y);
     return height;
   }
   const ProfileDrop drop = surface.rail_drop(y);
@@ -62,9 +63,10 @@ double way_to_profile(const ContactSurface& surface, double x, double y) {
   for (int step = 0; step < 40; ++step) {
     const AxlePlace at =
         profiles.axle_place({x, from[1] + way * normal[1], from[2] + way * normal[2]});
-    const CurveValue wheel = profiles.wheel_radius().at(at.axial);
-    const double by_way =
-        dot(at.across, normal) / at.radius - wheel.slope * dot(profiles.axle().direction, normal);
+    // A change along the circle slows convergence but does not affect the result.
+    const RadiusAround wheel = profiles.radius_around(at);
+    const double by_way = dot(at.across, normal) / at.radius -
+                          wheel.by_axial * dot(profiles.axle().direction, normal);
     if (!(by_way < -1e-3)) return infinity;
     const double change = (at.radius - wheel.value) / by_way;
     way -= change;

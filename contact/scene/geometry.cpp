@@ -28,6 +28,13 @@ double mean_second(const HeightCurve& curve) {
   return 0.5 * (curve.at(-beside).second + curve.at(beside).second);
 }
 
+/// Curvature of the distance along x, 1/mm, of bodies that change along it: over millimetres.
+double curvature_along(const PatchGeometry& patch) {
+  constexpr double step = 1.0;  // mm
+  return (patch.distance(step, 0.0) - 2.0 * patch.distance(0.0, 0.0) + patch.distance(-step, 0.0)) /
+         (step * step);
+}
+
 /// Curvatures of the distance at the origin of the patch frame, where both surfaces are level. With
 /// F = radius - f(axial) = 0 on the wheel, z_xx = -F_xx / F_z there.
 Curvatures curvatures_at_contact_point(const PatchGeometry& patch) {
@@ -37,6 +44,7 @@ Curvatures curvatures_at_contact_point(const PatchGeometry& patch) {
   const auto radial = [&](std::size_t d) { return at.across[d] / at.radius; };
   const double radius_xx = (1.0 - e[0] * e[0] - radial(0) * radial(0)) / at.radius;
   double z_xx = -(radius_xx - f.second * e[0] * e[0]) / (radial(2) - f.slope * e[2]);
+  if (patch.varies()) z_xx = curvature_along(patch);
   if (patch.is_roller()) z_xx += patch.rail_axle().direction[1] / patch.local_rail_radius(0.0);
   return {0.5 * z_xx, 0.5 * (mean_second(patch.wheel()) - mean_second(patch.rail()))};
 }

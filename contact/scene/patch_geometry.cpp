@@ -22,23 +22,44 @@ constexpr double rounding_of_radius = 1e-15;
 /// Knots of the wheel's section.
 constexpr double knot_distance = 0.05;  // mm
 
+/// Gradient of the distance from the axle less the radius, by the place.
+Vector3 normal_of(const Axle& axle, const AxlePlace& at, const RadiusAround& radius) {
+  Vector3 normal{};
+  for (std::size_t d = 0; d < 3; ++d)
+    normal[d] = at.across[d] / at.radius - radius.by_axial * axle.direction[d];
+  if (radius.by_angle == 0.0) return normal;
+  // The angle grows along the circle.
+  const Vector3 along = cross(at.across, axle.direction);
+  for (std::size_t d = 0; d < 3; ++d)
+    normal[d] -= radius.by_angle * along[d] / (at.radius * at.radius);
+  return normal;
+}
+
+/// A surface of revolution.
+auto round(const HeightCurve& radius) {
+  return [&radius](const AxlePlace& at) {
+    const CurveValue here = radius.at(at.axial);
+    return RadiusAround{here.value, here.slope, 0.0};
+  };
+}
+
 struct Height {
   double value;
   double slope;  ///< dz/dy
   bool found;
 };
 
-/// Newton's method on radius(z) - wheel_radius(axial(z)) = 0 from `start`.
-Height height_of(const HeightCurve& wheel_radius, const Axle& axle, double x, double y,
-                 double start) {
+/// Newton's method on radius(z) - radius_at(axial(z), angle(z)) = 0 from `start`.
+template <class RadiusAt>
+Height height_of(const RadiusAt& radius_at, const Axle& axle, double x, double y, double start) {
   double z = start;
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < 60; ++step) {
     const AxlePlace at = axle_place(axle, {x, y, z});
-    const CurveValue wanted = wheel_radius.at(at.axial);
+    const RadiusAround wanted = radius_at(at);
     const double defect = at.radius - wanted.value;
-    const double by_z = at.across[2] / at.radius - wanted.slope * axle.direction[2];
-    const double by_y = at.across[1] / at.radius - wanted.slope * axle.direction[1];
+    const Vector3 by_place = normal_of(axle, at, wanted);
+    const double by_z = by_place[2], by_y = by_place[1];
     if (!(by_z < -1e-3)) return {z, 0.0, false};
     const double change = defect / by_z;
     if (std::abs(change) < 1e-13 * (1.0 + std::abs(z)) ||
@@ -60,7 +81,7 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
     const double direction = end > 0.0 ? 1.0 : -1.0;
     double y = 0.0, z = 0.0;
     while (direction * y <= direction * end) {
-      const Height height = height_of(wheel_radius, axle, 0.0, y, z);
+      const Height height = height_of(round(wheel_radius), axle, 0.0, y, z);
       if (!height.found || std::abs(height.slope) > steepest) return;
       if (!wheel_radius.contains(axle_place(axle, {0.0, y, height.value}).axial)) return;
       y_of.push_back(y);
@@ -98,6 +119,12 @@ AxlePlace axle_place(const Axle& axle, const Vector3& place) {
   return result;
 }
 
+double angle_about(const Axle& axle, const Vector3& across) {
+  const Vector3 ahead = cross({0.0, 0.0, -1.0}, axle.direction);
+  const Vector3 down = cross(axle.direction, ahead);
+  return std::atan2(dot(across, ahead), dot(across, down));
+}
+
 PatchGeometry::PatchGeometry(HeightCurve rail, HeightCurve wheel_radius, const Axle& axle,
                              double y_lower, double y_upper)
     : rail_(std::move(rail)),
@@ -116,8 +143,20 @@ PatchGeometry PatchGeometry::under_load(double approach, const std::array<double
 double PatchGeometry::wheel_height(double x, double y) const {
   const double section = wheel_.at(y).value;
   const double start = section + 0.5 * x * x / axle_place({0.0, y, section}).radius;
-  const Height height = height_of(wheel_radius_, axle_, x, y, start);
+  const auto here = [this](const AxlePlace& at) { return radius_around(at); };
+  const Height height = wheel_surface_ ? height_of(here, axle_, x, y, start)
+                                       : height_of(round(wheel_radius_), axle_, x, y, start);
   return height.found ? height.value : std::numeric_limits<double>::infinity();
+}
+
+RadiusAround PatchGeometry::radius_around(const AxlePlace& at) const {
+  return wheel_surface_ ? wheel_surface_(at.axial, angle_about(axle_, at.across))
+                        : round(wheel_radius_)(at);
+}
+
+void PatchGeometry::set_surfaces(RailSurface rail, WheelSurface wheel) {
+  rail_surface_ = std::move(rail);
+  wheel_surface_ = std::move(wheel);
 }
 
 void PatchGeometry::set_roller(double rolling_radius, HeightCurve radius, const Axle& axle) {
@@ -127,6 +166,7 @@ void PatchGeometry::set_roller(double rolling_radius, HeightCurve radius, const 
 }
 
 double PatchGeometry::rail_height(double x, double y) const {
+  if (rail_surface_) return rail_surface_(x, y);
   const double section = rail_.at(y).value;
   if (!is_roller() || x == 0.0) return section;
   // Seen upside down, a roller is a wheel; a ring lies below its axle as a wheel does.
@@ -135,7 +175,7 @@ double PatchGeometry::rail_height(double x, double y) const {
   axle.point[2] *= up;
   axle.direction[2] *= up;
   const double start = up * section + 0.5 * x * x / std::abs(local_rail_radius(y));
-  const Height height = height_of(rail_radius_, axle, x, y, start);
+  const Height height = height_of(round(rail_radius_), axle, x, y, start);
   return height.found ? up * height.value : -std::numeric_limits<double>::infinity();
 }
 

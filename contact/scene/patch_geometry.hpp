@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -39,6 +40,19 @@ struct AxlePlace {
   Vector3 across{};     ///< mm, from the axle, perpendicular to it
 };
 AxlePlace axle_place(const Axle& axle, const Vector3& place);
+
+/// Angle about the axle from the direction straight into the rail (-z), rad, positive towards x.
+double angle_about(const Axle& axle, const Vector3& across);
+
+/// Radius of a wheel that is not round, mm, with its derivatives by the axial coordinate and by the
+/// angle (mm/rad).
+struct RadiusAround {
+  double value = 0.0, by_axial = 0.0, by_angle = 0.0;
+};
+/// Over the axial coordinate and angle_about. The radius is infinite where it is not known.
+using WheelSurface = std::function<RadiusAround(double axial, double angle)>;
+/// Height z of a rail that changes along the track, mm; minus infinity where it is not known.
+using RailSurface = std::function<double(double x, double y)>;
 
 /// Position of the wheel under load, y and z of the patch frame.
 struct Sinking {
@@ -73,6 +87,11 @@ class PatchGeometry {
   /// tilt() of that axle.
   double rail_tilt() const;
 
+  /// Bodies that change along the way: then rail(), wheel() and wheel_radius() are their sections
+  /// at x = 0, and distances are those of the surfaces. Either may be empty.
+  void set_surfaces(RailSurface rail, WheelSurface wheel);
+  bool varies() const { return rail_surface_ || wheel_surface_; }
+
   /// The same bodies with distances of the wheel at its height under load, still measured from
   /// first touch: the approach is added again. In a plane whose normal is not vertical, a sinking
   /// wheel also moves sideways, which closes some flanks and opens others by microns; a small
@@ -86,6 +105,8 @@ class PatchGeometry {
   CurveValue wheel_under_load(double y) const { return wheel_.at(y - sinking_.way[0]); }
 
   AxlePlace axle_place(const Vector3& place) const { return contact::axle_place(axle_, place); }
+  /// Radius of the wheel there.
+  RadiusAround radius_around(const AxlePlace& at) const;
   /// Height z of the wheel's surface, mm; infinite outside the wheel.
   double wheel_height(double x, double y) const;
   /// The same of the rail; minus infinity outside a roller.
@@ -115,6 +136,8 @@ class PatchGeometry {
   double rail_rolling_radius_ = std::numeric_limits<double>::infinity();
   HeightCurve rail_radius_;
   Axle rail_axle_;
+  RailSurface rail_surface_;
+  WheelSurface wheel_surface_;
   Sinking sinking_;
   std::array<double, 2> limits_{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};
@@ -130,20 +153,22 @@ inline const char* side_word(bool left) {
 /// Profile coordinates are those of the profile files: y towards the field side positive, z down,
 /// of the wheel outward.
 struct ContactPlace {
-  bool left = true;             ///< wheel
-  int position = 1;             ///< 1, 2, ... of the wheelset in the case
-  int patch = 1;                ///< 1, 2, ... of this wheel at this position, the most loaded first
-  int patches = 1;              ///< of this wheel
-  double lateral_shift = 0.0;   ///< mm, of the wheelset, positive to the right
-  double yaw = 0.0;             ///< rad, of the wheelset, positive from x to y
-  double roll = 0.0;            ///< rad, of the wheelset, positive from y to z
-  double height = 0.0;          ///< mm, z of the middle of the axle plus the nominal radius
-  double y_track = 0.0;         ///< mm
-  double z_track = 0.0;         ///< mm
-  double y_rail = 0.0;          ///< mm, profile coordinate
-  double y_wheel = 0.0;         ///< mm, profile coordinate
-  double contact_angle = 0.0;   ///< rad, of the contact's plane against the track plane, positive
-                                ///< where it falls towards the middle of the track
+  bool left = true;            ///< wheel
+  int position = 1;            ///< 1, 2, ... of the wheelset in the case
+  int patch = 1;               ///< 1, 2, ... of this wheel at this position, the most loaded first
+  int patches = 1;             ///< of this wheel
+  double lateral_shift = 0.0;  ///< mm, of the wheelset, positive to the right
+  double yaw = 0.0;            ///< rad, of the wheelset, positive from x to y
+  double roll = 0.0;           ///< rad, of the wheelset, positive from y to z
+  double height = 0.0;         ///< mm, z of the middle of the axle plus the nominal radius
+  double y_track = 0.0;        ///< mm
+  double z_track = 0.0;        ///< mm
+  double y_rail = 0.0;         ///< mm, profile coordinate
+  double y_wheel = 0.0;        ///< mm, profile coordinate
+  double contact_angle = 0.0;  ///< rad, of the contact's plane against the track plane, positive
+                               ///< where it falls towards the middle of the track
+  /// rad, by which the contact's plane rises along the track, of a rail that changes along it.
+  double climb = 0.0;
   double rolling_radius = 0.0;  ///< mm, of the contact point
   double x_track = 0.0;         ///< mm, ahead of the axle's middle
   /// mm along the common surface of wheel and rail across, outward; only differences between

@@ -75,6 +75,8 @@ const std::vector<DemandRow>& rows() {
        [](const Scene& c) { return c.is_history() && c.load_changes(); }},
       {Demand::profiles, "wheel.profile and rail.profile", "true profiles",
        [](const Scene& c) { return c.has_profiles(); }},
+      {Demand::sections, "wheel.profile or rail.profile", "profiles that change along the way",
+       [](const Scene& c) { return c.has_profiles() && c.geometry.surface.profiles->varies(); }},
       {Demand::extra_slip_on_profiles, "rolling.extra_slip",
        "extra slip from a file on true profiles",
        [](const Scene& c) { return c.has_profiles() && slip_from_file(c); }},

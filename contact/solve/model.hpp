@@ -32,6 +32,7 @@ enum class Demand {
   tangential_force,        ///< prescribed
   load_history,            ///< a load that changes from step to step
   profiles,                ///< true ones of wheel and rail
+  sections,                ///< profiles that change along the way
   lateral_creepage,        ///< of bodies with radii
   spin,                    ///< of bodies with radii; always present with profiles
   extra_slip,              ///< from a file, of bodies with radii

@@ -25,7 +25,47 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+namespace {
+
+/// Places along x at which bodies that change along the way are looked at, mm.
+constexpr double farthest_along = 40.0, step_along = 1.0;
+constexpr int rough_steps = 4;
+double x_along(int k) {
+  return k * step_along;
+}
+constexpr int last_along = static_cast<int>(farthest_along / step_along);
+/// The ridge is low up to this height above its lowest point, mm: beyond any approach.
+constexpr double low_ridge = 0.5;
+
+/// The rough place of the least distance at y, and the curvature of the parabola that is as wide
+/// some hundredths of a millimetre above it.
+RidgePoint rough_point(const contact::PatchGeometry& patch, double y) {
+  RidgePoint point{0.0, infinity, 0.0};
+  for (int k = -last_along; k <= last_along; k += rough_steps)
+    if (const double here = patch.distance(x_along(k), y); here < point.distance)
+      point = {x_along(k), here, 0.0};
+  return point;
+}
+
+/// The same for bodies that change along the way, where neighbours along x may be lower.
+RidgePoint varying_ridge_point(const contact::PatchGeometry& patch, double y) {
+  RidgePoint point = rough_point(patch, y);
+  for (double step = 0.5 * rough_steps * step_along; step > 1e-3 && std::isfinite(point.distance);
+       step *= 0.5)
+    for (const double x : {point.x - step, point.x + step})
+      if (const double here = patch.distance(x, y); here < point.distance) point = {x, here, 0.0};
+  constexpr double wide = 3.0;  // mm, about the half length of a patch
+  const double beside =
+      0.5 * (patch.distance(point.x - wide, y) + patch.distance(point.x + wide, y));
+  point.curvature = (beside - point.distance) / (wide * wide);
+  if (!std::isfinite(point.curvature)) point.distance = infinity;
+  return point;
+}
+
+}  // namespace
+
 RidgePoint ridge_point(const contact::PatchGeometry& patch, double y) {
+  if (patch.varies()) return varying_ridge_point(patch, y);
   constexpr double step = 0.5;  // mm
   RidgePoint point;
   // A parabola through three points is exact to (step / radius)^2; yaw moves its vertex.
@@ -69,6 +109,17 @@ Ridge::Ridge(const contact::PatchGeometry& patch) {
     points_.push_back(ridge_point(patch, y));
     angle_.push_back(std::atan(patch.rail().at(y).slope));
   }
+  if (patch.varies()) look_along(patch);
+}
+
+void Ridge::look_along(const contact::PatchGeometry& patch) {
+  const double limit = least_distance() + low_ridge;
+  along_.resize(y_.size());
+  for (std::size_t k = 0; k < y_.size(); ++k) {
+    if (!(points_[k].distance < limit)) continue;
+    for (int i = -last_along; i <= last_along; ++i)
+      along_[k].push_back(patch.distance(x_along(i), y_[k]));
+  }
 }
 
 double Ridge::least_distance() const {
@@ -89,6 +140,13 @@ Overlap Ridge::overlap(double level) const {
       const double half = std::sqrt((level - point.distance) / std::max(point.curvature, 1e-12));
       region.x_lower = std::min(region.x_lower, point.x - half);
       region.x_upper = std::max(region.x_upper, point.x + half);
+      if (k < along_.size())
+        for (std::size_t i = 0; i < along_[k].size(); ++i)
+          if (along_[k][i] < level) {
+            const double x = x_along(static_cast<int>(i) - last_along);
+            region.x_lower = std::min(region.x_lower, x - step_along);
+            region.x_upper = std::max(region.x_upper, x + step_along);
+          }
       region.y_upper = y_[k];
       if (point.distance < region.distance) {
         region.distance = point.distance;

@@ -55,6 +55,9 @@ class Ridge {
   std::vector<double> y_;
   std::vector<RidgePoint> points_;
   std::vector<double> angle_;
+  /// Of bodies that change along the way, where the ridge is low: distances over x (x_along).
+  std::vector<std::vector<double>> along_;
+  void look_along(const contact::PatchGeometry& patch);
 };
 
 // Places beside a solved patch where wheel and rail touch again or nearly do.

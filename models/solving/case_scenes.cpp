@@ -84,7 +84,8 @@ std::vector<std::pair<std::string, std::string>> pair_tables(const Case& input,
   Case first = input;
   first.wheelset.lateral_shift.resize(1);
   first.wheelset.yaw.resize(1);
-  for (auto* list : {&first.wheelset.roll, &first.wheelset.height})
+  for (auto* list : {&first.wheelset.roll, &first.wheelset.height, &first.wheelset.track_position,
+                     &first.wheelset.wheel_angle})
     if (!list->empty()) list->resize(1);
   const std::vector<track::PlacedScene> scenes = track::make_scenes(first, search);
   std::vector<std::pair<std::string, std::string>> tables;

@@ -140,7 +140,9 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
 
 SearchScene search_scene_of(const Case& input) {
   return make_search_scene(
-      input, {profiles::profile_of_case(input, true), profiles::profile_of_case(input, false)});
+      input, {profiles::profile_of_case(input, true), profiles::profile_of_case(input, false),
+              profiles::make_sections(input.wheel.profile, true, input.file),
+              profiles::make_sections(input.rail.profile, false, input.file)});
 }
 
 /// Blends from the plane to the surface as the spread of the normals grows, so that forces change

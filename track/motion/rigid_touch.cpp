@@ -40,8 +40,9 @@ std::vector<RigidWheelset> rigid_touches(const contact::Case& input, const Searc
   contact::Case moved = input;
   moved.wheelset.lateral_shift = lateral_shifts;
   moved.wheelset.yaw.assign(lateral_shifts.size(), 0.0);
-  if (!input.wheelset.roll.empty())
-    moved.wheelset.roll.assign(lateral_shifts.size(), input.wheelset.roll.front());
+  for (auto* list :
+       {&moved.wheelset.roll, &moved.wheelset.track_position, &moved.wheelset.wheel_angle})
+    if (!list->empty()) list->assign(lateral_shifts.size(), list->front());
   std::vector<RigidWheelset> touches(lateral_shifts.size());
   std::atomic<std::size_t> count{touches.size()};  // before the first that does not touch
   contact::for_each_index(touches.size(), [&](std::size_t k) {

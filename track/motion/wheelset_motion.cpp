@@ -67,7 +67,8 @@ Vector3 slip_at(const WheelRailContact& contact, const Motion& motion, const Vec
   const Vector3 turning{motion.roll_velocity, 0.0, motion.yaw_velocity};
   const Vector3 aside =
       sum(sum({0.0, motion.lateral_velocity, 0.0}, cross(turning, arm)), contact.own_velocity);
-  const double parting = dot(aside, contact.normal);
+  // A surface that changes along its way parts or presses by rolling too.
+  const double parting = dot(contact.geometry.varies() ? slip : aside, contact.normal);
   slip[2] += motion.vertical_velocity.value_or(-parting / contact.normal[2]);
   return {dot(slip, contact.along), dot(slip, contact.across), dot(slip, contact.normal)};
 }
@@ -109,7 +110,9 @@ double driving_moment(const WheelRailContact& contact, const PatchForce& force) 
 }
 
 std::array<double, 2> upwards(const contact::ContactPlace& place) {
-  return {-side_sign(place.left) * std::sin(place.contact_angle), std::cos(place.contact_angle)};
+  const double level = std::cos(place.climb);
+  return {-side_sign(place.left) * std::sin(place.contact_angle) * level,
+          std::cos(place.contact_angle) * level};
 }
 
 double vertical_force(double normal, double lateral, const contact::ContactPlace& place) {

@@ -211,23 +211,33 @@ RailPlace displaced(RailPlace place, const contact::Case& input, bool left) {
   return place;
 }
 
-AlongRail::AlongRail(double at_x, double z, double rail_rolling_radius)
-    : x(at_x), rolling_radius(rail_rolling_radius) {
-  if (!on_roller()) return;
-  sine = x / (rolling_radius - z);
+AlongRail::AlongRail(double at_x, double z, double rail_rolling_radius) : x(at_x), from{at_x, 0.0} {
+  if (!std::isfinite(rail_rolling_radius)) return;
+  from = to = {0.0, rail_rolling_radius};
+  sine = x / (rail_rolling_radius - z);
   cosine = std::sqrt(1.0 - sine * sine);
 }
 
+AlongRail AlongRail::sloping(double x, double z, double slope) {
+  AlongRail along;
+  along.x = x;
+  along.cosine = 1.0 / std::hypot(1.0, slope);
+  along.sine = slope * along.cosine;
+  along.from = {x, z};
+  along.to = {0.0, z};
+  return along;
+}
+
 contact::Vector3 AlongRail::place_from_top(const contact::Vector3& place) const {
-  if (!on_roller()) return {place[0] + x, place[1], place[2]};
-  const double up = rolling_radius - place[2];
-  return {cosine * place[0] + sine * up, place[1], rolling_radius + sine * place[0] - cosine * up};
+  const contact::Vector3 turned =
+      direction_from_top({place[0] - to[0], place[1], place[2] - to[1]});
+  return {turned[0] + from[0], turned[1], turned[2] + from[1]};
 }
 
 contact::Vector3 AlongRail::place_to_top(const contact::Vector3& place) const {
-  if (!on_roller()) return {place[0] - x, place[1], place[2]};
-  const double up = rolling_radius - place[2];
-  return {cosine * place[0] - sine * up, place[1], rolling_radius - sine * place[0] - cosine * up};
+  const contact::Vector3 turned =
+      direction_to_top({place[0] - from[0], place[1], place[2] - from[1]});
+  return {turned[0] + to[0], turned[1], turned[2] + to[1]};
 }
 
 contact::Vector3 AlongRail::direction_from_top(const contact::Vector3& v) const {

@@ -8,10 +8,12 @@
 #include "contact/case/case.hpp"
 #include "contact/scene/patch_geometry.hpp"
 #include "profiles/profile_curve.hpp"
+#include "profiles/section_surface.hpp"
 
 #include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace rollfem::track {
@@ -20,6 +22,8 @@ namespace rollfem::track {
 struct ProfilePair {
   profiles::ProfileCurve wheel;
   profiles::ProfileCurve rail;
+  /// Of a body that changes along its way: the profile is then one of its sections.
+  std::shared_ptr<const profiles::SectionSurface> wheel_sections = nullptr, rail_sections = nullptr;
 };
 
 /// Position of the wheelset, or of a wheel by itself (Wheelset::on_rail): signs of the track frame.
@@ -63,17 +67,20 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
 RailPlace displaced(RailPlace place, const contact::Case& input, bool left);
 
 /// Way along a rail from the plane x = 0 through its top: a shift on a straight rail, a rotation on
-/// a roller. Turning a scene back by it brings its contact to the top, where the rail's section is
-/// its profile.
+/// a roller, both on a rail that changes along the track. Turning a scene back by it brings its
+/// contact to the top, where the rail is level along x and its section on a roller is its profile.
 struct AlongRail {
-  double x = 0.0;                             ///< mm, of the place
-  double sine = 0.0, cosine = 1.0;            ///< of the angle about a roller's axle
-  double rolling_radius = contact::infinity;  ///< Rail::rolling_radius
+  double x = 0.0;                   ///< mm, of the place
+  double sine = 0.0, cosine = 1.0;  ///< of the angle from z to x by which the scene is turned back
+  /// mm, x and z about which it is turned, and of that point when it has been turned back.
+  std::array<double, 2> from{}, to{};
 
   AlongRail() = default;
-  /// To a place with this radial height z (mm).
+  /// To a place with this radial height z (mm); rail_rolling_radius: of Rail.
   AlongRail(double x, double z, double rail_rolling_radius);
-  bool on_roller() const { return std::isfinite(rolling_radius); }
+  /// To a place of a rail whose height changes by this slope dz/dx there.
+  static AlongRail sloping(double x, double z, double slope);
+  double slope() const { return sine / cosine; }  ///< dz/dx
   contact::Vector3 place_from_top(const contact::Vector3& place) const;
   contact::Vector3 place_to_top(const contact::Vector3& place) const;
   contact::Vector3 direction_from_top(const contact::Vector3& v) const;

@@ -131,7 +131,52 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
   return inside + (y - (knots[k] + h * t)) * slope(t > 0.5 ? k + 1 : k);
 }
 
+/// The locus may jump from one place along x to another.
+constexpr double longest_step = 1.0;  // mm along x between neighbours
+
+/// Index of the neighbour to the left and the fraction of the way to the next.
+std::pair<std::size_t, double> between(const std::vector<LocusPoint>& locus, double y) {
+  const auto above =
+      std::upper_bound(locus.begin() + 1, locus.end() - 1, y,
+                       [](double at, const LocusPoint& point) { return at < point.y; });
+  const auto k = static_cast<std::size_t>(above - locus.begin()) - 1;
+  return {k, (y - locus[k].y) / (locus[k + 1].y - locus[k].y)};
+}
+
+OutlinePoint on_locus(const std::vector<LocusPoint>& locus, double y) {
+  const auto [k, part] = between(locus, y);
+  const LocusPoint &a = locus[k], &b = locus[k + 1];
+  // Beside a jump, of the nearer side.
+  const double t = std::abs(b.x - a.x) < longest_step ? part : (part < 0.5 ? 0.0 : 1.0);
+  const auto at = [&, t = t](double LocusPoint::*value) {
+    return a.*value + t * (b.*value - a.*value);
+  };
+  OutlinePoint point;
+  point.y = y;
+  point.z = at(&LocusPoint::wheel_z);
+  point.along =
+      AlongRail::sloping(at(&LocusPoint::x), at(&LocusPoint::rail_z), at(&LocusPoint::along));
+  point.profile_y = at(&LocusPoint::profile_y);
+  point.radius = at(&LocusPoint::radius);
+  point.relative_radius = at(&LocusPoint::relative_radius);
+  return point;
+}
+
 }  // namespace
+
+contact::HeightCurve curve_over(const std::vector<LocusPoint>& locus, double LocusPoint::*value) {
+  std::vector<double> y, at, slope;
+  for (std::size_t k = 0; k < locus.size(); ++k) {
+    // The neighbours on this side of a jump.
+    std::size_t a = k > 0 ? k - 1 : k, b = std::min(k + 1, locus.size() - 1);
+    if (std::abs(locus[a].x - locus[k].x) >= longest_step) a = k;
+    if (std::abs(locus[b].x - locus[k].x) >= longest_step) b = k;
+    y.push_back(locus[k].y);
+    at.push_back(locus[k].*value);
+    slope.push_back(a == b ? 0.0 : (locus[b].*value - locus[a].*value) / (locus[b].y - locus[a].y));
+  }
+  return {std::move(y), std::move(at), std::move(slope)};
+}
 
 WheelPoints wheel_points(const profiles::ProfileCurve& wheel, double tread_y) {
   WheelPoints result;
@@ -186,7 +231,11 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
   curve_ = contact::HeightCurve(std::move(y), std::move(z), std::move(slope));
 }
 
+Silhouette::Silhouette(const std::vector<LocusPoint>& locus)
+    : curve_(curve_over(locus, &LocusPoint::wheel_z)), locus_(locus) {}
+
 OutlinePoint Silhouette::at(double y) const {
+  if (!locus_.empty()) return on_locus(locus_, y);
   OutlinePoint point;
   point.y = y;
   point.z = curve_.at(y).value;
@@ -196,6 +245,7 @@ OutlinePoint Silhouette::at(double y) const {
   const Vector3 arm{place[0] - axle_.point[0], y - axle_.point[1], place[2] - axle_.point[2]};
   const Vector3 across = contact::cross(arm, axle_.direction);
   point.radius = std::sqrt(contact::dot(across, across));
+  point.relative_radius = point.radius;
   return point;
 }
 

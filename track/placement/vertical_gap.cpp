@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 namespace rollfem::track {
 
@@ -85,6 +86,35 @@ VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const 
   find_minima();
 }
 
+VerticalGap::VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies)
+    : VerticalGap(bodies, bodies->locus()) {}
+
+VerticalGap::VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies,
+                         const std::vector<LocusPoint>& locus)
+    : bodies_(std::move(bodies)),
+      wheel_(locus),
+      rail_(curve_over(locus, &LocusPoint::rail_z)),
+      first_(locus.front().y),
+      last_(locus.back().y) {
+  std::vector<double> gap, slope, mean, bend;
+  for (const LocusPoint& point : locus) {
+    places_.push_back(point.y);
+    gap.push_back(point.rail_z - point.wheel_z);
+    // Along the locus the gap changes as at a fixed x, where it is least.
+    slope.push_back(point.rail_slope - point.wheel_slope);
+    mean.push_back(0.5 * (point.rail_slope + point.wheel_slope));
+  }
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, mean.size() - 1);
+    bend.push_back((mean[b] - mean[a]) / (places_[b] - places_[a]));
+  }
+  gap_ = {places_, gap, slope};
+  surface_slope_ = {places_, mean, bend};
+  values_.reserve(places_.size());
+  for (const double y : places_) values_.push_back(at(y));
+  find_minima();
+}
+
 void VerticalGap::lower_wheel(double way) {
   lowered_ += way;
   for (CurveValue& value : values_) value.value -= way;
@@ -96,6 +126,11 @@ CurveValue VerticalGap::at(double y) const {
 }
 
 VerticalGap::WithSurface VerticalGap::with_surface(double y) const {
+  if (bodies_) {
+    CurveValue gap = gap_.at(y);
+    gap.value -= lowered_;
+    return {gap, surface_slope_.at(y).value};
+  }
   const CurveValue rail = rail_.at(y);
   const CurveValue wheel = wheel_.curve().at(y);
   const CurveValue gap{rail.value - wheel.value - lowered_, rail.slope - wheel.slope,
@@ -112,7 +147,8 @@ void VerticalGap::find_minima() {
     minimum.y = contact::bracketed_root([&](double y) { return at(y).slope; }, places_[k],
                                         places_[k + 1], y_tolerance, "smallest gap");
     minimum.gap = at(minimum.y).value;
-    minimum.slope = rail_.at(minimum.y).slope;
+    minimum.slope = bodies_ ? with_surface(minimum.y).slope : rail_.at(minimum.y).slope;
+    if (bodies_) minimum.along = wheel_.at(minimum.y).along.slope();
     minima_.push_back(minimum);
   }
 }

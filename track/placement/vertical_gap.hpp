@@ -12,8 +12,11 @@
 
 #include "contact/scene/patch_geometry.hpp"
 #include "profiles/profile_curve.hpp"
+#include "track/placement/along_way.hpp"
 #include "track/placement/placement.hpp"
 
+#include <cmath>
+#include <memory>
 #include <vector>
 
 namespace rollfem::track {
@@ -25,6 +28,8 @@ struct OutlinePoint {
   double z = 0.0;          ///< mm, over a roller radial
   double profile_y = 0.0;  ///< mm, wheel profile coordinate
   double radius = 0.0;     ///< mm, of its circle
+  /// mm, of the undeformed distance along x (LocusPoint); that of the circle on a straight rail.
+  double relative_radius = 0.0;
 };
 
 /// Points of a wheel's profile, dense enough for an outline at any pose.
@@ -41,6 +46,8 @@ class Silhouette {
   /// Throws std::invalid_argument when no part of the profile is visible.
   Silhouette(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
              double rail_rolling_radius);
+  /// Of bodies that change along the way: the wheel over its locus.
+  explicit Silhouette(const std::vector<LocusPoint>& locus);
 
   /// z over y; covers the part not steeper than a height curve allows.
   const contact::HeightCurve& curve() const { return curve_; }
@@ -51,6 +58,7 @@ class Silhouette {
   contact::HeightCurve curve_;
   std::vector<double> x_;          ///< mm, at the knots of the curve
   std::vector<double> profile_y_;  ///< mm, of the wheel's profile
+  std::vector<LocusPoint> locus_;  ///< of bodies that change along the way
   contact::Axle axle_;
   double rail_rolling_radius_;
 };
@@ -64,6 +72,9 @@ struct GapMinimum {
   double y = 0.0;                  ///< mm, side frame
   double gap = contact::infinity;  ///< mm, vertical
   double slope = 0.0;  ///< dz/dy of both tangents, < 0 where they fall towards the middle
+  double along = 0.0;  ///< dz/dx of both, where the rail changes along the track
+  /// Of the normal against the vertical.
+  double cosine() const { return 1.0 / std::sqrt(1.0 + slope * slope + along * along); }
   /// Contact angle, rad: positive where the surfaces fall towards the middle of the track.
   double angle() const;
 };
@@ -77,6 +88,11 @@ class VerticalGap {
   /// is not above it.
   VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
               const contact::HeightCurve& rail, double rail_rolling_radius = contact::infinity);
+
+  /// Of bodies that change along the way, over their locus.
+  explicit VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies);
+  /// These bodies; none of bodies that do not change.
+  const std::shared_ptr<const BodiesAlongWay>& bodies() const { return bodies_; }
 
   /// Lowers the wheel by `way` mm. Heights from wheel() keep their previous values.
   void lower_wheel(double way);
@@ -113,8 +129,11 @@ class VerticalGap {
   const Silhouette& wheel() const { return wheel_; }
 
  private:
+  VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies, const std::vector<LocusPoint>& locus);
   void find_minima();
 
+  std::shared_ptr<const BodiesAlongWay> bodies_;
+  contact::HeightCurve gap_, surface_slope_;  ///< over the locus
   Silhouette wheel_;
   contact::HeightCurve rail_;
   double first_ = 0.0;

@@ -65,11 +65,28 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
                     where(input, position, left), first.profile_y, what_places(input)));
 }
 
+}  // namespace
+
+std::shared_ptr<const BodiesAlongWay> bodies_along_way(const Case& input, const SearchScene& scene,
+                                                       const Axle& axle, int position, bool left) {
+  const auto k = static_cast<std::size_t>(position - 1);
+  const contact::Wheelset& wheelset = input.wheelset;
+  const auto at = [k](const std::vector<double>& list) { return list.empty() ? 0.0 : list.at(k); };
+  return std::make_shared<const BodiesAlongWay>(
+      BodiesAlongWay::Sections{scene.rail(left).surface, scene.profiles.wheel_sections,
+                               at(wheelset.track_position), at(wheelset.wheel_angle)},
+      scene.rail(left).curve, scene.profiles.wheel, input.wheel.rolling_radius, axle,
+      scene.tread_y);
+}
+
+namespace {
+
 /// The gap under a wheel at a pose. Throws contact::SolveError when it is not above its rail.
 VerticalGap make_gap(const Case& input, const SearchScene& scene, const WheelsetPose& pose,
                      int position, bool left) {
   const Axle axle = place_axle(pose, input, left);
   try {
+    if (scene.varies()) return VerticalGap(bodies_along_way(input, scene, axle, position, left));
     return {scene.wheel, input.wheel.rolling_radius, axle, scene.rail(left).head,
             input.rail.rolling_radius};
   } catch (const contact::SolveError& error) {
@@ -123,7 +140,9 @@ VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPo
   pose.height = gap.smallest();
   gap.lower_wheel(pose.height);
   // On a roller ahead or behind its top the gap is not vertical.
-  const auto off_top = [&] { return gap.wheel().at(gap.lowest().y).along.sine != 0.0; };
+  const auto off_top = [&] {
+    return !gap.bodies() && gap.wheel().at(gap.lowest().y).along.sine != 0.0;
+  };
   constexpr double touching = 1e-9;  // mm
   for (int step = 0; off_top() && std::isfinite(gap.lowest().gap); ++step) {
     gap = make_gap(input, scene, pose, position, left);
@@ -179,6 +198,9 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
       rail.place = displaced(place, input, left);
       rail.curve = place_rail(scene.profiles.rail, rail.place);
       rail.head = rail_heights(rail.curve, rail.place.tops_and_grooves);
+      if (const auto& sections = scene.profiles.rail_sections)
+        rail.surface = std::make_shared<const profiles::SectionSurface>(
+            sections->moved(rail.place.angle, rail.place.shift_y, rail.place.shift_z));
     }
   };
   place_at(rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {

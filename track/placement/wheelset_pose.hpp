@@ -7,6 +7,7 @@
 #include "track/placement/vertical_gap.hpp"
 
 #include <array>
+#include <memory>
 #include <string>
 
 namespace rollfem::track {
@@ -21,10 +22,13 @@ struct SearchScene {
   struct Rail {
     RailPlace place;
     profiles::ProfileCurve curve;
-    contact::HeightCurve head;  ///< the same as a height over y
+    contact::HeightCurve head;                                ///< the same as a height over y
+    std::shared_ptr<const profiles::SectionSurface> surface;  ///< if it changes along the track
   };
   std::array<Rail, 2> rails;  ///< left, right
   const Rail& rail(bool left) const { return rails[left ? 0 : 1]; }
+  /// Whether wheel or rail changes along its way.
+  bool varies() const { return rails[0].surface || profiles.wheel_sections; }
   /// The wheel's profile about that place as a height over y; empty where it is too steep.
   contact::HeightCurve wheel_tread;
 };
@@ -36,6 +40,12 @@ SearchScene make_search_scene(const contact::Case& input, ProfilePair profiles);
 /// as given or as found, such that the rigid wheels touch both rails. Throws contact::SolveError
 /// when a wheel is not above its rail or there is no such roll.
 WheelsetPose find_pose(const contact::Case& input, const SearchScene& scene, int position);
+
+/// Wheel and rail of a position, of which one changes along its way; `axle` in the side frame.
+std::shared_ptr<const BodiesAlongWay> bodies_along_way(const contact::Case& input,
+                                                       const SearchScene& scene,
+                                                       const contact::Axle& axle, int position,
+                                                       bool left);
 
 /// Lowers the pose until this wheel touches, and returns the gap under it. Throws
 /// contact::SolveError when the wheel stands on the tip of its flange, contact::InputError when it

@@ -28,7 +28,7 @@ double sinking_under_load(const Case& input, const VerticalGap& gap,
   const double modulus =
       contact::combine(input.wheel.material, input.rail.material).contact_modulus;
   const GapMinimum& deepest = deepest_of(stretches).deepest;
-  const double cosine = std::cos(deepest.angle());
+  const double cosine = deepest.cosine();
   if (input.load.approach) return deepest.gap + *input.load.approach / cosine;
   const double vertical = input.load.vertical_force
                               ? *input.load.vertical_force
@@ -107,12 +107,42 @@ void turn_rail(double roller, const SearchScene::Rail& rail, const PatchAxes& ax
                       in_patch(axes, sign_y, axle));
 }
 
+/// The wheel's axle in the frame of a contact, lowered until that touches.
+Axle lowered_axle(const PatchAxes& axes, double sign_y, const Axle& axle_of_side,
+                  const OutlinePoint& touch, double sink, bool vertically) {
+  Axle axle = axle_of_side;
+  if (vertically) axle.point[2] += sink;
+  axle = {touch.along.place_to_top(axle.point), touch.along.direction_to_top(axle.direction)};
+  if (!vertically) axle.point[2] += sink;
+  return in_patch(axes, sign_y, axle);
+}
+
+/// The surfaces of bodies that change along the way, in the frame of a contact.
+void set_surfaces(const BodiesAlongWay& bodies, const PatchAxes& axes, double sign_y,
+                  const OutlinePoint& touch, contact::PatchGeometry& geometry) {
+  const AlongRail& along = touch.along;
+  const SurfaceFrame frame{
+      along.place_from_top({0.0, axes.y0, axes.z0}), along.direction_from_top({1.0, 0.0, 0.0}),
+      along.direction_from_top({0.0, sign_y * axes.cosine, -sign_y * axes.sine}),
+      along.direction_from_top({0.0, -axes.sine, -axes.cosine})};
+  const contact::AxlePlace here = geometry.axle_place({0.0, 0.0, geometry.wheel().at(0.0).value});
+  const double angle_there = contact::angle_about(geometry.axle(), here.across);
+  geometry.set_surfaces(
+      bodies.rail_in(frame),
+      bodies.wheel_around(bodies.angle_of({along.x, touch.y, touch.z}), angle_there));
+}
+
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
-                                     const PatchAxes& axes, const Axle& axle_of_side, bool left,
-                                     const OutlinePoint& touch, double sink,
-                                     const std::array<double, 2>& overlap, double around_overlap) {
+                                     const BodiesAlongWay* bodies, const PatchAxes& axes,
+                                     const Axle& axle_of_side, bool left, const OutlinePoint& touch,
+                                     double sink, const std::array<double, 2>& overlap,
+                                     double around_overlap) {
   const double reach = std::max(-overlap[0], overlap[1]) + around_overlap;
-  const profiles::ProfileCurve& whole_rail = scene.rail(left).curve;
+  const bool rail_changes = bodies != nullptr && bodies->rail_changes();
+  const bool wheel_changes = bodies != nullptr && bodies->wheel_changes();
+  const profiles::ProfileCurve along =
+      rail_changes ? bodies->rail_section(touch.along) : profiles::ProfileCurve();
+  const profiles::ProfileCurve& whole_rail = rail_changes ? along : scene.rail(left).curve;
   const double at_touch = parameter_near(whole_rail, axes.y0, axes.z0);
   // Shifted to the touching point, then rotated.
   const double cosine = axes.cosine, sine = axes.sine;
@@ -126,14 +156,19 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
   contact::HeightCurve heights =
       changed(profiles::height_over_y(rail, parameter_near(rail, 0.0, 0.0)), to_patch);
   const std::vector<double>& heads = scene.rail(left).place.tops_and_grooves;
-  if (heads.size() > 1 && !(heights.contains(overlap[0]) && heights.contains(overlap[1])))
+  if (rail_changes && !(heights.contains(overlap[0]) && heights.contains(overlap[1])))
+    heights = changed(seen_from_above(rail), to_patch);
+  else if (heads.size() > 1 && !(heights.contains(overlap[0]) && heights.contains(overlap[1])))
     heights = changed(rail_heights(rail, heads), to_patch);
-  const profiles::ProfileCurve& wheel = scene.profiles.wheel;
+  const profiles::ProfileCurve turned =
+      wheel_changes ? bodies->wheel_section(bodies->angle_of({touch.along.x, touch.y, touch.z}))
+                    : profiles::ProfileCurve();
+  const profiles::ProfileCurve& wheel = wheel_changes ? turned : scene.profiles.wheel;
   const double height = touch.radius - input.wheel.rolling_radius;
   // The part about the running circle uses the same knots for every contact there.
   constexpr double same_place = 1e-3;  // mm
   const contact::HeightCurve& tread = scene.wheel_tread;
-  const bool on_tread = tread.contains(touch.profile_y) &&
+  const bool on_tread = !wheel_changes && tread.contains(touch.profile_y) &&
                         std::abs(tread.at(touch.profile_y).value - height) < same_place;
   const Change to_radius{sign_y, 1.0, input.wheel.rolling_radius, touch.profile_y - reach,
                          touch.profile_y + reach};
@@ -142,13 +177,11 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
           ? changed(tread, to_radius)
           : changed(profiles::height_over_y(wheel, parameter_near(wheel, touch.profile_y, height)),
                     to_radius);
-  Vector3 p = touch.along.place_to_top(axle_of_side.point);
-  p[2] += sink;
-  const Axle axle =
-      in_patch(axes, sign_y, {p, touch.along.direction_to_top(axle_of_side.direction)});
+  const Axle axle = lowered_axle(axes, sign_y, axle_of_side, touch, sink, bodies != nullptr);
   const double section = std::min(section_reach, reach);
   contact::PatchGeometry geometry{std::move(heights), std::move(radius), axle, -section, section};
   turn_rail(input.rail.rolling_radius, scene.rail(left), axes, sign_y, at_touch, reach, geometry);
+  if (bodies != nullptr) set_surfaces(*bodies, axes, sign_y, touch, geometry);
   return geometry;
 }
 
@@ -210,7 +243,7 @@ class WheelSearch {
     for (const Stretch& hump : humps) {
       const GapMinimum& lowest = hump.deepest;
       if (lowest.gap < sinking || of_reserve(lowest)) continue;
-      if (lowest.gap * std::cos(lowest.angle()) > options.near_miss) continue;
+      if (lowest.gap * lowest.cosine() > options.near_miss) continue;
       found.push_back(describe(hump, sinking, false, false, plain));
     }
   }
@@ -234,9 +267,11 @@ class WheelSearch {
       slope = gap_.with_surface(y).slope;
     }
     const contact::CurveValue rail = gap_.rail().at(y);
-    const double angle = -std::atan(slope);
-    const PatchAxes axes{y, rail.value, std::cos(angle), std::sin(angle)};
     const OutlinePoint touch = gap_.wheel().at(y);
+    // In the plane across a rail that climbs.
+    const double level = gap_.bodies() ? touch.along.cosine : 1.0;
+    const double angle = -std::atan(slope * level);
+    const PatchAxes axes{y, rail.value, std::cos(angle), std::sin(angle)};
     WheelRailContact contact;
     contact.pose = pose_;
     contact.spread_of_normals = spread;
@@ -259,8 +294,8 @@ class WheelSearch {
       if (minimum.gap < sinking || minimum.y == first.y)
         contact.touching.push_back(
             {(left_ ? 1.0 : -1.0) * across(minimum.y), minimum.gap * axes.cosine});
-    contact.geometry = make_geometry(input_, scene_, axes, axle_, left_, touch, first.gap,
-                                     contact.reach, options.around_overlap);
+    contact.geometry = make_geometry(input_, scene_, gap_.bodies().get(), axes, axle_, left_, touch,
+                                     first.gap, contact.reach, options.around_overlap);
     contact.geometry.set_limits(contact.limits);
     return contact;
   }
@@ -280,6 +315,7 @@ class WheelSearch {
     place.y_wheel = touch.profile_y;
     place.contact_angle = std::atan2(axes.sine, axes.cosine);
     place.rolling_radius = touch.radius;
+    if (gap_.bodies()) place.climb = -std::asin(touch.along.sine);
     place.x_track = contact_place(axes, touch)[0];
     place.way_across = way_across(axes.y0);
     place.separation = stretch.deepest.gap * axes.cosine;

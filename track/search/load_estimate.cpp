@@ -121,13 +121,13 @@ const Stretch& deepest_of(const std::vector<Stretch>& stretches) {
 }
 
 double approach_of(const Stretch& stretch, double sinking) {
-  return (sinking - stretch.deepest.gap) * std::cos(stretch.deepest.angle());
+  return (sinking - stretch.deepest.gap) * stretch.deepest.cosine();
 }
 
 double estimate_force(const VerticalGap& gap, const Stretch& stretch, double approach,
                       double modulus, std::size_t every) {
   if (!(approach > 0.0)) return 0.0;
-  const double cosine = std::cos(stretch.deepest.angle());
+  const double cosine = stretch.deepest.cosine();
   const Rows rows = rows_of(gap, stretch, approach / cosine);
   return pi * modulus * approach_per_deflection(rows, every) * rows.vertical / cosine;
 }
@@ -138,7 +138,7 @@ double estimate_sinking(const VerticalGap& gap, const std::vector<Stretch>& stre
   const auto carried_by = [&](double sinking, std::size_t every) {
     double sum = 0.0;
     for (const Stretch& stretch : stretches)
-      sum += std::cos(stretch.deepest.angle()) *
+      sum += stretch.deepest.cosine() *
              estimate_force(gap, stretch, approach_of(stretch, sinking), modulus, every);
     return sum;
   };

@@ -82,7 +82,7 @@ std::vector<Stretch> separate_groups(const VerticalGap& gap) {
   for (const GapMinimum& minimum : gap.minima()) {
     Stretch group;
     group.deepest = minimum;
-    group.rolling_radius = gap.wheel().at(minimum.y).radius;
+    group.rolling_radius = gap.wheel().at(minimum.y).relative_radius;
     group.limits = {gap.first(), gap.last()};
     group.minima = {minimum};
     if (!groups.empty()) {

@@ -170,11 +170,17 @@ const std::vector<Exclusion> exclusions{
      "friction over the rail as friction.inclination",
      "give inclination instead",
      true},
-    {!when::varies_along_track,
-     {"wheelset.track_position"},
-     "is not used, because friction.track_position is not given",
-     "together with friction.track_position",
+    {!(when::varies_along_track || when::rail_sections),
+     {"wheelset.track_position", "placement.track_position"},
+     "is not used, because neither the rail nor friction.track_position changes along the track",
+     "together with friction.track_position or sections as rail.profile",
      "add track_position under [friction], or remove it",
+     true},
+    {!when::wheel_sections,
+     {"wheelset.wheel_angle", "placement.wheel_angle"},
+     "is not used, because the wheel is round",
+     "together with sections as wheel.profile",
+     "remove it",
      true}};
 
 }  // namespace rollfem::contact

@@ -68,6 +68,16 @@ inline const Condition no_polach = Condition(
 inline const Condition second_part = has("friction", "second_part");
 inline const Condition memory = has("friction", "memory_distance");
 inline const Condition varies_along_track = has("friction", "track_position");
+/// The profile is a list of sections along the way.
+inline Condition sections(const char* body) {
+  return Condition([=](const GivenCase& given) {
+    ProfileSource source;
+    source.name = word_of(given, body, "profile");
+    return source.lists_sections();
+  });
+}
+inline const Condition rail_sections = sections("rail");
+inline const Condition wheel_sections = sections("wheel");
 inline const Condition layer = has("layer", "thickness") || has("layer", "shear_modulus");
 
 }  // namespace when

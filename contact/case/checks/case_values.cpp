@@ -257,8 +257,9 @@ void complete(const GivenCase& given, Case& input) {
   wheelset.on_rail = given.section_lines.count("placement") > 0;
   for (ProfileSource* profile : {&input.wheel.profile, &input.rail.profile})
     profile->for_track = !wheelset.on_rail && !input.track.rail_position;
-  const auto lists = {&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.height,
-                      &wheelset.track_position};
+  const auto lists = {&wheelset.lateral_shift,  &wheelset.yaw,
+                      &wheelset.roll,           &wheelset.height,
+                      &wheelset.track_position, &wheelset.wheel_angle};
   std::size_t count = 0;
   for (const auto* list : lists) count = std::max(count, list->size());
   for (auto* list : lists)

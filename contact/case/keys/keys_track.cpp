@@ -70,6 +70,16 @@ void add_height(WheelsetKeys& keys, const std::string& of) {
                " The load is then a result.");
 }
 
+/// Where along the track, and which part of the wheel is below.
+void add_way(WheelsetKeys& keys, const std::string& what) {
+  keys.add("track_position", &Wheelset::track_position, unit("mm"), within(largest),
+           per("positions"), otherwise("required where rail or friction change along the track"),
+           "Where along the track the " + what + " is.");
+  keys.add("wheel_angle", &Wheelset::wheel_angle, unit("rad"), within(1e3), per("positions"),
+           otherwise("required where the wheel's profile changes about the axle"),
+           "Angle of the wheel's section that points down; it grows as the wheel rolls forward.");
+}
+
 /// Lists over the positions of the wheelset.
 void add_positions(WheelsetKeys& keys) {
   keys.add("lateral_shift", &Wheelset::lateral_shift, unit("mm"), within(1e3), per("positions"),
@@ -82,9 +92,7 @@ void add_positions(WheelsetKeys& keys) {
            "Roll of the wheelset about x, positive when the right wheel is lower; each wheel is "
            "then lowered onto its rail separately.");
   add_height(keys, "0 is level with the rails, positive below; give roll too.");
-  keys.add("track_position", &Wheelset::track_position, unit("mm"), within(largest),
-           per("positions"), otherwise("required with friction.track_position"),
-           "Where along the track the wheelset is.");
+  add_way(keys, "wheelset");
 }
 
 void add_motion(WheelsetKeys& keys, const std::string& lateral, const Choices<FreeRolling>& free,
@@ -140,6 +148,7 @@ SectionWithKeys placement_section() {
            "Yaw of the wheel, positive from x to y.");
   keys.add("roll", &Wheelset::roll, unit("rad"), within(largest_turn), per("positions"),
            otherwise("0"), "Roll of the wheel, positive from y to z.");
+  add_way(keys, "wheel");
   add_motion(keys, "along y", {{"none", FreeRolling::none}, {"force", FreeRolling::force}},
              no_force + ".");
   return keys;

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Files that list the sections of a body: position, file and, if wanted, the arc lengths of
+// features in a line; or CONTACT's slices (.slcs of a rail, .slcw of a wheel; user guide, "Variable
+// profiles").
+#include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
+#include "contact/base/text_fields.hpp"
+#include "profiles/profiles.hpp"
+#include "profiles/section_surface.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rollfem::profiles {
+
+namespace {
+
+using contact::InputError;
+
+/// A section as listed.
+struct Listed {
+  double position = 0.0;  ///< mm or rad
+  std::string file;
+  std::vector<double> features;  ///< mm of arc length from the start
+  std::size_t line = 0;
+};
+
+struct SectionList {
+  std::vector<Listed> sections;
+  SectionSpline spline = SectionSpline::through;
+};
+
+[[noreturn]] void fail(const std::string& name, std::size_t line, const std::string& wrong,
+                       const std::string& allowed, const std::string& remedy) {
+  throw InputError(
+      fmt::format("{}:{}: {}; allowed: {}; do: {}", name, line, wrong, allowed, remedy));
+}
+
+/// Lines without comments that are not empty, each divided into fields; quotes are dropped.
+class Rows {
+ public:
+  Rows(std::string_view text, std::string_view marks, const std::string& name) : name_(name) {
+    for (contact::TextLines lines(text); lines.next();) {
+      const auto content = contact::without_comment(lines.line(), marks);
+      std::vector<std::string> fields;
+      for (const std::string_view field : contact::fields_of(content, " \t,'\""))
+        fields.emplace_back(field);
+      if (!fields.empty()) rows_.push_back({std::move(fields), lines.number()});
+    }
+  }
+  bool more() const { return next_ < rows_.size(); }
+  std::size_t line() const { return rows_.empty() ? 1 : rows_[std::min(next_, last())].line; }
+  const std::vector<std::string>& take(std::size_t least, const std::string& what) {
+    if (!more() || rows_[next_].fields.size() < least)
+      fail(name_, line(), fmt::format("{} missing", what), fmt::format("{} fields", least),
+           "complete the line (docs/profiles.md)");
+    return rows_[next_++].fields;
+  }
+  double number(const std::string& field) const {
+    const auto value = contact::number_of(field);
+    if (!value)
+      fail(name_, rows_[next_ - 1].line, fmt::format("\"{}\"", contact::printable(field)),
+           "a number", "correct it");
+    return *value;
+  }
+  int count(const std::string& field) const {
+    constexpr double most = 1e4;
+    const double value = number(field);
+    if (!(value >= 0.0 && value <= most))
+      fail(name_, rows_[next_ - 1].line, field, fmt::format("a count up to {}", most),
+           "correct it");
+    return static_cast<int>(value);
+  }
+
+ private:
+  struct Row {
+    std::vector<std::string> fields;
+    std::size_t line;
+  };
+  std::size_t last() const { return rows_.size() - 1; }
+  const std::string& name_;
+  std::vector<Row> rows_;
+  std::size_t next_ = 0;
+};
+
+SectionList read_rows(std::string_view text, const std::string& name) {
+  SectionList list;
+  Rows rows(text, "#", name);
+  while (rows.more()) {
+    const std::size_t line = rows.line();
+    const auto& fields = rows.take(2, "position and file");
+    Listed section{rows.number(fields[0]), fields[1], {}, line};
+    for (std::size_t k = 2; k < fields.size(); ++k)
+      section.features.push_back(rows.number(fields[k]));
+    list.sections.push_back(std::move(section));
+  }
+  return list;
+}
+
+SectionList read_slices(std::string_view text, const std::string& name) {
+  SectionList list;
+  Rows rows(text, "%!", name);
+  const auto head = rows.take(2, "offset and scale of the positions");
+  const double offset = rows.number(head[0]), scale = rows.number(head[1]);
+  const int count = rows.count(rows.take(1, "number of slices")[0]);
+  const auto counts = rows.take(3, "numbers of features, kinks and accelerations");
+  const int features = rows.count(counts[0]);
+  if (rows.count(counts[1]) > 0 || rows.count(counts[2]) > 0)
+    fail(name, rows.line(), "kinks and accelerations between parts", "none of them (0 0)",
+         "leave them out: sections are joined smoothly along the way");
+  list.spline = rows.count(rows.take(1, "kind of spline")[0]) == 2 ? SectionSpline::smooth
+                                                                   : SectionSpline::through;
+  for (int k = 0; k < count; ++k) {
+    const std::size_t line = rows.line();
+    const auto& fields = rows.take(2, "position and file of a slice");
+    list.sections.push_back({scale * (rows.number(fields[0]) + offset), fields[1], {}, line});
+  }
+  for (int k = 0; features > 0 && k < count; ++k) {
+    const std::size_t line = rows.line();
+    const auto& fields = rows.take(static_cast<std::size_t>(features) + 1, "features of a slice");
+    Listed& section = list.sections[static_cast<std::size_t>(k)];
+    section.line = line;
+    // The first and the last are the ends of the section.
+    for (int f = 2; f < features; ++f)
+      section.features.push_back(rows.number(fields[static_cast<std::size_t>(f)]));
+  }
+  return list;
+}
+
+/// Parameters of a curve at arc lengths from its start.
+std::vector<double> at_lengths(const ProfileCurve& curve, const std::vector<double>& lengths) {
+  std::vector<double> result;
+  const std::vector<double> places = dense_parameters(curve, 0.05);
+  double way = 0.0;
+  std::size_t next = 0;
+  for (std::size_t k = 1; k < places.size() && next < lengths.size(); ++k) {
+    const ProfilePoint a = curve.at(places[k - 1]), b = curve.at(places[k]);
+    const double step = std::hypot(b.y - a.y, b.z - a.z);
+    for (; next < lengths.size() && way + step > lengths[next]; ++next)
+      result.push_back(places[k - 1] + (lengths[next] - way) / step * (places[k] - places[k - 1]));
+    way += step;
+  }
+  return result;
+}
+
+void check_list(const SectionList& list, const std::string& name) {
+  if (list.sections.size() < 2)
+    fail(name, 1, fmt::format("{} sections", list.sections.size()), "at least two",
+         "list position and file of each, a line for each");
+  for (std::size_t k = 1; k < list.sections.size(); ++k) {
+    const Listed& before = list.sections[k - 1];
+    const Listed& here = list.sections[k];
+    if (!(here.position > before.position))
+      fail(name, here.line, fmt::format("position {:g} after {:g}", here.position, before.position),
+           "increasing positions", "sort the sections");
+    if (here.features.size() != before.features.size())
+      fail(name, here.line, fmt::format("{} features", here.features.size()),
+           fmt::format("{}, as many for each section", before.features.size()),
+           "give the same features for each section");
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource& source,
+                                                    bool wheel, const std::string& case_file) {
+  if (!source.lists_sections()) return {};
+  const std::filesystem::path path = std::filesystem::path(case_file).parent_path() / source.name;
+  constexpr std::size_t largest = 10'000'000;
+  const std::string text = contact::text_of_file(path.string(), source.name, largest);
+  const bool plain = std::filesystem::path(source.name).extension() == ".sections";
+  const SectionList list = plain ? read_rows(text, source.name) : read_slices(text, source.name);
+  check_list(list, source.name);
+  std::vector<PlacedSection> sections;
+  for (const Listed& listed : list.sections) {
+    contact::ProfileSource one = source;
+    one.name = (std::filesystem::path(source.name).parent_path() / listed.file).string();
+    PlacedSection section{listed.position, make_profile(one, wheel, case_file), {}};
+    section.features = at_lengths(section.curve, listed.features);
+    if (section.features.size() != listed.features.size())
+      fail(source.name, listed.line, "a feature beyond the end of its section",
+           "arc lengths from the start of the section, mm", "correct it");
+    sections.push_back(std::move(section));
+  }
+  const double way = sections.back().position - sections.front().position;
+  const bool around = wheel && std::abs(way - 2.0 * contact::pi) < 1e-3;
+  try {
+    return std::make_shared<const SectionSurface>(std::move(sections), list.spline,
+                                                  around ? way : 0.0);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}; do: correct the list of sections (docs/profiles.md)",
+                                 source.name, error.what()));
+  }
+}
+
+}  // namespace rollfem::profiles

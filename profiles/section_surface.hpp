@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The surface of a body whose profile changes along its way: a rail over the position along the
+// track (crossing, switch), a wheel over the angle about its axle (flat, polygon). Sections
+// correspond to each other by features at which parts begin and end; within a part by the fraction
+// of its arc length. From section to section every point runs along a cubic spline, so that a
+// linear change is exact; beyond the first and the last section nothing changes.
+#pragma once
+
+#include "contact/case/track.hpp"
+#include "profiles/profile_curve.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rollfem::profiles {
+
+/// A section and where it is.
+struct PlacedSection {
+  double position = 0.0;  ///< mm along the track, or rad about the axle
+  ProfileCurve curve;
+  /// Parameters of the curve at which parts end, without its ends; as many for each section.
+  std::vector<double> features;
+};
+
+/// How points run from section to section.
+enum class SectionSpline {
+  through,  ///< through the sections, natural at both ends
+  smooth,   ///< a spline with the sections as coefficients: kinks along the way are rounded
+};
+
+/// A point of the surface with its derivatives by the way u (mm or rad) and the parameter v.
+struct SurfacePoint {
+  double y = 0.0, z = 0.0;                ///< mm, coordinates of the profile
+  double y_way = 0.0, z_way = 0.0;        ///< by u
+  double y_across = 0.0, z_across = 0.0;  ///< by v
+};
+
+/// The surface as a height over the way and y: z, dz/du and dz/dy, and the parameter.
+struct SurfaceHeight {
+  double z = 0.0, by_way = 0.0, by_y = 0.0;
+  double parameter = 0.0;
+};
+
+class SectionSurface {
+ public:
+  /// At least two sections with increasing positions. `turn`: the way after which the sections
+  /// repeat (2 pi of a wheel described all around), otherwise 0. Throws std::invalid_argument.
+  SectionSurface(std::vector<PlacedSection> sections, SectionSpline spline, double turn = 0.0);
+
+  SurfacePoint at(double way, double parameter) const;
+  /// The section there, with the parameters of this surface.
+  ProfileCurve section(double way) const;
+  /// The surface at this y near the parameter `start`, by Newton's method; false where the section
+  /// is steeper than a height curve allows or there is none.
+  bool height(double way, double y, double start, SurfaceHeight& found) const;
+  /// Rotated and shifted in the plane of the sections, as ProfileCurve::moved.
+  SectionSurface moved(double angle, double y, double z) const;
+
+  bool has_parameter(double parameter) const {
+    return parameter >= parameter_.front() && parameter <= parameter_.back();
+  }
+  double first() const { return given_[0]; }  ///< of the given sections
+  double last() const { return given_[1]; }
+  std::size_t sections() const { return count_; }
+
+ private:
+  /// Values at the nodes, section by section: a coordinate and its derivative by the parameter,
+  /// and the derivatives of both by the way.
+  struct Nodes {
+    std::vector<double> value, across, value_way, across_way;
+  };
+  struct Cell {
+    std::size_t node;
+    double length, fraction;
+  };
+  void run_along_way(SectionSpline spline, Nodes& nodes) const;
+  static Cell cell_of(const std::vector<double>& at, double place);
+  double known_way(double way) const;
+
+  std::vector<double> way_, parameter_;
+  std::array<double, 2> given_{};
+  std::size_t count_ = 0;
+  double turn_ = 0.0;
+  Nodes y_, z_;
+};
+
+/// The sections listed by the file that the source names (ProfileSource::lists_sections), each read
+/// and repaired as the source says. Nothing where the source names a single profile. Throws
+/// contact::InputError with file and line.
+std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource& source,
+                                                    bool wheel, const std::string& case_file);
+
+}  // namespace rollfem::profiles

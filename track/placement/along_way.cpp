@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "track/placement/along_way.hpp"
+
+#include "contact/base/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace rollfem::track {
+
+using contact::Axle;
+using contact::dot;
+using contact::Vector3;
+using profiles::ProfileCurve;
+using profiles::SectionSurface;
+
+namespace {
+
+/// Between the points of a section from which searches start, mm.
+constexpr double sample_step = 0.5;
+/// Between the points of the locus, and between the places at which all of x is looked at, mm.
+constexpr double locus_step = 0.1;
+constexpr int points_per_look = 10;
+/// Rows to each side, up to this fraction of the wheel's radius.
+constexpr int rows_to_side = 30;
+constexpr double farthest_row = 0.25;
+
+/// What of a section is a height over y: z, and its parameter.
+struct OverY {
+  std::vector<double> y, z, slope, parameter;
+
+  void drop_last() {
+    for (auto* list : {&y, &z, &slope, &parameter}) list->pop_back();
+  }
+  void add(const profiles::ProfilePoint& point, double at) {
+    y.push_back(point.y);
+    z.push_back(point.z);
+    slope.push_back(point.tangent_z / point.tangent_y);
+    parameter.push_back(at);
+  }
+  contact::HeightCurve heights() const { return {y, z, slope}; }
+  contact::HeightCurve parameters() const {
+    std::vector<double> by_y(y.size());
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, y.size() - 1);
+      by_y[k] = (parameter[b] - parameter[a]) / (y[b] - y[a]);
+    }
+    return {y, parameter, by_y};
+  }
+};
+
+bool is_height(const profiles::ProfilePoint& point) {
+  return point.tangent_y * profiles::steepest > std::abs(point.tangent_z);
+}
+
+/// What of a rail is seen from above, where heads stand beside each other.
+OverY parts_seen(const ProfileCurve& rail) {
+  OverY seen;
+  for (const double at : profiles::dense_parameters(rail, sample_step, 1e-3)) {
+    const profiles::ProfilePoint point = rail.at(at);
+    if (!is_height(point)) continue;
+    while (!seen.y.empty() && point.y <= seen.y.back() && point.z < seen.z.back()) seen.drop_last();
+    constexpr double least = 1e-6;  // mm
+    if (seen.y.empty() || point.y > seen.y.back() + least) seen.add(point, at);
+  }
+  return seen;
+}
+
+/// The part of a wheel about y = `about` that is a height over y.
+OverY part_about(const ProfileCurve& wheel, double about) {
+  OverY part;
+  for (const double at : profiles::dense_parameters(wheel, sample_step, 1e-3)) {
+    const profiles::ProfilePoint point = wheel.at(at);
+    if (is_height(point) && (part.y.empty() || point.y > part.y.back())) {
+      part.add(point, at);
+    } else if (point.y < about) {
+      part = {};
+    } else {
+      break;
+    }
+  }
+  return part;
+}
+
+/// Heights up over y, from a place.
+contact::HeightCurve upside_down(const contact::HeightCurve& curve, const Vector3& place) {
+  std::vector<double> y, z, slope;
+  for (const double knot : curve.knots()) {
+    const contact::CurveValue at = curve.at(knot);
+    y.push_back(knot - place[1]);
+    z.push_back(place[2] - at.value);
+    slope.push_back(-at.slope);
+  }
+  return {std::move(y), std::move(z), std::move(slope)};
+}
+
+/// The side frame with z up and its origin at a place in the plane x = 0.
+SurfaceFrame level_frame(const Vector3& place) {
+  return {{0.0, place[1], place[2]}};
+}
+
+Axle in_frame(const Axle& axle, const SurfaceFrame& frame) {
+  Vector3 arm{};
+  for (int d = 0; d < 3; ++d) arm[d] = axle.point[d] - frame.origin[d];
+  const Vector3& e = axle.direction;
+  return {{dot(arm, frame.x), dot(arm, frame.y), dot(arm, frame.z)},
+          {dot(e, frame.x), dot(e, frame.y), dot(e, frame.z)}};
+}
+
+}  // namespace
+
+contact::HeightCurve seen_from_above(const ProfileCurve& section) {
+  return parts_seen(section).heights();
+}
+
+/// The rail over all rows: what functions of it share.
+struct BodiesAlongWay::Rail {
+  std::shared_ptr<const SectionSurface> surface;
+  double way = 0.0;
+  /// Rail at one x: what of it is seen from above, as z (down) and as the parameter over y.
+  struct Row {
+    double x = 0.0;
+    contact::HeightCurve height, parameter;
+  };
+  std::vector<Row> rows;
+
+  const Row& nearest(double x) const {
+    const double part = (x - rows.front().x) / (rows.back().x - rows.front().x);
+    const double last = static_cast<double>(rows.size() - 1);
+    return rows[static_cast<std::size_t>(std::clamp(std::round(part * last), 0.0, last))];
+  }
+  double height_in(const SurfaceFrame& frame, double x, double y) const;
+};
+
+/// Newton's method for position along the track and parameter of the point over (x, y).
+double BodiesAlongWay::Rail::height_in(const SurfaceFrame& frame, double x, double y) const {
+  const auto at_plane = [&](std::size_t d) {
+    return frame.origin[d] + x * frame.x[d] + y * frame.y[d];
+  };
+  double along = at_plane(0);
+  const Row& row = nearest(along);
+  const double aside = std::clamp(at_plane(1), row.parameter.first(), row.parameter.last());
+  double parameter = row.parameter.at(aside).value;
+  for (int step = 0; step < 30; ++step) {
+    const profiles::SurfacePoint at = surface->at(way + along, parameter);
+    const Vector3 by_way{1.0, at.y_way, at.z_way}, by_parameter{0.0, at.y_across, at.z_across};
+    const Vector3 arm{along - frame.origin[0], at.y - frame.origin[1], at.z - frame.origin[2]};
+    const double defect_x = x - dot(arm, frame.x), defect_y = y - dot(arm, frame.y);
+    const double a = dot(by_way, frame.x), b = dot(by_parameter, frame.x);
+    const double c = dot(by_way, frame.y), d = dot(by_parameter, frame.y);
+    const double determinant = a * d - b * c;
+    if (!(std::abs(determinant) * profiles::steepest > std::abs(dot(by_parameter, frame.z)))) break;
+    const double change = (d * defect_x - b * defect_y) / determinant;
+    const double across = (a * defect_y - c * defect_x) / determinant;
+    if (std::abs(change) + std::abs(across) < 1e-11)
+      return dot(arm, frame.z) + change * dot(by_way, frame.z) +
+             across * dot(by_parameter, frame.z);
+    along += change;
+    parameter += across;
+    if (!surface->has_parameter(parameter)) break;
+  }
+  return -contact::infinity;
+}
+
+BodiesAlongWay::BodiesAlongWay(Sections sections, const ProfileCurve& rail,
+                               const ProfileCurve& wheel, double rolling_radius, const Axle& axle,
+                               double tread_y)
+    : sections_(std::move(sections)),
+      wheel_(sections_.wheel ? sections_.wheel->section(sections_.wheel_angle) : wheel),
+      rolling_radius_(rolling_radius),
+      axle_(axle),
+      tread_y_(tread_y) {
+  auto all = std::make_shared<Rail>();
+  all->surface = sections_.rail;
+  all->way = sections_.rail_way;
+  const double step = farthest_row * rolling_radius / rows_to_side;
+  for (int k = -rows_to_side; k <= rows_to_side; ++k) {
+    const double x = axle.point[0] + k * step;
+    if (all->surface || all->rows.empty()) {
+      const OverY seen = parts_seen(all->surface ? all->surface->section(all->way + x) : rail);
+      all->rows.push_back({x, seen.heights(), seen.parameters()});
+    } else {
+      all->rows.push_back(all->rows.front());
+      all->rows.back().x = x;
+    }
+  }
+  rail_ = std::move(all);
+}
+
+contact::RailSurface BodiesAlongWay::rail_in(const SurfaceFrame& frame) const {
+  if (!rail_changes()) return {};
+  return [rail = rail_, frame](double x, double y) { return rail->height_in(frame, x, y); };
+}
+
+ProfileCurve BodiesAlongWay::rail_section(const AlongRail& along) const {
+  const SectionSurface& surface = *sections_.rail;
+  const ProfileCurve at = surface.section(sections_.rail_way + along.x);
+  profiles::ProfileKnots section = at.knots();
+  const Vector3 ahead = along.direction_from_top({1.0, 0.0, 0.0});
+  for (std::size_t k = 0; k < section.parameter.size(); ++k) {
+    double x = along.x;
+    profiles::SurfacePoint point;
+    for (int step = 0; step < 20; ++step) {
+      point = surface.at(sections_.rail_way + x, section.parameter[k]);
+      const double off = along.place_to_top({x, point.y, point.z})[0];
+      const double change = off / (ahead[0] + ahead[2] * point.z_way);
+      x -= change;
+      if (std::abs(change) < 1e-12 * (1.0 + std::abs(x))) break;
+    }
+    const Vector3 place = along.place_to_top({x, point.y, point.z});
+    const double turn =
+        -ahead[2] * point.z_across / (ahead[0] + ahead[2] * point.z_way);  // dx by the parameter
+    const Vector3 tangent = along.direction_to_top(
+        {turn, point.y_across + turn * point.y_way, point.z_across + turn * point.z_way});
+    section.y[k] = place[1];
+    section.z[k] = place[2];
+    section.dy[k] = tangent[1];
+    section.dz[k] = tangent[2];
+  }
+  return ProfileCurve(std::move(section));
+}
+
+double BodiesAlongWay::angle_of(const Vector3& place) const {
+  const SurfaceFrame level = level_frame(place);
+  const Axle axle = in_frame(axle_, level);
+  return contact::angle_about(axle, contact::axle_place(axle, {place[0], 0.0, 0.0}).across);
+}
+
+ProfileCurve BodiesAlongWay::wheel_section(double angle) const {
+  return sections_.wheel->section(sections_.wheel_angle + angle);
+}
+
+contact::WheelSurface BodiesAlongWay::wheel_around(double angle_here, double angle_there) const {
+  if (!wheel_changes()) return {};
+  const double offset = sections_.wheel_angle + angle_here - angle_there;
+  const OverY part = part_about(wheel_section(angle_here), tread_y_);
+  return [surface = sections_.wheel, offset, radius = rolling_radius_,
+          parameters = part.parameters()](double axial, double angle) {
+    const double start =
+        parameters.at(std::clamp(axial, parameters.first(), parameters.last())).value;
+    profiles::SurfaceHeight found;
+    if (!surface->height(offset + angle, axial, start, found))
+      return contact::RadiusAround{contact::infinity, 0.0, 0.0};
+    return contact::RadiusAround{radius + found.z, found.by_y, found.by_way};
+  };
+}
+
+namespace {
+
+/// The gap over x at one y, in the frame of `bodies`.
+struct GapAlong {
+  const contact::PatchGeometry& bodies;
+  double y;
+  double at(double x) const { return bodies.distance(x, y); }
+
+  /// The lowest place between two x by Newton's method from the middle one.
+  std::optional<double> lowest(double lower, double start, double upper) const {
+    constexpr double step = 0.05;  // mm; the curvature changes over centimetres
+    double x = start;
+    for (int round = 0; round < 20; ++round) {
+      const double before = at(x - step), here = at(x), after = at(x + step);
+      if (!std::isfinite(before + here + after)) return {};
+      const double bend = (before - 2.0 * here + after) / (step * step);
+      const double slope = 0.5 * (after - before) / step;
+      const double move = bend > 0.0 ? -slope / bend : (slope > 0.0 ? lower - x : upper - x) / 2.0;
+      const double next = std::clamp(x + move, lower, upper);
+      if (std::abs(next - x) < 1e-6) return next;
+      x = next;
+    }
+    return x;
+  }
+};
+
+/// Places at which the gap is a local minimum among the rows.
+std::vector<std::size_t> low_rows(const GapAlong& gap, const std::vector<double>& x) {
+  std::vector<double> value;
+  for (const double at : x) value.push_back(gap.at(at));
+  std::vector<std::size_t> low;
+  for (std::size_t k = 1; k + 1 < x.size(); ++k)
+    if (std::isfinite(value[k]) && value[k] < value[k - 1] && value[k] <= value[k + 1])
+      low.push_back(k);
+  return low;
+}
+
+}  // namespace
+
+/// The point at y where the gap is least among the lowest places near these rows.
+std::optional<LocusPoint> BodiesAlongWay::point_at(const contact::PatchGeometry& bodies,
+                                                   const SurfaceFrame& level, double y,
+                                                   const std::vector<double>& rows,
+                                                   const std::vector<std::size_t>& near) const {
+  const GapAlong gap{bodies, y};
+  std::optional<double> best;
+  for (const std::size_t k : near)
+    if (const auto x = gap.lowest(rows[k - 1], rows[k], rows[k + 1]))
+      if (!best || gap.at(*x) < gap.at(*best)) best = x;
+  if (!best) return {};
+  constexpr double beside = 1e-3;  // mm
+  const double x = *best;
+  const auto slope = [&](auto&& height) {
+    return (height(x, y - beside) - height(x, y + beside)) / (2.0 * beside);  // z down
+  };
+  const auto rail = [&](double at_x, double at_y) { return bodies.rail_height(at_x, at_y); };
+  const auto wheel = [&](double at_x, double at_y) { return bodies.wheel_height(at_x, at_y); };
+  LocusPoint point;
+  point.x = x;
+  point.y = level.origin[1] + y;
+  point.rail_z = level.origin[2] - rail(x, y);
+  point.wheel_z = level.origin[2] - wheel(x, y);
+  point.along = (rail(x - beside, y) - rail(x + beside, y)) / (2.0 * beside);
+  point.rail_slope = slope(rail);
+  point.wheel_slope = slope(wheel);
+  const contact::AxlePlace at = contact::axle_place(axle_, {x, point.y, point.wheel_z});
+  point.profile_y = at.axial;
+  point.radius = at.radius;
+  constexpr double depth = 0.1, most_times = 50.0;
+  const double wide = std::sqrt(2.0 * rolling_radius_ * depth);
+  const double bend = (gap.at(x - wide) - 2.0 * gap.at(x) + gap.at(x + wide)) / (wide * wide);
+  point.relative_radius =
+      bend * most_times * rolling_radius_ > 1.0 ? 1.0 / bend : most_times * rolling_radius_;
+  if (!std::isfinite(point.rail_slope + point.wheel_slope + point.along)) return {};
+  return point;
+}
+
+std::vector<LocusPoint> BodiesAlongWay::locus() const {
+  // The tread under the axle.
+  Vector3 tread = axle_.point;
+  for (int d = 0; d < 3; ++d) tread[d] += tread_y_ * axle_.direction[d];
+  const Vector3 down =
+      contact::cross(axle_.direction, contact::cross({0.0, 0.0, 1.0}, axle_.direction));
+  const OverY part = part_about(wheel_, tread_y_);
+  const double radius = rolling_radius_ + part.heights().at(tread_y_).value;
+  for (int d = 0; d < 3; ++d) tread[d] += radius * down[d] / std::sqrt(dot(down, down));
+  const SurfaceFrame level = level_frame(tread);
+  std::vector<double> radii = part.z;
+  for (double& z : radii) z += rolling_radius_;
+  const contact::HeightCurve& head = rail_->nearest(axle_.point[0]).height;
+  const double first = head.first() - tread[1], last = head.last() - tread[1];
+  contact::PatchGeometry bodies(upside_down(head, tread), {part.y, radii, part.slope},
+                                in_frame(axle_, level), first, last);
+  bodies.set_surfaces(rail_in(level), wheel_around(0.0, 0.0));
+  std::vector<double> rows;
+  for (const auto& row : rail_->rows) rows.push_back(row.x);
+  const double from = std::max(first, bodies.wheel().first());
+  const double to = std::min(last, bodies.wheel().last());
+  std::vector<LocusPoint> best, run;
+  const auto least = [](const std::vector<LocusPoint>& points) {
+    double value = contact::infinity;
+    for (const LocusPoint& point : points) value = std::min(value, point.rail_z - point.wheel_z);
+    return value;
+  };
+  const auto keep = [&] {
+    if (run.size() > 1 && least(run) < least(best)) best = run;
+    run.clear();
+  };
+  std::vector<std::size_t> before, ahead;
+  for (int k = 0; from + k * locus_step < to; ++k) {
+    const double y = from + k * locus_step;
+    if (k % points_per_look == 0) {
+      before = k == 0 ? low_rows({bodies, y}, rows) : ahead;
+      ahead = low_rows({bodies, std::min(y + points_per_look * locus_step, to)}, rows);
+    }
+    std::vector<std::size_t> near = before;
+    for (const std::size_t row : ahead)
+      if (std::none_of(near.begin(), near.end(), [&](std::size_t known) { return known == row; }))
+        near.push_back(row);
+    if (const auto point = point_at(bodies, level, y, rows, near))
+      run.push_back(*point);
+    else
+      keep();
+  }
+  keep();
+  if (best.empty())
+    throw contact::SolveError("the wheel is not above the rail anywhere near this position");
+  return best;
+}
+
+}  // namespace rollfem::track
