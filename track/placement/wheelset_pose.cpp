@@ -179,12 +179,18 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
       rail.place = displaced(place, input, left);
       rail.curve = place_rail(scene.profiles.rail, rail.place);
       rail.head = rail_heights(rail.curve, rail.place.tops_and_grooves);
+      if (std::isfinite(input.rail.rolling_radius))
+        rail.upright = rail.curve.moved(0.0, -rail.place.shift_y, -rail.place.shift_z)
+                           .moved(-rail.place.roll, 0.0, 0.0);
     }
   };
-  place_at(rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {
+  const RailPlace found = rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {
     place_at(place);
     return tread_touches(input, scene);
-  }));
+  });
+  place_at(found);
+  if (!track.rail_position)
+    scene.gauge_face = profile_coordinates(found, 0.5 * track.gauge, track.gauge_height)[0];
   const profiles::ProfileCurve& wheel = scene.profiles.wheel;
   try {
     scene.wheel_tread = profiles::height_over_y(wheel, parameter_near(wheel, scene.tread_y, 0.0));

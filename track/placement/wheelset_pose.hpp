@@ -7,6 +7,7 @@
 #include "track/placement/vertical_gap.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace rollfem::track {
@@ -22,9 +23,14 @@ struct SearchScene {
     RailPlace place;
     profiles::ProfileCurve curve;
     contact::HeightCurve head;  ///< the same as a height over y
+    /// Of a roller: turned back until its axle is level, over the axial coordinate.
+    profiles::ProfileCurve upright;
   };
   std::array<Rail, 2> rails;  ///< left, right
   const Rail& rail(bool left) const { return rails[left ? 0 : 1]; }
+  /// Gauge face of the head that carries the wheel, as track.gauge_face gives it; none where the
+  /// rails are not placed by the gauge.
+  std::optional<double> gauge_face;
   /// The wheel's profile about that place as a height over y; empty where it is too steep.
   contact::HeightCurve wheel_tread;
 };

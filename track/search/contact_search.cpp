@@ -2,6 +2,7 @@
 #include "track/search/contact_search.hpp"
 
 #include "contact/scene/geometry.hpp"
+#include "profiles/profiles.hpp"
 #include "track/search/patch_groups.hpp"
 
 #include <algorithm>
@@ -96,15 +97,29 @@ void turn_rail(double roller, const SearchScene::Rail& rail, const PatchAxes& ax
   const RailPlace& place = rail.place;
   const Axle axle = roller_axle(place, roller);
   const double axial = contact::axle_place(axle, {0.0, axes.y0, axes.z0}).axial;
-  // z below the origin of the profile over the axial coordinate.
-  const profiles::ProfileCurve upright =
-      rail.curve.moved(0.0, -place.shift_y, -place.shift_z).moved(-place.roll, 0.0, 0.0);
+  const profiles::ProfileCurve upright = rail.upright.part(at_touch - reach, at_touch + reach);
   const double outwards = roller > 0.0 ? 1.0 : -1.0;
   const double radius_at_origin = outwards * (roller - place.upright_z);
   geometry.set_roller(roller,
                       changed(profiles::height_over_y(upright, at_touch),
                               {sign_y, -outwards, radius_at_origin, axial - reach, axial + reach}),
                       in_patch(axes, sign_y, axle));
+}
+
+std::vector<contact::FreeEnd> free_ends(const Case& input, const SearchScene& scene,
+                                        const PatchAxes& axes, const Axle& axle, bool left) {
+  std::vector<contact::FreeEnd> ends;
+  if (input.rail.profile.free_ends)
+    for (const profiles::ProfilePoint& end : profiles::free_ends_of(scene.rail(left).curve))
+      ends.push_back({(left ? 1.0 : -1.0) * axes.across(end.y, end.z), false});
+  if (input.wheel.profile.free_ends)
+    for (const profiles::ProfilePoint& end : profiles::free_ends_of(scene.profiles.wheel)) {
+      const Vector3& d = axle.direction;
+      const double radius = input.wheel.rolling_radius + end.z, across = std::hypot(d[1], d[2]);
+      const double axial = left ? end.y : -end.y;
+      ends.push_back({axle.point[1] + axial * d[1] + radius * d[2] / across, true});
+    }
+  return ends;
 }
 
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
@@ -149,6 +164,7 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
   const double section = std::min(section_reach, reach);
   contact::PatchGeometry geometry{std::move(heights), std::move(radius), axle, -section, section};
   turn_rail(input.rail.rolling_radius, scene.rail(left), axes, sign_y, at_touch, reach, geometry);
+  geometry.set_free_ends(free_ends(input, scene, axes, axle, left));
   return geometry;
 }
 
