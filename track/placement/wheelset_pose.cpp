@@ -108,11 +108,12 @@ double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose p
   throw contact::InputError(fmt::format(
       "{}: {} the {} end of the {} profile, {:.2f} mm from the {}; allowed: "
       "profiles that extend beyond the contact on both sides, as a height over y; do: use a longer "
-      "{} profile, or check {}",
+      "{} profile, or check {}, or put `free_ends = true` under [{}_profile] if the body ends "
+      "there",
       where(input, position, left), what, inner ? "flange-side" : "field-side",
       wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),
       input.wheelset.on_rail ? "origin of the rail's profile" : "middle of the track",
-      wheel_ends ? "wheel" : "rail", what_places(input)));
+      wheel_ends ? "wheel" : "rail", what_places(input), wheel_ends ? "wheel" : "rail"));
 }
 
 VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPose& pose,
