@@ -171,7 +171,6 @@ class Judgement {
         fmt::format("digits M = {}, B = {}: FASTSIM with a pressure other than Hertz's, or FaStrip "
                     "with a parabolic bound",
                     M, B));
-    refuse(digits_.F != 0, "F", digits_.F, "prescribed forces in FASTSIM");
     refuse(M == 5 && (falls(given_) || slope[0] != 1.0), "M", M,
            "FaStrip with falling friction or a reduced slope");
   }

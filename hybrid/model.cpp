@@ -107,11 +107,26 @@ void widen(const Scene& scene, const halfspace::GridElasticity& elasticity,
   }
 }
 
+/// At the end of a body its compliance differs from the half-space's by what no smooth correction
+/// follows.
+void refuse_free_ends(const Scene& scene) {
+  if (!scene.has_profiles()) return;
+  const halfspace::PatchBox patch = halfspace::PatchSearch(scene).box();
+  constexpr double beyond = 1.1;
+  for (const contact::FreeEnd& end : scene.geometry.surface.profiles->free_ends())
+    if (std::abs(end.y - patch.middle) < beyond * patch.half_width)
+      throw contact::SolveError(fmt::format(
+          "the {} ends at y = {:.4g} mm, inside the patch (free_ends), where the correction is "
+          "not smooth; do: run with --model halfspace, or with fem and [fem] mesh = \"gmsh\"",
+          end.of_wheel ? "wheel" : "rail", end.y));
+}
+
 }  // namespace
 
 ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
                        contact::Checkpoint* checkpoint, const FindParts& find) {
   const contact::Stopwatch watch;
+  refuse_free_ends(scene);
   Scene curved = scene;
   curved.follows_surface = 1.0;
   const halfspace::SmoothParts parts = find(curved, progress);

@@ -3,6 +3,7 @@
 // order, duplicates, zig-zag, gaps, kinks (profile_corners.cpp). Repairs happen only on request.
 #include "contact/base/errors.hpp"
 #include "profiles/profile_points.hpp"
+#include "profiles/profiles.hpp"
 #include "profiles/smoothing_spline.hpp"
 
 #include <fmt/format.h>
@@ -384,7 +385,12 @@ void mend_and_check(ProfilePoints& points, const ProfileSource& source, bool whe
     if (key.empty()) break;
     fault->repairs.front().apply(trial);
   }
-  throw InputError(message_of(faults, points.file, wheel));
+  std::vector<std::string> repairs;
+  for (const PointFault& fault : faults)
+    if (!fault.repairs.empty()) repairs.push_back(fault.repairs.front().key);
+  const std::string text = message_of(faults, points.file, wheel);
+  if (repairs.size() == faults.size()) throw RepairableProfile(text, wheel, std::move(repairs));
+  throw InputError(text);
 }
 
 }  // namespace rollfem::profiles

@@ -86,6 +86,43 @@ ProfileCurve of_source(const ProfileSource& source, bool wheel, const std::strin
   return from_file(source, wheel, case_file, report);
 }
 
+/// Knots that side faces add at each end.
+constexpr std::size_t knots_of_side_face = 2;
+
+/// Continues the profile by side faces. They lean by 18 degrees, because finite elements mesh
+/// surfaces up to 75 degrees and a profile may be turned a little.
+ProfileCurve with_side_faces(const ProfileCurve& curve, bool wheel) {
+  constexpr double slope = 3.0, height = 0.3;  // height over the width of the profile
+  constexpr double edge = 0.012;               // mm, over which the profile turns
+  const double inwards = wheel ? -1.0 : 1.0;
+  const double cosine = 1.0 / std::hypot(1.0, slope), sine = slope * cosine;
+  ProfileKnots knots = curve.knots();
+  const double length = height * std::abs(knots.y.back() - knots.y.front()) / sine;
+  for (const double outwards : {1.0, -1.0}) {
+    const bool last = outwards > 0.0;
+    const double at = last ? curve.last() : curve.first();
+    const ProfilePoint end = curve.at(at);
+    const double end_y = outwards * end.tangent_y, end_z = outwards * end.tangent_z;
+    const bool steeper = inwards * end_z > sine;
+    const double face_y = steeper ? end_y : outwards * cosine;
+    const double face_z = steeper ? end_z : inwards * sine;
+    double y = end.y + 0.5 * edge * (end_y + face_y), z = end.z + 0.5 * edge * (end_z + face_z);
+    for (const double way : {edge, edge + length}) {
+      const auto add = [last](std::vector<double>& list, double value) {
+        list.insert(last ? list.end() : list.begin(), value);
+      };
+      add(knots.parameter, at + outwards * way);
+      add(knots.y, y);
+      add(knots.z, z);
+      add(knots.dy, outwards * face_y);
+      add(knots.dz, outwards * face_z);
+      y += length * face_y;
+      z += length * face_z;
+    }
+  }
+  return ProfileCurve(std::move(knots));
+}
+
 /// The flange tip lies behind the flange back: a profile measured from the back has its tip where
 /// the tread should be, and would roll on it.
 void check_flange(const contact::Case& input, const ProfileCurve& curve) {
@@ -106,6 +143,12 @@ void check_flange(const contact::Case& input, const ProfileCurve& curve) {
 }
 
 }  // namespace
+
+std::array<ProfilePoint, 2> free_ends_of(const ProfileCurve& curve) {
+  const std::vector<double>& parameters = curve.knots().parameter;
+  return {curve.at(parameters[knots_of_side_face]),
+          curve.at(parameters[parameters.size() - 1 - knots_of_side_face])};
+}
 
 std::optional<double> flange_tip(const ProfileCurve& curve) {
   constexpr double lowest_flange = 15.0;  // mm; those of wheels are 25 to 36 high
@@ -146,6 +189,7 @@ ProfileCurve make_profile(const ProfileSource& source, bool wheel, const std::st
   if (source.mirror && here.kind != "file") curve = curve.mirrored();
   if (source.rotation != 0.0 || source.shift[0] != 0.0 || source.shift[1] != 0.0)
     curve = curve.moved(source.rotation, source.shift[0], source.shift[1]);
+  if (source.free_ends) curve = with_side_faces(curve, wheel);
   return curve;
 }
 

@@ -3,14 +3,27 @@
 // checked, and repaired only as the case requests.
 #pragma once
 
+#include "contact/base/errors.hpp"
 #include "contact/case/case.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/smoothing_spline.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rollfem::profiles {
+
+/// Defects of a file of which every one can be repaired by a key.
+class RepairableProfile : public contact::InputError {
+ public:
+  RepairableProfile(const std::string& text, bool wheel, std::vector<std::string> keys)
+      : InputError(text), of_wheel(wheel), repairs(std::move(keys)) {}
+  bool of_wheel;
+  std::vector<std::string> repairs;  ///< "flip = true", under [wheel_profile] or [rail_profile]
+};
 
 /// Origin of a profile.
 struct ProfileReport {
@@ -30,6 +43,9 @@ ProfileCurve make_profile(const contact::ProfileSource& source, bool wheel,
 /// The same from the text of a file named by `source`, without rotation or shift.
 ProfileCurve profile_of_text(const std::string& text, const contact::ProfileSource& source,
                              bool wheel);
+
+/// The ends of a profile with ProfileSource::free_ends, where its side faces begin.
+std::array<ProfilePoint, 2> free_ends_of(const ProfileCurve& curve);
 
 /// Whether a built-in profile, or a file by its ending, is of a wheel; nothing if it may be of
 /// either body.

@@ -99,6 +99,33 @@ contact::ModelResult run_theory(const contact::Scene& scene, const contact::Cont
   return result;
 }
 
+contact::Scene with_creepages_of_forces(
+    contact::Scene scene,
+    const std::function<contact::TransmittedForce(const contact::Creepage&)>& transmitted,
+    bool has_peak) {
+  constexpr double small = 1e-9;  // creepage without slip
+  for (contact::LoadPoint& point : scene.points) {
+    if (!point.force.any()) continue;
+    const contact::TransmittedForce at_rest = transmitted({});
+    contact::ForceSearch search;
+    search.has_peak = has_peak;
+    search.stiffness = {at_rest.force.x() - transmitted({small, 0.0, 0.0}).force.x(),
+                        at_rest.force.y() - transmitted({0.0, small, 0.0}).force.y()};
+    search.stiffness /= small;
+    contact::refuse_force_beyond_friction(point.force, at_rest.bound);
+    search.start =
+        contact::first_creepage(point.force, {point.creepage.longitudinal, point.creepage.lateral},
+                                search.stiffness, at_rest.bound);
+    const contact::ForceLaw law = [&](const Eigen::Vector2d& creepage) {
+      return transmitted({creepage.x(), creepage.y(), point.creepage.spin});
+    };
+    const Eigen::Vector2d found = contact::find_creepage(law, point.force, search).creepage;
+    point.creepage.longitudinal = found.x();
+    point.creepage.lateral = found.y();
+  }
+  return scene;
+}
+
 void set_forces(const halfspace::CreepForces& forces, contact::PointResult& point) {
   // Adding 0 turns -0 into 0.
   point.longitudinal_force = forces.longitudinal + 0.0;

@@ -5,6 +5,7 @@
 
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/model.hpp"
+#include "contact/solve/prescribed_force.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 
@@ -42,6 +43,13 @@ using FillTangential = std::function<void(contact::PointResult&)>;
 contact::ModelResult run_theory(const contact::Scene& scene, const contact::ContactGrid& grid,
                                 const contact::PointResult& normal, const std::string& name,
                                 const contact::Progress& progress, const FillTangential& fill);
+
+/// The scene with creepages at which a theory transmits its prescribed forces. `has_peak`: beyond
+/// some creepage the force may fall.
+contact::Scene with_creepages_of_forces(
+    contact::Scene scene,
+    const std::function<contact::TransmittedForce(const contact::Creepage&)>& transmitted,
+    bool has_peak = false);
 
 /// Forces and traction coefficient of a load point.
 void set_forces(const halfspace::CreepForces& forces, contact::PointResult& point);

@@ -132,12 +132,23 @@ contact::ModelResult run_brushes(bool adhesion_of_strips, const contact::Scene& 
   FastsimOptions half = options;
   half.strips = (options.strips + 1) / 2;
   half.strip_elements = (options.strip_elements + 1) / 2;
+  const auto strips_at = [&](const contact::Creepage& creepage) {
+    return adhesion_of_strips ? strips_with_theory(patch, creepage)
+                              : strips_of(patch, options.bound);
+  };
+  const auto transmitted = [&](const contact::Creepage& creepage) -> contact::TransmittedForce {
+    const halfspace::CreepForces forces =
+        sum_ellipse(patch, creepage, fastsim_flexibilities(patch, creepage, options),
+                    strips_at(creepage), options)
+            .forces;
+    return {{forces.longitudinal, forces.lateral},
+            patch.friction_at(creepage) * patch.hertz.normal_force};
+  };
   long unknowns = 0;
   const auto fill = [&](contact::PointResult& point) {
     const contact::Creepage& creepage = point.creepage;
     const BrushFlexibilities flexibilities = fastsim_flexibilities(patch, creepage, options);
-    const StripAt strip_at =
-        adhesion_of_strips ? strips_with_theory(patch, creepage) : strips_of(patch, options.bound);
+    const StripAt strip_at = strips_at(creepage);
     const BrushProblem problem{patch.geometry, creepage, flexibilities, options.strip_elements};
     fill_brush_fields(patch.grid, problem, strip_at, point);
     const BrushTotals totals = sum_ellipse(patch, creepage, flexibilities, strip_at, options);
@@ -149,8 +160,9 @@ contact::ModelResult run_brushes(bool adhesion_of_strips, const contact::Scene& 
                    point);
     unknowns = 2 * totals.elements;
   };
-  contact::ModelResult result = run_theory(
-      scene, patch.grid, patch.normal, adhesion_of_strips ? "fastrip" : "fastsim", progress, fill);
+  contact::ModelResult result =
+      run_theory(with_creepages_of_forces(scene, transmitted, patch.falling != nullptr), patch.grid,
+                 patch.normal, adhesion_of_strips ? "fastrip" : "fastsim", progress, fill);
   result.unknowns = unknowns;
   result.notes.push_back(
       fmt::format("{}: error estimates cover the resolution only; see model_error for the error of "

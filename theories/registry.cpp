@@ -264,29 +264,29 @@ void add_theories_of_strips(contact::ModelRegistry& models) {
       theory("carter", "Carter", "strips of an ellipse along rolling, each a line contact",
              {Demand::line_contact, Demand::extra_slip}, run_carter);
   carter.refinements = {refined_strips<contact::CarterOptions, &ModelOptions::carter>()};
-  ModelInfo fastsim =
-      theory("fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse",
-             {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin,
-              Demand::extra_slip, Demand::falling_friction, Demand::layer},
-             elliptic(run_fastsim));
+  ModelInfo fastsim = theory(
+      "fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse",
+      {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
+       Demand::spin, Demand::extra_slip, Demand::falling_friction, Demand::layer},
+      elliptic(run_fastsim));
   fastsim.refinements = {refined_strips<FastsimOptions, &ModelOptions::fastsim>()};
   fastsim.in_compare = true;
   ModelInfo fastrip = theory("fastrip", "FaStrip",
                              "FASTSIM's direction of slip with the adhesion area of strip theory",
-                             {Demand::profiles, Demand::sections, Demand::lateral_creepage,
-                              Demand::spin, Demand::extra_slip},
+                             {Demand::tangential_force, Demand::profiles, Demand::sections,
+                              Demand::lateral_creepage, Demand::spin, Demand::extra_slip},
                              elliptic(run_fastrip));
   fastrip.refinements = fastsim.refinements;
   for (ModelInfo* model : {&carter, &fastsim, &fastrip}) {
     model->bars = strips_on_ellipse;
     models.add(*model);
   }
-  ModelInfo strip =
-      theory("strip", "strip", "strips along rolling, each with Hertzian pressure and brushes",
-             {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin,
-              Demand::extra_slip, Demand::extra_slip_on_profiles},
-             [](const Scene& c, const Progress& p) { return run_each_load(run_strip, c, p); },
-             {true, false});
+  ModelInfo strip = theory(
+      "strip", "strip", "strips along rolling, each with Hertzian pressure and brushes",
+      {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
+       Demand::spin, Demand::extra_slip, Demand::extra_slip_on_profiles},
+      [](const Scene& c, const Progress& p) { return run_each_load(run_strip, c, p); },
+      {true, false});
   strip.refinements = {refined_strips<contact::StripOptions, &ModelOptions::strip>()};
   strip.in_compare = true;
   models.add(strip);

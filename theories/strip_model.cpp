@@ -213,7 +213,14 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
                    point);
     unknowns = 2 * totals.elements;
   };
-  contact::ModelResult result = run_theory(scene, grid, normal, "strip", progress, fill);
+  const auto transmitted = [&](const contact::Creepage& creepage) -> contact::TransmittedForce {
+    const halfspace::CreepForces forces =
+        strip_totals(fine, creepage, options.strip_elements).forces;
+    return {{forces.longitudinal, forces.lateral},
+            scene.friction_coefficient() * normal.normal_force};
+  };
+  contact::ModelResult result = run_theory(with_creepages_of_forces(scene, transmitted), grid,
+                                           normal, "strip", progress, fill);
   result.unknowns = unknowns;
   result.notes.push_back(
       "strip model: error estimates cover the resolution only; no gap outside the contact");

@@ -8,6 +8,7 @@
 #include "models/registry.hpp"
 #include "models/solving/case_scenes.hpp"
 #include "postprocess/files/files_together.hpp"
+#include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
 
@@ -115,38 +116,70 @@ Cells fine_cells(const contact::Case& input, const modelling::Placed& placed) {
   return cells;
 }
 
-/// Reads a written case and, with profiles, places its wheels, as `check` does; false where one is
-/// refused, with the reason, and `cells` if the case needs others.
-bool is_accepted(const fs::path& path, const contact::ModelRegistry& models, std::string& wrong,
-                 std::optional<Cells>& cells) {
+/// What `check` says to a written case.
+struct Verdict {
+  std::string wrong;           ///< why it is refused, or empty
+  std::optional<Cells> cells;  ///< the case needs these
+  std::optional<profiles::RepairableProfile>
+      repairable;  ///< and would be accepted with its repairs
+};
+
+/// Reads a written case and, with profiles, places its wheels, as `check` does.
+Verdict checked(const fs::path& path, const contact::ModelRegistry& models) {
+  Verdict verdict;
   try {
     const contact::Case input = contact::read_case(path.string(), modelling::model_words(models));
-    if (!input.has_profiles()) return true;
+    if (!input.has_profiles()) return verdict;
     const modelling::Placed placed = modelling::placed_wheels(input);
     try {
-      cells = fine_cells(input, placed);
-      if (cells == input.contact_grid.cell_size) cells.reset();
+      verdict.cells = fine_cells(input, placed);
+      if (verdict.cells == input.contact_grid.cell_size) verdict.cells.reset();
     } catch (const contact::SolveError&) {
       // There is no balance: `run` says why.
     }
   } catch (const contact::FileError&) {
     // A profile that is missing is warned of; it may come.
+  } catch (const profiles::RepairableProfile& error) {
+    verdict.wrong = error.what();
+    verdict.repairable = error;
   } catch (const contact::Failure& error) {
-    wrong = error.what();
+    verdict.wrong = error.what();
   }
-  return wrong.empty();
+  return verdict;
+}
+
+void add_note(convert::CaseFile& made, const std::string& note) {
+  made.text.insert(made.text.find("\ntitle = "), fmt::format("# note: {}\n", note));
+  made.notes.push_back(note);
 }
 
 /// The case file with finer cells than CONTACT's, and a note on them.
 convert::CaseFile with_cells(convert::CaseFile made, const Cells& cells) {
-  const std::string given = "cell_size = ", title = "\ntitle = ";
+  const std::string given = "cell_size = ";
   const std::size_t at = made.text.find(given), end = made.text.find('\n', at);
   made.text.replace(at, end - at, fmt::format("{}[{:.12g}, {:.12g}]", given, cells[0], cells[1]));
-  const std::string note = fmt::format(
-      "elements of {:g} by {:g} mm instead of DX by DS, which are too few across a patch", cells[0],
-      cells[1]);
-  made.text.insert(made.text.find(title), fmt::format("# note: {}\n", note));
-  made.notes.push_back(note);
+  add_note(made, fmt::format("elements of {:g} by {:g} mm instead of DX by DS, which are too few "
+                             "across a patch",
+                             cells[0], cells[1]));
+  return made;
+}
+
+/// The case file with the keys that repair the points of a profile, as CONTACT does unasked, and a
+/// note on them.
+convert::CaseFile with_repairs(convert::CaseFile made, const profiles::RepairableProfile& profile) {
+  const std::string body = profile.of_wheel ? "wheel" : "rail";
+  const std::string head = fmt::format("\n[{}_profile]\n", body);
+  if (made.text.find(head) == std::string::npos) made.text.insert(made.text.find("\n["), head);
+  for (const std::string& repair : profile.repairs) {
+    const std::size_t section = made.text.find(head) + head.size();
+    const std::string key = "\n" + repair.substr(0, repair.find('=') + 1);
+    const std::size_t given = made.text.find(key, section - 1);
+    if (given < made.text.find("\n[", section - 1))
+      made.text.erase(given, made.text.find('\n', given + 1) - given);
+    made.text.insert(section, repair + "\n");
+  }
+  add_note(made, fmt::format("points of the profile of the {} are repaired: {}", body,
+                             fmt::join(profile.repairs, ", ")));
   return made;
 }
 
@@ -198,21 +231,27 @@ std::vector<convert::CaseFile> written_cases(const convert::Conversion& conversi
                                              const contact::ModelRegistry& models, Written& written,
                                              Refused& refused) {
   std::vector<convert::CaseFile> kept;
-  for (const convert::CaseFile& made : conversion.files) {
+  for (convert::CaseFile made : conversion.files) {
     for (const auto& [name, content] : made.attached_files) written.write(name, content);
     written.write(made.name, made.text);
-    std::string wrong;
-    std::optional<Cells> cells;
-    if (!is_accepted(directory / made.name, models, wrong, cells)) {
-      add(refused, {wrong}, made.cases);
+    const auto replace = [&](convert::CaseFile better) {
+      made = std::move(better);
+      written.remove(directory / made.name);
+      written.write(made.name, made.text);
+    };
+    Verdict verdict = checked(directory / made.name, models);
+    for (int body = 0; body < 2 && verdict.repairable; ++body) {
+      replace(with_repairs(made, *verdict.repairable));
+      verdict = checked(directory / made.name, models);
+    }
+    if (!verdict.wrong.empty()) {
+      add(refused, {verdict.wrong}, made.cases);
       for (const auto& [name, content] : made.attached_files) written.remove(directory / name);
       written.remove(directory / made.name);
       continue;
     }
-    kept.push_back(cells ? with_cells(made, *cells) : made);
-    if (!cells) continue;
-    written.remove(directory / made.name);
-    written.write(made.name, kept.back().text);
+    if (verdict.cells) replace(with_cells(made, *verdict.cells));
+    kept.push_back(std::move(made));
   }
   return kept;
 }

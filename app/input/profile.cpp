@@ -44,6 +44,8 @@ struct NamedProfile {
   bool wheel = false;
   ProfileCurve curve;
   profiles::ProfileReport report;
+  std::optional<double> gauge_face = {};  ///< y as features have it, or of the track of a case
+  double gauge_height = 14.0;             ///< mm
 };
 
 std::string radius_of(double curvature) {
@@ -82,8 +84,9 @@ std::string described(const NamedProfile& profile) {
            "if so, put `shift = [-70, 0]` under [wheel_profile], so that y = 0 is the tape line");
   } else {
     line("top, mm", place_of(features.top));
-    if (features.gauge_face)
-      line("gauge face 14 mm below the top, mm", fmt::format("y = {:.4f}", *features.gauge_face));
+    if (profile.gauge_face)
+      line(fmt::format("gauge face {:g} mm below the top, mm", profile.gauge_height),
+           fmt::format("y = {:.4f}", *profile.gauge_face));
   }
   const auto [convex, hollow] = sharpest(profile, features);
   for (const auto& [what, place] :
@@ -150,6 +153,13 @@ std::vector<NamedProfile> of_case(const ProfileRequest& request) {
     const std::string& name = (wheel ? input.wheel.profile : input.rail.profile).name;
     profile.title = profile.file + (name.empty() ? "" : " " + name);
     profile.curve = profiles::profile_of_case(input, wheel, &profile.report);
+    profile.gauge_face = profiles::profile_features(profile.curve, wheel).gauge_face;
+    if (!wheel && input.has_profiles())
+      if (const auto search = contact::attempt([&] { return track::search_scene_of(input); });
+          search && search->gauge_face) {
+        profile.gauge_face = search->gauge_face;
+        profile.gauge_height = input.track.gauge_height;
+      }
     profiles.push_back(std::move(profile));
   }
   return profiles;
@@ -178,6 +188,7 @@ std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
   contact::ProfileSource source;
   source.name = request.name;
   profile.curve = profiles::make_profile(source, profile.wheel, "profile", &profile.report);
+  profile.gauge_face = profiles::profile_features(profile.curve, profile.wheel).gauge_face;
   return {std::move(profile)};
 }
 
@@ -193,7 +204,7 @@ nlohmann::ordered_json json_of(const NamedProfile& profile) {
                               {"body", profile.wheel ? "wheel" : "rail"},
                               {"source", profile.report.kind},
                               {"length", features.length}};
-  if (features.gauge_face) json["gauge_face"] = *features.gauge_face;
+  if (profile.gauge_face) json["gauge_face"] = *profile.gauge_face;
   const auto [convex, hollow] = sharpest(profile, features);
   for (const auto& [name, place] :
        {std::pair{"smallest_radius_convex", convex}, {"smallest_radius_hollow", hollow}})

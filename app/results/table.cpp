@@ -34,7 +34,7 @@ std::string text_of_wheels(const CreepTable& table) {
     const tables::TableWheel& wheel = table.wheels[k];
     if (table.load.size() > 1 && k % table.lateral_shift.size() == 0)
       text += fmt::format("load {:g} N\n", table.load[k / table.lateral_shift.size()]);
-    text += fmt::format("{:8.3g} {:11.2f} {:10.4f} {:6.3f} {:6.3f} {:8.0f} {:8.1f} {:5.0f}\n",
+    text += fmt::format("{:8.6g} {:11.2f} {:10.4f} {:6.3f} {:6.3f} {:8.0f} {:8.1f} {:5.0f}\n",
                         table.lateral_shift[k % table.lateral_shift.size()],
                         1e3 * wheel.contact_angle, wheel.rolling_radius, wheel.semi_axis_x,
                         wheel.semi_axis_y, wheel.normal_force, wheel.max_pressure, wheel.contacts);

@@ -214,7 +214,7 @@ std::string row_table(const std::vector<ModelResult>& models) {
     const double coefficient =
         std::abs(point.traction_coefficient) < 5e-5 ? 0.0 : point.traction_coefficient;
     text += fmt::format(
-        "{:<6}{:>3}{:>6}{:>9.3g} {:>9.4f} {:>10.4f} {:>9.4f}  {:<12} {:>8.5g} {:>9.3f} {:>9.3f} "
+        "{:<6}{:>3}{:>6}{:>9.6g} {:>9.4f} {:>10.4f} {:>9.4f}  {:<12} {:>8.5g} {:>9.3f} {:>9.3f} "
         "{:>22} {:>12.4e} {:>22}\n",
         place.side(), place.position, place.patch, place.lateral_shift, place.y_rail, place.y_wheel,
         place.contact_angle, model.name, point.normal_force, point.contact_length,

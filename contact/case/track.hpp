@@ -29,6 +29,7 @@ struct ProfileSource {
   std::vector<double> limits;
   // For all profiles.
   bool mirror = false;                ///< y -> -y
+  bool free_ends = false;             ///< the body has side faces where its profile ends
   double rotation = 0.0;              ///< rad, from y to z, about (0, 0), before the shift
   std::array<double, 2> shift{0, 0};  ///< mm, along y and z
   // For files.

@@ -8,6 +8,7 @@
 #include "contact/scene/scene.hpp"
 
 #include <string>
+#include <vector>
 
 namespace rollfem::contact {
 
@@ -27,6 +28,8 @@ inline constexpr const char* relative = "relative";
 inline constexpr const char* not_estimated = "not estimated";
 /// The largest stress lies on the surface, or so near it that the coarser grid does not tell.
 inline constexpr const char* near_surface = "near surface";
+/// Grows without bound on finer grids: the pressure at a sharp end of a body.
+inline constexpr const char* no_limit = "no limit";
 }  // namespace no_bar
 
 /// A model's reasons for values without error bar.
@@ -42,6 +45,16 @@ struct BarRules {
 /// PointResult::no_bar for every value without bar, unless the model has set it. Prescribed values
 /// (a force along z, an approach) have no bar but the word "given".
 void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result);
+
+/// Sharp ends of bodies (ProfileSource::free_ends) up to which a load point has pressure.
+struct LoadedEnds {
+  std::vector<FreeEnd> ends;
+  double share = 0.0;  ///< of the load, within half the patch's length from these ends
+};
+LoadedEnds loaded_ends(const Scene& scene, const ContactGrid& grid, const PointResult& point);
+
+/// The pressure and tractions of a point with loaded ends have no limit on finer grids.
+void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointResult& point);
 
 /// "+- 0.58", over `scale`, or the reason instead; empty if the point has neither.
 std::string bar_text(const PointResult& point, const std::string& quantity, double scale = 1.0);

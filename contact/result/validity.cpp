@@ -2,6 +2,7 @@
 #include "contact/result/validity.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 
@@ -180,10 +181,19 @@ struct Worst {
   }
 };
 
-/// Sine of half the angle between the normals at both ends of the patch.
-double slope_change(const HeightCurve& curve, double middle, double width) {
+/// Sine of half the angle between the normals at both ends of the patch; at an end of a body, of
+/// its surface before that end.
+double slope_change(const HeightCurve& curve, const std::vector<FreeEnd>& ends, double middle,
+                    double width) {
+  double lower = middle - 0.5 * width, upper = middle + 0.5 * width;
+  const double before = 0.01 * width;
+  for (const FreeEnd& end : ends)
+    if (end.y < middle)
+      lower = std::max(lower, end.y + before);
+    else
+      upper = std::min(upper, end.y - before);
   const auto angle = [&](double y) { return std::atan(curve.at(y).slope); };
-  return std::sin(0.5 * std::abs(angle(middle + 0.5 * width) - angle(middle - 0.5 * width)));
+  return std::sin(0.5 * std::abs(angle(upper) - angle(lower)));
 }
 
 void compare_with_radii(const Scene& scene, const PointResult& point, std::size_t k, Worst& worst) {
@@ -203,7 +213,8 @@ void compare_with_radii(const Scene& scene, const PointResult& point, std::size_
   const double middle = point.patch_y_middle.value_or(0.0);
   for (const auto& [curve, body] : {std::pair{&surface.profiles->rail(), "rail"},
                                     std::pair{&surface.profiles->wheel(), "wheel"}}) {
-    const double part = slope_change(*curve, middle, point.contact_width);
+    const double part =
+        slope_change(*curve, surface.profiles->free_ends(), middle, point.contact_width);
     worst.raise(part, k,
                 fmt::format("the {} turns by {:.3g} rad across the patch of {:.4g} mm", body,
                             2.0 * std::asin(part), point.contact_width));
@@ -268,6 +279,24 @@ void warn_of_long_steps(const Scene& scene, const ModelResult& result,
         step.what, step.point, step.part, largest_step_part));
 }
 
+/// With the size of what half-spaces leave out at the ends of bodies; empty without loaded ends.
+std::string free_end_warning(const Scene& scene, const ModelResult& result) {
+  LoadedEnds worst;
+  for (const PointResult& point : result.points)
+    if (LoadedEnds loaded = loaded_ends(scene, result.grid, point); loaded.share > worst.share)
+      worst = std::move(loaded);
+  if (worst.ends.empty()) return "";
+  std::string places;
+  for (const FreeEnd& end : worst.ends)
+    places += fmt::format("{}the {} at y = {:.4g} mm", places.empty() ? "" : ", ",
+                          end.of_wheel ? "wheel" : "rail", end.y);
+  return fmt::format(
+      "warning: bodies end inside the patch ({}), beside which a half-space has material and they "
+      "have none: {:.2g} % of the load lies within half the patch's length from these ends, where "
+      "the pressure is too high",
+      places, 100.0 * worst.share);
+}
+
 }  // namespace
 
 std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult& result,
@@ -302,6 +331,9 @@ std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult
         "rail or wheel steel carries elastically; check load, radii and their units",
         pressure.part, pressure.point, largest_elastic_pressure));
   warn_of_long_steps(scene, result, warnings);
+  if (kind.half_spaces)
+    if (std::string warning = free_end_warning(scene, result); !warning.empty())
+      warnings.push_back(std::move(warning));
   return warnings;
 }
 

@@ -159,6 +159,11 @@ void ChartedGeometry::add_averaging(const ContactGrid& grid, Field& distance) co
     const double stretch = stretch_of(climb(grid.y(j)));
     const double width = chart_ == Chart::arc ? grid.dy / stretch : grid.dy;
     const double y = lateral_place(grid.y(j));
+    // A mean over an edge would lift the elements beside it.
+    const auto& ends = profiles.free_ends();
+    if (std::any_of(ends.begin(), ends.end(),
+                    [&](const FreeEnd& end) { return std::abs(end.y - y) < 1.5 * width; }))
+      continue;
     const double rail = profiles.rail().averaging(y, width);
     const double y_wheel = y - profiles.sinking().way[0];
     double change = 0.0;

@@ -19,8 +19,9 @@ namespace {
 constexpr double steepest = 12.0;
 /// Relative to a radius, of what Newton's method may leave of it.
 constexpr double rounding_of_radius = 1e-15;
-/// Knots of the wheel's section.
-constexpr double knot_distance = 0.05;  // mm
+/// Knots of the wheel's section; closer where it turns by more than this between two.
+constexpr double knot_distance = 0.05, least_knot_distance = 1e-3;  // mm
+constexpr double largest_turn = 0.5;                                // rad
 
 /// Gradient of the distance from the axle less the radius, by the place.
 Vector3 normal_of(const Axle& axle, const AxlePlace& at, const RadiusAround& radius) {
@@ -79,17 +80,26 @@ HeightCurve section(const HeightCurve& wheel_radius, const Axle& axle, double y_
   for (auto* list : {&y_of, &z_of, &slope_of}) list->reserve(usual_knots);
   const auto walk = [&](double end) {
     const double direction = end > 0.0 ? 1.0 : -1.0;
-    double y = 0.0, z = 0.0;
+    double y = 0.0, z = 0.0, way = 0.0;
+    Height last{0.0, 0.0, false};
     while (direction * y <= direction * end) {
       const Height height = height_of(round(wheel_radius), axle, 0.0, y, z);
+      if (height.found && last.found && way > least_knot_distance &&
+          std::abs(std::atan(height.slope) - std::atan(last.slope)) > largest_turn) {
+        way *= 0.5;
+        y -= direction * way;
+        z -= direction * last.slope * way;
+        continue;
+      }
       if (!height.found || std::abs(height.slope) > steepest) return;
       if (!wheel_radius.contains(axle_place(axle, {0.0, y, height.value}).axial)) return;
       y_of.push_back(y);
       z_of.push_back(height.value);
       slope_of.push_back(height.slope);
-      const double step = direction * knot_distance / std::sqrt(1.0 + height.slope * height.slope);
-      y += step;
-      z = height.value + height.slope * step;
+      way = knot_distance / std::sqrt(1.0 + height.slope * height.slope);
+      y += direction * way;
+      z = height.value + height.slope * direction * way;
+      last = height;
     }
   };
   walk(y_lower);

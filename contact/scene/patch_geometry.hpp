@@ -12,6 +12,8 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rollfem::contact {
 
@@ -59,6 +61,12 @@ struct Sinking {
   std::array<double, 2> way{};  ///< mm, of the wheel from first touch; z is minus the approach
   std::array<double, 2>
       approach{};  ///< mm, of the bodies as subtracted again by the contact problem
+};
+
+/// An end of a body across rolling (ProfileSource::free_ends).
+struct FreeEnd {
+  double y = 0.0;  ///< mm, patch frame
+  bool of_wheel = false;
 };
 
 class PatchGeometry {
@@ -125,6 +133,10 @@ class PatchGeometry {
   void set_limits(const std::array<double, 2>& limits) { limits_ = limits; }
   bool within_limits(double y) const { return y >= limits_[0] && y <= limits_[1]; }
 
+  /// Ends of the bodies themselves, rather than of what is known of them.
+  const std::vector<FreeEnd>& free_ends() const { return free_ends_; }
+  void set_free_ends(std::vector<FreeEnd> ends) { free_ends_ = std::move(ends); }
+
   /// Whether both profiles are known here.
   bool known(double y) const { return rail_.contains(y) && wheel_.contains(y); }
 
@@ -141,6 +153,7 @@ class PatchGeometry {
   Sinking sinking_;
   std::array<double, 2> limits_{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};
+  std::vector<FreeEnd> free_ends_;
 };
 
 /// "left" or "right": the wheel in texts, files and names.

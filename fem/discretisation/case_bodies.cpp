@@ -83,13 +83,15 @@ std::unique_ptr<Body> section_body(const contact::Scene& scene, const SurfaceSha
 
 std::string section_note(const contact::Scene& scene) {
   std::string text = "bodies are true sections, fixed at their ends along rolling";
-  if (!scene.rail.material.rigid())
+  const bool roller = scene.geometry.surface.profiles->is_roller();
+  if (!scene.rail.material.rigid() && !roller)
     text += fmt::format(
         "; the rail with the underside of the head, web and foot of 60E1, cut and fixed {:.4g} mm "
         "below its top",
         std::min(default_cut_depth, scene.options.fem.depth.value_or(default_cut_depth)));
-  if (!scene.wheel.material.rigid())
-    text += fmt::format("; the rim is fixed {:.4g} mm below the contact",
+  if (!scene.wheel.material.rigid() || (roller && !scene.rail.material.rigid()))
+    text += fmt::format("; the rim{} fixed {:.4g} mm from the contact",
+                        roller ? "s of wheel and roller are" : " is",
                         scene.options.fem.rim_thickness.value_or(default_rim_thickness));
   return text;
 }

@@ -2,6 +2,7 @@
 #include "fem/elasticity/error_bars.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/bars.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/solve/side_by_side.hpp"
@@ -160,6 +161,7 @@ void set_point_bars(const Scene& scene, std::size_t k, const Beside& beside,
     number.half_fine = value(beside.limit->points[k]);
     levels[last].points[k].error_estimate[name] += bar_beside_half_spaces(number);
   }
+  contact::explain_singular_values(scene, levels[last].grid, levels[last].points[k]);
 }
 
 }  // namespace

@@ -91,6 +91,13 @@ void fit_to_profiles(const Scene& scene, const PatchBox& patch, BodyOptions& opt
                       options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
                       shape.lower_t(), shape.upper_t()));
   if (has_true_sections(scene)) return;
+  for (const contact::FreeEnd& end : scene.geometry.surface.profiles->free_ends())
+    if (std::abs(end.y - options.middle) < options.fine_half_width)
+      throw contact::InputError(fmt::format(
+          "{}: the {} ends at y = {:.4g} mm, within the cells under the patch (free_ends), and a "
+          "box of cells cannot end there; allowed: true sections; do: write `mesh = \"gmsh\"` and "
+          "a rim_thickness that the bodies have under [fem], or use the model halfspace",
+          scene.file, end.of_wheel ? "wheel" : "rail", end.y));
   const double reach =
       std::max({halfspace::gentle_reach(scene, options.middle),
                 halfspace::least_box_reach * patch.larger(), options.fine_half_width});

@@ -350,6 +350,7 @@ void set_error_bars(const Scene& scene, std::size_t k, const ContactGrid& grid,
   bars.set_tractions();
   bars.set_works();
   bars.set_creepages();
+  contact::explain_singular_values(scene, grid, fine);
 }
 
 void set_stress_bars(const ContactGrid& grid, const PointResult& coarse,

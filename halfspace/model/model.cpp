@@ -5,6 +5,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/result/bars.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/scene/geometry.hpp"
@@ -211,7 +212,9 @@ std::string set_bars(const Scene& scene, Levels& levels) {
       waves = wave_errors(scene, k, grid, point);
     set_error_bars(scene, k, grid, levels.coarse->points[k], levels.coarsest_point(k), point,
                    waves ? &*waves : nullptr);
-    if (waves && warning.empty()) warning = wave_warning(grid, point, *waves);
+    // At a sharp end no elements follow the profile.
+    if (waves && warning.empty() && contact::loaded_ends(scene, grid, point).ends.empty())
+      warning = wave_warning(grid, point, *waves);
   }
   return warning;
 }

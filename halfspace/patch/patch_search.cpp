@@ -116,6 +116,18 @@ std::array<double, 2> carrying_lengths(const ContactGrid& grid, const contact::F
   return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
 }
 
+/// A patch ends where a body does.
+void cut_at_ends(const Scene& scene, contact::PatchSize& size) {
+  if (!scene.has_profiles() || scene.geometry.surface.profiles->free_ends().empty()) return;
+  const double middle = 0.5 * (size.y_lower + size.y_upper);
+  for (const contact::FreeEnd& end : scene.geometry.surface.profiles->free_ends())
+    if (end.y < middle)
+      size.y_lower = std::max(size.y_lower, end.y);
+    else
+      size.y_upper = std::min(size.y_upper, end.y);
+  size.width = size.y_upper - size.y_lower;
+}
+
 /// `ridge`: null for bodies given point by point.
 Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
                const contact::NormalLoad& load) {
@@ -128,7 +140,8 @@ Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
   const contact::NormalSolution normal =
       contact::solve_normal(compliance.normal(), problem, options);
   const contact::Field& pressure = normal.pressure;
-  const contact::PatchSize size = contact::patch_size(grid, pressure);
+  contact::PatchSize size = contact::patch_size(grid, pressure);
+  cut_at_ends(scene, size);
   const auto centre = [&](auto&& coordinate) {
     return grid.sample(coordinate).dot(pressure) / pressure.sum();
   };

@@ -6,6 +6,7 @@ position)."""
 import itertools
 import math
 import os
+import re
 
 import numpy as np
 
@@ -52,12 +53,18 @@ PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_r
           (FORCES[1], "[kN]", 0.2, lambda model: model.points[0].lateral_force_track / 1e3))
 
 
+def _placed(result):
+    """What the positions are of."""
+    return "wheel" if re.search(r"^\s*\[\s*placement", result.case_text, re.MULTILINE) else "wheelset"
+
+
 def along(result):
     """Abscissa of a sweep of positions: (values by position, axis label). The lateral shift, otherwise the yaw, if all
     values differ; otherwise the position numbers."""
     at = {m.place["position"]: m.place for m in result.models if m.place}
-    for name, factor, label in (("lateral_shift", 1.0, "lateral shift of the wheelset [mm]"),
-                                ("yaw", 1e3, "yaw of the wheelset [mrad]")):
+    of = _placed(result)
+    for name, factor, label in (("lateral_shift", 1.0, f"lateral {'shift' if of == 'wheelset' else 'position'} of the {of} [mm]"),
+                                ("yaw", 1e3, f"yaw of the {of} [mrad]")):
         values = {number: factor * place[name] for number, place in at.items()}
         if len({round(v, 9) for v in values.values()}) == len(values) > 1:
             return values, label
@@ -69,7 +76,7 @@ def at_words(result, position):
     at, label = along(result)
     if len(at) < 2:
         return ""
-    what, _, unit = label.rstrip("]").partition(" of the wheelset [")
+    what, _, unit = label.rstrip("]").partition(f" of the {_placed(result)} [")
     return f" at a {what} of {tables.plain(at[position])} {unit}" if unit else f" at position {position:.0f}"
 
 

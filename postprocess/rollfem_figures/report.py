@@ -260,7 +260,7 @@ def _chooser(result, articles, name):
         rules.append("@media print{.patch{display:block}}")
     at, label = positions.along(result)
     numbers = sorted({position for position, _ in cells})
-    table = tables.table([escape(label.replace(" of the wheelset", "")), *(tables.plain(at[n]) for n in numbers)],
+    table = tables.table([escape(re.sub(" of the wheel(set)?", "", label)), *(tables.plain(at[n]) for n in numbers)],
                          [[f"{wheel} wheel", *("".join(cells.get((n, wheel), ["–"])) for n in numbers)]
                           for wheel in ("left", "right") if any(key[1] == wheel for key in cells)],
                          frame="chooser", name="choose a patch")

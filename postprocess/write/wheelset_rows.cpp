@@ -122,7 +122,7 @@ std::string wheelset_table(const RunRecord& run, const std::string& model) {
     const WheelAt left = wheel_at(run, model, true, position, 0);
     const WheelAt right = wheel_at(run, model, false, position, 0);
     const std::string rigid = rigid_text(run.wheelset[p]);
-    text += fmt::format("{:>4}{:>10.4g}{}{}{}", position, run.input.wheelset.lateral_shift[p],
+    text += fmt::format("{:>4}{:>10.6g}{}{}{}", position, run.input.wheelset.lateral_shift[p],
                         rigid.substr(0, 10), column(loaded_radius_difference(left, right), 10, 4),
                         rigid.substr(10));
     const auto both = [&](int first, int second, int digits, const auto& value) {

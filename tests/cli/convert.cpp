@@ -181,6 +181,25 @@ TEST_F(Convert, ElementsThatAreTooFewAreHalved) {
   done({"run", "few/wheel.toml", "-o", "out", "--no-report"});
 }
 
+TEST_F(Convert, PointsOfProfilesAreRepairedWithANote) {
+  // The same case, with a rail whose heights point up and a wheel that repeats a point.
+  const std::string usual =
+      replaced(left_wheel, "'wheel.csv' 1 1.0 0.0 1", "'wheel.csv' 0 1.0 0.0");
+  Points rail = points_of("60E1"), wheel = points_of("S1002");
+  for (auto& [y, z] : rail) z = -z;
+  wheel.insert(wheel.begin() + 50, wheel[50]);
+  const std::string file = with_profiles(folder, usual);
+  folder.file("work/rail.csv", columns(rail));
+  folder.file("work/wheel.csv", columns(wheel));
+  const Outcome made = done({"convert", file, "-o", "made"});
+  EXPECT_TRUE(
+      says(made.out, "note: points of the profile of the rail are repaired: flip = true",
+           "note: points of the profile of the wheel are repaired: drop_duplicates = true"));
+  EXPECT_TRUE(says(folder.text("made/wheel.toml"), "\n[rail_profile]\n", "\nflip = true\n",
+                   "\n[wheel_profile]\ndrop_duplicates = true\n"));
+  done({"check", "made/wheel.toml"});
+}
+
 TEST_F(Convert, ProfilesThatAreNotThereAreWarnedOf) {
   const std::string file = folder.file("wheel.inp", left_wheel);
   const Outcome made = done({"convert", file});

@@ -125,11 +125,12 @@ double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose p
   throw contact::InputError(fmt::format(
       "{}: {} the {} end of the {} profile, {:.2f} mm from the {}; allowed: "
       "profiles that extend beyond the contact on both sides, as a height over y; do: use a longer "
-      "{} profile, or check {}",
+      "{} profile, or check {}, or put `free_ends = true` under [{}_profile] if the body ends "
+      "there",
       where(input, position, left), what, inner ? "flange-side" : "field-side",
       wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),
       input.wheelset.on_rail ? "origin of the rail's profile" : "middle of the track",
-      wheel_ends ? "wheel" : "rail", what_places(input)));
+      wheel_ends ? "wheel" : "rail", what_places(input), wheel_ends ? "wheel" : "rail"));
 }
 
 VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPose& pose,
@@ -201,12 +202,18 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
       if (const auto& sections = scene.profiles.rail_sections)
         rail.surface = std::make_shared<const profiles::SectionSurface>(
             sections->moved(rail.place.angle, rail.place.shift_y, rail.place.shift_z));
+      if (std::isfinite(input.rail.rolling_radius))
+        rail.upright = rail.curve.moved(0.0, -rail.place.shift_y, -rail.place.shift_z)
+                           .moved(-rail.place.roll, 0.0, 0.0);
     }
   };
-  place_at(rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {
+  const RailPlace found = rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {
     place_at(place);
     return tread_touches(input, scene);
-  }));
+  });
+  place_at(found);
+  if (!track.rail_position)
+    scene.gauge_face = profile_coordinates(found, 0.5 * track.gauge, track.gauge_height)[0];
   const profiles::ProfileCurve& wheel = scene.profiles.wheel;
   try {
     scene.wheel_tread = profiles::height_over_y(wheel, parameter_near(wheel, scene.tread_y, 0.0));

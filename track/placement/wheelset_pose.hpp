@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace rollfem::track {
@@ -22,13 +23,18 @@ struct SearchScene {
   struct Rail {
     RailPlace place;
     profiles::ProfileCurve curve;
-    contact::HeightCurve head;                                ///< the same as a height over y
+    contact::HeightCurve head;  ///< the same as a height over y
+    /// Of a roller: turned back until its axle is level, over the axial coordinate.
+    profiles::ProfileCurve upright;
     std::shared_ptr<const profiles::SectionSurface> surface;  ///< if it changes along the track
   };
   std::array<Rail, 2> rails;  ///< left, right
   const Rail& rail(bool left) const { return rails[left ? 0 : 1]; }
   /// Whether wheel or rail changes along its way.
   bool varies() const { return rails[0].surface || profiles.wheel_sections; }
+  /// Gauge face of the head that carries the wheel, as track.gauge_face gives it; none where the
+  /// rails are not placed by the gauge.
+  std::optional<double> gauge_face;
   /// The wheel's profile about that place as a height over y; empty where it is too steep.
   contact::HeightCurve wheel_tread;
 };

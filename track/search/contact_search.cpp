@@ -2,6 +2,7 @@
 #include "track/search/contact_search.hpp"
 
 #include "contact/scene/geometry.hpp"
+#include "profiles/profiles.hpp"
 #include "track/search/patch_groups.hpp"
 
 #include <algorithm>
@@ -96,9 +97,7 @@ void turn_rail(double roller, const SearchScene::Rail& rail, const PatchAxes& ax
   const RailPlace& place = rail.place;
   const Axle axle = roller_axle(place, roller);
   const double axial = contact::axle_place(axle, {0.0, axes.y0, axes.z0}).axial;
-  // z below the origin of the profile over the axial coordinate.
-  const profiles::ProfileCurve upright =
-      rail.curve.moved(0.0, -place.shift_y, -place.shift_z).moved(-place.roll, 0.0, 0.0);
+  const profiles::ProfileCurve upright = rail.upright.part(at_touch - reach, at_touch + reach);
   const double outwards = roller > 0.0 ? 1.0 : -1.0;
   const double radius_at_origin = outwards * (roller - place.upright_z);
   geometry.set_roller(roller,
@@ -130,6 +129,22 @@ void set_surfaces(const BodiesAlongWay& bodies, const PatchAxes& axes, double si
   geometry.set_surfaces(
       bodies.rail_in(frame),
       bodies.wheel_around(bodies.angle_of({along.x, touch.y, touch.z}), angle_there));
+}
+
+std::vector<contact::FreeEnd> free_ends(const Case& input, const SearchScene& scene,
+                                        const PatchAxes& axes, const Axle& axle, bool left) {
+  std::vector<contact::FreeEnd> ends;
+  if (input.rail.profile.free_ends)
+    for (const profiles::ProfilePoint& end : profiles::free_ends_of(scene.rail(left).curve))
+      ends.push_back({(left ? 1.0 : -1.0) * axes.across(end.y, end.z), false});
+  if (input.wheel.profile.free_ends)
+    for (const profiles::ProfilePoint& end : profiles::free_ends_of(scene.profiles.wheel)) {
+      const Vector3& d = axle.direction;
+      const double radius = input.wheel.rolling_radius + end.z, across = std::hypot(d[1], d[2]);
+      const double axial = left ? end.y : -end.y;
+      ends.push_back({axle.point[1] + axial * d[1] + radius * d[2] / across, true});
+    }
+  return ends;
 }
 
 contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene,
@@ -182,6 +197,7 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
   contact::PatchGeometry geometry{std::move(heights), std::move(radius), axle, -section, section};
   turn_rail(input.rail.rolling_radius, scene.rail(left), axes, sign_y, at_touch, reach, geometry);
   if (bodies != nullptr) set_surfaces(*bodies, axes, sign_y, touch, geometry);
+  geometry.set_free_ends(free_ends(input, scene, axes, axle, left));
   return geometry;
 }
 

@@ -137,4 +137,4 @@ def measured(bench):
               "machine is no validation; others with geometry, load and numbers were looked for and not found.\n\n"
               "**Ends.** Rounded ends lower T/N by 2 to 4 %. The pressure at the ends is beyond a half-space and "
               f"beyond elastic steel: {ends.points[0]['max_pressure']:.0f} MPa here, 4550 with elements a fourth as large, which its "
-              "bar of 60 % tells. Profiles that end inside the patch without a rounding are refused.")
+              "bar of 60 % tells. Sharp ends are `free_ends = true` ([profiles](../profiles.md#ends-inside-the-patch)).")

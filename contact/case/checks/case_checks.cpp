@@ -135,7 +135,7 @@ bool is_read(const std::string& key, const std::string& profile, std::string& by
     by = "profile = \"polynomial\"";
     return polynomial;
   }
-  if (among({"mirror", "rotation", "shift"})) return true;
+  if (among({"mirror", "rotation", "shift", "free_ends"})) return true;
   by = "profiles from files";
   // Names of built-in profiles have no extension; a file without extension is given as "./name".
   return !arcs && !polynomial && profile.find_first_of("./") != std::string::npos;

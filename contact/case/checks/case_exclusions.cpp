@@ -60,6 +60,12 @@ const std::vector<Exclusion> exclusions{
      "[placement] alone, or [track] and [wheelset]",
      "remove it, or [placement]",
      true},
+    {when::profiles && !when::placement && !when::has("track", "rail_position") &&
+         !when::has("track", "gauge_face"),
+     {"rail_profile.free_ends"},
+     "leaves no gauge face to be found, because the profile ends where the side face begins",
+     "with [placement], track.rail_position or track.gauge_face",
+     "say where the rail is by one of these"},
     {!when::rail_profile,
      {"wheel.profile"},
      "is given alone: rail.profile is missing",

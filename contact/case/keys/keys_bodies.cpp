@@ -124,6 +124,9 @@ void add_places(ProfileKeys& keys) {
       "Rotate about (0, 0), positive from y to z; the rail's inclination is track.inclination.");
   keys.add("shift", &Profile::shift, unit("mm"), within(1e6),
            "Shift along y and z, after the rotation.");
+  keys.add("free_ends", &Profile::free_ends,
+           "The body ends where its profile does, as a disc: contacts may reach the end, beside "
+           "which is a side face (docs/profiles.md).");
 }
 
 void add_mending(ProfileKeys& keys) {

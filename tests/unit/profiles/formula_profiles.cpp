@@ -105,4 +105,32 @@ TEST(Profiles, ARadiusIsAnArc) {
   EXPECT_EQ(wheel.at(wheel.parameter_at(20.0)).z, 0.0);
   EXPECT_NEAR(rail.at(rail.parameter_at(20.0)).z, 300.0 - std::sqrt(9e4 - 400.0), 1e-10);
 }
+
+TEST(Profiles, FreeEndsAreWhereThePointsEndAndSideFacesGoInwards) {
+  ProfileSource source;
+  source.name = "arcs";
+  source.radii = {400.0};
+  source.ends = {-8.0, 12.0};
+  source.shift = {1.0, 2.0};
+  for (const bool wheel : {true, false}) {
+    source.free_ends = false;
+    const ProfileCurve open = make_profile(source, wheel, "case.toml");
+    source.free_ends = true;
+    const ProfileCurve whole = make_profile(source, wheel, "case.toml");
+    const auto [first, last] = free_ends_of(whole);
+    EXPECT_EQ(first.y, open.at(open.first()).y);
+    EXPECT_EQ(last.z, open.at(open.last()).z);
+    EXPECT_EQ(last.tangent_z, open.at(open.last()).tangent_z);
+    // A face as high as 0.3 times the width of 20 mm, up of a wheel and down of a rail.
+    const ProfilePoint end = whole.at(whole.last()), start = whole.at(whole.first());
+    const double inwards = wheel ? -1.0 : 1.0;
+    EXPECT_NEAR(inwards * (end.z - last.z), 6.0, 0.02);
+    EXPECT_NEAR(end.y - last.y, 2.0, 0.02);
+    EXPECT_NEAR(inwards * (start.z - first.z), 6.0, 0.02);
+    EXPECT_NEAR(end.tangent_z / end.tangent_y, 3.0 * inwards, 1e-9);
+    EXPECT_NEAR(start.tangent_z / start.tangent_y, -3.0 * inwards, 1e-9);
+    for (const double y : {-6.9, 1.0, 12.9})
+      EXPECT_NEAR(whole.at(whole.parameter_at(y)).z, open.at(open.parameter_at(y)).z, 1e-12);
+  }
+}
 }  // namespace rollfem::profiles

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // FaStrip: Kalker's initial slopes, the friction bound, Carter's line contact, and combined
 // creepage and spin against half-spaces solved by CONTACT.
+#include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
 #include <fmt/format.h>
@@ -79,6 +80,24 @@ TEST(Fastrip, CombinedCreepageAndSpin) {
       "fastrip", 6.0, 6.0, "longitudinal_creepage = -1e-3\nlateral_creepage = 5e-4\nspin = 1e-4");
   EXPECT_NEAR(point.longitudinal_force, 10240.0, 0.03 * friction_force);
   EXPECT_NEAR(point.lateral_force, -7060.0, 0.03 * friction_force);
+}
+
+TEST(TheoriesOfStrips, FindTheCreepageOfAForce) {
+  for (const char* model : {"fastsim", "fastrip", "strip"}) {
+    const auto given = point_of(
+        model, 5.0, 4.0, "longitudinal_creepage = 0.002\nlateral_creepage = -0.001\nspin = 1e-4");
+    for (const bool both : {false, true}) {
+      const auto found = point_of(
+          model, 5.0, 4.0,
+          fmt::format("spin = 1e-4\nlongitudinal_force = {:.12g}\n{}", given.longitudinal_force,
+                      both ? fmt::format("lateral_force = {:.12g}", given.lateral_force)
+                           : std::string("lateral_creepage = -0.001")));
+      EXPECT_NEAR(found.longitudinal_force, given.longitudinal_force, 1e-5 * friction_force);
+      EXPECT_NEAR(found.creepage.longitudinal, 0.002, 2e-7) << model;
+      EXPECT_NEAR(found.creepage.lateral, -0.001, 2e-7) << model;
+    }
+    EXPECT_THROW(point_of(model, 5.0, 4.0, "longitudinal_force = 25e3"), contact::SolveError);
+  }
 }
 
 }  // namespace
