@@ -5,6 +5,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/scene/geometry.hpp"
@@ -12,6 +13,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
@@ -353,6 +355,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   result.unknowns = 3L * fine.contact_elements;
   std::string steep = contact::steep_friction_note(fine, scene.friction());
   result.points = std::move(fine.points);
+  contact::place_pass_work(halfspace_geometry(scene), scene.place, result);
   add_notes(scene, result);
   if (!warning.empty()) result.notes.push_back(std::move(warning));
   if (!steep.empty()) result.notes.push_back(std::move(steep));
