@@ -227,6 +227,8 @@ class WornProfile:
         Raises:
             InputError: The step is deeper than `largest`, or leaves kinks that the program would reject.
         """
+        if area.shape != self.y.shape or not np.isfinite(area).all() or (area < 0.0).any():
+            raise InputError(f"worn(area): allowed: an area of 0 or more for each of the {len(self.y)} points of this profile")
         target = float(area.sum())
         if target == 0.0:
             return self
