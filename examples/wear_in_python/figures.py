@@ -34,7 +34,7 @@ def save(figure, folder, name):
 def draw(folder, profiles, history, distance):
     new, along = profiles[0], np.array([row["distance"] for row in history]) / 1e3
     names = {k: f"{k * distance:,.0f} km".replace(",", " ") for k in range(len(profiles))}
-    figure, axes = plt.subplots(figsize=(7.5, 3.4))
+    figure, axes = plt.subplots(figsize=(7.5, 3.0))
     for k, colour in shown(profiles):
         axes.plot(profiles[k].y, profiles[k].z, color=colour, linewidth=1.1, label=names[k])
     axes.set(xlabel="y of the profile, to the field side, mm", ylabel="z, mm", xlim=(-60, 40), ylim=(30, -3), aspect="equal")
@@ -54,7 +54,7 @@ def draw(folder, profiles, history, distance):
     left.set(xlabel="distance, 1000 km", ylabel="equivalent conicity, 3 mm", ylim=(0, None))
     for k, colour in shown(profiles):
         right.plot(history[k]["lateral_shift"], history[k]["y_wheel"], color=colour, label=names[k])
-    right.set(xlabel="lateral shift to the right, mm", ylabel="y of the contact on the right wheel, mm")
+    right.set(xlabel="lateral shift to the right, mm", ylabel="y of the contact, right wheel, mm")
     right.legend(fontsize="small")
     save(figure, folder, "conicity")
 

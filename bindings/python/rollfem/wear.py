@@ -103,7 +103,8 @@ class Archard:
             raise InputError("Archard's map needs the rolling velocity; do: give speed=, in mm/s")
         velocity = at.slip * at.speed
         _warn_beyond("a sliding velocity", float(velocity.max(initial=0.0)), self.fastest, "mm/s")
-        return self.factor * self.coefficient(at.pressure, velocity) * at.pressure * at.slip / self.hardness
+        removal: np.ndarray = self.factor * self.coefficient(at.pressure, velocity) * at.pressure * at.slip / self.hardness
+        return removal
 
 
 @dataclass(frozen=True)
@@ -171,7 +172,8 @@ class WornProfile:
     def widths(self) -> np.ndarray:
         """Of the profile that belongs to each point, mm."""
         halves = 0.5 * np.diff(self.along)
-        return np.append(halves, 0.0) + np.append(0.0, halves)
+        widths: np.ndarray = np.append(halves, 0.0) + np.append(0.0, halves)
+        return widths
 
     def area_of_pass(self, model: ModelResult, depth: np.ndarray) -> np.ndarray:
         """The area that one pass removes from the part of each point, mm^2: exactly the sum of depth times width.
