@@ -54,7 +54,9 @@ def work(result, wheel, position):
     for part, name, ink in zip(near, ("rail", "wheel"), ("ink", "soft")):
         shape.line(part[:, 0], -part[:, 1], ink, 1.5, name=name)
     shape.x.limits = below.x.limits = limits
-    shape.y.limits = (min(-part[:, 1].max() for part in near) - 1, max(-part[:, 1].min() for part in near) + 1)
+    touched = [-model.place["z_track"] for model in models]
+    shape.y.limits = (max(min(-part[:, 1].max() for part in near) - 1, min(touched) - 0.5 * BESIDE),
+                      min(max(-part[:, 1].min() for part in near) + 1, max(touched) + 0.5 * BESIDE))
     below.y.limits = (0.0, None)
     shape.room_left = below.room_left = 64  # one below the other
     return figure

@@ -30,20 +30,30 @@ void expect_its_integral(const ModelResult& model) {
   }
 }
 
-/// w(y) = mu p_0 a pi/2 xi (1 - y^2/b^2): elastic slip does no work in a symmetric strip.
+/// w(y) = mu p_0 a pi/2 xi (1 - y^2/b^2): elastic slip does no work in a symmetric strip. FASTSIM's
+/// parabolic bound gives 16/9 and the power 3/2.
 TEST(PassWork, OfAHertzianPatchInFullSlidingIsItsClosedForm) {
   constexpr double creepage = 0.05;
   Case input = thesis_case('b', 40, {{creepage, 0.0, 0.0}});
   const auto hertz = halfspace::hertz_of_scene(contact::Scene(input));
-  const double largest = 0.55 * hertz.max_pressure * hertz.semi_axis_x * 0.5 * contact::pi;
-  for (const auto& [name, within] : {std::pair{"halfspace", 2e-3}, {"fastsim", 0.02}}) {
-    SCOPED_TRACE(name);
-    const ModelResult model = run(input, name);
+  struct Bound {
+    const char* model;
+    double factor, power, within;
+  };
+  for (const Bound& of : {Bound{"halfspace", 0.5 * contact::pi, 1.0, 2e-3},
+                          Bound{"fastsim", 16.0 / 9.0, 1.5, 5e-3}}) {
+    SCOPED_TRACE(of.model);
+    const double largest = of.factor * 0.55 * hertz.max_pressure * hertz.semi_axis_x;
+    const ModelResult model = run(input, of.model);
     expect_its_integral(model);
     const Field work = contact::pass_work(model, model.points[0]);
     for (int j = 0; j < model.grid.ny; ++j) {
       const double t = model.grid.y(j) / hertz.semi_axis_y;
-      EXPECT_NEAR(work[j] / (largest * creepage), std::max(0.0, 1.0 - t * t), within) << t;
+      // The last rows have few elements.
+      const double within = std::abs(t) > 0.95 ? 6e-3 : of.within;
+      EXPECT_NEAR(work[j] / (largest * creepage), std::pow(std::max(0.0, 1.0 - t * t), of.power),
+                  within)
+          << t;
     }
   }
 }
@@ -54,13 +64,13 @@ TEST(PassWork, OfCartersLineContactIsForceTimesCreepage) {
     for (const double part : {0.3, 0.6, 0.9, 1.5}) {
       const double creepage = part * 0.3 / 500.0;
       const std::string text = fmt::format(
-          "[load]\nnormal_force = 178.89625\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius "
+          "[load]\nnormal_force = 178.89625\n[friction]\ncoefficient = "
+          "0.3\n[wheel]\nrolling_radius "
           "= 500.0\nyoung_modulus = 209920.0\npoisson_ratio = 0.28\n[rail]\nyoung_modulus = "
           "209920.0\npoisson_ratio = 0.28\n[geometry]\nshape = \"line\"\n[contact_grid]\n"
           "elements_across = 256\n[rolling]\nlongitudinal_creepage = {}\n",
           creepage);
-      const ModelResult model =
-          run(contact::Scene(contact::parse_case(text, "line.toml")), name);
+      const ModelResult model = run(contact::Scene(contact::parse_case(text, "line.toml")), name);
       const double stick = std::max(0.0, 1.0 - part);
       const double force = 0.3 * 178.89625 * (1.0 - stick * stick);
       const Field work = contact::pass_work(model, model.points[0]);
@@ -98,7 +108,7 @@ TEST(PassWork, IsThePowerOfTheCreepForcesEverywhereAndConverges) {
 }
 
 TEST(PassWork, IsGivenByEveryModelWithSlipAndByNoOther) {
-  const Case input = thesis_case('c', 20, {{0.002, 0.0, 0.0}});
+  const Case input = thesis_case('a', 20, {{0.002, 0.0, 0.0}});
   const double halfspace = *run(input).points[0].frictional_work;
   for (const char* name : {"carter", "fastsim", "fastrip", "strip"}) {
     const ModelResult model = run(input, name);

@@ -102,7 +102,8 @@ TEST(PassWork, RowsLieOnTheProfilesOfBothWheels) {
         };
         EXPECT_NEAR(apart(search.profiles.rail, rail), std::hypot(y, drop), 1e-6) << shift << j;
         // The section of a rolled wheel is that of its plane to the square of the roll.
-        const double climb = rows.geometry.wheel().at(y).value - rows.geometry.wheel().at(0.0).value;
+        const double climb =
+            rows.geometry.wheel().at(y).value - rows.geometry.wheel().at(0.0).value;
         EXPECT_NEAR(apart(search.profiles.wheel, wheel), std::hypot(y, climb), 1e-5) << shift << j;
         EXPECT_GT((wheel[20] - wheel[0]) * rows.place.outward(), 5.9);
         EXPECT_GT((rail[20] - rail[0]) * rows.place.outward(), 5.9);
