@@ -4,6 +4,7 @@
 #include "theories/registry.hpp"
 
 #include "contact/result/bars.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
@@ -94,6 +95,21 @@ contact::Model elliptic(const contact::Model& theory, Leaves leaves = {}) {
     return neglects ? run_without_extra_slip(on_patch, c, p) : on_patch(c, p);
   };
   return [=](const Scene& c, const Progress& p) { return run_each_load(model, c, p); };
+}
+
+/// A theory whose fields of traction and slip give the work of friction and its place.
+contact::Model with_pass_work(const contact::Model& theory) {
+  return [=](const Scene& scene, const Progress& progress) {
+    ModelResult result = theory(scene, progress);
+    for (PointResult& point : result.points) {
+      const contact::Field work =
+          contact::pass_work(result.grid, point.fields.traction, point.fields.slip);
+      point.frictional_work = result.grid.dy * work.sum();
+      point.max_pass_work = work.maxCoeff();
+    }
+    contact::place_pass_work({scene.geometry, contact::Chart::plane}, scene.place, result);
+    return result;
+  };
 }
 
 /// What a theory takes from closed forms, or leaves out.
@@ -262,20 +278,20 @@ void add_theories_of_strips(contact::ModelRegistry& models) {
   using contact::ModelOptions;
   ModelInfo carter =
       theory("carter", "Carter", "strips of an ellipse along rolling, each a line contact",
-             {Demand::line_contact, Demand::extra_slip}, run_carter);
+             {Demand::line_contact, Demand::extra_slip}, with_pass_work(run_carter));
   carter.refinements = {refined_strips<contact::CarterOptions, &ModelOptions::carter>()};
   ModelInfo fastsim = theory(
       "fastsim", "FASTSIM", "Kalker's simplified theory on an ellipse",
       {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
        Demand::spin, Demand::extra_slip, Demand::falling_friction, Demand::layer},
-      elliptic(run_fastsim));
+      with_pass_work(elliptic(run_fastsim)));
   fastsim.refinements = {refined_strips<FastsimOptions, &ModelOptions::fastsim>()};
   fastsim.in_compare = true;
   ModelInfo fastrip = theory("fastrip", "FaStrip",
                              "FASTSIM's direction of slip with the adhesion area of strip theory",
                              {Demand::tangential_force, Demand::profiles, Demand::sections,
                               Demand::lateral_creepage, Demand::spin, Demand::extra_slip},
-                             elliptic(run_fastrip));
+                             with_pass_work(elliptic(run_fastrip)));
   fastrip.refinements = fastsim.refinements;
   for (ModelInfo* model : {&carter, &fastsim, &fastrip}) {
     model->bars = strips_on_ellipse;
@@ -285,7 +301,8 @@ void add_theories_of_strips(contact::ModelRegistry& models) {
       "strip", "strip", "strips along rolling, each with Hertzian pressure and brushes",
       {Demand::tangential_force, Demand::profiles, Demand::sections, Demand::lateral_creepage,
        Demand::spin, Demand::extra_slip, Demand::extra_slip_on_profiles},
-      [](const Scene& c, const Progress& p) { return run_each_load(run_strip, c, p); },
+      with_pass_work(
+          [](const Scene& c, const Progress& p) { return run_each_load(run_strip, c, p); }),
       {true, false});
   strip.refinements = {refined_strips<contact::StripOptions, &ModelOptions::strip>()};
   strip.in_compare = true;

@@ -23,8 +23,9 @@ void list(Record& record, std::vector<Entry>& entries, const Each& each) {
 
 void exchange(Record& record, ModelResult& model) {
   record.values(model.name, model.label, model.seconds, model.unknowns, model.contact_elements,
-                model.grid, model.points, model.bodies, model.notes, model.model_error_source,
-                model.choice, model.shortfall, model.place);
+                model.grid, model.rows.y_wheel, model.rows.y_rail, model.rows.width, model.points,
+                model.bodies, model.notes, model.model_error_source, model.choice, model.shortfall,
+                model.place);
 }
 
 /// All but the case.

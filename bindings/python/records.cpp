@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/python/bindings.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/point_table.hpp"
@@ -28,6 +29,12 @@ py::array rows(const std::vector<std::array<Number, width>>& values, const Share
   const auto count = static_cast<py::ssize_t>(values.size());
   return view(count > 0 ? values.front().data() : nullptr, {count, static_cast<py::ssize_t>(width)},
               owner);
+}
+
+/// None for an empty one.
+py::object column(const contact::Field& values) {
+  if (values.size() == 0) return py::none();
+  return py::array_t<double>(values.size(), values.data());
 }
 
 py::object scalar(const contact::Quantity& quantity, double value) {
@@ -97,6 +104,7 @@ py::dict point_of(const ModelResult& model, const PointResult& point, const Shar
                   "model_error"_a = point.model_error, "richardson"_a = point.richardson,
                   "subsurface"_a = subsurface_of(point, owner),
                   "stress_maxima"_a = maxima_of(point),
+                  "pass_work"_a = column(contact::pass_work(model, point)),
                   "bodies"_a = bodies_of(model, point, owner));
 }
 
@@ -111,7 +119,9 @@ py::dict model_of(const ModelResult& model, const Shared& owner) {
                   "contact_elements"_a = model.contact_elements, "notes"_a = model.notes,
                   "choice"_a = model.choice, "shortfall"_a = model.shortfall,
                   "model_error_source"_a = model.model_error_source, "dx"_a = model.grid.dx,
-                  "dy"_a = model.grid.dy, "x"_a = x, "y"_a = y, "place"_a = place_of(model.place),
+                  "dy"_a = model.grid.dy, "x"_a = x, "y"_a = y,
+                  "y_wheel"_a = column(model.rows.y_wheel), "y_rail"_a = column(model.rows.y_rail),
+                  "width"_a = column(model.rows.width), "place"_a = place_of(model.place),
                   "points"_a = points);
 }
 

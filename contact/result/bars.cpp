@@ -133,6 +133,10 @@ void derive_bars(PointResult& point) {
   };
   twice("contact_length", "semi_axis_x");
   twice("contact_width", "semi_axis_y");
+  if (has_bar(point, "frictional_work") && point.revolution_work && *point.frictional_work > 0.0)
+    point.error_estimate.emplace("revolution_work", point.error_estimate.at("frictional_work") *
+                                                        *point.revolution_work /
+                                                        *point.frictional_work);
   if (!point.creepage_work || !has_bar(point, "longitudinal_force") ||
       !has_bar(point, "lateral_force") || !has_bar(point, "spin_moment"))
     return;

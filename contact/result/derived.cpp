@@ -2,11 +2,13 @@
 #include "contact/result/derived.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/pi.hpp"
 #include "contact/result/bars.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 
@@ -36,6 +38,80 @@ double spin_moment(const ContactGrid& grid, const SurfaceField& traction) {
 
 }  // namespace
 
+SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape) {
+  if (shape.stretch.size() == 0) return traction;
+  return {traction.x.cwiseProduct(shape.stretch), traction.y.cwiseProduct(shape.stretch),
+          traction.n.cwiseProduct(shape.stretch)};
+}
+
+Field pass_work(const ContactGrid& grid, const SurfaceField& traction,
+                const TangentialField& slip) {
+  check_sizes(grid, {&traction.x, &traction.y}, "traction");
+  check_sizes(grid, {&slip.x, &slip.y}, "slip");
+  Field work(grid.ny);
+  for (int j = 0; j < grid.ny; ++j) {
+    const auto row = [&](const Field& field) { return field.segment(grid.index(0, j), grid.nx); };
+    // 0.0 - avoids minus zero.
+    work[j] = 0.0 - grid.dx * (row(traction.x).dot(row(slip.x)) + row(traction.y).dot(row(slip.y)));
+  }
+  return work;
+}
+
+Field pass_work(const ModelResult& model, const PointResult& point) {
+  const ContactFields& fields = point.fields;
+  if (!point.max_pass_work || fields.slip.x.size() != model.grid.size()) return {};
+  return pass_work(model.grid, fields.traction, fields.slip);
+}
+
+namespace {
+
+/// y of the wheel's and the rail's profile at y of the patch frame, mm.
+std::array<double, 2> profile_places(const PatchGeometry& patch, const ContactPlace& place,
+                                     double y) {
+  const double axial = patch.axle_place({0.0, y, patch.wheel_under_load(y).value}).axial;
+  // From the reference point on the rail to the field side and down on the track, then about the
+  // origin of the profile back through the angle by which the rail stands inclined.
+  const double outward = place.outward() * y, up = patch.rail().at(y).value;
+  const double cosine = std::cos(place.contact_angle), sine = std::sin(place.contact_angle);
+  const double field = cosine * outward - sine * up, down = -sine * outward - cosine * up;
+  return {place.outward() * axial,
+          place.y_rail + std::cos(place.rail_turn) * field + std::sin(place.rail_turn) * down};
+}
+
+ProfileRows profile_rows(const ChartedGeometry& geometry, const std::optional<ContactPlace>& place,
+                         const ContactGrid& grid) {
+  const ContactSurface& surface = geometry.geometry().surface;
+  const PatchShape shape = geometry.shape(grid);
+  ProfileRows rows{Field(grid.ny), Field(grid.ny), Field::Constant(grid.ny, grid.dy)};
+  for (int j = 0; j < grid.ny; ++j) {
+    const double y = geometry.lateral_place(grid.y(j));
+    const auto [wheel, rail] =
+        surface.profiles && place ? profile_places(*surface.profiles, *place, y) : std::array{y, y};
+    rows.y_wheel[j] = wheel;
+    rows.y_rail[j] = rail;
+    if (shape.stretch.size() > 0) rows.width[j] *= shape.stretch[grid.index(0, j)];
+  }
+  return rows;
+}
+
+}  // namespace
+
+void place_pass_work(const ChartedGeometry& geometry, const std::optional<ContactPlace>& place,
+                     ModelResult& result) {
+  result.rows = profile_rows(geometry, place, result.grid);
+  const double radius = place ? place->rolling_radius : geometry.geometry().surface.rolling_radius;
+  for (PointResult& point : result.points) {
+    const Field work = pass_work(result, point);
+    if (work.size() == 0) continue;
+    Eigen::Index row = 0;
+    work.maxCoeff(&row);
+    point.pass_work_y_wheel = result.rows.y_wheel[row];
+    point.pass_work_y_rail = result.rows.y_rail[row];
+    if (point.frictional_work && std::isfinite(radius) && !geometry.geometry().line)
+      point.revolution_work = 1e-3 * *point.frictional_work * 2.0 * pi * radius;
+  }
+}
+
 double elastic_energy(const ContactGrid& grid, const SurfaceField& traction,
                       const SurfaceField& displacement) {
   check_sizes(grid, {&traction.x, &traction.y, &traction.n}, "traction");
@@ -50,16 +126,14 @@ PowerBalance power_balance(const ContactGrid& grid, const SurfaceField& traction
                            const TangentialField& extra_slip) {
   check_sizes(grid, {&traction.x, &traction.y}, "traction");
   const double area = grid.element_area();
-  const auto product = [&](const TangentialField& with, const char* what) {
-    check_sizes(grid, {&with.x, &with.y}, what);
-    return (traction.x.dot(with.x) + traction.y.dot(with.y)) * area;
-  };
   double work = creepage.longitudinal * traction.x.sum() * area +
                 creepage.lateral * traction.y.sum() * area +
                 creepage.spin * spin_moment(grid, traction);
-  if (extra_slip.x.size() != 0 || extra_slip.y.size() != 0)
-    work += product(extra_slip, "extra slip");
-  PowerBalance balance{-speed * product(slip, "slip"), -speed * work};
+  if (extra_slip.x.size() != 0 || extra_slip.y.size() != 0) {
+    check_sizes(grid, {&extra_slip.x, &extra_slip.y}, "extra slip");
+    work += (traction.x.dot(extra_slip.x) + traction.y.dot(extra_slip.y)) * area;
+  }
+  PowerBalance balance{speed * grid.dy * pass_work(grid, traction, slip).sum(), -speed * work};
   const double scale = std::max(std::abs(balance.friction), std::abs(balance.creepage));
   if (scale > 0.0) balance.difference = std::abs(balance.friction - balance.creepage) / scale;
   return balance;

@@ -160,13 +160,25 @@ std::vector<Quantity> of_the_solution() {
        "elastic energy of both bodies; half-space only", Scale::value, Use::stored,
        at<&P::elastic_energy>()},
       {"frictional_work", "frictional work", "", "N",
-       "N mm per mm rolled, from tractions and slip at the same points; half-space in steady "
-       "rolling only",
+       "N mm per mm rolled, from tractions and slip at the same points; steady rolling only",
        Scale::value, Use::stored, at<&P::frictional_work>()},
       {"creepage_work", "work of the creepages", "", "N",
        "N mm per mm rolled, from forces and creepages: equals the frictional work up to the "
        "discretisation",
        Scale::value, Use::stored, at<&P::creepage_work>()},
+      {"max_pass_work", "largest work per pass", "w", "N/mm",
+       "largest frictional work per pass and area (N mm/mm^2) on the profiles; the bar holds for "
+       "the work at every place",
+       Scale::value, Use::stored, at<&P::max_pass_work>()},
+      {"pass_work_y_wheel", "place of the largest work on the wheel", "", "mm",
+       "y of the wheel's profile where it is; without profiles y of the patch", Scale::none,
+       Use::stored, at<&P::pass_work_y_wheel>(), no_bar::not_estimated},
+      {"pass_work_y_rail", "place of the largest work on the rail", "", "mm",
+       "the same on the rail's profile", Scale::none, Use::stored, at<&P::pass_work_y_rail>(),
+       no_bar::not_estimated},
+      {"revolution_work", "frictional work per revolution", "", "J",
+       "frictional work per revolution of the wheel; per metre rolled it is `frictional_work` in J",
+       Scale::value, Use::stored, at<&P::revolution_work>()},
       {"patch_x_middle", "middle of the patch along x", "", "mm",
        "middle of the extent of the patch in x; with profiles, where the patch is not at the "
        "origin",

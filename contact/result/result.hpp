@@ -92,6 +92,10 @@ struct PointResult {
   std::optional<double> elastic_energy;   ///< N mm
   std::optional<double> frictional_work;  ///< N mm per mm rolled; steady rolling only
   std::optional<double> creepage_work;    ///< equal up to the discretisation error
+  /// N/mm, largest of pass_work (contact/result/derived.hpp), and where, y in the coordinates of
+  /// the profiles, mm.
+  std::optional<double> max_pass_work, pass_work_y_wheel, pass_work_y_rail;
+  std::optional<double> revolution_work;  ///< J, frictional work per revolution of the wheel
   /// mm, middle of the extents of the patch, with profiles, where it differs from the origin.
   std::optional<double> patch_x_middle;
   std::optional<double> patch_y_middle;
@@ -112,6 +116,12 @@ struct BodyField {
   std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz, per point
 };
 
+/// The rows of a contact grid on the profiles, mm: y in the coordinates of their files (without
+/// profiles y of the patch frame), and width along the surface.
+struct ProfileRows {
+  Field y_wheel, y_rail, width;
+};
+
 struct ModelResult {
   std::string name;                       ///< "hertz", "linear", ... "halfspace", "fem"
   std::string label;                      ///< name in figures; empty: the name
@@ -119,6 +129,7 @@ struct ModelResult {
   long unknowns = 0;
   int contact_elements = 0;
   ContactGrid grid;
+  ProfileRows rows;  ///< empty for theories without slip
   std::vector<PointResult> points;
   std::vector<BodyField> bodies;   ///< undeformed, without values (PointResult::bodies); fem only
   std::vector<std::string> notes;  ///< notes for the reader: domain, symmetry, limits

@@ -184,6 +184,7 @@ struct ContactPlace {
   double climb = 0.0;
   double rolling_radius = 0.0;  ///< mm, of the contact point
   double x_track = 0.0;         ///< mm, ahead of the axle's middle
+  double rail_turn = 0.0;       ///< rad, of the rail's profile from y to z, as it stands
   /// mm along the common surface of wheel and rail across, outward; only differences between
   /// contacts of one wheel are meaningful.
   double way_across = 0.0;

@@ -56,13 +56,6 @@ void refuse_force_beyond_yielding(const PrescribedForce& wanted, const FrictionL
       size, most, stress));
 }
 
-/// Tractions per unit of area of the grid.
-SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape) {
-  if (shape.stretch.size() == 0) return traction;
-  return {traction.x.cwiseProduct(shape.stretch), traction.y.cwiseProduct(shape.stretch),
-          traction.n.cwiseProduct(shape.stretch)};
-}
-
 }  // namespace
 
 ContactRun::ContactRun(const Scene& scene, const ChartedGeometry& geometry, RunOptions options,
@@ -395,6 +388,8 @@ void ContactRun::add_energies(PointResult& point) const {
                     geometry_.extra_slip(point.creepage, result_.grid));
   point.frictional_work = balance.friction;
   point.creepage_work = balance.creepage;
+  point.max_pass_work =
+      pass_work(result_.grid, point.fields.traction, point.fields.slip).maxCoeff();
 }
 
 }  // namespace rollfem::contact

@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/side_by_side.hpp"
@@ -130,6 +131,7 @@ contact::ModelResult run_level(const Scene& scene, const LevelOptions& options,
       make_fem_elasticity(scene, geometry, layout, options, progress, first, result);
   first.run([&] { solve_contact(scene, geometry, layout, options, progress, *elasticity, result); },
             [&](const FirstProcess::Order& order) { elasticity->obey(order); });
+  contact::place_pass_work(geometry, scene.place, result);
   return result;
 }
 

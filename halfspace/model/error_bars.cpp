@@ -66,6 +66,7 @@ constexpr Rule of_adhesion{0.0, 0.64, 0.72};
 constexpr Rule of_largest_traction{0.0, 0.65, 0.70};
 constexpr Rule of_largest_traction_x{0.0, 0.74, 1.00};
 constexpr Rule of_friction_work{0.0, 0.82, 0.88, 1.0, 1.3};
+constexpr Rule of_pass_work{0.15, 0.90, 0.95, 1.2, 1.3};
 constexpr Rule of_creepage_work{0.15, 1.30, 1.35, 1.5};
 constexpr Rule of_creepage{0.4, 1.70, 2.50};
 constexpr Rule of_stress{0.3, 0.60, 0.75};
@@ -315,6 +316,10 @@ void Bars::set_tractions() const {
 
 void Bars::set_works() const {
   set("frictional_work", of_friction_work, imbalance());
+  const double whole = fine_.frictional_work.value_or(0.0);
+  const double largest = fine_.max_pass_work.value_or(0.0);
+  set("max_pass_work", of_pass_work,
+      std::hypot(whole > 0.0 ? imbalance() / whole * largest : 0.0, over_grid(largest)));
   if (!fine_.creepage_work) return;
   // In full sliding it is the bound times the creepage.
   constexpr double of_balance = 0.05, size = 1.5, of_found = 0.3;

@@ -6,6 +6,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
 #include "contact/result/bars.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/scene/geometry.hpp"
@@ -13,6 +14,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
@@ -356,6 +358,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   result.unknowns = 3L * fine.contact_elements;
   std::string steep = contact::steep_friction_note(fine, scene.friction());
   result.points = std::move(fine.points);
+  contact::place_pass_work(halfspace_geometry(scene), scene.place, result);
   add_notes(scene, result);
   if (!warning.empty()) result.notes.push_back(std::move(warning));
   if (!steep.empty()) result.notes.push_back(std::move(steep));

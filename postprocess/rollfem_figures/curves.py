@@ -277,6 +277,32 @@ def strip_forces(result):
                    strip_of, "full sliding of the strip")
 
 
+def with_work(models):
+    """The models with work of friction at some load point."""
+    return [m for m in models if any(p.pass_work is not None and p.pass_work.max() > 0 for p in m.points)]
+
+
+WORK = "work per pass $w$ [N/mm]"
+
+
+def pass_work(result):
+    """Frictional work per pass and area over y at up to three load points. None without work."""
+    models = with_work(result.models)
+    chosen = load_points.chosen_keys(models, 3) if models else []
+    if not chosen:
+        return None
+    texts, shared = load_points.key_texts(chosen)
+    figure = Figure(3)
+    for key in chosen:
+        panel = figure.add(230, 165, texts[key], ALONG["y"], WORK)
+        panel.y.limits = (0.0, None)
+        for model in models:
+            if (point := model.at(key)) and point.pass_work is not None:
+                panel.line(model.y, point.pass_work, **styles.line(model))
+    figure.entry(shared)
+    return figure
+
+
 # Below this fraction of the largest bound, p_y is noise on the scale of the figure.
 LEAST_LATERAL = 0.02
 

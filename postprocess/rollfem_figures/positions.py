@@ -10,7 +10,7 @@ import re
 
 import numpy as np
 
-from . import load_points, styles, tables
+from . import curves, load_points, styles, tables
 from .figure import Figure
 from .profiles import draw_pair
 from .reader import read_columns, read_rows
@@ -27,6 +27,40 @@ def pair(result, wheel, position):
     places = [scene.models[0].place for _, scene in result.scenes()]
     touching = [place for place in places if (place["wheel"], place["position"]) == (wheel, position)]
     return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}") if drawn and touching else None
+
+
+BESIDE = 12.0  # mm of the profiles shown beside what wears
+
+
+def work(result, wheel, position):
+    """The frictional work per pass over wheel and rail as they are drawn, of every model and patch at the load point with
+    the largest; None without work."""
+    drawn = result.profiles.get((wheel, position))
+    models = curves.with_work(m for m in result.models if (m.place["wheel"], m.place["position"]) == (wheel, position))
+    if not drawn or not models:
+        return None
+    key = max((p for p in models[0].points if p.pass_work is not None), key=lambda p: p.pass_work.max()).key
+    figure = Figure(1)
+    shape = figure.add(560, 0, f"{wheel} wheel{at_words(result, position)}", "", "height [mm]", equal=True)
+    below = figure.add(560, 170, load_points.key_texts([key])[0][key], "$y$ on the track, to the right [mm]", curves.WORK)
+    wearing = []
+    for model in models:
+        if (point := model.at(key)) and point.pass_work is not None:
+            across = model.place["y_track"] - model.y * math.cos(model.place["contact_angle"])
+            below.line(across, point.pass_work, **styles.line(model))
+            wearing += [across[point.pass_work > 0]]
+    wearing = np.concatenate(wearing)
+    limits = (wearing.min() - BESIDE, wearing.max() + BESIDE)
+    near = [part[(part[:, 0] > limits[0]) & (part[:, 0] < limits[1])] for part in (drawn["rail"], drawn["wheel"])]
+    for part, name, ink in zip(near, ("rail", "wheel"), ("ink", "soft")):
+        shape.line(part[:, 0], -part[:, 1], ink, 1.5, name=name)
+    shape.x.limits = below.x.limits = limits
+    touched = [-model.place["z_track"] for model in models]
+    shape.y.limits = (max(min(-part[:, 1].max() for part in near) - 1, min(touched) - 0.5 * BESIDE),
+                      min(max(-part[:, 1].min() for part in near) + 1, max(touched) + 0.5 * BESIDE))
+    below.y.limits = (0.0, None)
+    shape.room_left = below.room_left = 64  # one below the other
+    return figure
 
 
 PRESSURE = "largest pressure"

@@ -76,7 +76,8 @@ def _read_point(group, number, by_number, nodes):
     maxima = {name: data[()] for name, data in group.get("stress_maxima", {}).items()}
     largest = [{name: each if name == "place" else _plain(each) for name, each in zip(maxima, row)}
                for row in zip(*maxima.values())]
-    return {"scalars": _attributes(group), "fields": {n: d[()] for n, d in group.items() if hasattr(d, "shape")},
+    fields = {name: data[()] for name, data in group.items() if hasattr(data, "shape")}
+    return {"scalars": _attributes(group), "pass_work": fields.pop("pass_work", None), "fields": fields,
             **{name: _attributes(group[name]) if name in group else {}
                for name in ("error_estimate", "no_bar", "model_error", "richardson")},
             "subsurface": below, "stress_maxima": largest,
@@ -97,6 +98,7 @@ def _read_model(key, group, by_number):
             "unknowns": about["unknowns"], "contact_elements": about["contact_elements"], "notes": _texts(group["notes"]),
             "choice": "", "shortfall": "", "model_error_source": about.get("model_error_source", ""),
             **{side: grid[side][()] for side in ("x", "y")}, **{size: _plain(grid.attrs[size]) for size in ("dx", "dy")},
+            **{column: grid[column][()] if column in grid else None for column in ("y_wheel", "y_rail", "width")},
             "place": place, "points": points}
 
 

@@ -33,6 +33,8 @@ OF_PATCH = (
      "without lateral creepage or spin.", curves.lateral_paths),
     ("strip_force", "Force per strip: pressure and tangential traction summed along rolling, per mm of width. "
      "Thin: the same strip in full sliding.", curves.strip_forces),
+    ("pass_work", "Frictional work per pass and area across the patch: what a strip of wheel or rail receives while the contact "
+     "passes over it once (N mm per mm²); its integral over y is the frictional work per mm rolled.", curves.pass_work),
     ("outlines", "Contact patches of all models overlaid, with the border between adhesion and slip area of each; shaded: the "
      "areas of the reference model. Material enters on the right.", maps.outlines),
     ("contact_area", "Adhesion and slip areas, model by model.", maps.contact_area))
@@ -60,6 +62,10 @@ def place_captions(result):
                    f"The {wheel} wheel on its rail{positions.at_words(result, position)}, with the contact "
                    "points. Right: the undeformed distance around them.",
                    lambda wheel=wheel, position=position: positions.pair(result, wheel, position))
+            yield (f"work_{wheel}_{position:.0f}.svg",
+                   f"Where the {wheel} wheel and its rail wear{positions.at_words(result, position)}: frictional work per "
+                   "pass and area over their profiles. A wheel receives it once per revolution.",
+                   lambda wheel=wheel, position=position: positions.work(result, wheel, position))
     yield ("wheelset.svg", "The wheelset over its lateral shift: rolling radii and contact angles, unloaded "
            "(lines) and under load (markers); equivalent conicity over the amplitude, from the wave of the free "
            "wheelset (UIC 519, EN 15302) and by harmonic linearisation, and the wavelength.",
@@ -222,6 +228,7 @@ def _patch(scene, images, heading):
     html = "".join([
         _numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_")),
         section("Tractions in the patch", images("path", "strip_force", "oblique")),
+        section("Work of friction", images("pass_work")),
         section("Stress in the bodies", largest, hint("Over all load points. ±: the model's own error estimate. Places x, "
                                                       "y, z; z points into the wheel.") * bool(largest), images("stress_"))])
     return f"<h3>{escape(heading)}</h3>" + lower(html, 2) if heading else html
@@ -277,7 +284,7 @@ def touching(result, figures):
     return section("Wheelset over lateral shift", row, figures("wheelset.svg")) * bool(row) + section(
         "Where wheel and rail touch", positions.contact_table(result),
         hint("Track: y to the right, contact angle positive where the plane falls towards the middle of the track; "
-             "profile coordinates: y to the field side. Forces and pressures at the first load point."), figures("pair_", "positions"))
+             "profile coordinates: y to the field side. Forces and pressures at the first load point."), figures("pair_", "work_", "positions"))
 
 
 PAGE = "report.html"
@@ -302,7 +309,7 @@ def page(result, figures):
         section("Cost", tables.cost_table(result)),
         notes(result), CONVENTIONS, f"<div class=screen><h2>Every load point</h2>{details}</div>"], (
         "Also in this folder: results.h5 (all fields), summary.json, creep_curve.csv, contacts.csv (with profiles), "
-        "wheelset.csv (for a lateral sweep), path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "
+        "wheelset.csv (for a lateral sweep), pass_work.csv, path_x.csv, path_y.csv, subsurface.csv (if requested), fields/ (for "
         "ParaView), figures/.")
 
 

@@ -25,7 +25,7 @@ class PointRecord:
     `model_error`, in its unit; `richardson`, the value extrapolated to element size 0.
     `subsurface`: dicts for every [[subsurface.*]]: kind, body, points [n, 3], displacement [n, 3], stress [n, 6];
     `stress_maxima`, the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm); `bodies`: Bodies of finite
-    elements, if stored; otherwise empty.
+    elements, if stored; otherwise empty. `pass_work` [ny]: frictional work per pass and area of the rows (N/mm), or None.
     `x`, `y`, `place`: those of its model.
     """
 
@@ -79,7 +79,8 @@ class ModelRecord:
 
     `name`, `label` (in figures), `key` (name of its group in results.h5: the name, with profiles followed by the patch);
     `seconds`, `unknowns`, `contact_elements`, `notes`; `model_error_source`, source of the model errors, or why there are
-    none; `x`, `y`, element centres, and `dx`, `dy` (mm); `place`, with profiles that of the patch: a dict of wheel,
+    none; `x`, `y`, element centres, and `dx`, `dy` (mm); `y_wheel`, `y_rail`, `width` [ny] of the rows on the profiles
+    and along the surface (mm), or None; `place`, with profiles that of the patch: a dict of wheel,
     position, patch, y_track (mm), contact_angle (rad), ...; otherwise None.
     """
 

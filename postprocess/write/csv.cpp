@@ -2,6 +2,7 @@
 #include "postprocess/write/csv.hpp"
 
 #include "contact/result/bars.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
@@ -238,6 +239,25 @@ std::string patches_csv(const RunRecord& run) {
   return place_head(run) +
          "model,point,region [-],x [mm],y [mm],length [mm],width [mm],normal_force [N],"
          "longitudinal_force [N],lateral_force [N],max_pressure [MPa],error_estimate\n" +
+         text;
+}
+
+std::string pass_work_csv(const RunRecord& run) {
+  std::string text;
+  for (const ModelResult& model : run.models)
+    for (std::size_t k = 0; k < model.points.size(); ++k) {
+      const Field work = contact::pass_work(model, model.points[k]);
+      const contact::ProfileRows& rows = model.rows;
+      for (int j = 0; j < static_cast<int>(work.size()); ++j)
+        if (work[j] != 0.0)
+          text += fmt::format("{}{},{},{},{},{},{},{}{}\n", place_cells(model), model.name, k + 1,
+                              model.grid.y(j), rows.y_wheel[j], rows.y_rail[j], rows.width[j],
+                              work[j], bar_cell(model.points[k], "max_pass_work"));
+    }
+  if (text.empty()) return text;
+  return place_head(run) +
+         "model,point,y [mm],y_wheel [mm],y_rail [mm],width [mm],pass_work [N/mm],error_estimate "
+         "[N/mm]\n" +
          text;
 }
 

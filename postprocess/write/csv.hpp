@@ -49,6 +49,10 @@ std::string rigid_wheelset_csv(const std::vector<RigidWheelset>& rows);
 /// The regions of contacts with several regions; empty if there are none.
 std::string patches_csv(const RunRecord& run);
 
+/// Frictional work per pass over the profiles: a row per model, load point and row of the grid that
+/// slips; empty if nothing does.
+std::string pass_work_csv(const RunRecord& run);
+
 /// The one or two rows (or columns) of elements nearest to 0, for elements at first + k * step.
 std::vector<int> middle_lines(double first, double step, int count);
 

@@ -89,7 +89,8 @@ void write_results(const std::string& directory, const RunRecord& run) {
       {"contacts.csv", contacts_csv(run)},
       {"wheelset.csv", wheelset_csv(run)},
       {"wheelset_rigid.csv", run.rigid_row.empty() ? "" : rigid_wheelset_csv(run.rigid_row)},
-      {"patches.csv", patches_csv(run)}};
+      {"patches.csv", patches_csv(run)},
+      {"pass_work.csv", pass_work_csv(run)}};
   for (const auto& [name, text] : tables)
     if (!text.empty()) folder.write(name, text);
   Jobs jobs{[&] { folder.write("results.h5", results_hdf5(run)); }};

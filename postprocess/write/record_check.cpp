@@ -125,6 +125,9 @@ void check_record(const RunRecord& run) {
     for (const double value :
          {model.grid.dx, model.grid.dy, model.grid.x_first, model.grid.y_first})
       require_finite(value, key + "/grid");
+    for (const contact::Field* places :
+         {&model.rows.y_wheel, &model.rows.y_rail, &model.rows.width})
+      for (const double value : *places) require_finite(value, key + "/grid");
     for (std::size_t k = 0; k < model.points.size(); ++k) {
       const std::string where = fmt::format("{}/points[{}]", key, k);
       check_point(where, model.grid, model.points[k]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "contact/scene/friction_law.hpp"
@@ -159,7 +160,11 @@ void write_quantities(hid_t file) {
                [](const contact::Quantity& quantity) { return contact::text_of(quantity.scale); });
 }
 
-void write_grid(hid_t model, const ContactGrid& grid) {
+std::vector<double> list_of(const contact::Field& field) {
+  return {field.begin(), field.end()};
+}
+
+void write_grid(hid_t model, const ContactGrid& grid, const contact::ProfileRows& rows) {
   const Handle group =
       create_group(model, "grid",
                    "Contact grid: centres of the elements (x, y) and their size (attributes dx, "
@@ -172,6 +177,11 @@ void write_grid(hid_t model, const ContactGrid& grid) {
   for (int j = 0; j < grid.ny; ++j) y.push_back(grid.y(j));
   write_values(group, "x", x, "mm", "element centres along rolling", "material enters at large x");
   write_values(group, "y", y, "mm", "element centres across rolling");
+  if (rows.width.size() == 0) return;
+  write_values(group, "y_wheel", list_of(rows.y_wheel), "mm",
+               "of the rows, on the wheel's profile");
+  write_values(group, "y_rail", list_of(rows.y_rail), "mm", "of the rows, on the rail's profile");
+  write_values(group, "width", list_of(rows.width), "mm", "of the rows, along the surface");
 }
 
 void write_point_fields(hid_t group, const ContactGrid& grid, const PointResult& point) {
@@ -287,6 +297,8 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
     write_by_quantity(group, "richardson", "Attributes: values extrapolated to cells of size 0",
                       point.richardson);
   if (with_fields) write_point_fields(group, model.grid, point);
+  if (const contact::Field work = contact::pass_work(model, point); work.size() > 0)
+    write_values(group, "pass_work", list_of(work), "N/mm", "frictional work per pass and area");
   write_subsurface(group, point.subsurface);
   write_stress_maxima(group, point.stress_maxima);
   write_body_values(group, model.bodies, point);
@@ -335,7 +347,7 @@ void write_model(hid_t models, const ModelResult& model, long order,
   for (const auto& [stage, value] : model.seconds) write_attribute(seconds, stage, value);
   const Handle notes = write_dataset(group, "notes", model.notes);
   write_comment(notes, "Notes: domain, symmetry, limits");
-  write_grid(group, model.grid);
+  write_grid(group, model.grid, model.rows);
   const Handle points = create_group(group, "points", "Load points in the order of the case");
   for (std::size_t k = 0; k < model.points.size(); ++k)
     write_point(points, k, model, wanted.keeps_grid(k, model.points.size()));

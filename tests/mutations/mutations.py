@@ -122,6 +122,10 @@ MUTATIONS = [
              "return 0.5 * grid.element_area() *", "return grid.element_area() *",
              "elastic energy is the work of a load that is there at once",
              ("unit_derived", "verification_halfspace_forces")),
+    Mutation("work_on_a_rail_that_stands_upright", "contact/result/derived.cpp",
+             "std::sin(place.rail_turn) * down", "-std::sin(place.rail_turn) * down",
+             "a rail that leans inwards wears where its profile, turned back, was touched",
+             ("unit_pass_work",)),
     # contact/: solution
     Mutation("upwind_of_the_wrong_side", "contact/iteration/compliance.cpp",
              "(3.0 * u[k] - 4.0 * u[k + 1] + u[k + 2])", "(u[k] - u[k + 2])",

@@ -328,6 +328,7 @@ class WheelSearch {
     place.y_track = side_sign(left_) * axes.y0;
     place.z_track = axes.z0;
     place.y_rail = profile_coordinates(scene_.rail(left_).place, axes.y0, axes.z0)[0];
+    place.rail_turn = scene_.rail(left_).place.angle;
     place.y_wheel = touch.profile_y;
     place.contact_angle = std::atan2(axes.sine, axes.cosine);
     place.rolling_radius = touch.radius;

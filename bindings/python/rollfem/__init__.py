@@ -9,6 +9,7 @@ Units are mm, N, MPa, s, rad. x is the rolling direction, y lateral, z normal an
 act on the wheel, and traction_coefficient is -F_x/F_z. `help(rollfem.Point)` lists every quantity with unit and sign.
 """
 from . import figures as _figures
+from . import wear
 from ._core import FileError, InputError, Progress, SolveError
 from ._core import models as _models
 from ._core import version as _version
@@ -28,4 +29,4 @@ models = _models
 __all__ = ["AccuracyWarning", "Case", "Comparison", "FIELDS", "FileError", "Forecast", "InputError", "ModelResult", "Point",
            "Profile", "Progress", "QUANTITIES", "Result", "SolveError", "Stress", "Study", "Sweep", "Table", "TableForces",
            "UnitWarning", "Wheelset", "compare", "contact_points", "forecast", "models", "read", "solve", "stress",
-           "stress_measures", "study", "sweep", "table", "threads", "wheelset"]
+           "stress_measures", "study", "sweep", "table", "threads", "wear", "wheelset"]

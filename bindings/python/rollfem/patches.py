@@ -7,7 +7,9 @@ from .point import Point
 
 #: Of a wheel with several patches: sums, and those that have no sum as each patch has a frame of its own.
 SUMS = ("normal_force", "longitudinal_force", "vertical_force", "contact_area", "adhesion_area", "patch_count",
-        "elastic_energy", "frictional_work", "creepage_work", "iterations", "seconds")
+        "elastic_energy", "frictional_work", "creepage_work", "revolution_work", "iterations", "seconds")
+#: Of the patch with the largest work.
+PLACES = ("pass_work_y_wheel", "pass_work_y_rail")
 OWN_FRAME = ("lateral_force", "lateral_pressure", "spin_moment")
 
 
@@ -17,6 +19,8 @@ def whole(name: str, patches: Sequence[Point], get: Callable[[Point, str], Any])
         return get(patches[0], name) if patches else None
     if name in OWN_FRAME:
         return None
+    if name in PLACES:
+        return get(max(patches, key=lambda point: get(point, "max_pass_work") or 0.0), name)
     if name == "traction_coefficient":
         forces = [[get(point, each) for point in patches] for each in ("longitudinal_force", "normal_force")]
         return None if None in forces[0] or not sum(forces[1]) else -sum(forces[0]) / sum(forces[1])

@@ -48,6 +48,8 @@ class Point(PointRecord):
     stress_maxima: Annotated[list[dict[str, Any]], "body, measure, value (MPa), place (mm)"]
     bodies: Annotated[Mapping[str, dict[str, np.ndarray]], "wheel and rail with points, cells, displacement and stress, for "
                       "finite elements only"]
+    pass_work: Annotated[np.ndarray | None, "frictional work per pass and area of the rows [ny] of the grid, N/mm; its bar "
+                         "is that of max_pass_work"]
     place: Annotated[dict[str, Any] | None, "of the patch, as of its ModelResult"]
     lateral_force_track: float | None
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Frictional work over the profile: a Hertzian patch in full sliding and Carter's line contact in
+// closed form, the balance with the creep forces, every model that gives it, and both wheels.
+#include "contact/base/pi.hpp"
+#include "contact/case/case_reader.hpp"
+#include "contact/result/derived.hpp"
+#include "halfspace/closed_forms/hertz.hpp"
+#include "halfspace/model/model.hpp"
+#include "theories/carter.hpp"
+
+#include "support/half_space_models.hpp"
+#include "support/recorded.hpp"
+#include "support/thesis_cases.hpp"
+
+namespace {
+
+using contact::Field;
+
+ModelResult run(const contact::Scene& scene, const char* model = "halfspace") {
+  return rollfem::testing::half_space_models().run(model, scene, {});
+}
+
+/// Integral of the work over the rows against the frictional work, to rounding.
+void expect_its_integral(const ModelResult& model) {
+  for (const PointResult& point : model.points) {
+    const Field work = contact::pass_work(model, point);
+    ASSERT_EQ(work.size(), model.rows.width.size());
+    EXPECT_NEAR(work.dot(model.rows.width) / point.frictional_work.value(), 1.0, 1e-12);
+    EXPECT_EQ(work.maxCoeff(), point.max_pass_work.value());
+  }
+}
+
+/// w(y) = mu p_0 a pi/2 xi (1 - y^2/b^2): elastic slip does no work in a symmetric strip. FASTSIM's
+/// parabolic bound gives 16/9 and the power 3/2.
+TEST(PassWork, OfAHertzianPatchInFullSlidingIsItsClosedForm) {
+  constexpr double creepage = 0.05;
+  Case input = thesis_case('b', 40, {{creepage, 0.0, 0.0}});
+  const auto hertz = halfspace::hertz_of_scene(contact::Scene(input));
+  struct Bound {
+    const char* model;
+    double factor, power, within;
+  };
+  for (const Bound& of : {Bound{"halfspace", 0.5 * contact::pi, 1.0, 2e-3},
+                          Bound{"fastsim", 16.0 / 9.0, 1.5, 5e-3}}) {
+    SCOPED_TRACE(of.model);
+    const double largest = of.factor * 0.55 * hertz.max_pressure * hertz.semi_axis_x;
+    const ModelResult model = run(input, of.model);
+    expect_its_integral(model);
+    const Field work = contact::pass_work(model, model.points[0]);
+    for (int j = 0; j < model.grid.ny; ++j) {
+      const double t = model.grid.y(j) / hertz.semi_axis_y;
+      // The last rows have few elements.
+      const double within = std::abs(t) > 0.95 ? 6e-3 : of.within;
+      EXPECT_NEAR(work[j] / (largest * creepage), std::pow(std::max(0.0, 1.0 - t * t), of.power),
+                  within)
+          << t;
+    }
+  }
+}
+
+/// Steel rollers of R = 500 mm: the work per width is what the creep force does.
+TEST(PassWork, OfCartersLineContactIsForceTimesCreepage) {
+  for (const char* name : {"halfspace", "carter"})
+    for (const double part : {0.3, 0.6, 0.9, 1.5}) {
+      const double creepage = part * 0.3 / 500.0;
+      const std::string text = fmt::format(
+          "[load]\nnormal_force = 178.89625\n[friction]\ncoefficient = "
+          "0.3\n[wheel]\nrolling_radius "
+          "= 500.0\nyoung_modulus = 209920.0\npoisson_ratio = 0.28\n[rail]\nyoung_modulus = "
+          "209920.0\npoisson_ratio = 0.28\n[geometry]\nshape = \"line\"\n[contact_grid]\n"
+          "elements_across = 256\n[rolling]\nlongitudinal_creepage = {}\n",
+          creepage);
+      const ModelResult model = run(contact::Scene(contact::parse_case(text, "line.toml")), name);
+      const double stick = std::max(0.0, 1.0 - part);
+      const double force = 0.3 * 178.89625 * (1.0 - stick * stick);
+      const Field work = contact::pass_work(model, model.points[0]);
+      // The slip ends in a root at the trailing edge: of order 3/2.
+      EXPECT_NEAR(work[0] * model.rows.width[0] / (force * creepage), 1.0, 0.01) << name << part;
+      EXPECT_FALSE(model.points[0].revolution_work.has_value());
+    }
+}
+
+TEST(PassWork, IsThePowerOfTheCreepForcesEverywhereAndConverges) {
+  Case input = thesis_case('b', 20, {{0.002, 0.001, 1e-4}});
+  std::vector<double> largest;
+  for (const int across : {20, 40, 80}) {
+    input.contact_grid.elements_across = across;
+    const ModelResult model = run(input);
+    expect_its_integral(model);
+    const PointResult& point = model.points[0];
+    const double work =
+        contact::pass_work(model, point).dot(model.rows.width) / point.creepage_work.value();
+    EXPECT_NEAR(work, 1.0, 0.4 / across) << across;
+    largest.push_back(*point.max_pass_work);
+    if (across == 40) {
+      record("max_pass_work", *point.max_pass_work);
+    }
+  }
+  EXPECT_LT(std::abs(largest[2] - largest[1]), 0.6 * std::abs(largest[1] - largest[0]) + 1e-4);
+  // The bars of the coarse grids hold against the finest.
+  for (std::size_t k = 0; k < 2; ++k) {
+    input.contact_grid.elements_across = k == 0 ? 20 : 40;
+    const PointResult point = run(input).points[0];
+    EXPECT_NEAR(largest[k], largest[2], point.error_estimate.at("max_pass_work"));
+    EXPECT_NEAR(point.error_estimate.at("revolution_work") / *point.revolution_work,
+                point.error_estimate.at("frictional_work") / *point.frictional_work, 1e-12);
+  }
+}
+
+TEST(PassWork, IsGivenByEveryModelWithSlipAndByNoOther) {
+  const Case input = thesis_case('a', 20, {{0.002, 0.0, 0.0}});
+  const double halfspace = *run(input).points[0].frictional_work;
+  for (const char* name : {"carter", "fastsim", "fastrip", "strip"}) {
+    const ModelResult model = run(input, name);
+    expect_its_integral(model);
+    EXPECT_NEAR(*model.points[0].frictional_work / halfspace, 1.0, 0.15) << name;
+  }
+  for (const char* name : {"hertz", "linear", "vermeulen-johnson", "polach"})
+    EXPECT_FALSE(run(input, name).points[0].max_pass_work.has_value()) << name;
+}
+
+}  // namespace
