@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Module 1: wheel and rail with profiles.
+#include "contact/case/track.hpp"
 #include <fmt/format.h>
 
 #include "convert/equivalent.hpp"
@@ -31,8 +32,13 @@ void fill_profile(const ProfileFile& profile, const std::string& body,
             fmt::format("the profile of the {} is not smoothed as CONTACT does (SMOOTH, PRFOPT), "
                         "whose measure is another one: see {}.smoothing",
                         body, details));
-  refuse(name.size() > 5 && name.substr(name.size() - 5) == ".slcs",
-         "profiles that vary along the track");
+}
+
+/// Whether the profile changes along its way.
+bool has_sections(const ProfileFile& profile) {
+  contact::ProfileSource source;
+  source.name = profile.name;
+  return source.lists_sections();
 }
 
 bool on_roller(const Digits& digits) {
@@ -139,6 +145,8 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   else
     made.set("load", "vertical_force", vertical, "N, on this wheel");
   made.varied["wheelset.lateral_shift"] = y;
+  if (has_sections(pair.rail)) made.varied["wheelset.track_position"] = s;
+  if (has_sections(pair.wheel)) made.varied["wheelset.wheel_angle"] = -forward.sign * pitch;
   made.varied["wheelset.yaw"] = forward.sign * yaw;
   made.varied["wheelset.roll"] = roll;
   fill_displacements(pair, forward, made);
