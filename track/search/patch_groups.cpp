@@ -40,13 +40,22 @@ double angles_of_both(const Stretch& a, const Stretch& b) {
   return largest - least;
 }
 
+/// Whether one grid may hold both. Bodies that change along the way touch at places with other x,
+/// between which there is no common surface: only where no wall stands between them.
+bool may_join(const VerticalGap& gap, const Stretch& a, const Stretch& b) {
+  constexpr double wall = 0.3;  // mm above the lower one, more than any approach
+  return !gap.bodies() || gap.largest_between(a.minima.back().y, b.minima.front().y)[0] <
+                              std::min(a.deepest.gap, b.deepest.gap) + wall;
+}
+
 /// Merges neighbours with the most similar angles first, until no two are within `merge_angle`.
-void join_neighbours(std::vector<Stretch>& groups, double merge_angle) {
+void join_neighbours(const VerticalGap& gap, std::vector<Stretch>& groups, double merge_angle) {
   while (groups.size() > 1) {
     std::size_t best = 0;
     double least = contact::infinity;
     for (std::size_t k = 0; k + 1 < groups.size(); ++k)
-      if (const double range = angles_of_both(groups[k], groups[k + 1]); range < least)
+      if (const double range = angles_of_both(groups[k], groups[k + 1]);
+          range < least && may_join(gap, groups[k], groups[k + 1]))
         least = range, best = k;
     if (least > merge_angle) return;
     join(groups[best], groups[best + 1]);
@@ -117,7 +126,7 @@ Contacts group_minima(const VerticalGap& gap, double merge_angle, const SinkingO
       if (within_reach_of_load(group.deepest, least, contacts.sinking)) groups.push_back(group);
     if (groups.size() == reached) break;
     reached = groups.size();
-    join_neighbours(groups, merge_angle);
+    join_neighbours(gap, groups, merge_angle);
     set_limits(gap, groups);
     // A single hump has already been checked.
     const bool known = round == 0 && all.size() == 1;
