@@ -5,7 +5,7 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
-#include "contact/result/bars.hpp"
+#include "contact/result/free_ends.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/scene/geometry.hpp"
