@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -166,45 +165,6 @@ void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result
         point.no_bar.emplace(quantity.name, word_of(scene, rules, result, k, quantity));
     }
     explain_stresses(rules, point);
-  }
-}
-
-namespace {
-
-bool is_loaded(const ContactGrid& grid, const Field& pressure, int row) {
-  return pressure.segment(grid.index(0, row), grid.nx).maxCoeff() > 0.0;
-}
-
-}  // namespace
-
-LoadedEnds loaded_ends(const Scene& scene, const ContactGrid& grid, const PointResult& point) {
-  LoadedEnds loaded;
-  const Field& pressure = point.fields.traction.n;
-  if (!scene.geometry.surface.profiles || pressure.size() != grid.size()) return loaded;
-  const auto near = [&](const FreeEnd& end, int row, double way) {
-    return std::abs(grid.y(row) - end.y) <= way;
-  };
-  for (const FreeEnd& end : scene.geometry.surface.profiles->free_ends())
-    for (int j = 0; j < grid.ny; ++j)
-      if (near(end, j, grid.dy) && is_loaded(grid, pressure, j)) {
-        loaded.ends.push_back(end);
-        break;
-      }
-  double sum = 0.0;
-  for (int j = 0; j < grid.ny; ++j)
-    if (std::any_of(loaded.ends.begin(), loaded.ends.end(),
-                    [&](const FreeEnd& end) { return near(end, j, point.semi_axis_x); }))
-      sum += pressure.segment(grid.index(0, j), grid.nx).sum();
-  if (sum > 0.0) loaded.share = sum / pressure.sum();
-  return loaded;
-}
-
-void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointResult& point) {
-  if (loaded_ends(scene, grid, point).ends.empty()) return;
-  for (const char* name : {"max_pressure", "max_traction", "max_traction_x"}) {
-    point.error_estimate.erase(name);
-    point.richardson.erase(name);
-    point.no_bar[name] = no_bar::no_limit;
   }
 }
 

@@ -8,7 +8,6 @@
 #include "contact/scene/scene.hpp"
 
 #include <string>
-#include <vector>
 
 namespace rollfem::contact {
 
@@ -45,16 +44,6 @@ struct BarRules {
 /// PointResult::no_bar for every value without bar, unless the model has set it. Prescribed values
 /// (a force along z, an approach) have no bar but the word "given".
 void explain_bars(const Scene& scene, const BarRules& rules, ModelResult& result);
-
-/// Sharp ends of bodies (ProfileSource::free_ends) up to which a load point has pressure.
-struct LoadedEnds {
-  std::vector<FreeEnd> ends;
-  double share = 0.0;  ///< of the load, within half the patch's length from these ends
-};
-LoadedEnds loaded_ends(const Scene& scene, const ContactGrid& grid, const PointResult& point);
-
-/// The pressure and tractions of a point with loaded ends have no limit on finer grids.
-void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointResult& point);
 
 /// "+- 0.58", over `scale`, or the reason instead; empty if the point has neither.
 std::string bar_text(const PointResult& point, const std::string& quantity, double scale = 1.0);

@@ -2,7 +2,7 @@
 #include "contact/result/validity.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/bars.hpp"
+#include "contact/result/free_ends.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 

@@ -6,6 +6,7 @@
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "contact/result/derived.hpp"
+#include "contact/result/free_ends.hpp"
 #include "contact/result/validity.hpp"
 #include "contact/solve/state_record.hpp"
 
@@ -365,11 +366,7 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   point.fields.state = state_.tangential.state;
   integrate_tractions(result_.grid, point, shape_);
   add_energies(point);
-  if (scene_.has_profiles()) {
-    const PatchSize size = patch_size(result_.grid, state_.normal.pressure);
-    point.patch_x_middle = size.x_middle();
-    point.patch_y_middle = size.y_middle();
-  }
+  place_patch(scene_, result_.grid, point);
   point.approach = state_.normal.approach;
   point.iterations = state_.iterations;
   point.residual = state_.residual;

@@ -2,7 +2,7 @@
 #include "fem/elasticity/error_bars.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/bars.hpp"
+#include "contact/result/free_ends.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/solve/side_by_side.hpp"

@@ -2,6 +2,7 @@
 #include "halfspace/model/error_bars.hpp"
 
 #include "contact/result/bars.hpp"
+#include "contact/result/free_ends.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_extremes.hpp"

@@ -3,6 +3,7 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
+#include "contact/result/free_ends.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/side_by_side.hpp"
 #include "contact/solve/state_record.hpp"
@@ -45,7 +46,9 @@ class HalfspaceElasticity : public PreconditionedElasticity {
                       const ContactGrid& grid)
       : PreconditionedElasticity(scene, grid), scene_(scene), geometry_(geometry) {}
 
-  void check_patch(const PatchSize& patch) const override {
+  void check_patch(const PatchSize& found) const override {
+    PatchSize patch = found;
+    contact::cut_at_ends(scene_, patch);
     check_profiles_reach(scene_, geometry_.lateral_place(patch.y_lower),
                          geometry_.lateral_place(patch.y_upper));
   }

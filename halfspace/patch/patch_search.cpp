@@ -5,6 +5,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/iteration/normal.hpp"
+#include "contact/result/free_ends.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/elasticity/compliance.hpp"
@@ -116,18 +117,6 @@ std::array<double, 2> carrying_lengths(const ContactGrid& grid, const contact::F
   return {carrying(columns, grid.dx), carrying(rows, grid.dy)};
 }
 
-/// A patch ends where a body does.
-void cut_at_ends(const Scene& scene, contact::PatchSize& size) {
-  if (!scene.has_profiles() || scene.geometry.surface.profiles->free_ends().empty()) return;
-  const double middle = 0.5 * (size.y_lower + size.y_upper);
-  for (const contact::FreeEnd& end : scene.geometry.surface.profiles->free_ends())
-    if (end.y < middle)
-      size.y_lower = std::max(size.y_lower, end.y);
-    else
-      size.y_upper = std::min(size.y_upper, end.y);
-  size.width = size.y_upper - size.y_lower;
-}
-
 /// `ridge`: null for bodies given point by point.
 Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
                const contact::NormalLoad& load) {
@@ -141,7 +130,7 @@ Found solve_on(const Scene& scene, const Ridge* ridge, const ContactGrid& grid,
       contact::solve_normal(compliance.normal(), problem, options);
   const contact::Field& pressure = normal.pressure;
   contact::PatchSize size = contact::patch_size(grid, pressure);
-  cut_at_ends(scene, size);
+  contact::cut_at_ends(scene, size);
   const auto centre = [&](auto&& coordinate) {
     return grid.sample(coordinate).dot(pressure) / pressure.sum();
   };

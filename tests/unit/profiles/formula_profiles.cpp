@@ -120,7 +120,7 @@ TEST(Profiles, FreeEndsAreWhereThePointsEndAndSideFacesGoInwards) {
     const auto [first, last] = free_ends_of(whole);
     EXPECT_EQ(first.y, open.at(open.first()).y);
     EXPECT_EQ(last.z, open.at(open.last()).z);
-    EXPECT_EQ(last.tangent_z, open.at(open.last()).tangent_z);
+    EXPECT_NEAR(last.tangent_z, open.at(open.last()).tangent_z, 1e-12);
     // A face as high as 0.3 times the width of 20 mm, up of a wheel and down of a rail.
     const ProfilePoint end = whole.at(whole.last()), start = whole.at(whole.first());
     const double inwards = wheel ? -1.0 : 1.0;
