@@ -94,6 +94,25 @@ ProfileRows profile_rows(const ChartedGeometry& geometry, const std::optional<Co
   return rows;
 }
 
+/// The row of the summit of the parabola through the largest value and its neighbours: also between
+/// two equal ones.
+double summit(const Field& values) {
+  Eigen::Index top = 0;
+  values.maxCoeff(&top);
+  if (top == 0 || top + 1 == values.size()) return static_cast<double>(top);
+  const double before = values[top - 1], behind = values[top + 1];
+  const double bend = before - 2.0 * values[top] + behind;
+  return static_cast<double>(top) + (bend < 0.0 ? 0.5 * (before - behind) / bend : 0.0);
+}
+
+/// A value between two rows.
+double between(const Field& values, double row) {
+  const auto below = static_cast<Eigen::Index>(row);
+  if (below + 1 >= values.size()) return values[below];
+  const double part = row - static_cast<double>(below);
+  return (1.0 - part) * values[below] + part * values[below + 1];
+}
+
 }  // namespace
 
 void place_pass_work(const ChartedGeometry& geometry, const std::optional<ContactPlace>& place,
@@ -103,10 +122,13 @@ void place_pass_work(const ChartedGeometry& geometry, const std::optional<Contac
   for (PointResult& point : result.points) {
     const Field work = pass_work(result, point);
     if (work.size() == 0) continue;
-    Eigen::Index row = 0;
-    work.maxCoeff(&row);
-    point.pass_work_y_wheel = result.rows.y_wheel[row];
-    point.pass_work_y_rail = result.rows.y_rail[row];
+    // Slip of this size is what the iteration leaves.
+    constexpr double no_slip = 1e-9;
+    if (work.maxCoeff() > no_slip * point.max_traction * point.contact_length) {
+      const double row = summit(work);
+      point.pass_work_y_wheel = between(result.rows.y_wheel, row);
+      point.pass_work_y_rail = between(result.rows.y_rail, row);
+    }
     if (point.frictional_work && std::isfinite(radius) && !geometry.geometry().line)
       point.revolution_work = 1e-3 * *point.frictional_work * 2.0 * pi * radius;
   }

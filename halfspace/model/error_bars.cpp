@@ -67,7 +67,8 @@ constexpr Rule of_adhesion{0.0, 0.64, 0.72};
 constexpr Rule of_largest_traction{0.0, 0.65, 0.70};
 constexpr Rule of_largest_traction_x{0.0, 0.74, 1.00};
 constexpr Rule of_friction_work{0.0, 0.82, 0.88, 1.0, 1.3};
-constexpr Rule of_pass_work{0.15, 0.90, 0.95, 1.2, 1.3};
+/// Largest error at any y; 40 random ellipses, 12 and 20 elements against 72.
+constexpr Rule of_pass_work{0.15, 1.17, 1.24, 1.2, 1.3};
 constexpr Rule of_creepage_work{0.15, 1.30, 1.35, 1.5};
 constexpr Rule of_creepage{0.4, 1.70, 2.50};
 constexpr Rule of_stress{0.3, 0.60, 0.75};

@@ -277,9 +277,12 @@ def strip_forces(result):
                    strip_of, "full sliding of the strip")
 
 
+LEAST_WORK = 1e-6  # N/mm; less is what the iteration leaves where nothing slips
+
+
 def with_work(models):
     """The models with work of friction at some load point."""
-    return [m for m in models if any(p.pass_work is not None and p.pass_work.max() > 0 for p in m.points)]
+    return [m for m in models if any(p.pass_work is not None and p.pass_work.max() > LEAST_WORK for p in m.points)]
 
 
 WORK = "work per pass $w$ [N/mm]"

@@ -97,6 +97,13 @@ class Depths(unittest.TestCase):
                          "error_estimate [N/mm]")
         self.assertEqual(len(rows) - 1, sum(int((p.pass_work != 0).sum()) for p in result.points))
 
+    def test_of_a_sweep_the_place_is_that_of_the_patch_that_wears_most(self):
+        sweep = rollfem.sweep(rollfem.Case({**PAIR, "contact_grid": {"elements_across": 10}}).with_({"wheelset.side": "right"}),
+                              {"wheelset.lateral_shift": [0.0, 5.0, 7.0]}, model="halfspace")
+        for place, most, patches in zip(sweep.pass_work_y_wheel.ravel(), sweep.max_pass_work.ravel(), sweep.patches()):
+            worst = max(patches, key=lambda point: point.max_pass_work)
+            self.assertEqual((place, most), (worst.pass_work_y_wheel, worst.max_pass_work))
+
     def test_area_of_both_wheels_and_all_patches_is_the_depth_times_the_width(self):
         result = rollfem.solve(PAIR, model="halfspace", elements_across=12,
                                wheelset={"side": "both", "lateral_shift": [0.0, 6.0], "rotation_change": 1e-3})
@@ -107,6 +114,9 @@ class Depths(unittest.TestCase):
                 sum(model.points[0].frictional_work for model in result)
             self.assertAlmostEqual(area.sum() / total, 1.0, 7)
             self.assertGreaterEqual(area.min(), 0.0)
+        self.assertIn("work per pass", result.figure("work_right_2").seen)
+        self.assertIn("work per pass", result.figure("s1_pass_work").seen)
+        self.assertTrue(all((model.points[0].pass_work_y_rail > model.y_rail.min()) for model in result))
         # In the middle both wheels wear at the same places.
         profile = wear.WornProfile.of(rollfem.Profile("S1002"))
         left, right = (sum(profile.area_of_pass(m, m.points[0].pass_work) for m in result
