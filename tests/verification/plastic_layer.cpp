@@ -17,6 +17,7 @@
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thesis_cases.hpp"
 
 namespace {
 

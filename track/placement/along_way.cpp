@@ -273,6 +273,23 @@ struct GapAlong {
   }
 };
 
+/// Over a stretch without points, the wall between two heads, the gap is wide: it opens on one side
+/// and closes on the other.
+void bridge(std::vector<LocusPoint>& points, const LocusPoint& next) {
+  if (points.empty() || next.y - points.back().y < 1.5 * locus_step) return;
+  constexpr double wide = 20.0;  // mm
+  const LocusPoint last = points.back();
+  const double width = next.y - last.y;
+  for (const double part : {1.0 / 3.0, 2.0 / 3.0}) {
+    LocusPoint point = part < 0.5 ? last : next;
+    point.y = last.y + part * width;
+    point.rail_z = point.wheel_z + wide;
+    point.rail_slope = (part < 0.5 ? 1.0 : -1.0) * wide / width;
+    point.wheel_slope = 0.0;
+    points.push_back(point);
+  }
+}
+
 /// Places at which the gap is a local minimum among the rows.
 std::vector<std::size_t> low_rows(const GapAlong& gap, const std::vector<double>& x) {
   std::vector<double> value;
@@ -345,16 +362,7 @@ std::vector<LocusPoint> BodiesAlongWay::locus() const {
   for (const auto& row : rail_->rows) rows.push_back(row.x);
   const double from = std::max(first, bodies.wheel().first());
   const double to = std::min(last, bodies.wheel().last());
-  std::vector<LocusPoint> best, run;
-  const auto least = [](const std::vector<LocusPoint>& points) {
-    double value = contact::infinity;
-    for (const LocusPoint& point : points) value = std::min(value, point.rail_z - point.wheel_z);
-    return value;
-  };
-  const auto keep = [&] {
-    if (run.size() > 1 && least(run) < least(best)) best = run;
-    run.clear();
-  };
+  std::vector<LocusPoint> points;
   std::vector<std::size_t> before, ahead;
   for (int k = 0; from + k * locus_step < to; ++k) {
     const double y = from + k * locus_step;
@@ -366,15 +374,14 @@ std::vector<LocusPoint> BodiesAlongWay::locus() const {
     for (const std::size_t row : ahead)
       if (std::none_of(near.begin(), near.end(), [&](std::size_t known) { return known == row; }))
         near.push_back(row);
-    if (const auto point = point_at(bodies, level, y, rows, near))
-      run.push_back(*point);
-    else
-      keep();
+    if (const auto point = point_at(bodies, level, y, rows, near)) {
+      bridge(points, *point);
+      points.push_back(*point);
+    }
   }
-  keep();
-  if (best.empty())
+  if (points.size() < 2)
     throw contact::SolveError("the wheel is not above the rail anywhere near this position");
-  return best;
+  return points;
 }
 
 }  // namespace rollfem::track

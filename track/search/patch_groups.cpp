@@ -11,8 +11,6 @@ namespace {
 
 /// Humps separated by a valley shallower than this (mm) are merged: roughness of a profile.
 constexpr double least_valley = 2e-3;
-/// A valley deeper than this (mm) is a groove between two heads, without a common half-space.
-constexpr double deepest_valley = 5.0;
 /// The estimate of the approach is accurate to about 6 %, less accurate for several patches.
 constexpr double beyond_estimate = 1.5;
 constexpr double beyond_estimate_at_least = 0.01;  // mm
@@ -42,21 +40,22 @@ double angles_of_both(const Stretch& a, const Stretch& b) {
   return largest - least;
 }
 
-bool on_two_heads(const VerticalGap& gap, const Stretch& a, const Stretch& b) {
-  return gap.largest_between(a.minima.back().y, b.minima.front().y)[0] -
-             std::max(a.deepest.gap, b.deepest.gap) >
-         deepest_valley;
+/// Whether one grid may hold both. Bodies that change along the way touch at places with other x,
+/// between which there is no common surface: only where no wall stands between them.
+bool may_join(const VerticalGap& gap, const Stretch& a, const Stretch& b) {
+  constexpr double wall = 0.3;  // mm above the lower one, more than any approach
+  return !gap.bodies() || gap.largest_between(a.minima.back().y, b.minima.front().y)[0] <
+                              std::min(a.deepest.gap, b.deepest.gap) + wall;
 }
 
-/// Merges neighbours with the most similar angles first, until no two on one head are within
-/// `merge_angle`.
+/// Merges neighbours with the most similar angles first, until no two are within `merge_angle`.
 void join_neighbours(const VerticalGap& gap, std::vector<Stretch>& groups, double merge_angle) {
   while (groups.size() > 1) {
     std::size_t best = 0;
     double least = contact::infinity;
     for (std::size_t k = 0; k + 1 < groups.size(); ++k)
       if (const double range = angles_of_both(groups[k], groups[k + 1]);
-          range < least && !on_two_heads(gap, groups[k], groups[k + 1]))
+          range < least && may_join(gap, groups[k], groups[k + 1]))
         least = range, best = k;
     if (least > merge_angle) return;
     join(groups[best], groups[best + 1]);

@@ -48,9 +48,9 @@ double estimate_sinking(const VerticalGap& gap, const std::vector<Stretch>& stre
 using SinkingOf = std::function<double(const std::vector<Stretch>&)>;
 
 /// The minima that a load may reach, as contacts: minima whose angles all lie within `merge_angle`
-/// (rad) are one, however far apart on one head, because one half-space describes their elasticity;
-/// the ridges between the others separate them, and grooves two heads. `sinking`: sinking under the
-/// load as estimated for these contacts, from gap 0, mm.
+/// (rad) are one, however far apart, because one half-space describes their elasticity; the ridges
+/// between the others separate them. `sinking`: sinking under the load as estimated for these
+/// contacts, from gap 0, mm.
 struct Contacts {
   std::vector<Stretch> groups;
   double sinking = 0.0;

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Rails that change along the track and wheels that are not round, against closed forms: where they
+// touch, and what they carry as bodies of the curvatures there.
+#include "contact/base/pi.hpp"
+#include "halfspace/model/model.hpp"
+#include "track/motion/placed_scenes.hpp"
+
+#include "support/wheel_rail_cases.hpp"
+
+namespace {
+
+using profiles::PlacedSection;
+using profiles::SectionSpline;
+using profiles::SectionSurface;
+using Height = std::function<double(double, double)>;
+
+constexpr double wheel_radius = 300.0, head_radius = 200.0, approach = 0.03;
+
+std::shared_ptr<const SectionSurface> sections_of(const Height& height, const Height& slope,
+                                                  double first, double step, int count,
+                                                  double turn = 0.0) {
+  std::vector<PlacedSection> sections;
+  for (int k = 0; k < count; ++k) {
+    const double u = first + k * step;
+    sections.push_back({u,
+                        profile_of([&, u](double y) { return height(u, y); },
+                                   [&, u](double y) { return slope(u, y); }, -40.0, 40.0),
+                        {}});
+  }
+  return std::make_shared<const SectionSurface>(std::move(sections), SectionSpline::through, turn);
+}
+
+double arc(double radius, double y) {
+  return radius - std::sqrt(radius * radius - y * y);
+}
+double arc_slope(double radius, double y) {
+  return y / std::sqrt(radius * radius - y * y);
+}
+
+profiles::ProfileCurve profile(const Height& height, const Height& slope) {
+  return profile_of([&](double y) { return height(0.0, y); },
+                    [&](double y) { return slope(0.0, y); }, -40.0, 40.0);
+}
+
+/// A right wheel by itself, frictionless.
+contact::Case wheel_case() {
+  contact::Case input = manchester_case(0.0, 0.0);
+  input.load = {};
+  input.load.approach = approach;
+  input.wheel.rolling_radius = wheel_radius;
+  input.wheelset.on_rail = true;
+  input.wheelset.side = contact::WheelSide::right;
+  input.wheelset.track_position = {0.0};
+  input.wheelset.wheel_angle = {0.0};
+  input.rolling.problem = contact::Problem::frictionless;
+  input.contact_grid.elements_across = 40;
+  return input;
+}
+
+const Height sphere = [](double, double y) { return -arc(wheel_radius, y); };
+const Height sphere_slope = [](double, double y) { return -arc_slope(wheel_radius, y); };
+const Height head = [](double, double y) { return arc(head_radius, y); };
+const Height head_slope = [](double, double y) { return arc_slope(head_radius, y); };
+
+struct Found {
+  track::PlacedScene placed;
+  contact::PointResult point;
+};
+
+Found solved(const contact::Case& input, const track::ProfilePair& pair) {
+  std::vector<track::PlacedScene> placed =
+      track::make_scenes(input, track::make_search_scene(input, pair));
+  EXPECT_EQ(placed.size(), 1u);
+  contact::PointResult point = halfspace::run_halfspace(placed.at(0).scene, {}).points.at(0);
+  return {std::move(placed.at(0)), std::move(point)};
+}
+
+/// The bodies of these relative curvatures (1/mm), at the same approach.
+contact::PointResult of_curvatures(double along, double across) {
+  contact::Case input = wheel_case();
+  input.wheelset = {};
+  input.wheel.rolling_radius = 1.0 / along;
+  input.wheel.transverse_radius = 1.0 / across;
+  input.rail.transverse_radius = contact::infinity;
+  return halfspace::run_halfspace(contact::Scene(input), {}).points.at(0);
+}
+
+void expect_alike(const contact::PointResult& a, const contact::PointResult& b, double within) {
+  EXPECT_NEAR(a.normal_force, b.normal_force, within * b.normal_force);
+  EXPECT_NEAR(a.max_pressure, b.max_pressure, within * b.max_pressure);
+  EXPECT_NEAR(a.contact_length, b.contact_length, within * b.contact_length);
+  EXPECT_NEAR(a.contact_width, b.contact_width, within * b.contact_width);
+}
+
+TEST(AlongTheWay, RisingRailIsTouchedAheadOfTheAxle) {
+  constexpr double rise = 0.1;
+  const double angle = std::atan(rise);
+  const auto rail = sections_of([](double x, double y) { return arc(head_radius, y) - rise * x; },
+                                head_slope, -100.0, 10.0, 21);
+  const Found found = solved(
+      wheel_case(), {profile(sphere, sphere_slope), profile(head, head_slope), nullptr, rail});
+  const contact::ContactPlace& place = found.placed.contact.place;
+  EXPECT_NEAR(place.x_track, wheel_radius * std::sin(angle), 1e-5);
+  EXPECT_NEAR(place.height, wheel_radius - wheel_radius / std::cos(angle), 1e-8);
+  EXPECT_NEAR(place.climb, angle, 1e-8);
+  EXPECT_NEAR(place.y_rail, 0.0, 1e-6);
+  // The curvature of a sheared cylinder is that of its section times the cosine.
+  expect_alike(
+      found.point,
+      of_curvatures(1.0 / wheel_radius, 1.0 / wheel_radius + std::cos(angle) / head_radius), 1e-3);
+}
+
+TEST(AlongTheWay, DipIsTouchedOnTheLineBetweenTheCentres) {
+  constexpr double dip = 1000.0, middle = 20.0;
+  const Height height = [](double x, double) { return -arc(dip, x - middle); };
+  const Height level = [](double, double) { return 0.0; };
+  const auto rail = sections_of(height, level, -100.0, 2.0, 121);
+  const Found found =
+      solved(wheel_case(), {profile(sphere, sphere_slope), profile(level, level), nullptr, rail});
+  EXPECT_NEAR(found.placed.contact.place.x_track, -middle * wheel_radius / (dip - wheel_radius),
+              1e-5);
+  EXPECT_NEAR(found.placed.contact.place.height,
+              wheel_radius - dip + std::sqrt(std::pow(dip - wheel_radius, 2) - middle * middle),
+              1e-8);
+  expect_alike(found.point, of_curvatures(1.0 / wheel_radius - 1.0 / dip, 1.0 / wheel_radius),
+               1e-3);
+}
+
+TEST(AlongTheWay, PolygonHasTheCurvatureOfItsCrestAndTrough) {
+  constexpr double amplitude = 1.0, order = 6.0;
+  const double turn = 2.0 * contact::pi;
+  const auto wheel = sections_of(
+      [](double angle, double y) {
+        return amplitude * std::cos(order * angle) - arc(wheel_radius, y);
+      },
+      sphere_slope, 0.0, turn / 360.0, 361, turn);
+  for (const double sign : {1.0, -1.0}) {
+    contact::Case input = wheel_case();
+    input.wheelset.wheel_angle = {sign > 0.0 ? 0.0 : contact::pi / order};
+    const Found found =
+        solved(input, {profile(sphere, sphere_slope), profile(head, head_slope), wheel, nullptr});
+    const double radius = wheel_radius + sign * amplitude;
+    EXPECT_NEAR(found.placed.contact.place.height, -sign * amplitude, 1e-6);
+    EXPECT_NEAR(found.placed.contact.place.x_track, 0.0, 1e-4);
+    const double along = (radius + sign * order * order * amplitude) / (radius * radius);
+    expect_alike(found.point, of_curvatures(along, 1.0 / wheel_radius + 1.0 / head_radius), 1e-3);
+  }
+}
+
+TEST(AlongTheWay, RotatedRailEqualsAYawedWheel) {
+  constexpr double yaw = 0.03;
+  const track::ProfilePair pair = manchester_pair();
+  const auto over_y = [](const profiles::ProfileCurve& curve) {
+    return profiles::height_over_y(curve, curve.parameter_at(0.0));
+  };
+  const contact::HeightCurve rail = over_y(pair.rail);
+  const auto rotated = sections_of(
+      [&](double x, double y) { return rail.at(y * std::cos(yaw) - x * std::sin(yaw)).value; },
+      [&](double x, double y) {
+        return std::cos(yaw) * rail.at(y * std::cos(yaw) - x * std::sin(yaw)).slope;
+      },
+      -60.0, 2.0, 61);
+  contact::Case input = wheel_case();
+  input.wheel.rolling_radius = 460.0;
+  input.wheelset.lateral_shift = {-8.0};
+  const Found turned = solved(input, {pair.wheel, rotated->section(0.0), nullptr, rotated});
+  // The same about z by the other sign, in which the wheel's middle moves too.
+  input.wheelset.yaw = {-yaw};
+  input.wheelset.lateral_shift = {-8.0 * std::cos(yaw)};
+  const Found yawed = solved(input, {pair.wheel, pair.rail});
+  EXPECT_NEAR(turned.placed.contact.place.y_wheel, yawed.placed.contact.place.y_wheel, 2e-3);
+  EXPECT_NEAR(turned.placed.contact.place.height, yawed.placed.contact.place.height, 1e-6);
+  EXPECT_NEAR(turned.point.normal_force, yawed.point.normal_force, 1e-3 * yawed.point.normal_force);
+  EXPECT_NEAR(turned.point.max_pressure, yawed.point.max_pressure, 3e-3 * yawed.point.max_pressure);
+}
+
+TEST(AlongTheWay, EqualSectionsAreThePlainProfile) {
+  const track::ProfilePair pair = manchester_pair();
+  std::vector<PlacedSection> sections;
+  for (const double u : {-50.0, 0.0, 70.0}) sections.push_back({u, pair.rail, {}});
+  const auto rail =
+      std::make_shared<const SectionSurface>(std::move(sections), SectionSpline::through);
+  contact::Case input = wheel_case();
+  input.wheel.rolling_radius = 460.0;
+  const Found equal = solved(input, {pair.wheel, pair.rail, nullptr, rail});
+  const Found plain = solved(input, pair);
+  EXPECT_NEAR(equal.placed.contact.place.height, plain.placed.contact.place.height, 1e-9);
+  EXPECT_NEAR(equal.placed.contact.place.y_rail, plain.placed.contact.place.y_rail, 1e-5);
+  expect_alike(equal.point, plain.point, 1e-5);
+}
+
+}  // namespace
