@@ -2,11 +2,12 @@
 // Files that list the sections of a body: position, file and, if wanted, the arc lengths of
 // features in a line; or CONTACT's slices (.slcs of a rail, .slcw of a wheel; user guide, "Variable
 // profiles").
+#include "profiles/section_list.hpp"
+
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/text_fields.hpp"
 #include "profiles/profiles.hpp"
-#include "profiles/section_surface.hpp"
 
 #include <fmt/format.h>
 
@@ -170,16 +171,15 @@ void check_list(const SectionList& list, const std::string& name) {
 
 }  // namespace
 
-std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource& source,
-                                                    bool wheel, const std::string& case_file) {
-  if (!source.lists_sections()) return {};
+ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
+                             const std::string& case_file) {
   const std::filesystem::path path = std::filesystem::path(case_file).parent_path() / source.name;
   constexpr std::size_t largest = 10'000'000;
   const std::string text = contact::text_of_file(path.string(), source.name, largest);
   const bool plain = std::filesystem::path(source.name).extension() == ".sections";
   const SectionList list = plain ? read_rows(text, source.name) : read_slices(text, source.name);
   check_list(list, source.name);
-  std::vector<PlacedSection> sections;
+  ListedSections read{{}, list.spline, false};
   for (const Listed& listed : list.sections) {
     contact::ProfileSource one = source;
     one.name = (std::filesystem::path(source.name).parent_path() / listed.file).string();
@@ -188,13 +188,21 @@ std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource
     if (section.features.size() != listed.features.size())
       fail(source.name, listed.line, "a feature beyond the end of its section",
            "arc lengths from the start of the section, mm", "correct it");
-    sections.push_back(std::move(section));
+    read.sections.push_back(std::move(section));
   }
-  const double way = sections.back().position - sections.front().position;
-  const bool around = wheel && std::abs(way - 2.0 * contact::pi) < 1e-3;
+  const double way = read.sections.back().position - read.sections.front().position;
+  read.around = wheel && std::abs(way - 2.0 * contact::pi) < 1e-3;
+  return read;
+}
+
+std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource& source,
+                                                    bool wheel, const std::string& case_file) {
+  if (!source.lists_sections()) return {};
+  ListedSections read = read_sections(source, wheel, case_file);
+  const double way = read.sections.back().position - read.sections.front().position;
   try {
-    return std::make_shared<const SectionSurface>(std::move(sections), list.spline,
-                                                  around ? way : 0.0);
+    return std::make_shared<const SectionSurface>(std::move(read.sections), read.spline,
+                                                  read.around ? way : 0.0);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}; do: correct the list of sections (docs/profiles.md)",
                                  source.name, error.what()));

@@ -3,6 +3,7 @@
 // figure, with its curvature as the contact sees it.
 #include "app/frame/commands.hpp"
 #include "app/frame/screen.hpp"
+#include "app/input/section_family.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
 #include "contact/case/case_reader.hpp"
@@ -239,7 +240,31 @@ void tell_pair(const contact::Case& input, const fs::path& folder, Call& call) {
   }
 }
 
+/// A list of sections: .slcw of a wheel, others of a rail unless --wheel says otherwise.
+void sections(const ProfileRequest& request, const contact::ProfileSource& source, Call& call) {
+  const bool wheel = request.wheel || fs::path(source.name).extension() == ".slcw";
+  const profiles::ListedSections family = profiles::read_sections(source, wheel, "profile");
+  const std::string title = fmt::format("{} {}", wheel ? "wheel" : "rail", source.name);
+  const std::string rows = sections_table(family, title, wheel);
+  if (request.json) {
+    nlohmann::ordered_json json = result_head("profile");
+    json["title"] = title;
+    json["features"] = family.sections.front().features.size();
+    json.update(columns_of(rows));
+    print_result(json.dump(1));
+    if (request.directory.empty()) return;
+  }
+  const fs::path file = folder_for(request) / "sections.csv";
+  postprocess::replace_file(file, rows);
+  std::cout << sections_text(family, title, wheel);
+  draw_and_tell(call, file);
+}
+
 void profile(const ProfileRequest& request, Call& call) {
+  contact::ProfileSource source;
+  source.name = request.name;
+  if (source.lists_sections() && !(request.wheel && request.rail))
+    return sections(request, source, call);
   const std::vector<NamedProfile> profiles = asked_for(request);
   if (request.json) print(profiles);
   if (request.json && request.directory.empty()) return;
@@ -266,8 +291,10 @@ void add_profile(CLI::App& program, Call& call) {
   CLI::App* profile = program.add_subcommand(
       "profile", "print, write and draw a profile of wheel or rail with its curvature");
   profile
-      ->add_option("name", request->name,
-                   "a built-in profile, a profile file, or a case file (.toml) with profiles")
+      ->add_option(
+          "name", request->name,
+          "a built-in profile, a profile file, a list of sections along the way (.sections, "
+          ".slcs, .slcw), or a case file (.toml) with profiles")
       ->required();
   profile->add_flag("--wheel", request->wheel, "the file is the profile of a wheel");
   profile->add_flag("--rail", request->rail, "the file is the profile of a rail");

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the commands of docs/cookbook.md and copies the figures it names to docs/figures/cookbook.
+"""Runs the commands of docs/cookbook.md and docs/crossing.md and copies the figures that they name to docs/figures.
 Call: docs/figures/cookbook.py PROGRAM"""
 import os
 import pathlib
@@ -19,7 +19,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(program, f"{folder}/rollfem")
         os.symlink(HERE.parent.parent / "cases", f"{folder}/cases")
-        for commands, drawn, kept in RECIPE.findall((HERE.parent / "cookbook.md").read_text(encoding="utf-8")):
+        pages = [(HERE.parent / page).read_text(encoding="utf-8") for page in ("cookbook.md", "crossing.md")]
+        for commands, drawn, kept in RECIPE.findall("".join(pages)):
             subprocess.run(["sh", "-ec", commands], cwd=folder, check=True, stdout=subprocess.DEVNULL,
                            env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})
             (HERE / kept).parent.mkdir(exist_ok=True)

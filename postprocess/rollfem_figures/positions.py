@@ -12,7 +12,7 @@ import numpy as np
 
 from . import curves, load_points, styles, tables
 from .figure import Figure
-from .profiles import draw_pair
+from .profiles import PATCH_COLOURS, draw_pair
 from .reader import read_columns, read_rows
 
 
@@ -87,19 +87,28 @@ PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_r
           (FORCES[1], "[kN]", 0.2, lambda model: model.points[0].lateral_force_track / 1e3))
 
 
+WAYS = (("track_position", 1.0), ("wheel_angle", 1.0))  # members of a place where bodies change along the way
+
+
+def moves_along(result):
+    """Whether the positions of a sweep follow the track or the wheel's angle."""
+    return along(result)[1].startswith(("position along", "angle of"))
+
+
 def _placed(result):
     """What the positions are of."""
     return "wheel" if re.search(r"^\s*\[\s*placement", result.case_text, re.MULTILINE) else "wheelset"
 
 
 def along(result):
-    """Abscissa of a sweep of positions: (values by position, axis label). The lateral shift, otherwise the yaw, if all
-    values differ; otherwise the position numbers."""
+    """Abscissa of a sweep of positions: (values by position, axis label). The first whose values all differ: position
+    along the track, angle of the wheel, lateral shift, yaw; otherwise the position numbers."""
     at = {m.place["position"]: m.place for m in result.models if m.place}
     of = _placed(result)
-    for name, factor, label in (("lateral_shift", 1.0, f"lateral {'shift' if of == 'wheelset' else 'position'} of the {of} [mm]"),
+    for name, factor, label in ((*WAYS[0], "position along the track [mm]"), (*WAYS[1], "angle of the wheel [rad]"),
+                                ("lateral_shift", 1.0, f"lateral {'shift' if of == 'wheelset' else 'position'} of the {of} [mm]"),
                                 ("yaw", 1e3, f"yaw of the {of} [mrad]")):
-        values = {number: factor * place[name] for number, place in at.items()}
+        values = {number: factor * place.get(name, 0.0) for number, place in at.items()}
         if len({round(v, 9) for v in values.values()}) == len(values) > 1:
             return values, label
     return {number: number for number in at}, "position"
@@ -110,8 +119,10 @@ def at_words(result, position):
     at, label = along(result)
     if len(at) < 2:
         return ""
-    what, _, unit = label.rstrip("]").partition(f" of the {_placed(result)} [")
-    return f" at a {what} of {tables.plain(at[position])} {unit}" if unit else f" at position {position:.0f}"
+    what, _, unit = label.rstrip("]").partition(" [")
+    what = what.removesuffix(f" of the {_placed(result)}")
+    return (f" at a{'n' * what.startswith('a')} {what} of {tables.plain(at[position])} {unit}" if unit
+            else f" at position {position:.0f}")
 
 
 WHEELS = (("left", (), False), ("right", (5, 2.5), True))  # wheel, dash, hollow markers
@@ -134,11 +145,81 @@ def _row(title, models, at, value):
     return [(sorted((w, v) for w, v, first in spots if first == joined), joined) for joined in (True, False)]
 
 
+# Panels of a sweep along the way, as PANELS.
+HEIGHT, LOAD = "height of the wheel", "vertical force"
+PANELS_ALONG = (
+    (HEIGHT, "up [mm]", 0.2, lambda model: -model.place["height"]),
+    (LOAD, "[kN]", 1.0, _at("vertical_force", 1e-3)),
+    *(panel for title in ("normal force", PRESSURE) for panel in PANELS if panel[0] == title), *PANELS[:2],
+    ("place along the track", "ahead of the axle [mm]", 2.0, _at("x_track")),
+    ("slope of the contact plane along the track", "up ahead [mrad]", 1.0, _at("climb", 1e3)),
+    PANELS[2], *(panel for panel in PANELS if panel[0] in ("contact area", *FORCES)))
+FARTHEST = 10.0  # mm, on the rail, between the places of one contact at neighbouring positions
+
+
+def followed(models):
+    """The places of one wheel as contacts that move along: [[model]], nearest neighbours from position to position."""
+    contacts = []
+    numbers = sorted({m.place["position"] for m in models})
+    for before, here in zip([None, *numbers], numbers):
+        open_ends = [contact for contact in contacts if contact[-1].place["position"] == before]
+        new = [m for m in models if m.place["position"] == here]
+        steps = sorted((math.hypot(*(contact[-1].place[axis] - model.place[axis] for axis in ("y_rail", "x_track"))), a, b)
+                       for a, contact in enumerate(open_ends) for b, model in enumerate(new))
+        met, taken = set(), set()
+        for distance, a, b in steps:
+            if distance < FARTHEST and a not in met and b not in taken:
+                open_ends[a].append(new[b])
+                met.add(a), taken.add(b)
+        contacts += [[model] for b, model in enumerate(new) if b not in taken]
+    return contacts
+
+
+def _sweep_along(result):
+    """Load, place and pressure of each contact over the position along the track or the angle of the wheel: a line
+    for each contact that moves along."""
+    at, label = along(result)
+    models = [m for m in result.models if m.points and "vermeulen" not in m.name]
+    reference = reference_of_row(result)
+    figure = Figure(3)
+    names, sides = list(dict.fromkeys(m.name for m in models)), {m.place["wheel"] for m in models}
+
+    def curves(title, value):
+        for name, (wheel, dash, hollow) in itertools.product(names, WHEELS):
+            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
+            if not here or name != reference and title not in (PRESSURE, *FORCES):
+                continue
+            words = [styles.label(name)] * (len(names) > 1) + [f"{wheel} wheel"] * (len(sides) > 1)
+            look = {"marker": styles.of_model(name)[2], "dash": dash * (len(sides) > 1), "hollow": hollow, "size": 2.8, "width": 1.3}
+            if title in (HEIGHT, LOAD, *FORCES):  # of the wheel
+                total = {m.place["position"]: 0.0 for m in here}
+                for m in here:
+                    total[m.place["position"]] = value(m) + (title != HEIGHT) * total[m.place["position"]]
+                spots = sorted((at[number], sum_) for number, sum_ in total.items())
+                yield (*zip(*spots), {**look, "name": ", ".join([*words, "whole wheel"])})
+                continue
+            for number, contact in enumerate(followed(here)):
+                y = [m.place["y_rail"] for m in contact]
+                span = f"contact at y = {' to '.join(dict.fromkeys(f'{end:.0f}' for end in (min(y), max(y))))} mm on the rail"
+                yield ([at[m.place["position"]] for m in contact], [value(m) for m in contact],
+                       {**look, "colour": PATCH_COLOURS[number % len(PATCH_COLOURS)], "name": ", ".join([*words, span])})
+
+    given = LOAD if "vertical_force" in result.case else HEIGHT
+    for panel in figure.charts((250, 165), [
+            (title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS_ALONG
+            if title != given and (title not in FORCES or any(m.has_friction for m in models))]):
+        if panel.title == "normal force":  # so that a transfer of load is seen as one
+            panel.y.limits = (0.0, None)
+    return figure
+
+
 def sweep(result):
     """Contact point, angle, load, pressure, patch, creepages and forces of both wheels over the positions;
     None for fewer than 3."""
     if len(positions(result)) < 3:
         return None
+    if moves_along(result):
+        return _sweep_along(result)
     at, label = along(result)
     models = [m for m in result.models if m.points and "vermeulen" not in m.name]
     reference = reference_of_row(result)
@@ -257,7 +338,8 @@ def wheelset(result):
 
 
 # Columns of the table of a report: (heading, column of wheelset.csv, factor, significant digits).
-OF_SHIFT = (("shift [mm]", "lateral_shift", 1, None), ("r right − left, rigid [mm]", "rigid_radius_difference", 1, 4),
+OF_SHIFT = (("along the track [mm]", "track_position", 1, None), ("wheel angle [rad]", "wheel_angle", 1, 5),
+            ("shift [mm]", "lateral_shift", 1, None), ("r right − left, rigid [mm]", "rigid_radius_difference", 1, 4),
            ("loaded [mm]", "radius_difference", 1, 4), ("conicity, harmonic", "conicity_harmonic", 1, 4),
            ("wave", "conicity_wave", 1, 4), ("wave length [m]", "wave_length", 1e-3, 4))
 OF_WHEEL = (("angle [°]", "contact_angle", 180 / np.pi, 4), ("length [mm]", "contact_length", 1, 4),
@@ -273,18 +355,19 @@ def _shift_cell(row, column, factor, digits):
 
 
 def wheelset_table(result):
-    """HTML: one line per position, by the model drawn in sweeps; empty without a lateral sweep."""
+    """HTML: one line per position, by the model drawn in sweeps; empty without a sweep of shifts or along the way."""
     path = os.path.join(result.directory, "wheelset.csv")
     if not os.path.exists(path):
         return ""
     reference = reference_of_row(result)
     rows = [row for row in read_rows(path)[1] if row["model"] == reference and row["point"] == "1"]
     wheels = [side for side in ("left", "right") if any(row[f"{side} patches"] for row in rows)]
-    columns = OF_SHIFT + tuple((f"{side}: {head}", f"{side} {name}", factor, digits)
-                              for side in wheels for head, name, factor, digits in OF_WHEEL)
+    known = [column for column in OF_SHIFT if any(row.get(column[1]) for row in rows)]
+    columns = known + [(f"{side}: {head}", f"{side} {name}", factor, digits)
+                       for side in wheels for head, name, factor, digits in OF_WHEEL]
     return (tables.table([column[0] for column in columns],
                          [[_shift_cell(row, *column[1:]) for column in columns] for row in rows])
             + f"<p class=hint>Patches by {styles.label(reference)} at the first load point; length and width: most loaded patch of a wheel; "
-            "F<sub>x</sub> and Y: forces on the wheel in the track frame, along the track and to the right. Rigid: unloaded. Conicity at the "
-            "amplitude of the "
-            "shift: by harmonic linearisation, and that of cones with the same wave (UIC 519, EN 15302).</p>")
+            "F<sub>x</sub> and Y: forces on the wheel in the track frame, along the track and to the right."
+            + " Rigid: unloaded. Conicity at the amplitude of the shift: by harmonic linearisation, and that of cones with the same wave "
+            "(UIC 519, EN 15302)." * any("conicity" in column[1] for column in known) + "</p>")

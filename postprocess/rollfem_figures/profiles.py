@@ -2,11 +2,13 @@
 """Profiles: a profile of wheel or rail with its curvature over y; and a wheel on its rail with the distance between
 them."""
 import math
+import re
 
 import numpy as np
 
 from .figure import Figure
 from .reader import read_columns, read_rows
+from .stress_page import colour_scale, filled
 
 LINEAR = 1e-3  # 1/mm; the scale of curvature is linear below and logarithmic beyond: radii from 10 mm to 10 m
 DECADE = 0.6  # length of the linear part, in decades
@@ -97,7 +99,41 @@ def _pair_of(path):
                    for row in rows if row["part"].startswith("patch")], title
 
 
+MOST_SECTIONS = 7
+SECTION_COLOURS = ("ink", "violet", "blue", "sky", "green", "amber", "red")
+
+
+def draw_sections(title, columns, unit):
+    """Sections along the way: some of them over y with their features, and the height of all as a map seen from above,
+    on which the features are lines. `unit`: of the position."""
+    where = "position along the track [mm]" if unit == "mm" else "angle about the axle [rad]"
+    at, count = np.unique(columns["position"], return_counts=True)
+    position, part, y, z = (columns[name].reshape(len(at), count[0]) for name in ("position", "part", "y", "z"))
+    joints = np.flatnonzero(np.diff(part[0]))
+    figure = Figure(2, title, in_rows=True)
+    shape = figure.add(560, 0, "", "$y$, to the field side [mm]", "$z$, down [mm]", equal=True)
+    figure.add(14, 10, bare=True)  # above the colour scale
+    for colour, k in zip(SECTION_COLOURS, np.unique(np.linspace(0, len(at) - 1, MOST_SECTIONS).round().astype(int))):
+        shape.line(y[k], z[k], colour, 1.3, name=f"{at[k]:.4g} {unit}")
+        shape.line(y[k, joints], z[k, joints], colour, marker="o", size=2.2, joined=False, order=4)
+    shape.y.flipped = True
+    plan = figure.add(560, 260, f"height of the surface, up [mm]{'; lines: features' * bool(len(joints))}", where,
+                      "$y$, to the field side [mm]")
+    plan.x.limits, plan.y.limits = (at[0], at[-1]), (y.min(), y.max())
+    levels, step = filled(plan, position.T, y.T, -z.T)
+    for joint in joints:
+        plan.line(at, y[:, joint], "ground", 2.0)
+        plan.line(at, y[:, joint], "ink", 0.9)
+    colour_scale(figure, levels, step, 260)
+    shape.room_left = plan.room_left = 64  # one below the other
+    return figure
+
+
 def of_table(path):
-    """The figure of a table of `rollfem profile`, for one profile or a case's wheel on its rail."""
+    """The figure of a table of `rollfem profile`, for one profile, sections along the way or a case's wheel on its rail."""
+    with open(path, encoding="utf-8") as file:
+        unit = re.search(r"^position \[(\w+)\],part", file.read(4000), re.MULTILINE)
+    if unit:
+        return draw_sections(*read_columns(path, "part"), unit[1])
     pair = "part" in read_rows(path)[1][0]
     return draw_pair(*_pair_of(path)) if pair else draw_profile(*read_columns(path, "curvature"))

@@ -70,9 +70,12 @@ def place_captions(result):
            "(lines) and under load (markers); equivalent conicity over the amplitude, from the wave of the free "
            "wheelset (UIC 519, EN 15302) and by harmonic linearisation, and the wavelength.",
            lambda: positions.wheelset(result))
-    yield ("positions.svg", "Over the positions: contact points of wheel and rail, and the results at the first load "
-           "point. Lines: the most loaded patch; single points: further patches; forces: sum over the patches of a "
-           "wheel. Filled: left wheel, open: right wheel.", lambda: positions.sweep(result))
+    yield ("positions.svg", "Over the positions: " + (
+        "load or height of the wheel, and normal force, largest pressure and place of each contact, followed from position to "
+        "position (one colour each), at the first load point. Where one line falls and another rises, the load moves from one "
+        "contact to the other." if positions.moves_along(result) else "contact points of wheel and rail, and the results at the "
+        "first load point. Lines: the most loaded patch; single points: further patches; forces: sum over the patches of a "
+        "wheel.") + " Filled: left wheel, open: right wheel.", lambda: positions.sweep(result))
 
 
 # With more patches than this, each gets only the most informative figures.
@@ -281,7 +284,8 @@ def touching(result, figures):
     if not (result.models and result.models[0].place):
         return ""
     row = positions.wheelset_table(result)
-    return section("Wheelset over lateral shift", row, figures("wheelset.svg")) * bool(row) + section(
+    over = "The wheels along the way" if positions.moves_along(result) else "Wheelset over lateral shift"
+    return section(over, row, figures("wheelset.svg")) * bool(row) + section(
         "Where wheel and rail touch", positions.contact_table(result),
         hint("Track: y to the right, contact angle positive where the plane falls towards the middle of the track; "
              "profile coordinates: y to the field side. Forces and pressures at the first load point."), figures("pair_", "work_", "positions"))

@@ -127,7 +127,7 @@ def _shade(number, levels):
     return VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
 
 
-def _filled(panel, right, up, values):
+def filled(panel, right, up, values):
     """Overlaid areas above increasing levels. The lattice may be skew, because contours are computed over the indices
     of its points. Returns the levels."""
     low, high = float(values.min()), float(values.max())
@@ -153,7 +153,7 @@ def _edge(right, up):
         np.s_[0, :], np.s_[1:, -1], np.s_[-1, -2::-1], np.s_[-2:0:-1, 0])])
 
 
-def _scale(figure, levels, step, height):
+def colour_scale(figure, levels, step, height):
     """A panel with the colour scale of the levels."""
     panel = figure.add(14, height, " ")
     panel.x.ticks, panel.x.limits, panel.room_left = [], (0.0, 1.0), 34
@@ -171,12 +171,12 @@ def plane(model, part):
         values = part[column].reshape(part.shape)
         panel = figure.add(min(300.0, 330.0 * wide / high), 0, f"{label} stress [MPa]", right_label, up_label, equal=True)
         panel.x.limits, panel.y.limits = (right.min(), right.max()), (up.min(), up.min() + high)
-        levels, step = _filled(panel, right, up, values)
+        levels, step = filled(panel, right, up, values)
         peak = np.unravel_index(np.argmax(values), values.shape)
         for ink, size in (("ground", 4.4), ("ink", 3.6)) if column != "hydrostatic" else ():
             panel.spots([(right[peak], up[peak])], colour=ink, marker="x", size=size, order=4)
         panel.fit()
-        _scale(figure, levels, step, panel.height)
+        colour_scale(figure, levels, step, panel.height)
     return figure.tell("", [f"{label} stress {part[column].min():.4g} to {part[column].max():.4g} MPa"
                             for column, label, _ in MEASURES])
 

@@ -197,6 +197,8 @@ std::string contacts_csv(const RunRecord& run) {
       "contact_width",         "approach",         "vertical_force"};
   std::string text = "wheel";
   for (const PlaceScalar& scalar : place_scalars()) text += header(scalar.name, scalar.unit);
+  const std::vector<WayScalar> ways = ways_of(run.input);
+  for (const WayScalar& way : ways) text += header(way.name, way.unit);
   text += ",model,point";
   for (const char* name : main_results) text += header(name, contact::quantity_named(name).unit);
   text += ",lateral_force_track [N],contact_elements [-]";
@@ -208,6 +210,8 @@ std::string contacts_csv(const RunRecord& run) {
     std::string place = model.place->side();
     for (const PlaceScalar& scalar : place_scalars())
       place += fmt::format(",{}", scalar.value(*model.place));
+    for (const WayScalar& way : ways)
+      place += fmt::format(",{}", way.at(run.input, model.place->position));
     for (std::size_t k = 0; k < model.points.size(); ++k) {
       text += fmt::format("{},{},{}", place, model.name, k + 1);
       for (const char* name : main_results)

@@ -29,11 +29,25 @@ const std::vector<PlaceScalar>& place_scalars() {
        "of the contact plane, positive where it falls towards the middle of the track, as at a "
        "flange",
        &P::contact_angle},
+      {"climb", "rad", "rise of the contact plane ahead, on a rail that changes along the track",
+       &P::climb},
       {"rolling_radius", "mm", "distance of the contact point from the axle", &P::rolling_radius},
       {"separation", "mm", "distance along the normal at first contact of the wheel",
        &P::separation},
   };
   return scalars;
+}
+
+std::vector<WayScalar> ways_of(const contact::Case& input) {
+  using W = contact::Wheelset;
+  std::vector<WayScalar> ways;
+  for (const WayScalar& way :
+       {WayScalar{"track_position", "mm", "where along the track the wheel is", &W::track_position},
+        WayScalar{"wheel_angle", "rad",
+                  "of the section of the wheel that points down; grows as it rolls forward",
+                  &W::wheel_angle}})
+    if (!(input.wheelset.*way.list).empty()) ways.push_back(way);
+  return ways;
 }
 
 const std::vector<PointField>& point_fields() {

@@ -39,4 +39,15 @@ struct PlaceScalar {
 };
 const std::vector<PlaceScalar>& place_scalars();
 
+/// Where along its way a wheel is, a number for each position of the case.
+struct WayScalar {
+  const char *name, *unit, *description;
+  std::vector<double> contact::Wheelset::*list;
+  double at(const contact::Case& input, int position) const {
+    return (input.wheelset.*list).at(static_cast<std::size_t>(position) - 1);
+  }
+};
+/// Those that the case gives, because bodies or friction change along the way.
+std::vector<WayScalar> ways_of(const contact::Case& input);
+
 }  // namespace rollfem::postprocess

@@ -304,12 +304,14 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
   write_body_values(group, model.bodies, point);
 }
 
-void write_place(hid_t model, const contact::ContactPlace& place) {
+void write_place(hid_t model, const contact::ContactPlace& place, const contact::Case& input) {
   const Handle group = create_group(
       model, "place", "Attributes: place of the patch on the track and on the profiles");
   write_attribute(group, "wheel", std::string(place.side()));
   for (const PlaceScalar& scalar : place_scalars())
     write_attribute(group, scalar.name, scalar.value(place));
+  for (const WayScalar& way : ways_of(input))
+    write_attribute(group, way.name, way.at(input, place.position));
 }
 
 /// After all load points.
@@ -333,12 +335,11 @@ void write_bodies(hid_t model, const contact::ModelResult& result) {
   }
 }
 
-void write_model(hid_t models, const ModelResult& model, long order,
-                 const contact::OutputOptions& wanted) {
+void write_model(hid_t models, const ModelResult& model, long order, const contact::Case& input) {
   const Handle group = create_group(models, model.key(), "Result of the model " + model.name);
   write_attribute(group, "model", model.name);
   if (!model.label.empty()) write_attribute(group, "label", model.label);
-  if (model.place) write_place(group, *model.place);
+  if (model.place) write_place(group, *model.place, input);
   write_attribute(group, "order", order);
   write_attribute(group, "model_error_source", model.model_error_source);
   write_attribute(group, "unknowns", model.unknowns);
@@ -350,7 +351,7 @@ void write_model(hid_t models, const ModelResult& model, long order,
   write_grid(group, model.grid, model.rows);
   const Handle points = create_group(group, "points", "Load points in the order of the case");
   for (std::size_t k = 0; k < model.points.size(); ++k)
-    write_point(points, k, model, wanted.keeps_grid(k, model.points.size()));
+    write_point(points, k, model, input.output.keeps_grid(k, model.points.size()));
   write_bodies(group, model);
 }
 
@@ -388,7 +389,7 @@ std::string results_hdf5(const RunRecord& run) {
         file, "models",
         "One group per model; with profiles per model and patch, MODEL_SIDE_POSITION_PATCH");
     for (std::size_t k = 0; k < run.models.size(); ++k)
-      write_model(models, run.models[k], static_cast<long>(k), run.input.output);
+      write_model(models, run.models[k], static_cast<long>(k), run.input);
   }
   // Written last, so that a reader recognises incomplete files.
   write_attribute(file, "complete", 1L);

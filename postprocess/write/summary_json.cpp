@@ -66,7 +66,7 @@ ordered_json point_json(const contact::ModelResult& model, const contact::PointR
   return json;
 }
 
-ordered_json model_json(const contact::ModelResult& model) {
+ordered_json model_json(const contact::ModelResult& model, const contact::Case& input) {
   ordered_json json;
   json["name"] = model.name;
   if (!model.label.empty()) json["label"] = model.label;
@@ -74,6 +74,8 @@ ordered_json model_json(const contact::ModelResult& model) {
     json["place"] = {{"wheel", model.place->side()}};
     for (const PlaceScalar& scalar : place_scalars())
       json["place"][scalar.name] = scalar.value(*model.place);
+    for (const WayScalar& way : ways_of(input))
+      json["place"][way.name] = way.at(input, model.place->position);
   }
   json["seconds"] = ordered_json::object();
   for (const auto& [stage, seconds] : model.seconds) json["seconds"][stage] = seconds;
@@ -101,7 +103,8 @@ std::string summary_json(const RunRecord& run) {
   json["program"] = {{"version", run.provenance.version}, {"commit", run.provenance.commit}};
   json["verdict"] = run.verdict;
   json["models"] = ordered_json::array();
-  for (const contact::ModelResult& model : run.models) json["models"].push_back(model_json(model));
+  for (const contact::ModelResult& model : run.models)
+    json["models"].push_back(model_json(model, run.input));
   return json_text(json, 2);
 }
 

@@ -3,6 +3,7 @@
 
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/csv.hpp"
+#include "postprocess/write/point_table.hpp"
 
 #include <fmt/format.h>
 
@@ -48,8 +49,10 @@ std::string wheel_cells(const WheelAt& wheel, std::size_t k) {
                      wheel.vertical_force, wheel.longitudinal_force, wheel.lateral_force_track);
 }
 
-std::string head() {
-  std::string text = "position [-],lateral_shift [mm],yaw [rad],model,point";
+std::string head(const std::vector<WayScalar>& ways) {
+  std::string text = "position [-],lateral_shift [mm],yaw [rad]";
+  for (const WayScalar& way : ways) text += fmt::format(",{} [{}]", way.name, way.unit);
+  text += ",model,point";
   for (const char* wheel : {"left", "right"})
     for (const char* what :
          {"patches [-]", "rolling_radius [mm]", "contact_angle [rad]", "contact_length [mm]",
@@ -137,23 +140,33 @@ std::string wheelset_table(const RunRecord& run, const std::string& model) {
 }
 
 std::string wheelset_csv(const RunRecord& run) {
-  if (run.wheelset.empty()) return {};
-  std::string text = head();
-  for (std::size_t p = 0; p < run.wheelset.size(); ++p)
+  const std::vector<WayScalar> ways = ways_of(run.input);
+  const bool moves_along = std::any_of(ways.begin(), ways.end(), [&](const WayScalar& way) {
+    const auto& at = run.input.wheelset.*way.list;
+    return std::any_of(at.begin(), at.end(), [&](double value) { return value != at.front(); });
+  });
+  if (run.wheelset.empty() && !moves_along) return {};
+  std::string text = head(ways);
+  for (std::size_t p = 0; p < run.input.wheelset.positions(); ++p) {
+    std::string way_cells;
+    for (const WayScalar& way : ways)
+      way_cells += fmt::format(",{}", way.at(run.input, static_cast<int>(p) + 1));
     for (const std::string& model : model_names(run))
       for (std::size_t k = 0;; ++k) {
         const int position = static_cast<int>(p) + 1;
         const WheelAt left = wheel_at(run, model, true, position, k);
         const WheelAt right = wheel_at(run, model, false, position, k);
         if (!left.main && !right.main) break;
-        const std::optional<RigidWheelset>& rigid = run.wheelset[p];
+        const std::optional<RigidWheelset> rigid =
+            run.wheelset.empty() ? std::nullopt : run.wheelset[p];
         text += fmt::format(
-            "{},{},{},{},{}{}{},{}{}\n", position, run.input.wheelset.lateral_shift[p],
-            run.input.wheelset.yaw[p], model, k + 1, wheel_cells(left, k), wheel_cells(right, k),
-            csv_cell(loaded_radius_difference(left, right)),
+            "{},{},{}{},{},{}{}{},{}{}\n", position, run.input.wheelset.lateral_shift[p],
+            run.input.wheelset.yaw[p], way_cells, model, k + 1, wheel_cells(left, k),
+            wheel_cells(right, k), csv_cell(loaded_radius_difference(left, right)),
             rigid ? fmt::format(",{}{}", rigid->radius_difference(), conicity_cells(*rigid))
                   : ",,,,");
       }
+  }
   return text;
 }
 

@@ -34,6 +34,22 @@ TEST_F(Profile, TellsWhatTheStandardSaysOfS1002) {
   EXPECT_TRUE(says(folder.text("out/profile.svg"), "<svg"));
 }
 
+TEST_F(Profile, SectionsAlongTheWayAreDrawnWithTheirFeatures) {
+  const std::string list = std::string(ROLLFEM_SOURCE_DIR) + "/cases/profiles/crossing.sections";
+  const Outcome outcome = done({"profile", list, "-o", "out"});
+  EXPECT_TRUE(says(outcome.out, "rail " + list, "sections                            25",
+                   "0 to 240, 10 apart", "a cubic spline", "10 in each section"));
+  // The nose's crown begins at y = 8 in all sections and rises with it.
+  EXPECT_TRUE(
+      std::regex_search(outcome.out, std::regex(" 2 +8\\.000, +3\\.\\d+  -> +8\\.000, +2\\.")))
+      << outcome.out;
+  EXPECT_EQ(folder.made(),
+            (std::vector<std::string>{"out", "out/sections.csv", "out/sections.svg"}));
+  EXPECT_TRUE(
+      says(folder.text("out/sections.svg"), "height of the surface, up [mm]; lines: features"));
+  EXPECT_TRUE(says(done({"profile", list, "--json"}).out, "\"features\": 10"));
+}
+
 TEST_F(Profile, TheTableIsAProfileAgain) {
   done({"profile", "60E1", "-o", "one"});
   // Every joint has two rows in the table, one for each side of it.

@@ -4,6 +4,7 @@
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
+#include <map>
 
 namespace {
 
@@ -107,6 +108,39 @@ TEST_F(Wheelset, AWheelAboveItsRailCarriesNothing) {
   const Outcome none = done({"run", folder.file("none.toml", at("-0.6")), "-o", "none"});
   EXPECT_TRUE(says(none.out, "carries no load"));
   EXPECT_EQ(folder.json("none/summary.json")["models"].size(), 0U);
+}
+
+TEST_F(Wheelset, TheLoadMovesFromTheWingToTheNoseOfACrossing) {
+  const std::string crossing = std::string(ROLLFEM_SOURCE_DIR) + "/cases/crossing.toml";
+  const Outcome check = done({"check", crossing});
+  EXPECT_TRUE(says(check.out, "where wheel and rail touch"));
+  EXPECT_EQ(check.err, "");
+  done({"run", crossing, "-o", "out", "--set", "contact_grid.elements_across=8", "--set",
+        "placement.track_position=[50.0, 80.0, 110.0]"});
+  const auto contacts = csv_records(folder.text("out/contacts.csv"));
+  ASSERT_EQ(contacts.size(), 4U);
+  std::map<double, double> on_wing, on_nose;  // vertical force by position
+  for (const auto& contact : contacts) {
+    const auto of = [&](const char* name) { return std::stod(contact.at(name)); };
+    (of("y_rail") > 40.0 ? on_wing : on_nose)[of("track_position")] = of("vertical_force");
+    // The nose rises by 1:120 and is met ahead of the axle, the wing is met behind it.
+    if (of("y_rail") > 40.0) continue;
+    EXPECT_NEAR(of("climb"), 1.0 / 120.0, 1e-4);
+    EXPECT_NEAR(of("x_track"), 461.3 / 120.0, 0.1);
+  }
+  EXPECT_NEAR(on_wing.at(50.0), 80e3, 80.0);
+  EXPECT_NEAR(on_wing.at(80.0) + on_nose.at(80.0), 80e3, 80.0);
+  EXPECT_GT(std::min(on_wing.at(80.0), on_nose.at(80.0)), 15e3);
+  EXPECT_NEAR(on_nose.at(110.0), 80e3, 80.0);
+
+  const auto rows = csv_records(folder.text("out/wheelset.csv"), false);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1].at("track_position [mm]"), "80");
+  EXPECT_EQ(rows[1].at("right patches [-]"), "2");
+  const std::string report = folder.text("out/report.html");
+  EXPECT_TRUE(says(report, "position along the track [mm]", "followed from position to position",
+                   "contact at y = 64 to 65 mm on the rail"));
+  EXPECT_TRUE(says(folder.text("out/figures/positions.svg"), "height of the wheel"));
 }
 
 TEST_F(Wheelset, AWheelOffTheRailIsReportedInOneLine) {

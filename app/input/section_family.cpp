@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "app/input/section_family.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rollfem::app {
+
+using profiles::ListedSections;
+using profiles::PlacedSection;
+
+namespace {
+
+/// Parameters at which the parts of a section begin and end.
+std::vector<double> ends_of_parts(const PlacedSection& section) {
+  std::vector<double> ends{section.curve.first()};
+  ends.insert(ends.end(), section.features.begin(), section.features.end());
+  ends.push_back(section.curve.last());
+  return ends;
+}
+
+std::string steps_of(const std::vector<PlacedSection>& sections) {
+  double least = std::abs(sections[1].position - sections[0].position), largest = least;
+  for (std::size_t k = 2; k < sections.size(); ++k) {
+    const double step = sections[k].position - sections[k - 1].position;
+    least = std::min(least, step);
+    largest = std::max(largest, step);
+  }
+  return largest - least < 1e-6 * largest ? fmt::format("{:.4g}", largest)
+                                          : fmt::format("{:.4g} to {:.4g}", least, largest);
+}
+
+}  // namespace
+
+std::string sections_text(const ListedSections& family, const std::string& title, bool wheel) {
+  const std::vector<PlacedSection>& sections = family.sections;
+  const PlacedSection &first = sections.front(), &last = sections.back();
+  std::string text = fmt::format("{}\n", title);
+  const auto line = [&](const std::string& what, const std::string& value) {
+    text += fmt::format("  {:<36}{}\n", what, value);
+  };
+  line("sections", fmt::format("{}", sections.size()));
+  line(wheel ? "angles about the axle, rad" : "positions along the track, mm",
+       fmt::format("{:g} to {:g}, {} apart{}", first.position, last.position, steps_of(sections),
+                   family.around ? "; a full turn, which repeats" : ""));
+  line("between sections", family.spline == profiles::SectionSpline::through
+                               ? "every point follows a cubic spline through them"
+                               : "every point follows a spline that rounds kinks");
+  line("features",
+       first.features.empty()
+           ? "none: points correspond by the fraction of the whole arc length"
+           : fmt::format("{} in each section; their ways, y, z in mm:", first.features.size()));
+  for (std::size_t k = 0; k < first.features.size(); ++k) {
+    const auto at = [&](const PlacedSection& section) {
+      const profiles::ProfilePoint place = section.curve.at(section.features[k]);
+      return fmt::format("{:9.3f},{:8.3f}", place.y, place.z);
+    };
+    text += fmt::format("    {:<34}{}  -> {}\n", k + 1, at(first), at(last));
+  }
+  return text;
+}
+
+std::string sections_table(const ListedSections& family, const std::string& title, bool wheel) {
+  constexpr double spacing = 0.5;  // mm
+  std::vector<int> steps(family.sections.front().features.size() + 1, 1);
+  for (const PlacedSection& section : family.sections) {
+    const std::vector<double> ends = ends_of_parts(section);
+    for (std::size_t part = 0; part < steps.size(); ++part)
+      steps[part] = std::max(steps[part],
+                             static_cast<int>(std::ceil((ends[part + 1] - ends[part]) / spacing)));
+  }
+  std::string text =
+      fmt::format("# {}\nposition [{}],part [-],y [mm],z [mm]\n", title, wheel ? "rad" : "mm");
+  for (const PlacedSection& section : family.sections) {
+    const std::vector<double> ends = ends_of_parts(section);
+    for (std::size_t part = 0; part < steps.size(); ++part)
+      for (int k = 0; k <= steps[part]; ++k) {
+        const double at = ends[part] + (ends[part + 1] - ends[part]) * k / steps[part];
+        const profiles::ProfilePoint place = section.curve.at(at);
+        text +=
+            fmt::format("{:g},{},{:.6f},{:.6f}\n", section.position, part + 1, place.y, place.z);
+      }
+  }
+  return text;
+}
+
+}  // namespace rollfem::app
