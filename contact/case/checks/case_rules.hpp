@@ -71,8 +71,9 @@ inline const Condition varies_along_track = has("friction", "track_position");
 /// The profile is a list of sections along the way.
 inline Condition sections(const char* body) {
   return Condition([=](const GivenCase& given) {
+    const GivenValue* name = given.find(body, "profile");
     ProfileSource source;
-    source.name = word_of(given, body, "profile");
+    if (name != nullptr) source.name = std::get<std::string>(name->value);
     return source.lists_sections();
   });
 }
