@@ -263,6 +263,7 @@ void sections(const ProfileRequest& request, const contact::ProfileSource& sourc
 void profile(const ProfileRequest& request, Call& call) {
   contact::ProfileSource source;
   source.name = request.name;
+  source.for_track = false;  // a section may hold two heads
   if (source.lists_sections() && !(request.wheel && request.rail))
     return sections(request, source, call);
   const std::vector<NamedProfile> profiles = asked_for(request);

@@ -104,9 +104,10 @@ SECTION_COLOURS = ("ink", "violet", "blue", "sky", "green", "amber", "red")
 
 
 def draw_sections(title, columns, unit):
-    """Sections along the way: some of them over y with their features, and the height of all as a map seen from above,
-    on which the features are lines. `unit`: of the position."""
-    where = "position along the track [mm]" if unit == "mm" else "angle about the axle [rad]"
+    """Sections along the way: some of them over y with their features, and a map of all, on which the features are
+    lines: the height seen from above, or how far a wheel is out of round. `unit`: of the position."""
+    where, what = (("position along the track [mm]", "height of the surface, up [mm]") if unit == "mm" else
+                   ("angle about the axle [rad]", "radius, less that of the first section [mm]"))
     at, count = np.unique(columns["position"], return_counts=True)
     position, part, y, z = (columns[name].reshape(len(at), count[0]) for name in ("position", "part", "y", "z"))
     joints = np.flatnonzero(np.diff(part[0]))
@@ -117,10 +118,10 @@ def draw_sections(title, columns, unit):
         shape.line(y[k], z[k], colour, 1.3, name=f"{at[k]:.4g} {unit}")
         shape.line(y[k, joints], z[k, joints], colour, marker="o", size=2.2, joined=False, order=4)
     shape.y.flipped = True
-    plan = figure.add(560, 260, f"height of the surface, up [mm]{'; lines: features' * bool(len(joints))}", where,
+    plan = figure.add(560, 260, what + "; lines: features" * bool(len(joints)), where,
                       "$y$, to the field side [mm]")
     plan.x.limits, plan.y.limits = (at[0], at[-1]), (y.min(), y.max())
-    levels, step = filled(plan, position.T, y.T, -z.T)
+    levels, step = filled(plan, position.T, y.T, -z.T if unit == "mm" else (z - z[0]).T)
     for joint in joints:
         plan.line(at, y[:, joint], "ground", 2.0)
         plan.line(at, y[:, joint], "ink", 0.9)
