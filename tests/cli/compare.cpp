@@ -60,8 +60,8 @@ TEST_F(Compare, ModelsMayStandBeforeTheCaseAndTheReferenceIsChosen) {
 TEST_F(Compare, AModelThatCannotTakeACaseIsLeftOutWithASentence) {
   const std::string file = folder.file("forces.toml", given_force);
   const Outcome outcome = done(
-      {"compare", file, "--no-report", "--model", "hertz", "fastsim", "halfspace", "-o", "out"});
-  EXPECT_TRUE(says(outcome.out, "fastsim: left out: "));
+      {"compare", file, "--no-report", "--model", "hertz", "polach", "halfspace", "-o", "out"});
+  EXPECT_TRUE(says(outcome.out, "polach: left out: "));
   EXPECT_FALSE(says(outcome.out, "do: run with"));
   const auto all = folder.json("out/compare.json");
   ASSERT_EQ(all.at("cases")[0].at("missing").size(), 1U);
@@ -70,10 +70,10 @@ TEST_F(Compare, AModelThatCannotTakeACaseIsLeftOutWithASentence) {
 
 TEST_F(Compare, ACaseThatNoModelTakesIsAnErrorThatNamesEachWithItsReason) {
   const std::string none = folder.file("forces.toml", given_force);
-  const std::vector<std::string> models{"--no-report", "--model", "fastsim", "strip", "-o", "out"};
+  const std::vector<std::string> models{"--no-report", "--model", "polach", "linear", "-o", "out"};
   const Outcome alone = call(joined({"compare", none}, models));
   EXPECT_EQ(alone.status, 2) << alone.err;
-  EXPECT_TRUE(says(alone.err, "none of the models can solve forces: fastsim: ", "; strip: ",
+  EXPECT_TRUE(says(alone.err, "none of the models can solve forces: polach: ", "; linear: ",
                    "prescribed tangential force", "; do: name one"));
   // Beside a case that they can take, which is written.
   const std::string good = folder.file("good.toml", quick_pair);
