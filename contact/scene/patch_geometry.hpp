@@ -99,6 +99,10 @@ class PatchGeometry {
   /// at x = 0, and distances are those of the surfaces. Either may be empty.
   void set_surfaces(RailSurface rail, WheelSurface wheel);
   bool varies() const { return rail_surface_ || wheel_surface_; }
+  /// Largest difference of that distance from the one of a round wheel and a straight rail of these
+  /// sections over the patch, over the approach; 0 of such bodies.
+  double variation() const { return variation_; }
+  void set_variation(double over_approach) { variation_ = over_approach; }
 
   /// The same bodies with distances of the wheel at its height under load, still measured from
   /// first touch: the approach is added again. In a plane whose normal is not vertical, a sinking
@@ -150,6 +154,7 @@ class PatchGeometry {
   Axle rail_axle_;
   RailSurface rail_surface_;
   WheelSurface wheel_surface_;
+  double variation_ = 0.0;
   Sinking sinking_;
   std::array<double, 2> limits_{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};

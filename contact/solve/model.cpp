@@ -75,8 +75,13 @@ const std::vector<DemandRow>& rows() {
        [](const Scene& c) { return c.is_history() && c.load_changes(); }},
       {Demand::profiles, "wheel.profile and rail.profile", "true profiles",
        [](const Scene& c) { return c.has_profiles(); }},
-      {Demand::sections, "wheel.profile or rail.profile", "profiles that change along the way",
-       [](const Scene& c) { return c.has_profiles() && c.geometry.surface.profiles->varies(); }},
+      {Demand::sections, "wheel.profile or rail.profile",
+       "profiles that change over the patch by more than 1 % of the approach",
+       [](const Scene& c) {
+         // Less than the half-space's own error on patches as long as a tenth of the radii.
+         constexpr double most = 0.01;
+         return c.has_profiles() && c.geometry.surface.profiles->variation() > most;
+       }},
       {Demand::extra_slip_on_profiles, "rolling.extra_slip",
        "extra slip from a file on true profiles",
        [](const Scene& c) { return c.has_profiles() && slip_from_file(c); }},

@@ -168,6 +168,7 @@ TEST(AlongTheWay, RotatedRailEqualsAYawedWheel) {
   input.wheelset.yaw = {-yaw};
   input.wheelset.lateral_shift = {-8.0 * std::cos(yaw)};
   const Found yawed = solved(input, {pair.wheel, pair.rail});
+  EXPECT_GT(turned.placed.contact.geometry.variation(), 0.01);
   EXPECT_NEAR(turned.placed.contact.place.y_wheel, yawed.placed.contact.place.y_wheel, 2e-3);
   EXPECT_NEAR(turned.placed.contact.place.height, yawed.placed.contact.place.height, 1e-6);
   EXPECT_NEAR(turned.point.normal_force, yawed.point.normal_force, 1e-3 * yawed.point.normal_force);
@@ -187,6 +188,8 @@ TEST(AlongTheWay, EqualSectionsAreThePlainProfile) {
   EXPECT_NEAR(equal.placed.contact.place.height, plain.placed.contact.place.height, 1e-9);
   EXPECT_NEAR(equal.placed.contact.place.y_rail, plain.placed.contact.place.y_rail, 1e-5);
   expect_alike(equal.point, plain.point, 1e-5);
+  // What finite elements may take as a body of this section.
+  EXPECT_LT(equal.placed.contact.geometry.variation(), 1e-5);
 }
 
 }  // namespace

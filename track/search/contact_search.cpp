@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/search/contact_search.hpp"
 
+#include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 #include "profiles/profiles.hpp"
 #include "track/search/patch_frame.hpp"
@@ -153,6 +154,7 @@ class WheelSearch {
     contact.geometry = make_geometry(input_, scene_, gap_.bodies().get(), axes, axle_, left_, touch,
                                      first.gap, contact.reach, options.around_overlap);
     contact.geometry.set_limits(contact.limits);
+    if (contact.geometry.varies()) set_variation(contact, touch.relative_radius);
     return contact;
   }
 
@@ -226,6 +228,24 @@ class WheelSearch {
     add(input_.wheel_displacement, to_track(left_, axle_.point), 1.0);
     const RailPlace& rail = scene_.rail(left_).place;
     add(input_.rail_displacement, to_track(left_, {0.0, rail.shift_y, rail.shift_z}), -1.0);
+  }
+
+  /// Over the ellipse of the overlap, less than half of which is the patch.
+  static void set_variation(WheelRailContact& contact, double relative_radius) {
+    if (!(contact.approach > 0.0)) return;
+    contact::PatchGeometry plain = contact.geometry;
+    plain.set_surfaces({}, {});
+    const double half_length = std::sqrt(relative_radius * contact.approach);
+    const double middle = 0.5 * (contact.reach[0] + contact.reach[1]);
+    const double half_width = 0.5 * (contact.reach[1] - contact.reach[0]);
+    constexpr int places = 24;
+    double most = 0.0;
+    for (int k = 0; k < places; ++k) {
+      const double angle = 2.0 * contact::pi * k / places;
+      const double x = half_length * std::cos(angle), y = middle + half_width * std::sin(angle);
+      most = std::max(most, std::abs(contact.geometry.distance(x, y) - plain.distance(x, y)));
+    }
+    contact.geometry.set_variation(most / contact.approach);
   }
 
   void check_reach(const Stretch& stretch, double sinking) const {
