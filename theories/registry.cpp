@@ -97,6 +97,14 @@ contact::Model elliptic(const contact::Model& theory, Leaves leaves = {}) {
   return [=](const Scene& c, const Progress& p) { return run_each_load(model, c, p); };
 }
 
+/// Numbers from the fields on the contact grid, which no finer one confirms.
+bool is_pass_work(const std::string& quantity) {
+  for (const char* name : {"frictional_work", "max_pass_work", "pass_work_y_wheel",
+                           "pass_work_y_rail", "revolution_work"})
+    if (quantity == name) return true;
+  return false;
+}
+
 /// A theory whose fields of traction and slip give the work of friction and its place.
 contact::Model with_pass_work(const contact::Model& theory) {
   return [=](const Scene& scene, const Progress& progress) {
@@ -108,6 +116,10 @@ contact::Model with_pass_work(const contact::Model& theory) {
       point.max_pass_work = work.maxCoeff();
     }
     contact::place_pass_work({scene.geometry, contact::Chart::plane}, scene.place, result);
+    for (PointResult& point : result.points)
+      for (const contact::Quantity& quantity : contact::quantities())
+        if (is_pass_work(quantity.name) && quantity.value(point))
+          point.no_bar.insert_or_assign(quantity.name, contact::no_bar::one_grid);
     return result;
   };
 }

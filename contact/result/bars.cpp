@@ -132,10 +132,15 @@ void derive_bars(PointResult& point) {
   };
   twice("contact_length", "semi_axis_x");
   twice("contact_width", "semi_axis_y");
-  if (has_bar(point, "frictional_work") && point.revolution_work && *point.frictional_work > 0.0)
-    point.error_estimate.emplace("revolution_work", point.error_estimate.at("frictional_work") *
-                                                        *point.revolution_work /
-                                                        *point.frictional_work);
+  if (has_bar(point, "frictional_work") && point.revolution_work) {
+    const double work = *point.frictional_work, bar = point.error_estimate.at("frictional_work");
+    if (work > 0.0)
+      point.error_estimate.emplace("revolution_work", bar * *point.revolution_work / work);
+    else if (bar == 0.0)
+      point.error_estimate.emplace("revolution_work", 0.0);
+    else
+      point.no_bar.emplace("revolution_work", no_bar::one_grid);
+  }
   if (!point.creepage_work || !has_bar(point, "longitudinal_force") ||
       !has_bar(point, "lateral_force") || !has_bar(point, "spin_moment"))
     return;
