@@ -196,9 +196,6 @@ ProfileCurve make_profile(const ProfileSource& source, bool wheel, const std::st
 ProfileCurve profile_of_case(const contact::Case& input, bool wheel, ProfileReport* report) {
   const ProfileSource& source = wheel ? input.wheel.profile : input.rail.profile;
   if (!source.name.empty()) {
-    const auto& places = wheel ? input.wheelset.wheel_angle : input.wheelset.track_position;
-    if (source.lists_sections() && !places.empty() && report == nullptr)
-      return make_sections(source, wheel, input.file)->section(places.front());
     ProfileCurve curve = make_profile(source, wheel, input.file, report);
     if (wheel && source.for_track) check_flange(input, curve);
     return curve;

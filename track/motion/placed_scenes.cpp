@@ -139,10 +139,17 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
 }  // namespace
 
 SearchScene search_scene_of(const Case& input) {
-  return make_search_scene(
-      input, {profiles::profile_of_case(input, true), profiles::profile_of_case(input, false),
-              profiles::make_sections(input.wheel.profile, true, input.file),
-              profiles::make_sections(input.rail.profile, false, input.file)});
+  ProfilePair pair;
+  pair.wheel_sections = profiles::make_sections(input.wheel.profile, true, input.file);
+  pair.rail_sections = profiles::make_sections(input.rail.profile, false, input.file);
+  // Of a body that changes along its way the section at the first position.
+  const auto profile = [&](const auto& sections, const std::vector<double>& places, bool wheel) {
+    return sections && !places.empty() ? sections->section(places.front())
+                                       : profiles::profile_of_case(input, wheel);
+  };
+  pair.wheel = profile(pair.wheel_sections, input.wheelset.wheel_angle, true);
+  pair.rail = profile(pair.rail_sections, input.wheelset.track_position, false);
+  return make_search_scene(input, std::move(pair));
 }
 
 /// Blends from the plane to the surface as the spread of the normals grows, so that forces change
