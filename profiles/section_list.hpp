@@ -9,6 +9,9 @@
 
 namespace rollfem::profiles {
 
+/// Parameters at which the parts of a section begin and end.
+std::vector<double> ends_of_parts(const PlacedSection& section);
+
 struct ListedSections {
   std::vector<PlacedSection> sections;
   SectionSpline spline = SectionSpline::through;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/section_surface.hpp"
 
+#include "profiles/section_list.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -13,15 +15,11 @@ namespace {
 /// Sections repeated beyond each end of a full turn: the spline forgets what is farther away.
 constexpr std::ptrdiff_t sections_beyond = 6;
 
-/// Parameters that bound the parts of a section.
-std::vector<double> bounds_of(const PlacedSection& section) {
-  std::vector<double> bounds{section.curve.first()};
-  bounds.insert(bounds.end(), section.features.begin(), section.features.end());
-  bounds.push_back(section.curve.last());
-  for (std::size_t k = 1; k < bounds.size(); ++k)
-    if (!(bounds[k] > bounds[k - 1]))
+/// Rejects features that do not lie in a section one after the other.
+void check_ends(const std::vector<double>& ends) {
+  for (std::size_t k = 1; k < ends.size(); ++k)
+    if (!(ends[k] > ends[k - 1]))
       throw std::invalid_argument("the features of a section must lie within it and increase");
-  return bounds;
 }
 
 /// A part of all sections: the section from which it takes its nodes, that with most knots in it,
@@ -140,6 +138,13 @@ class NaturalSpline {
 
 }  // namespace
 
+std::vector<double> ends_of_parts(const PlacedSection& section) {
+  std::vector<double> ends{section.curve.first()};
+  ends.insert(ends.end(), section.features.begin(), section.features.end());
+  ends.push_back(section.curve.last());
+  return ends;
+}
+
 SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSpline spline,
                                double turn)
     : count_(sections.size()), turn_(turn) {
@@ -151,7 +156,8 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
     if (!way_.empty() && !(section.position > way_.back()))
       throw std::invalid_argument("the positions of sections must increase");
     way_.push_back(section.position);
-    bounds.push_back(bounds_of(section));
+    bounds.push_back(ends_of_parts(section));
+    check_ends(bounds.back());
     if (bounds.back().size() != bounds.front().size())
       throw std::invalid_argument("all sections need equally many features");
   }

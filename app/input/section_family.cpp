@@ -14,14 +14,6 @@ using profiles::PlacedSection;
 
 namespace {
 
-/// Parameters at which the parts of a section begin and end.
-std::vector<double> ends_of_parts(const PlacedSection& section) {
-  std::vector<double> ends{section.curve.first()};
-  ends.insert(ends.end(), section.features.begin(), section.features.end());
-  ends.push_back(section.curve.last());
-  return ends;
-}
-
 std::string steps_of(const std::vector<PlacedSection>& sections) {
   double least = std::abs(sections[1].position - sections[0].position), largest = least;
   for (std::size_t k = 2; k < sections.size(); ++k) {
