@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/plasticity/plastic_law.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace rollfem::fem {
+
+namespace {
+
+const double root_of_3_2 = std::sqrt(1.5);
+
+Deviator sum_of(const Deviator& a, double factor, const Deviator& b) {
+  Deviator c;
+  for (std::size_t i = 0; i < 6; ++i) c[i] = a[i] + factor * b[i];
+  return c;
+}
+
+}  // namespace
+
+double norm(const Deviator& a) {
+  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] +
+                   2.0 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]));
+}
+
+PlasticLaw::PlasticLaw(const contact::BodyPlasticity& parameters, double shear_modulus)
+    : parameters_(parameters), shear_modulus_(shear_modulus) {}
+
+double PlasticLaw::yield_stress(double accumulated) const {
+  return parameters_.yield_stress - parameters_.rise * std::expm1(-parameters_.rate * accumulated);
+}
+
+Deviator PlasticLaw::stress(const PlasticState& state, const Deviator& strain) const {
+  Deviator s = sum_of(strain, -1.0, state.strain);
+  for (double& component : s) component *= 2.0 * shear_modulus_;
+  return s;
+}
+
+Deviator PlasticLaw::relative_stress(const PlasticState& state, const Deviator& strain) const {
+  Deviator s = stress(state, strain);
+  for (const Deviator& back : state.back) s = sum_of(s, -1.0, back);
+  return s;
+}
+
+double PlasticLaw::utilisation(const PlasticState& state, const Deviator& strain) const {
+  return root_of_3_2 * norm(relative_stress(state, strain)) / yield_stress(state.accumulated);
+}
+
+void PlasticLaw::advance(PlasticState& state, const Deviator& from, const Deviator& to,
+                         int steps) const {
+  const Deviator path = sum_of(to, -1.0, from);
+  for (int k = 1; k < steps; ++k) step(state, sum_of(from, static_cast<double>(k) / steps, path));
+  step(state, to);
+}
+
+void PlasticLaw::step(PlasticState& state, const Deviator& strain) const {
+  // The elastic range is left by more than rounding only.
+  constexpr double rounding = 1e-14;
+  if (utilisation(state, strain) <= 1.0 + rounding) return;
+  const auto& laws = parameters_.back_stresses;
+  const Deviator trial = stress(state, strain);
+  // With theta_k = 1/(1 + recovery_k dp) the relative stress is parallel to
+  // trial - sum theta_k back_k, so that one equation for dp remains:
+  // sqrt(3/2) |trial - sum theta_k back_k| = yield_stress(p + dp) + (3 G + sum theta_k modulus_k)
+  // dp.
+  Deviator direction{};
+  const auto excess = [&](double dp) {
+    direction = trial;
+    double stiffness = 3.0 * shear_modulus_;
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+      const double theta = 1.0 / (1.0 + laws[k].recovery * dp);
+      direction = sum_of(direction, -theta, state.back[k]);
+      stiffness += theta * laws[k].modulus;
+    }
+    return root_of_3_2 * norm(direction) - yield_stress(state.accumulated + dp) - stiffness * dp;
+  };
+  // Secants kept between bounds; the elastic strain alone bounds dp from above.
+  double lower = 0.0, of_lower = excess(0.0);
+  double upper = of_lower / (3.0 * shear_modulus_), of_upper = excess(upper);
+  while (of_upper > 0.0) {
+    lower = upper;
+    of_lower = of_upper;
+    upper *= 2.0;
+    of_upper = excess(upper);
+  }
+  const double enough = 1e-13 * parameters_.yield_stress;
+  constexpr int most_iterations = 100;
+  double dp = upper, value = of_upper;
+  bool moved_lower = false, moved_upper = true;
+  for (int k = 0; k < most_iterations && std::abs(value) > enough; ++k) {
+    dp = lower + (upper - lower) * of_lower / (of_lower - of_upper);
+    value = excess(dp);
+    // An end that stays twice counts half (Illinois rule), so that both close in.
+    if (value > 0.0) {
+      lower = dp;
+      of_lower = value;
+      if (moved_lower) of_upper *= 0.5;
+    } else {
+      upper = dp;
+      of_upper = value;
+      if (moved_upper) of_lower *= 0.5;
+    }
+    moved_lower = value > 0.0;
+    moved_upper = !moved_lower;
+  }
+  const double scale = root_of_3_2 * dp / norm(direction);
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    const double theta = 1.0 / (1.0 + laws[k].recovery * dp);
+    for (std::size_t i = 0; i < 6; ++i)
+      state.back[k][i] =
+          theta * (state.back[k][i] + 2.0 / 3.0 * laws[k].modulus * scale * direction[i]);
+  }
+  state.strain = sum_of(state.strain, scale, direction);
+  state.accumulated += dp;
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/plasticity/steady_pass.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <utility>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// A displacement with the load that causes it, so that energies need no stiffness.
+struct Loaded {
+  Vector displacement, load;
+};
+
+double energy(const Loaded& a, const Loaded& b) {
+  return a.displacement * b.load;
+}
+
+Loaded difference(const Loaded& a, const Loaded& b) {
+  Loaded d = a;
+  d.displacement -= b.displacement;
+  d.load -= b.load;
+  return d;
+}
+
+/// Anderson's acceleration of a fixed point (D. G. Anderson 1965, J. ACM 12) in the energy norm:
+/// the combination of the last results whose residuals cancel best.
+class Anderson {
+ public:
+  /// The next displacement to try, from the last one and the result that followed from it.
+  Loaded next(const Loaded& tried, const Loaded& result) {
+    const Loaded residual = difference(result, tried);
+    if (last_result_) {
+      residual_steps_.push_back(difference(residual, *last_residual_));
+      result_steps_.push_back(difference(result, *last_result_));
+      if (residual_steps_.size() > depth) {
+        residual_steps_.pop_front();
+        result_steps_.pop_front();
+      }
+    }
+    last_residual_ = residual;
+    last_result_ = result;
+    const auto n = static_cast<Eigen::Index>(residual_steps_.size());
+    Loaded combined = result;
+    if (n == 0) return combined;
+    Eigen::MatrixXd products(n, n);
+    Eigen::VectorXd right(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      right[i] = energy(residual, residual_steps_[i]);
+      for (Eigen::Index j = 0; j <= i; ++j)
+        products(i, j) = products(j, i) = energy(residual_steps_[i], residual_steps_[j]);
+    }
+    const Eigen::VectorXd scale = products.diagonal().cwiseSqrt().cwiseInverse();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(scale.asDiagonal() * products *
+                                                        scale.asDiagonal());
+    factors.setThreshold(1e-10);
+    const Eigen::VectorXd share =
+        scale.cwiseProduct(factors.solve(scale.cwiseProduct(right)).eval());
+    for (Eigen::Index i = 0; i < n; ++i) {
+      combined.displacement.add(-share[i], result_steps_[i].displacement);
+      combined.load.add(-share[i], result_steps_[i].load);
+    }
+    return combined;
+  }
+
+ private:
+  const std::size_t depth = getenv("DEPTH") ? atoi(getenv("DEPTH")) : 8;
+  std::deque<Loaded> residual_steps_, result_steps_;
+  std::optional<Loaded> last_residual_, last_result_;
+};
+
+/// Follows every streamline from its inflow through the total strain.
+class Flow {
+ public:
+  Flow(const Streamlines& streamlines, const PlasticLaw& law, const std::vector<Deviator>& elastic,
+       const std::vector<PlasticState>& entering, int steps)
+      : streamlines_(streamlines),
+        law_(law),
+        elastic_(elastic),
+        entering_(entering),
+        steps_(steps) {
+    for (const PlasticState& state : entering) inflow_.push_back(state.strain);
+    plastic.resize(streamlines.points());
+    accumulated.resize(streamlines.points());
+    leaving.resize(streamlines.streams());
+    outflow_.resize(streamlines.streams());
+  }
+
+  /// Through the elastic strain and that of `displacement`; returns the load of plastic strain.
+  void follow(const Vector& displacement, Vector& load) {
+    const std::vector<Deviator> added = streamlines_.strains(displacement);
+    contact::for_each_index(streamlines_.streams(), [&](std::size_t stream) {
+      PlasticState state = entering_[stream];
+      Deviator before{};
+      for (std::size_t i = 0; i < streamlines_.stations(); ++i) {
+        const std::size_t k = stream * streamlines_.stations() + i;
+        Deviator total = elastic_[k];
+        for (std::size_t c = 0; c < 6; ++c) total[c] += added[k][c];
+        law_.advance(state, before, total, i == 0 ? 1 : steps_);
+        before = total;
+        plastic[k] = state.strain;
+        accumulated[k] = state.accumulated;
+      }
+      leaving[stream] = state;
+      outflow_[stream] = state.strain;
+    });
+    streamlines_.load(plastic, inflow_, outflow_, load);
+  }
+
+  std::vector<PlasticState> leaving;
+  std::vector<Deviator> plastic;
+  std::vector<double> accumulated;
+
+ private:
+  const Streamlines& streamlines_;
+  const PlasticLaw& law_;
+  const std::vector<Deviator>& elastic_;
+  const std::vector<PlasticState>& entering_;
+  int steps_;
+  std::vector<Deviator> inflow_, outflow_;
+};
+
+}  // namespace
+
+YieldedBody before_first_pass(const Streamlines& streamlines, const Body& body) {
+  YieldedBody untouched;
+  untouched.leaving.resize(streamlines.streams());
+  untouched.plastic.resize(streamlines.points());
+  untouched.accumulated.resize(streamlines.points());
+  untouched.displacement = make_vector(body.dofs());
+  untouched.displacement.update_ghost_values();
+  untouched.load = make_vector(body.dofs());
+  return untouched;
+}
+
+PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
+                       const LinearSolver& solver, const std::vector<Deviator>& elastic,
+                       const PassAccuracy& accuracy, YieldedBody& yielded) {
+  Flow flow(streamlines, law, elastic, yielded.leaving, accuracy.steps);
+  Anderson anderson;
+  PassReport report;
+  Loaded tried;
+  tried.displacement = yielded.displacement;
+  tried.displacement.update_ghost_values();
+  tried.load = yielded.load;
+  for (report.iterations = 1;; ++report.iterations) {
+    Loaded result = tried;
+    flow.follow(tried.displacement, result.load);
+    solver.solve(result.displacement, result.load);
+    const Loaded residual = difference(result, tried);
+    const double all = energy(result, result);
+    report.residual = all == 0.0 ? 0.0 : std::sqrt(energy(residual, residual) / all);
+    if (getenv("TRACE")) std::printf("   %d %.3e all %.3e\n", report.iterations, report.residual, all);
+    if (report.residual <= accuracy.residual && report.iterations > 1) {
+      yielded.displacement = result.displacement;
+      yielded.displacement.update_ghost_values();
+      yielded.load = result.load;
+      break;
+    }
+    if (all == 0.0) break;
+    if (report.iterations == accuracy.most_iterations || !std::isfinite(report.residual))
+      throw contact::SolveError(fmt::format(
+          "plastic flow did not settle in {} iterations: out-of-balance forces are {:.2g} of those "
+          "of plastic strain, allowed: {:.2g}; do: give a smaller load or friction, more "
+          "hardening, "
+          "or a smaller [fem] cell_size",
+          report.iterations, report.residual, accuracy.residual));
+    tried = anderson.next(tried, result);
+    tried.displacement.update_ghost_values();
+  }
+  yielded.leaving = std::move(flow.leaving);
+  yielded.plastic = std::move(flow.plastic);
+  yielded.accumulated = std::move(flow.accumulated);
+  return report;
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/plasticity/streamlines.hpp"
+
+#include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
+#include "fem/discretisation/cell_terms.hpp"
+#include "fem/mesh/chart.hpp"
+#include "fem/plasticity/cell_shape.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// Of Gauss' rule with two points on [0, 1].
+const std::array<double, 2> gauss_places{0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)};
+
+using SpaceTensor = dealii::Tensor<2, 3>;
+
+SpaceTensor tensor_of(const Deviator& a) {
+  SpaceTensor t;
+  for (unsigned int i = 0; i < 3; ++i) t[i][i] = a[i];
+  t[0][1] = t[1][0] = a[3];
+  t[1][2] = t[2][1] = a[4];
+  t[0][2] = t[2][0] = a[5];
+  return t;
+}
+
+Deviator deviator_of(const SpaceTensor& gradient) {
+  const double mean = dealii::trace(gradient) / 3.0;
+  return {gradient[0][0] - mean,
+          gradient[1][1] - mean,
+          gradient[2][2] - mean,
+          0.5 * (gradient[0][1] + gradient[1][0]),
+          0.5 * (gradient[1][2] + gradient[2][1]),
+          0.5 * (gradient[0][2] + gradient[2][0])};
+}
+
+/// Where the plastic strain of a slot comes from.
+enum class Source : unsigned char { point, inflow, outflow };
+
+/// A point of a streamline in a cell.
+struct Slot {
+  std::size_t from;  ///< number of the point or of the stream
+  Source source;
+  double weight;  ///< mm^3
+  double sine;    ///< of the angle about the axle
+};
+
+struct PlasticCell {
+  std::vector<dealii::types::global_dof_index> dofs;
+  std::size_t first_slot, end_slot;
+};
+
+}  // namespace
+
+struct Streamlines::Implementation {
+  Implementation(const Body& the_body, const StreamLattice& the_lattice)
+      : body(the_body), lattice(the_lattice), shape(the_body) {
+    stations = 2 * static_cast<std::size_t>(lattice.along[1] - lattice.along[0]);
+    width = 2 * static_cast<std::size_t>(lattice.across[1] - lattice.across[0]);
+    streams = width * 2 * static_cast<std::size_t>(lattice.down);
+    volumes.assign(stations * streams, 0.0);
+    for (const auto& cell : body.dofs().active_cell_iterators())
+      if (cell->is_locally_owned()) add(cell);
+    check_coverage();
+  }
+
+  double place_of(int lattice_cell, std::size_t point) const {
+    return (lattice_cell + static_cast<double>(point / 2) + gauss_places[point % 2]) * lattice.cell;
+  }
+  double s_of(std::size_t station) const {
+    return place_of(lattice.along[0], stations - 1 - station);
+  }
+  double t_of(std::size_t stream) const { return place_of(lattice.across[0], stream % width); }
+  double depth_of(std::size_t stream) const { return place_of(0, stream / width); }
+
+  /// Numbers of the lattice's points between two places, first and end.
+  std::array<std::size_t, 2> between(double lower, double upper, int first,
+                                     std::size_t count) const {
+    const auto number = [&](double place) {
+      const double cells = std::floor(2.0 * (place / lattice.cell - first)) - 1.0;
+      auto k = static_cast<std::size_t>(std::clamp(cells, 0.0, static_cast<double>(count)));
+      while (k < count && place_of(first, k) < place) ++k;
+      return k;
+    };
+    const double tiny = 1e-6 * lattice.cell;
+    return {number(lower - tiny), number(upper + tiny)};
+  }
+
+  void add(const dealii::DoFHandler<3>::active_cell_iterator& cell) {
+    const ChartBox box = chart_box(body.shape(), cell);
+    const auto across = between(box.lower[1], box.upper[1], lattice.across[0], width);
+    const auto down = between(box.lower[2], box.upper[2], 0, streams / width);
+    if (across[0] >= across[1] || down[0] >= down[1]) return;
+    shape.reinit(cell);
+    const double rear = lattice.along[0] * lattice.cell, front = lattice.along[1] * lattice.cell;
+    const auto along = between(box.lower[0], box.upper[0], lattice.along[0], stations);
+    const std::size_t first = slots.size();
+    for (std::size_t k = down[0]; k < down[1]; ++k)
+      for (std::size_t j = across[0]; j < across[1]; ++j) {
+        const std::size_t stream = k * width + j;
+        for (std::size_t i = along[0]; i < along[1]; ++i) {
+          const std::size_t station = stations - 1 - i;
+          add_slot(s_of(station), 0.5 * lattice.cell, stream, Source::point,
+                   stream * stations + station);
+        }
+        add_piece(std::max(front, box.lower[0]), box.upper[0], stream, Source::inflow);
+        add_piece(box.lower[0], std::min(rear, box.upper[0]), stream, Source::outflow);
+      }
+    if (slots.size() == first) return;
+    PlasticCell added{{}, first, slots.size()};
+    added.dofs.resize(body.dofs().get_fe().dofs_per_cell);
+    cell->get_dof_indices(added.dofs);
+    cells.push_back(std::move(added));
+  }
+
+  /// A piece of a streamline outside the box.
+  void add_piece(double lower, double upper, std::size_t stream, Source source) {
+    const double length = upper - lower;
+    if (!(length > 1e-6 * lattice.cell)) return;
+    for (const double place : gauss_places)
+      add_slot(lower + place * length, 0.5 * length, stream, source, stream);
+  }
+
+  void add_slot(double s, double length, std::size_t stream, Source source, std::size_t from) {
+    const SurfaceShape& surface = body.shape();
+    const dealii::Point<3> chart(s, t_of(stream), depth_of(stream));
+    const auto unit = shape.inside(surface.place(chart[0], chart[1], chart[2]));
+    if (!unit || (source == Source::point && volumes[from] != 0.0)) return;
+    const auto map = surface.gradient(chart);
+    const double stretch = std::abs(dealii::determinant(dealii::Tensor<2, 3>(map)));
+    const double volume = 0.25 * lattice.cell * lattice.cell * length * stretch;
+    if (source == Source::point) volumes[from] = volume;
+    const double sine =
+        surface.is_revolved() ? std::sin(s / surface.streamline_radius(chart[1])) : 0.0;
+    slots.push_back({from, source, volume, sine});
+    gradients.resize(slots.size() * shape.nodes());
+    shape.gradients(*unit, &gradients[(slots.size() - 1) * shape.nodes()]);
+  }
+
+  void check_coverage() {
+    dealii::Utilities::MPI::sum(volumes, body.dofs().get_communicator(), volumes);
+    const auto missing = std::find(volumes.begin(), volumes.end(), 0.0);
+    if (missing == volumes.end()) return;
+    const auto k = static_cast<std::size_t>(missing - volumes.begin());
+    throw contact::InputError(fmt::format(
+        "the {} yields on streamlines that leave its mesh: no cell contains s = {:.4g}, y = {:.4g} "
+        "mm, {:.4g} mm below the surface; do: give a larger [fem] extent",
+        body.shape().is_wheel ? "wheel" : "rail", s_of(k % stations), t_of(k / stations),
+        depth_of(k / stations)));
+  }
+
+  /// Turns components of the section into space at the slot: columns are its x, y, z.
+  SpaceTensor turn(const Slot& slot) const {
+    SpaceTensor t = dealii::unit_symmetric_tensor<3>();
+    if (slot.sine == 0.0) return t;
+    const meshes::AxleTrace axle = body.shape().axle();
+    const double cosine = std::sqrt(1.0 - slot.sine * slot.sine);
+    const double less = 1.0 - cosine, c = axle.cosine, d = axle.sine;
+    // About (0, c, d), which turns x towards the axle (0, -d, c).
+    t[0][0] = cosine;
+    t[1][0] = -d * slot.sine;
+    t[2][0] = c * slot.sine;
+    t[0][1] = d * slot.sine;
+    t[0][2] = -c * slot.sine;
+    t[1][1] = 1.0 - less * d * d;
+    t[2][2] = 1.0 - less * c * c;
+    t[1][2] = t[2][1] = less * c * d;
+    return t;
+  }
+
+  const Body& body;
+  const StreamLattice lattice;
+  CellShape shape;
+  std::size_t stations = 0, width = 0, streams = 0;
+  std::vector<double> volumes;
+  std::vector<PlasticCell> cells;
+  std::vector<Slot> slots;
+  std::vector<dealii::Tensor<1, 3>> gradients;  ///< of the nodes, for every slot
+};
+
+Streamlines::Streamlines(const Body& body, const StreamLattice& lattice)
+    : implementation_(std::make_unique<Implementation>(body, lattice)) {}
+
+Streamlines::~Streamlines() = default;
+
+std::size_t Streamlines::stations() const {
+  return implementation_->stations;
+}
+
+std::size_t Streamlines::streams() const {
+  return implementation_->streams;
+}
+
+double Streamlines::s(std::size_t station) const {
+  return implementation_->s_of(station);
+}
+
+std::array<double, 2> Streamlines::section(std::size_t stream) const {
+  return {implementation_->t_of(stream), implementation_->depth_of(stream)};
+}
+
+double Streamlines::volume(std::size_t k) const {
+  return implementation_->volumes[k];
+}
+
+std::vector<Deviator> Streamlines::strains(const Vector& displacement) const {
+  const Implementation& of = *implementation_;
+  const unsigned int nodes = of.shape.nodes();
+  const auto& element = of.body.dofs().get_fe();
+  std::vector<Deviator> result(points(), Deviator{});
+  contact::for_each_piece(
+      static_cast<std::ptrdiff_t>(of.cells.size()), 64,
+      [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        std::vector<dealii::Tensor<1, 3>> u(nodes);
+        for (std::ptrdiff_t c = begin; c < end; ++c) {
+          const PlasticCell& cell = of.cells[c];
+          for (unsigned int a = 0; a < nodes; ++a)
+            for (unsigned int d = 0; d < 3; ++d)
+              u[a][d] = displacement(cell.dofs[element.component_to_system_index(d, a)]);
+          for (std::size_t k = cell.first_slot; k < cell.end_slot; ++k) {
+            const Slot& slot = of.slots[k];
+            if (slot.source != Source::point) continue;
+            const auto* gradient = &of.gradients[k * nodes];
+            SpaceTensor sum;
+            for (unsigned int a = 0; a < nodes; ++a)
+              for (unsigned int d = 0; d < 3; ++d) sum[d] += u[a][d] * gradient[a];
+            if (slot.sine != 0.0) {
+              const SpaceTensor turn = of.turn(slot);
+              sum = dealii::transpose(turn) * sum * turn;
+            }
+            result[slot.from] = deviator_of(sum);
+          }
+        }
+      });
+  const MPI_Comm communicator = of.body.dofs().get_communicator();
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1) {
+    const dealii::ArrayView<double> flat(result.data()->data(), 6 * result.size());
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(flat), communicator, flat);
+  }
+  return result;
+}
+
+void Streamlines::load(const std::vector<Deviator>& plastic, const std::vector<Deviator>& inflow,
+                       const std::vector<Deviator>& outflow, Vector& b) const {
+  const Implementation& of = *implementation_;
+  const unsigned int nodes = of.shape.nodes();
+  const auto& element = of.body.dofs().get_fe();
+  const std::vector<Deviator>* strain_of[] = {&plastic, &inflow, &outflow};
+  const double twice_g = 2.0 * lame_mu(of.body.material());
+  std::vector<double> forces(3 * nodes * of.cells.size(), 0.0);
+  contact::for_each_piece(
+      static_cast<std::ptrdiff_t>(of.cells.size()), 64,
+      [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        for (std::ptrdiff_t c = begin; c < end; ++c) {
+          double* const force = &forces[3 * nodes * c];
+          for (std::size_t k = of.cells[c].first_slot; k < of.cells[c].end_slot; ++k) {
+            const Slot& slot = of.slots[k];
+            SpaceTensor stress = tensor_of((*strain_of[static_cast<int>(slot.source)])[slot.from]);
+            stress *= twice_g * slot.weight;
+            if (slot.sine != 0.0) {
+              const SpaceTensor turn = of.turn(slot);
+              stress = turn * stress * dealii::transpose(turn);
+            }
+            const auto* gradient = &of.gradients[k * nodes];
+            for (unsigned int a = 0; a < nodes; ++a)
+              for (unsigned int d = 0; d < 3; ++d) force[3 * a + d] += stress[d] * gradient[a];
+          }
+        }
+      });
+  b = 0.0;
+  b.zero_out_ghost_values();
+  for (std::size_t c = 0; c < of.cells.size(); ++c)
+    for (unsigned int a = 0; a < nodes; ++a)
+      for (unsigned int d = 0; d < 3; ++d)
+        b(of.cells[c].dofs[element.component_to_system_index(d, a)]) +=
+            forces[3 * (nodes * c + a) + d];
+  b.compress(dealii::VectorOperation::add);
+}
+
+}  // namespace rollfem::fem

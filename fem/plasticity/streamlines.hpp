@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Material points of a body on its streamlines (straight in a rail, circles in a wheel): strain
+// there from a nodal displacement, and the load of a plastic strain given there.
+#pragma once
+
+#include "fem/discretisation/body.hpp"
+#include "fem/plasticity/plastic_law.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace rollfem::fem {
+
+/// A box of lattice cells in (s, t, depth), each with 2 x 2 x 2 Gauss points. Strain is plastic on
+/// streamlines through this box alone. Material enters at its largest s.
+struct StreamLattice {
+  double cell = 0.0;            ///< mm
+  std::array<int, 2> along{};   ///< first and end, in cells
+  std::array<int, 2> across{};  ///< the same
+  int down = 0;                 ///< cells below the surface
+};
+
+/// The symmetric components of deviators are those of the section of the body that moves with the
+/// material: x along rolling, y and z of the section turned back to s = 0.
+class Streamlines {
+ public:
+  /// The body must outlive the streamlines. Collective. Throws contact::InputError when a point of
+  /// the lattice is not in the body.
+  Streamlines(const Body& body, const StreamLattice& lattice);
+  ~Streamlines();
+  std::size_t stations() const;  ///< points of a streamline in the box, from the leading one
+  std::size_t streams() const;
+  std::size_t points() const { return stations() * streams(); }
+  double s(std::size_t station) const;                      ///< mm
+  std::array<double, 2> section(std::size_t stream) const;  ///< t and depth, mm
+  /// mm^3, of the point k = stream * stations() + station.
+  double volume(std::size_t k) const;
+  /// Deviators of the strain of a displacement with ghost values. Collective.
+  std::vector<Deviator> strains(const Vector& displacement) const;
+  /// b_i = int 2 G eps_p : eps(N_i): on streamlines the plastic strain is that of `plastic` at the
+  /// points, `inflow` before and `outflow` behind them, to both ends of the body. Collective.
+  void load(const std::vector<Deviator>& plastic, const std::vector<Deviator>& inflow,
+            const std::vector<Deviator>& outflow, Vector& b) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace rollfem::fem
