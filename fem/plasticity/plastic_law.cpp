@@ -10,17 +10,20 @@ namespace {
 
 const double root_of_3_2 = std::sqrt(1.5);
 
-Deviator sum_of(const Deviator& a, double factor, const Deviator& b) {
+}  // namespace
+
+double product(const Deviator& a, const Deviator& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+}
+
+double norm(const Deviator& a) {
+  return std::sqrt(product(a, a));
+}
+
+Deviator sum(const Deviator& a, double factor, const Deviator& b) {
   Deviator c;
   for (std::size_t i = 0; i < 6; ++i) c[i] = a[i] + factor * b[i];
   return c;
-}
-
-}  // namespace
-
-double norm(const Deviator& a) {
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] +
-                   2.0 * (a[3] * a[3] + a[4] * a[4] + a[5] * a[5]));
 }
 
 PlasticLaw::PlasticLaw(const contact::BodyPlasticity& parameters, double shear_modulus)
@@ -31,14 +34,14 @@ double PlasticLaw::yield_stress(double accumulated) const {
 }
 
 Deviator PlasticLaw::stress(const PlasticState& state, const Deviator& strain) const {
-  Deviator s = sum_of(strain, -1.0, state.strain);
+  Deviator s = sum(strain, -1.0, state.strain);
   for (double& component : s) component *= 2.0 * shear_modulus_;
   return s;
 }
 
 Deviator PlasticLaw::relative_stress(const PlasticState& state, const Deviator& strain) const {
   Deviator s = stress(state, strain);
-  for (const Deviator& back : state.back) s = sum_of(s, -1.0, back);
+  for (const Deviator& back : state.back) s = sum(s, -1.0, back);
   return s;
 }
 
@@ -48,8 +51,8 @@ double PlasticLaw::utilisation(const PlasticState& state, const Deviator& strain
 
 void PlasticLaw::advance(PlasticState& state, const Deviator& from, const Deviator& to,
                          int steps) const {
-  const Deviator path = sum_of(to, -1.0, from);
-  for (int k = 1; k < steps; ++k) step(state, sum_of(from, static_cast<double>(k) / steps, path));
+  const Deviator path = sum(to, -1.0, from);
+  for (int k = 1; k < steps; ++k) step(state, sum(from, static_cast<double>(k) / steps, path));
   step(state, to);
 }
 
@@ -69,7 +72,7 @@ void PlasticLaw::step(PlasticState& state, const Deviator& strain) const {
     double stiffness = 3.0 * shear_modulus_;
     for (std::size_t k = 0; k < laws.size(); ++k) {
       const double theta = 1.0 / (1.0 + laws[k].recovery * dp);
-      direction = sum_of(direction, -theta, state.back[k]);
+      direction = sum(direction, -theta, state.back[k]);
       stiffness += theta * laws[k].modulus;
     }
     return root_of_3_2 * norm(direction) - yield_stress(state.accumulated + dp) - stiffness * dp;
@@ -110,7 +113,7 @@ void PlasticLaw::step(PlasticState& state, const Deviator& strain) const {
       state.back[k][i] =
           theta * (state.back[k][i] + 2.0 / 3.0 * laws[k].modulus * scale * direction[i]);
   }
-  state.strain = sum_of(state.strain, scale, direction);
+  state.strain = sum(state.strain, scale, direction);
   state.accumulated += dp;
 }
 

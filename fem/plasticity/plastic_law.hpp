@@ -12,8 +12,12 @@ namespace rollfem::fem {
 /// shear).
 using Deviator = std::array<double, 6>;
 
+/// a : b.
+double product(const Deviator& a, const Deviator& b);
 /// sqrt(a : a).
 double norm(const Deviator& a);
+/// a + factor b.
+Deviator sum(const Deviator& a, double factor, const Deviator& b);
 
 /// What a material point remembers.
 struct PlasticState {

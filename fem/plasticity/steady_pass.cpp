@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <deque>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -73,7 +74,7 @@ class Anderson {
   }
 
  private:
-  const std::size_t depth = getenv("DEPTH") ? atoi(getenv("DEPTH")) : 8;
+  static constexpr std::size_t depth = 20;
   std::deque<Loaded> residual_steps_, result_steps_;
   std::optional<Loaded> last_residual_, last_result_;
 };
@@ -93,6 +94,7 @@ class Flow {
     accumulated.resize(streamlines.points());
     leaving.resize(streamlines.streams());
     outflow_.resize(streamlines.streams());
+    work_.resize(streamlines.streams());
   }
 
   /// Through the elastic strain and that of `displacement`; returns the load of plastic strain.
@@ -100,13 +102,16 @@ class Flow {
     const std::vector<Deviator> added = streamlines_.strains(displacement);
     contact::for_each_index(streamlines_.streams(), [&](std::size_t stream) {
       PlasticState state = entering_[stream];
+      double& work = work_[stream] = 0.0;
       Deviator before{};
       for (std::size_t i = 0; i < streamlines_.stations(); ++i) {
         const std::size_t k = stream * streamlines_.stations() + i;
-        Deviator total = elastic_[k];
-        for (std::size_t c = 0; c < 6; ++c) total[c] += added[k][c];
+        const Deviator total = sum(elastic_[k], 1.0, added[k]);
+        const Deviator strain_before = state.strain;
         law_.advance(state, before, total, i == 0 ? 1 : steps_);
         before = total;
+        work += streamlines_.volume(k) *
+                product(law_.stress(state, total), sum(state.strain, -1.0, strain_before));
         plastic[k] = state.strain;
         accumulated[k] = state.accumulated;
       }
@@ -114,6 +119,12 @@ class Flow {
       outflow_[stream] = state.strain;
     });
     streamlines_.load(plastic, inflow_, outflow_, load);
+  }
+
+  /// N mm per mm of track, in what was followed last.
+  double plastic_work() const {
+    return std::accumulate(work_.begin(), work_.end(), 0.0) /
+           (streamlines_.s(0) - streamlines_.s(2)) * 2.0;
   }
 
   std::vector<PlasticState> leaving;
@@ -127,6 +138,7 @@ class Flow {
   const std::vector<PlasticState>& entering_;
   int steps_;
   std::vector<Deviator> inflow_, outflow_;
+  std::vector<double> work_;
 };
 
 }  // namespace
@@ -159,7 +171,6 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
     const Loaded residual = difference(result, tried);
     const double all = energy(result, result);
     report.residual = all == 0.0 ? 0.0 : std::sqrt(energy(residual, residual) / all);
-    if (getenv("TRACE")) std::printf("   %d %.3e all %.3e\n", report.iterations, report.residual, all);
     if (report.residual <= accuracy.residual && report.iterations > 1) {
       yielded.displacement = result.displacement;
       yielded.displacement.update_ghost_values();
@@ -177,6 +188,7 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
     tried = anderson.next(tried, result);
     tried.displacement.update_ghost_values();
   }
+  report.plastic_work = flow.plastic_work();
   yielded.leaving = std::move(flow.leaving);
   yielded.plastic = std::move(flow.plastic);
   yielded.accumulated = std::move(flow.accumulated);

@@ -19,7 +19,7 @@ struct YieldedBody {
   std::vector<Deviator> plastic;    ///< at every point during the last pass
   std::vector<double> accumulated;  ///< the same
   Vector displacement;              ///< mm, by the plastic strain alone; with ghost values
-  Vector load;                        ///< N, of the plastic strain, which causes it
+  Vector load;                      ///< N, of the plastic strain, which causes it
 };
 
 /// Untouched steel, or with given states where it enters.
@@ -29,7 +29,7 @@ struct PassReport {
   int iterations = 0;
   double residual =
       0.0;  ///< out-of-balance forces in the energy norm, relative to the plastic ones
-  double dissipation = 0.0;  ///< N mm/mm: plastic work per length of track
+  double plastic_work = 0.0;  ///< N mm per mm of track, int s : d eps_p
 };
 
 struct PassAccuracy {
