@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace rollfem::contact {
 
@@ -20,6 +21,11 @@ struct BodyPlasticity {
   std::array<BackStress, most_back_stresses> back_stresses{};
   double rise = 0.0;  ///< MPa, negative: cyclic softening
   double rate = 0.0;
+  /// Residual stress before the first pass, MPa, at depths in mm, ascending: linear between,
+  /// constant outside; the same everywhere along and across. Empty: none.
+  struct ResidualStress {
+    std::vector<double> depth, along, across;
+  } residual;
 
   /// Yield stress in shear, MPa: the k of the shakedown map.
   double shear_yield_stress() const { return yield_stress / 1.7320508075688772; }

@@ -3,6 +3,7 @@
 // read from TOML by case_reader.hpp. Units: mm, N, MPa, rad.
 #pragma once
 
+#include "contact/base/body_plasticity.hpp"
 #include "contact/base/choices.hpp"
 #include "contact/base/material.hpp"
 #include "contact/base/profile_drop.hpp"
@@ -28,6 +29,7 @@ struct Body {
   Material material;
   std::string mesh;       ///< gmsh file as given in the case file; empty: meshed by rollfem
   ProfileSource profile;  ///< instead of the transverse radius
+  std::optional<BodyPlasticity> plasticity;  ///< not given: it is elastic
 };
 
 /// Upper body (1): a surface of revolution about the axle.
@@ -315,6 +317,8 @@ struct Case : ModelOptions {
   /// Whether wheel and rail are given by profiles: the case is not solved directly but converted
   /// into scenes.
   bool has_profiles() const { return !wheel.profile.name.empty() || !rail.profile.name.empty(); }
+  /// Whether wheel or rail yields: rolling.creepages are then those of the passes.
+  bool yields() const { return wheel.plasticity || rail.plasticity; }
   /// Whether the position of the wheel is given in place of its load.
   bool sinks() const { return load.approach || !wheelset.height.empty(); }
 };

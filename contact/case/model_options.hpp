@@ -52,6 +52,9 @@ enum class MeshFamily { structured, gmsh };
 /// Far boundary of the segments: fixed, or displaced like a half-space under the force on the patch
 /// as a point load.
 enum class FarBoundary { clamped, point_load };
+/// Pressure of the passes over bodies that yield: that of the bodies as they are, or of elastic
+/// ones.
+enum class PassPressure { yielding, elastic };
 
 struct FemOptions {
   std::optional<double> cell_size;  ///< mm, FE cell and contact element in the patch
@@ -66,6 +69,9 @@ struct FemOptions {
   std::optional<FarBoundary> far_boundary;  ///< unset: chosen by the kind of mesh
   LinearSolver linear_solver = LinearSolver::automatic;
   bool inertia = false;  ///< of wheel and rail at Rolling::speed
+  int passes = 1;        ///< over bodies that yield
+  PassPressure pass_pressure = PassPressure::yielding;
+  double plastic_extent = 1.0;  ///< of the streamlines that may yield, relative to the usual one
 };
 
 /// Each is used only by the model of that name; a scene passes them on.

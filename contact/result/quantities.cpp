@@ -193,6 +193,34 @@ std::vector<Quantity> of_the_solution() {
   };
 }
 
+std::vector<Quantity> of_the_passes() {
+  return {
+      {"plastic_strain", "accumulated plastic strain", "p", "-",
+       "largest accumulated plastic strain of a body that yields, after this pass", Scale::value,
+       Use::stored, at<&P::plastic_strain>()},
+      {"plastic_increment", "plastic strain of the pass", "", "-",
+       "largest increase of the accumulated plastic strain during this pass", Scale::value,
+       Use::stored, at<&P::plastic_increment>()},
+      {"net_plastic_increment", "lasting plastic strain of the pass", "", "-",
+       "largest change of the plastic strain from before to after the pass, sqrt(2/3) |d eps_p|: "
+       "the rate of ratchetting",
+       Scale::value, Use::stored, at<&P::net_plastic_increment>()},
+      {"residual_stress", "largest residual compression", "", "MPa",
+       "largest compressive residual stress along rolling below the running band after the pass",
+       Scale::value, Use::stored, at<&P::residual_stress>()},
+      {"groove_depth", "depth of the groove", "", "mm",
+       "deepest place of the groove that plastic strain has left in the surface", Scale::value,
+       Use::stored, at<&P::groove_depth>()},
+      {"forward_flow", "forward flow", "", "mm",
+       "displacement of the surface along rolling by plastic strain where it is largest, positive "
+       "along +x",
+       Scale::value, Use::stored, at<&P::forward_flow>()},
+      {"plastic_work", "plastic work", "", "N",
+       "plastic work of the pass in both bodies, N mm per mm of track", Scale::value, Use::stored,
+       at<&P::plastic_work>()},
+  };
+}
+
 /// A cell of a Markdown table, in which a vertical bar must be escaped.
 std::string cell(const std::string& text) {
   std::string out;
@@ -205,7 +233,8 @@ std::string cell(const std::string& text) {
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = [] {
     std::vector<Quantity> list;
-    for (const auto& part : {of_the_motion(), of_the_forces(), of_the_patch(), of_the_solution()})
+    for (const auto& part :
+         {of_the_motion(), of_the_forces(), of_the_patch(), of_the_solution(), of_the_passes()})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

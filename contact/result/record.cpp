@@ -56,7 +56,7 @@ void Record::value(PointResult& p) {
   values(p.error_estimate, p.no_bar, p.model_error, p.richardson);
   ContactFields& f = p.fields;
   values(f.traction, f.slip, f.traction_bound, f.gap, f.displacement, f.state);
-  values(p.subsurface, p.stress_maxima, p.bodies);
+  values(p.subsurface, p.stress_maxima, p.yielded, p.bodies);
 }
 
 unsigned long long checksum(std::string_view bytes, unsigned long long begin) {

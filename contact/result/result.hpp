@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/result/yielded_section.hpp"
 #include "contact/scene/scene.hpp"
 
 #include <array>
@@ -100,9 +101,16 @@ struct PointResult {
   std::optional<double> patch_x_middle;
   std::optional<double> patch_y_middle;
   std::optional<double> vertical_force;  ///< N, with profiles: on the track, friction included
+  // After a pass over bodies that yield, of the body with the largest.
+  std::optional<double> plastic_strain, plastic_increment, net_plastic_increment;
+  std::optional<double> residual_stress;  ///< MPa, largest compression along rolling
+  std::optional<double> groove_depth;     ///< mm
+  std::optional<double> forward_flow;     ///< mm, of the surface, along +x where it is largest
+  std::optional<double> plastic_work;     ///< N mm per mm of track, of both bodies
   ContactFields fields;
   std::vector<SubsurfaceField> subsurface;   ///< as requested by the case
   std::vector<StressMaximum> stress_maxima;  ///< of both bodies
+  std::vector<YieldedSection> yielded;       ///< of bodies that yield
   /// In the order of ModelResult::bodies; empty if not stored, and for models other than fem.
   std::vector<BodyValues> bodies;
 };

@@ -48,6 +48,7 @@ struct NeighbourLoad {
 struct SceneBody {
   Material material;
   std::string mesh;  ///< gmsh file as given in the case file; empty: meshed by rollfem
+  std::optional<BodyPlasticity> plasticity;
 };
 
 struct Scene {
@@ -91,6 +92,9 @@ struct Scene {
   /// mu of the law, also for frictionless problems.
   double friction_coefficient() const { return coefficient_of(friction_law); }
   bool has_profiles() const { return geometry.has_profiles(); }
+  /// Whether a body yields: the load points are then passes, each over the state that the one
+  /// before has left.
+  bool yields() const { return wheel.plasticity || rail.plasticity; }
   /// Whether inertia of wheel and rail is included.
   bool feels_inertia() const { return options.fem.inertia && speed > 0.0; }
   /// Whether the load points differ in their loads.

@@ -110,6 +110,8 @@ const std::vector<DemandRow>& rows() {
        [](const Scene& c) { return c.friction() && c.friction()->plasticity; }},
       {Demand::inertia, "fem.inertia", "the inertia of moving bodies",
        [](const Scene& c) { return c.feels_inertia(); }},
+      {Demand::yielding_body, "wheel_plasticity or rail_plasticity", "bodies that yield",
+       [](const Scene& c) { return c.yields(); }},
       {Demand::beyond_half_space, "subsurface",
        "points of a concave body beyond z = 0, where the half-space ends ([[subsurface.surface]] "
        "follows the surface in either)",

@@ -49,6 +49,7 @@ enum class Demand {
   layer,              ///< between wheel and rail
   plastic_layer,      ///< that yields
   inertia,            ///< of wheel and rail
+  yielding_body,      ///< wheel or rail
   beyond_half_space,  ///< stress where a concave body extends beyond z = 0
 };
 

@@ -54,8 +54,10 @@ meshes::HexMesh Body::coarse_mesh() const {
 }
 
 ElasticProblem Body::problem() const {
-  return {dofs_,      mapping_,  constraints_,
-          conditions, material_, material_motion(shape_, options_.speed)};
+  ElasticProblem problem{dofs_,      mapping_,  constraints_,
+                         conditions, material_, material_motion(shape_, options_.speed)};
+  if (options_.yields) problem.project_dilatation = true;
+  return problem;
 }
 
 }  // namespace rollfem::fem

@@ -128,15 +128,15 @@ CaseBodies make_bodies(const contact::Scene& scene, const BodyOptions& options,
   CaseBodies bodies;
   const auto make = [&](const std::string& key, const std::string& file, const SurfaceShape& shape,
                         const contact::Material& material) -> std::unique_ptr<Body> {
+    const BodyOptions own = options_of(scene, shape.is_wheel, options);
     if (material.rigid()) {
       bodies.notes.push_back(fmt::format("the {} is rigid and not meshed", key));
       return nullptr;
     }
-    if (file.empty() && sections)
-      return section_body(scene, shape, material, options, communicator);
-    if (file.empty()) return std::make_unique<Body>(shape, material, options, communicator);
+    if (file.empty() && sections) return section_body(scene, shape, material, own, communicator);
+    if (file.empty()) return std::make_unique<Body>(shape, material, own, communicator);
     bodies.notes.push_back(fmt::format("the {} has the mesh of {}", key, file));
-    return imported_body(scene, key, file, shape, material, options, communicator);
+    return imported_body(scene, key, file, shape, material, own, communicator);
   };
   if (wanted.wheel) bodies.wheel = make("wheel", scene.wheel.mesh, wheel, scene.wheel.material);
   if (wanted.rail) bodies.rail = make("rail", scene.rail.mesh, rail, scene.rail.material);

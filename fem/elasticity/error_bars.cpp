@@ -179,13 +179,15 @@ double bar_beside_half_spaces(const NumberOnLevels& number) {
 
 bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
   const std::size_t last = levels.size() - 1;
-  const Beside beside(scene, levels);
+  // Half-spaces do not yield.
+  std::optional<Beside> beside;
+  if (!scene.yields()) beside.emplace(scene, levels);
   for (std::size_t k = 0; k < levels[last].points.size(); ++k) {
     PointResult& fine = levels[last].points[k];
     const PointResult& coarse = levels[last - 1].points[k];
     const PointResult* coarsest = last > 1 ? &levels[last - 2].points[k] : nullptr;
-    if (beside.complete()) {
-      set_point_bars(scene, k, beside, levels);
+    if (beside && beside->complete()) {
+      set_point_bars(scene, k, *beside, levels);
     } else {
       const auto left_out = fine.error_estimate;
       halfspace::set_error_bars(scene, k, levels[last].grid, coarse, coarsest, fine);
@@ -194,8 +196,9 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
     }
     halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, true, fine);
   }
-  beside.count_steps(scene, levels[last]);
-  return beside.complete();
+  if (!beside) return false;
+  beside->count_steps(scene, levels[last]);
+  return beside->complete();
 }
 
 }  // namespace rollfem::fem

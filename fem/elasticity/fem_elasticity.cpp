@@ -7,6 +7,7 @@
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/memory.hpp"
 #include "fem/linear/solver_choice.hpp"
+#include "fem/plasticity/yielding_bodies.hpp"
 #include "fem/stress/stress_output.hpp"
 #include "fem/trace/compliance.hpp"
 #include "fem/trace/far_error.hpp"
@@ -86,6 +87,7 @@ class SharedLevel {
   ~SharedLevel() {
     one_at_a_time([&] {
       compliance.reset();
+      yielding_.reset();
       stresses_.reset();
       solvers_ = {};
       bodies_ = {};
@@ -101,6 +103,12 @@ class SharedLevel {
   }
   void complete(const FemCompliance& of_point, std::size_t k, PointResult& point);
   std::size_t most_beside() const;
+  /// Has the responses of a compliance include what yielding bodies do.
+  void let_yield(FemCompliance& of_point) const {
+    if (yielding_ && scene.options.fem.pass_pressure == contact::PassPressure::yielding)
+      of_point.set_beyond_elastic(
+          [this](const std::vector<Vector>& elastic) { return yielding_->respond(elastic); });
+  }
 
   const Scene& scene;
   const RunLayout& layout;
@@ -127,6 +135,7 @@ class SharedLevel {
   CaseBodies bodies_;
   bool factorisation_ = false;
   Solvers solvers_;
+  std::unique_ptr<YieldingBodies> yielding_;  ///< null: elastic
   std::unique_ptr<StressOutput> stresses_;
 };
 
@@ -142,6 +151,7 @@ class LevelElasticity : public FemElasticity {
   void prepare() override {
     level_->prepare();
     own_ = std::make_unique<FemCompliance>(*level_->compliance);
+    level_->let_yield(*own_);
   }
   const contact::Compliance& compliance() const override { return together_; }
   const contact::SolvableCompliance& standin() const override { return *level_->half; }
@@ -201,7 +211,7 @@ void SharedLevel::obey(const FirstProcess::Order& order) {
 
 void SharedLevel::complete(const FemCompliance& of_point, std::size_t k, PointResult& point) {
   point.error_estimate["approach"] = approach_left_out(scene, point.normal_force, bodies_.reach);
-  if (!stresses_->wanted(k)) return;
+  if (!stresses_->wanted(k) && !yielding_) return;
   const Task task{Action::complete, point.fields.traction, static_cast<long>(k)};
   one_at_a_time([&] { first.call(task.order(), [&] { add_stresses(of_point, k, point); }); });
 }
@@ -258,6 +268,11 @@ void SharedLevel::make_compliance() {
       std::make_unique<FemCompliance>(FemCompliance::Part{bodies_.wheel.get(), solvers_[0].get()},
                                       FemCompliance::Part{bodies_.rail.get(), solvers_[1].get()},
                                       scene.geometry.surface, layout.grid, far_boundary_of(scene));
+  if (scene.yields()) {
+    one_at_a_time(
+        [&] { yielding_ = std::make_unique<YieldingBodies>(scene, bodies_.both(), solvers_); });
+    let_yield(*compliance);
+  }
   contact::ProgressEvent event;
   event.note = (solvers_[0] ? solvers_[0] : solvers_[1])->description();
   tell(event, "linear solvers", true);
@@ -281,10 +296,24 @@ void SharedLevel::spin_wheel() {
 
 void SharedLevel::add_stresses(const FemCompliance& of_point, std::size_t k, PointResult& point) {
   const Stopwatch watch;
-  tell({}, "stresses");
-  stresses_->fill(k, point, of_point.body_displacements(point.fields.traction),
-                  expansion ? &expansion->displacement : nullptr);
-  tell({}, "stresses", true);
+  tell({}, yielding_ ? "plastic flow" : "stresses");
+  std::vector<Vector> displacement = of_point.body_displacements(point.fields.traction);
+  std::array<const NodalStress*, 2> too_much{};
+  if (yielding_) {
+    yielding_->finish_pass(displacement, point);
+    point.step = static_cast<int>(k) + 1;
+    for (std::size_t b = 0; b < 2; ++b) {
+      too_much[b] = yielding_->stress_too_much(b);
+      const Vector* plastic = yielding_->displacement(b);
+      if (plastic == nullptr) continue;
+      displacement[b] += *plastic;
+      displacement[b].update_ghost_values();
+    }
+  }
+  if (stresses_->wanted(k))
+    stresses_->fill(k, point, displacement, expansion ? &expansion->displacement : nullptr,
+                    too_much);
+  tell({}, yielding_ ? "plastic flow" : "stresses", true);
   result_.seconds["stresses"] += watch.seconds();
 }
 

@@ -88,7 +88,7 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   run_options.stage_prefix = options.stage_prefix;
   run_options.accuracy = run_options.force_accuracy = fem_accuracy;
   run_options.force_tolerance = force_tolerance;
-  run_options.independent = !scene.is_history() && !scene.load_changes();
+  run_options.independent = !scene.is_history() && !scene.load_changes() && !scene.yields();
   const auto make = [&] { return elasticity.beside(); };
   std::optional<contact::PointStore> store;
   if (options.checkpoint != nullptr) store.emplace(*options.checkpoint, name, stored.has_value());

@@ -70,6 +70,7 @@ constexpr double largest_factor = 5e9;
 /// points and 4.
 constexpr double solves_per_point = 2.0;
 constexpr double solves_for_normal = 4.0;
+constexpr double solves_per_pass = 60.0;
 
 /// Geometric multigrid factorises the coarse mesh of a body; a given mesh may be too large for
 /// that, and algebraic multigrid then coarsens further. A factor of this many unknowns takes 14 s
@@ -124,8 +125,8 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
   for (const contact::Material& material : {scene.wheel.material, scene.rail.material})
     if (!material.rigid() && material.poisson_ratio > largest_multigrid_poisson_ratio)
       return true;  // multigrid rejects it
-  const double solves =
-      solves_for_normal + solves_per_point * static_cast<double>(scene.points.size());
+  const double solves = solves_for_normal + (scene.yields() ? solves_per_pass : solves_per_point) *
+                                                static_cast<double>(scene.points.size());
   const Slowness slow = slowness_of_blas();
   const double coarse =
       has_true_sections(scene)
@@ -188,10 +189,12 @@ namespace {
 MemoryDemand expected_demand(const Scene& scene, double cell_size) {
   const BodyOptions bodies = run_layout(scene, cell_size).bodies;
   constexpr double beyond_all_memory = 2e9;
-  const double unknowns = predicted_unknowns(bodies, beyond_all_memory);
+  const auto unknowns = [&](bool is_wheel) {
+    if ((is_wheel ? scene.wheel : scene.rail).material.rigid()) return 0.0;
+    return predicted_unknowns(options_of(scene, is_wheel, bodies), beyond_all_memory);
+  };
   MemoryDemand demand;
-  demand.unknowns = {scene.wheel.material.rigid() ? 0.0 : unknowns,
-                     scene.rail.material.rigid() ? 0.0 : unknowns};
+  demand.unknowns = {unknowns(true), unknowns(false)};
   demand.algebraic = scene.options.fem.linear_solver == contact::LinearSolver::algebraic;
   return completed(scene, demand, bodies, true);
 }

@@ -153,4 +153,54 @@ RunLayout run_layout(const Scene& scene, double cell) {
   return layout;
 }
 
+namespace {
+
+/// Depth in semi-axes down to which sqrt(J2) exceeds this part of the largest pressure, below the
+/// middle of Hertz's line contact (in plane strain) or of a circular one (Johnson 1985,
+/// sections 4.2 and 3.4); at least where that of the line contact is largest.
+double depth_of_stress(double part, double poisson_ratio, bool line) {
+  const auto root_j2 = [&](double z) {
+    const double root = std::hypot(1.0, z);
+    if (!line) {
+      const double radial =
+          (1.0 + poisson_ratio) * (1.0 - z * std::atan(1.0 / z)) - 0.5 / (root * root);
+      return std::abs(1.0 / (root * root) - radial) / std::sqrt(3.0);
+    }
+    const double down = 1.0 / root, along = (1.0 + 2.0 * z * z) / root - 2.0 * z;
+    const double across = poisson_ratio * (down + along);
+    return std::sqrt(
+        (std::pow(down - along, 2) + std::pow(down - across, 2) + std::pow(along - across, 2)) /
+        6.0);
+  };
+  double depth = 0.8;
+  while (root_j2(depth) > part && depth < 20.0) depth += 0.05;
+  return depth;
+}
+
+}  // namespace
+
+BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& both) {
+  const contact::SceneBody& body = is_wheel ? scene.wheel : scene.rail;
+  BodyOptions options = both;
+  options.yields = body.plasticity.has_value();
+  if (!options.yields) return options;
+  const PatchBox patch = PatchSearch(scene).box();
+  const double part =
+      body.plasticity->shear_yield_stress() / PatchSearch(scene).patch().max_pressure;
+  const double nu = body.material.poisson_ratio, roundness = patch.smaller() / patch.larger();
+  // Plastic flow of the first passes reaches deeper than the elastic stress.
+  constexpr double deeper = 1.2;
+  const double depth = deeper * scene.options.fem.plastic_extent * patch.smaller() *
+                       (roundness * depth_of_stress(part, nu, false) +
+                        (1.0 - roundness) * depth_of_stress(part, nu, true));
+  const double h = options.cell_size;
+  const auto whole = [h](double length) { return std::ceil(length / h - 1e-6) * h; };
+  options.fine_half_length =
+      whole(std::max(options.fine_half_length, patch.half_length + 0.35 * depth));
+  options.fine_half_width =
+      whole(std::max(options.fine_half_width, patch.half_width + 0.25 * depth));
+  options.fine_depth = std::ceil(depth / h - 1e-6);
+  return options;
+}
+
 }  // namespace rollfem::fem

@@ -27,4 +27,8 @@ struct RunLayout {
 /// Throws contact::InputError when the profiles cannot be meshed over this extent.
 RunLayout run_layout(const contact::Scene& scene, double cell);
 
+/// Of one body, from RunLayout::bodies: where steel may yield, cells are as fine as in the contact,
+/// as deep as the stress below the middle of the patch exceeds the yield stress.
+BodyOptions options_of(const contact::Scene& scene, bool is_wheel, const BodyOptions& both);
+
 }  // namespace rollfem::fem

@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <numeric>
@@ -95,6 +96,7 @@ class Flow {
     leaving.resize(streamlines.streams());
     outflow_.resize(streamlines.streams());
     work_.resize(streamlines.streams());
+    utilisation_.resize(streamlines.streams());
   }
 
   /// Through the elastic strain and that of `displacement`; returns the load of plastic strain.
@@ -103,6 +105,7 @@ class Flow {
     contact::for_each_index(streamlines_.streams(), [&](std::size_t stream) {
       PlasticState state = entering_[stream];
       double& work = work_[stream] = 0.0;
+      double& most = utilisation_[stream] = 0.0;
       Deviator before{};
       for (std::size_t i = 0; i < streamlines_.stations(); ++i) {
         const std::size_t k = stream * streamlines_.stations() + i;
@@ -112,6 +115,7 @@ class Flow {
         before = total;
         work += streamlines_.volume(k) *
                 product(law_.stress(state, total), sum(state.strain, -1.0, strain_before));
+        most = std::max(most, law_.utilisation(state, total));
         plastic[k] = state.strain;
         accumulated[k] = state.accumulated;
       }
@@ -127,6 +131,8 @@ class Flow {
            (streamlines_.s(0) - streamlines_.s(2)) * 2.0;
   }
 
+  double utilisation() const { return *std::max_element(utilisation_.begin(), utilisation_.end()); }
+
   std::vector<PlasticState> leaving;
   std::vector<Deviator> plastic;
   std::vector<double> accumulated;
@@ -138,7 +144,7 @@ class Flow {
   const std::vector<PlasticState>& entering_;
   int steps_;
   std::vector<Deviator> inflow_, outflow_;
-  std::vector<double> work_;
+  std::vector<double> work_, utilisation_;
 };
 
 }  // namespace
@@ -189,6 +195,7 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
     tried.displacement.update_ghost_values();
   }
   report.plastic_work = flow.plastic_work();
+  report.utilisation = flow.utilisation();
   yielded.leaving = std::move(flow.leaving);
   yielded.plastic = std::move(flow.plastic);
   yielded.accumulated = std::move(flow.accumulated);

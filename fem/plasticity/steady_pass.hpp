@@ -29,6 +29,8 @@ struct PassReport {
   int iterations = 0;
   double residual =
       0.0;  ///< out-of-balance forces in the energy norm, relative to the plastic ones
+  /// Largest von Mises stress over the yield surface of the moment: 1 where steel yields.
+  double utilisation = 0.0;
   double plastic_work = 0.0;  ///< N mm per mm of track, int s : d eps_p
 };
 

@@ -7,6 +7,7 @@
 #include "fem/mesh/chart.hpp"
 #include "fem/plasticity/cell_shape.hpp"
 
+#include <Eigen/QR>
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
@@ -50,6 +51,8 @@ struct Slot {
   Source source;
   double weight;  ///< mm^3
   double sine;    ///< of the angle about the axle
+  dealii::Point<3> unit;
+  double depth;  ///< mm
 };
 
 struct PlasticCell {
@@ -61,7 +64,10 @@ struct PlasticCell {
 
 struct Streamlines::Implementation {
   Implementation(const Body& the_body, const StreamLattice& the_lattice)
-      : body(the_body), lattice(the_lattice), shape(the_body) {
+      : body(the_body),
+        lattice(the_lattice),
+        shape(the_body),
+        hanging(make_constraints(the_body.dofs(), the_body.mapping(), {})) {
     stations = 2 * static_cast<std::size_t>(lattice.along[1] - lattice.along[0]);
     width = 2 * static_cast<std::size_t>(lattice.across[1] - lattice.across[0]);
     streams = width * 2 * static_cast<std::size_t>(lattice.down);
@@ -137,11 +143,15 @@ struct Streamlines::Implementation {
     const double stretch = std::abs(dealii::determinant(dealii::Tensor<2, 3>(map)));
     const double volume = 0.25 * lattice.cell * lattice.cell * length * stretch;
     if (source == Source::point) volumes[from] = volume;
-    const double sine =
-        surface.is_revolved() ? std::sin(s / surface.streamline_radius(chart[1])) : 0.0;
-    slots.push_back({from, source, volume, sine});
+    const double sine = sine_at(s, chart[1]);
+    slots.push_back({from, source, volume, sine, *unit, chart[2]});
     gradients.resize(slots.size() * shape.nodes());
     shape.gradients(*unit, &gradients[(slots.size() - 1) * shape.nodes()]);
+  }
+
+  double sine_at(double s, double t) const {
+    const SurfaceShape& surface = body.shape();
+    return surface.is_revolved() ? std::sin(s / surface.streamline_radius(t)) : 0.0;
   }
 
   void check_coverage() {
@@ -156,19 +166,20 @@ struct Streamlines::Implementation {
         depth_of(k / stations)));
   }
 
-  /// Turns components of the section into space at the slot: columns are its x, y, z.
-  SpaceTensor turn(const Slot& slot) const {
+  /// Turns components of the section into space at this sine of the angle about
+  /// the axle: columns are its x, y, z.
+  SpaceTensor turn(double sine) const {
     SpaceTensor t = dealii::unit_symmetric_tensor<3>();
-    if (slot.sine == 0.0) return t;
+    if (sine == 0.0) return t;
     const meshes::AxleTrace axle = body.shape().axle();
-    const double cosine = std::sqrt(1.0 - slot.sine * slot.sine);
+    const double cosine = std::sqrt(1.0 - sine * sine);
     const double less = 1.0 - cosine, c = axle.cosine, d = axle.sine;
     // About (0, c, d), which turns x towards the axle (0, -d, c).
     t[0][0] = cosine;
-    t[1][0] = -d * slot.sine;
-    t[2][0] = c * slot.sine;
-    t[0][1] = d * slot.sine;
-    t[0][2] = -c * slot.sine;
+    t[1][0] = -d * sine;
+    t[2][0] = c * sine;
+    t[0][1] = d * sine;
+    t[0][2] = -c * sine;
     t[1][1] = 1.0 - less * d * d;
     t[2][2] = 1.0 - less * c * c;
     t[1][2] = t[2][1] = less * c * d;
@@ -178,6 +189,7 @@ struct Streamlines::Implementation {
   const Body& body;
   const StreamLattice lattice;
   CellShape shape;
+  dealii::AffineConstraints<double> hanging;
   std::size_t stations = 0, width = 0, streams = 0;
   std::vector<double> volumes;
   std::vector<PlasticCell> cells;
@@ -232,7 +244,7 @@ std::vector<Deviator> Streamlines::strains(const Vector& displacement) const {
             for (unsigned int a = 0; a < nodes; ++a)
               for (unsigned int d = 0; d < 3; ++d) sum[d] += u[a][d] * gradient[a];
             if (slot.sine != 0.0) {
-              const SpaceTensor turn = of.turn(slot);
+              const SpaceTensor turn = of.turn(slot.sine);
               sum = dealii::transpose(turn) * sum * turn;
             }
             result[slot.from] = deviator_of(sum);
@@ -265,7 +277,7 @@ void Streamlines::load(const std::vector<Deviator>& plastic, const std::vector<D
             SpaceTensor stress = tensor_of((*strain_of[static_cast<int>(slot.source)])[slot.from]);
             stress *= twice_g * slot.weight;
             if (slot.sine != 0.0) {
-              const SpaceTensor turn = of.turn(slot);
+              const SpaceTensor turn = of.turn(slot.sine);
               stress = turn * stress * dealii::transpose(turn);
             }
             const auto* gradient = &of.gradients[k * nodes];
@@ -282,6 +294,80 @@ void Streamlines::load(const std::vector<Deviator>& plastic, const std::vector<D
         b(of.cells[c].dofs[element.component_to_system_index(d, a)]) +=
             forces[3 * (nodes * c + a) + d];
   b.compress(dealii::VectorOperation::add);
+}
+
+std::size_t Streamlines::width() const {
+  return implementation_->width;
+}
+
+std::array<double, 6> Streamlines::in_section(const std::array<double, 6>& stress,
+                                              std::size_t station, std::size_t stream) const {
+  const Implementation& of = *implementation_;
+  const SpaceTensor turn = of.turn(of.sine_at(of.s_of(station), of.t_of(stream)));
+  const SpaceTensor t = dealii::transpose(turn) * tensor_of(stress) * turn;
+  return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2]};
+}
+
+namespace {
+
+/// The best linear function of unit coordinates through values at points, by its values at nodes.
+using Four = Eigen::Matrix<double, 1, 4>;
+
+Four linear_terms(const dealii::Point<3>& unit) {
+  return {1.0, unit[0] - 0.5, unit[1] - 0.5, unit[2] - 0.5};
+}
+
+}  // namespace
+
+NodalStress Streamlines::nodal_stress(
+    const std::vector<Deviator>& plastic, const std::vector<PlasticState>& inflow,
+    const std::vector<PlasticState>& outflow,
+    const std::function<std::array<double, 2>(double)>& before) const {
+  const Implementation& of = *implementation_;
+  const auto& dofs = of.body.dofs();
+  const auto& element = dofs.get_fe();
+  const auto& nodes = element.base_element(0).get_unit_support_points();
+  const double twice_g = 2.0 * lame_mu(of.body.material());
+  NodalStress sum{make_vector(dofs), make_vector(dofs)};
+  Vector count = make_vector(dofs);
+  for (auto* vector : {&sum.direct, &sum.shear, &count}) vector->zero_out_ghost_values();
+  for (const PlasticCell& cell : of.cells) {
+    const auto size = static_cast<Eigen::Index>(cell.end_slot - cell.first_slot);
+    Eigen::MatrixXd terms(size, 4), values(size, 6);
+    for (Eigen::Index k = 0; k < size; ++k) {
+      const Slot& slot = of.slots[cell.first_slot + k];
+      Deviator stress = slot.source == Source::point
+                            ? plastic[slot.from]
+                            : (slot.source == Source::inflow ? inflow : outflow)[slot.from].strain;
+      for (double& component : stress) component *= twice_g;
+      const auto residual = before(slot.depth);
+      stress[0] -= residual[0];
+      stress[1] -= residual[1];
+      const SpaceTensor turn = of.turn(slot.sine);
+      const SpaceTensor t = turn * tensor_of(stress) * dealii::transpose(turn);
+      terms.row(k) = linear_terms(slot.unit);
+      values.row(k) << t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2];
+    }
+    const Eigen::MatrixXd fit = terms.completeOrthogonalDecomposition().solve(values);
+    for (unsigned int a = 0; a < nodes.size(); ++a) {
+      const Eigen::Matrix<double, 1, 6> at_node = linear_terms(nodes[a]) * fit;
+      for (unsigned int c = 0; c < 3; ++c) {
+        const auto dof = cell.dofs[element.component_to_system_index(c, a)];
+        sum.direct(dof) += at_node[c];
+        sum.shear(dof) += at_node[3 + c];
+        count(dof) += 1.0;
+      }
+    }
+  }
+  for (auto* vector : {&sum.direct, &sum.shear, &count})
+    vector->compress(dealii::VectorOperation::add);
+  for (auto* vector : {&sum.direct, &sum.shear}) {
+    for (unsigned int k = 0; k < count.locally_owned_size(); ++k)
+      if (count.local_element(k) > 0.0) vector->local_element(k) /= count.local_element(k);
+    of.hanging.distribute(*vector);
+    vector->update_ghost_values();
+  }
+  return sum;
 }
 
 }  // namespace rollfem::fem

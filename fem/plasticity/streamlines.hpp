@@ -5,8 +5,10 @@
 
 #include "fem/discretisation/body.hpp"
 #include "fem/plasticity/plastic_law.hpp"
+#include "fem/stress/stress_recovery.hpp"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -31,6 +33,7 @@ class Streamlines {
   ~Streamlines();
   std::size_t stations() const;  ///< points of a streamline in the box, from the leading one
   std::size_t streams() const;
+  std::size_t width() const;  ///< streamlines of one depth, which follow one another
   std::size_t points() const { return stations() * streams(); }
   double s(std::size_t station) const;                      ///< mm
   std::array<double, 2> section(std::size_t stream) const;  ///< t and depth, mm
@@ -42,6 +45,17 @@ class Streamlines {
   /// points, `inflow` before and `outflow` behind them, to both ends of the body. Collective.
   void load(const std::vector<Deviator>& plastic, const std::vector<Deviator>& inflow,
             const std::vector<Deviator>& outflow, Vector& b) const;
+
+  /// Stress in space at a point, turned to the section (xx yy zz xy yz xz).
+  std::array<double, 6> in_section(const std::array<double, 6>& stress, std::size_t station,
+                                   std::size_t stream) const;
+  /// 2 G eps_p less the stress `before` (along and across, MPa, over depth), at the nodes of cells
+  /// on streamlines: from linear functions in each cell, averaged. Arguments as of load().
+  /// Collective.
+  NodalStress nodal_stress(const std::vector<Deviator>& plastic,
+                           const std::vector<PlasticState>& inflow,
+                           const std::vector<PlasticState>& outflow,
+                           const std::function<std::array<double, 2>(double depth)>& before) const;
 
  private:
   struct Implementation;

@@ -150,12 +150,18 @@ struct StressOutput::Implementation {
     return part.nodes->values(total, part.recovery.recover(total));
   }
 
-  void fill_part(const Part& part, const Vector& displacement, const Vector* expansion, bool keep,
-                 contact::PointResult& point) const {
-    const NodalStress stress = part.recovery.recover(displacement);
-    if (keep) point.bodies.push_back(values(part, displacement, stress, expansion));
+  void fill_part(const Part& part, const Vector& displacement, const Vector* expansion,
+                 const NodalStress* too_much, bool keep, contact::PointResult& point) const {
+    NodalStress stress = part.recovery.recover(displacement);
     point.error_estimate[fmt::format("energy_norm_{}", part.name)] =
         energy_error(part.body, displacement, stress).relative();
+    if (too_much != nullptr) {
+      stress.direct -= too_much->direct;
+      stress.shear -= too_much->shear;
+      stress.direct.update_ghost_values();
+      stress.shear.update_ghost_values();
+    }
+    if (keep) point.bodies.push_back(values(part, displacement, stress, expansion));
     for (std::size_t k = 0; k < part.requests.size(); ++k) {
       const BodyPoints& points = part.points[k];
       SubsurfaceField& field = point.subsurface[part.requests[k]];
@@ -163,7 +169,9 @@ struct StressOutput::Implementation {
       for (std::size_t p = 0; p < points.size(); ++p) field.points.push_back(points.place(p));
       field.displacement = points.values(displacement, displacement_mirror);
       field.stress = stress_at(points, stress);
-      part.surface[k].combine(displacement, point.fields.traction, field.stress);
+      // From the strain along the surface by Hooke's law.
+      if (too_much == nullptr)
+        part.surface[k].combine(displacement, point.fields.traction, field.stress);
     }
     if (!maxima) return;
     const auto starts = largest_at_nodes(part, stress);
@@ -281,13 +289,15 @@ bool StressOutput::wanted(std::size_t k) const {
 }
 
 void StressOutput::fill(std::size_t k, contact::PointResult& point,
-                        const std::vector<Vector>& displacement, const Vector* expansion) const {
+                        const std::vector<Vector>& displacement, const Vector* expansion,
+                        const std::array<const NodalStress*, 2>& too_much) const {
   const Implementation& all = *implementation_;
   point.subsurface.resize(all.scene.subsurface.size());
   const bool keep = all.keeps_bodies(k);
   for (std::size_t b = 0; b < 2; ++b)
     if (all.parts[b])
-      all.fill_part(*all.parts[b], displacement[b], b == 0 ? expansion : nullptr, keep, point);
+      all.fill_part(*all.parts[b], displacement[b], b == 0 ? expansion : nullptr, too_much[b], keep,
+                    point);
 }
 
 std::vector<contact::BodyField> StressOutput::bodies() const {

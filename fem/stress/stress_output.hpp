@@ -4,8 +4,10 @@
 #pragma once
 
 #include "contact/result/result.hpp"
+#include "fem/stress/stress_recovery.hpp"
 #include "fem/trace/compliance.hpp"
 
+#include <array>
 #include <memory>
 
 namespace rollfem::fem {
@@ -25,8 +27,10 @@ class StressOutput {
   /// and rail, which correspond to the tractions in the fields of the point; the tractions
   /// determine the surface stress (surface_stress.hpp). `expansion`: displacement of the wheel by
   /// its spinning, included only in `bodies`; may be null. Collective.
+  /// `too_much`: what Hooke's law finds too much in wheel and rail, where they have yielded; null:
+  /// nothing.
   void fill(std::size_t k, contact::PointResult& point, const std::vector<Vector>& displacement,
-            const Vector* expansion) const;
+            const Vector* expansion, const std::array<const NodalStress*, 2>& too_much = {}) const;
   /// Wheel and rail for ModelResult::bodies: whole on process 0; none when no load point stores
   /// them.
   std::vector<contact::BodyField> bodies() const;

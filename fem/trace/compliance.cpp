@@ -72,6 +72,17 @@ struct FemCompliance::Shared {
     return force;
   }
 
+  void add_sampled(const std::vector<Vector>& further,
+                   const std::array<contact::SurfaceField*, 2>& surface) const {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (further[k].size() == 0) continue;
+      const contact::SurfaceField u = coupling[k]->sample(further[k]);
+      surface[k]->x += u.x;
+      surface[k]->y += u.y;
+      surface[k]->n += u.n;
+    }
+  }
+
   contact::ContactGrid grid;
   Part parts[2];
   contact::PatchShape shape;
@@ -125,6 +136,7 @@ struct FemCompliance::State {
   Vector displacements[2];
   std::optional<contact::SurfaceField> solved_for;  ///< tractions of `displacements`
   int solves = 0;
+  Beyond beyond;
 };
 
 FemCompliance::FemCompliance(const Part& wheel, const Part& rail,
@@ -153,8 +165,12 @@ contact::SurfaceField FemCompliance::apply(const contact::SurfaceField& traction
 contact::Response FemCompliance::respond(const contact::SurfaceField& traction) const {
   state_->solve(*shared_, traction);
   ++state_->solves;
-  const auto wheel = state_->surface_displacement(*shared_, 0, traction);
-  const auto rail = state_->surface_displacement(*shared_, 1, traction);
+  auto wheel = state_->surface_displacement(*shared_, 0, traction);
+  auto rail = state_->surface_displacement(*shared_, 1, traction);
+  if (state_->beyond) {
+    const std::vector<Vector> further = state_->beyond(body_displacements(traction));
+    shared_->add_sampled(further, {&wheel, &rail});
+  }
   if (!shared_->first) return {};
   contact::TangentialField slip = shared_->curvature_slip(wheel);
   if (const auto& of_rail = shared_->rail_curvature_slip) {
@@ -175,6 +191,10 @@ std::vector<Vector> FemCompliance::body_displacements(const contact::SurfaceFiel
       far->add(shared_->force_on(k, traction), displacements[k]);
   }
   return displacements;
+}
+
+void FemCompliance::set_beyond_elastic(Beyond beyond) {
+  state_->beyond = std::move(beyond);
 }
 
 int FemCompliance::solves() const {

@@ -12,6 +12,7 @@
 #include "fem/linear/linear_solver.hpp"
 #include "fem/trace/lattice.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -73,6 +74,11 @@ class FemCompliance : public contact::Compliance {
   /// for a rigid body.
   std::vector<Vector> body_displacements(const contact::SurfaceField& traction) const;
   int solves() const;  ///< apply() calls of this copy so far
+  /// What bodies do beyond their elastic displacement, given that: the further displacement of
+  /// each, mm, with ghost values; empty: nothing. Collective.
+  using Beyond = std::function<std::vector<Vector>(const std::vector<Vector>& elastic)>;
+  /// Added to every response of this copy.
+  void set_beyond_elastic(Beyond beyond);
 
  private:
   struct Shared;

@@ -268,6 +268,20 @@ void add_stresses(const Scene& scene, const GridElasticity& elasticity, Levels& 
   result.seconds["subsurface"] = watch.seconds();
 }
 
+/// Half-spaces stay elastic.
+void note_yielding(const Scene& scene, const Levels& levels, ModelResult& result) {
+  if (!scene.yields()) return;
+  const auto maxima = stress_maxima(scene, levels.fine->grid, levels.fine->points.front());
+  for (const contact::StressMaximum& maximum : maxima) {
+    const auto& steel = (maximum.body == "wheel" ? scene.wheel : scene.rail).plasticity;
+    if (!steel || maximum.measure != "von_mises" || maximum.value <= steel->yield_stress) continue;
+    result.notes.push_back(fmt::format(
+        "the half-space is elastic: the largest von Mises stress in the {} is {:.4g} MPa, {:.3g} "
+        "times the yield stress; model fem takes plastic flow into account",
+        maximum.body, maximum.value, maximum.value / steel->yield_stress));
+  }
+}
+
 /// Largest resident memory, measured with 42 to 165 thousand elements and up to 10 load points:
 /// within 15 % of this, for unlike materials up to two thirds more.
 double predicted_bytes(double elements, double points) {
@@ -352,6 +366,7 @@ ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
   }
   count_steps(scene, area, cells, levels, progress, elasticity, result);
   add_stresses(scene, elasticity, levels, result);
+  note_yielding(scene, levels, result);
   contact::LevelResult& fine = *levels.fine;
   result.grid = fine.grid;
   result.contact_elements = fine.contact_elements;

@@ -100,9 +100,10 @@ contact::ModelInfo hybrid_model() {
   contact::ModelInfo hybrid{"hybrid", "hybrid",
                             "half-space on a fine grid with a correction for curved, finite bodies "
                             "from coarse finite elements"};
-  hybrid.takes = contact::all_demands_but(
-      {Demand::sections, Demand::line_contact, Demand::stress_of_line, Demand::inertia,
-       Demand::distance_points, Demand::distance_quadratic, Demand::given_pressure});
+  hybrid.takes = contact::all_demands_but({Demand::sections, Demand::line_contact,
+                                           Demand::stress_of_line, Demand::inertia,
+                                           Demand::distance_points, Demand::distance_quadratic,
+                                           Demand::given_pressure, Demand::yielding_body});
   hybrid.run = [](const ModelInput& input, const contact::Progress& progress,
                   contact::Checkpoint* checkpoint) {
     return hybrid::run_hybrid(input, progress, checkpoint, find_smooth_parts);

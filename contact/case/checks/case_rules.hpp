@@ -48,8 +48,10 @@ inline const Condition line = is("geometry", "shape", "line");
 inline const Condition wheel_profile = has("wheel", "profile");
 inline const Condition rail_profile = has("rail", "profile");
 inline const Condition profiles = wheel_profile || rail_profile;
-inline const Condition placement =
-    Condition([](const GivenCase& given) { return given.section_lines.count("placement") > 0; });
+inline Condition section(const char* name) {
+  return Condition([=](const GivenCase& given) { return given.section_lines.count(name) > 0; });
+}
+inline const Condition placement = section("placement");
 inline const Condition own_mesh = has("wheel", "mesh") || has("rail", "mesh");
 inline const Condition given_pressure = has("given_pressure", "semi_axis_x") ||
                                         has("given_pressure", "semi_axis_y") ||
@@ -79,6 +81,7 @@ inline Condition sections(const char* body) {
 }
 inline const Condition rail_sections = sections("rail");
 inline const Condition wheel_sections = sections("wheel");
+inline const Condition yields = section("wheel_plasticity") || section("rail_plasticity");
 inline const Condition layer = has("layer", "thickness") || has("layer", "shear_modulus");
 
 }  // namespace when

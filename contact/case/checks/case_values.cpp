@@ -175,6 +175,42 @@ bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) 
   return depth < (drop < 0.0 ? drop - most_above_surface : 0.0);
 }
 
+/// One load point for each pass.
+void repeat_load_points(Case& input) {
+  const auto repeat = [&](auto& entries) {
+    if (entries.empty()) return;
+    const auto once = entries;
+    entries.clear();
+    for (int pass = 0; pass < input.fem.passes; ++pass) entries.push_back(once[pass % once.size()]);
+  };
+  repeat(input.rolling.creepages);
+  repeat(input.rolling.forces);
+  repeat(input.wheelset.rotation_change);
+}
+
+/// One number for each back stress and each depth, depths in ascending order.
+void check_plasticity(const GivenCase& given, const char* body, const BodyPlasticity& steel) {
+  const std::string section = std::string(body) + "_plasticity";
+  const auto length = [&](const char* key) {
+    const GivenValue* value = given.find(section, key);
+    return value == nullptr ? 0 : std::get<std::vector<double>>(value->value).size();
+  };
+  constexpr std::size_t most = BodyPlasticity::most_back_stresses;
+  if (length("hardening") > most)
+    fail_at(given, section + ".hardening", *given.find(section, "hardening"),
+            fmt::format("has {} back stresses", length("hardening")),
+            fmt::format("one to {} moduli", most), "join those that saturate at similar strains");
+  if (steel.rise < 0.0 && -steel.rise >= steel.yield_stress)
+    fail_at(given, section + ".isotropic_rise", *given.find(section, "isotropic_rise"),
+            "softens the steel to nothing",
+            fmt::format("above {:g} MPa (minus the yield stress)", -steel.yield_stress),
+            "give a smaller softening");
+  const std::vector<double>& depth = steel.residual.depth;
+  if (std::adjacent_find(depth.begin(), depth.end(), std::greater_equal<>()) != depth.end())
+    fail_at(given, section + ".residual_depth", *given.find(section, "residual_depth"),
+            "does not ascend", "depths in ascending order, each once", "sort the points");
+}
+
 }  // namespace
 
 void check_places(const GivenCase& given, const Case& input, bool bodies) {
@@ -264,9 +300,14 @@ void complete(const GivenCase& given, Case& input) {
   for (const auto* list : lists) count = std::max(count, list->size());
   for (auto* list : lists)
     if (!list->empty()) list->resize(count, list->front());
+  if (input.yields()) repeat_load_points(input);
 }
 
 void check_values(const GivenCase& given, const Case& input) {
+  for (const bool wheel : {true, false}) {
+    const Body& body = wheel ? static_cast<const Body&>(input.wheel) : input.rail;
+    if (body.plasticity) check_plasticity(given, wheel ? "wheel" : "rail", *body.plasticity);
+  }
   check_rigid(given, input);
   check_friction(given, input);
   check_friction_points(given, input);

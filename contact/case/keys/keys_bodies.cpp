@@ -2,6 +2,8 @@
 // Wheel and rail: their radii, materials, profiles and meshes; the shape of the contact.
 #include "contact/case/keys/key_builder.hpp"
 
+#include <algorithm>
+
 namespace rollfem::contact {
 
 namespace {
@@ -67,6 +69,80 @@ SectionWithKeys rail_section() {
              "`profile`.");
   add_material(keys);
   add_shape_from_files(keys, "`60E1` (the same as `UIC60`) or `UIC60-manchester`");
+  return keys;
+}
+
+/// A list with one number for each back stress.
+Access<BodyPlasticity> of_back_stresses(double BodyPlasticity::BackStress::*member) {
+  return {[member](const BodyPlasticity& steel) -> KeyValue {
+            Numbers numbers;
+            for (const auto& back : steel.back_stresses)
+              if (back.modulus > 0.0) numbers.push_back(back.*member);
+            if (std::all_of(numbers.begin(), numbers.end(), [](double n) { return n == 0.0; }))
+              return {};
+            return numbers;
+          },
+          [member](BodyPlasticity& steel, const KeyValue& value) {
+            const auto& numbers = std::get<Numbers>(value);
+            // One recovery is that of all; of the moduli there is one for each.
+            const bool of_all =
+                numbers.size() == 1 && member == &BodyPlasticity::BackStress::recovery;
+            const std::size_t count = of_all ? steel.back_stresses.size()
+                                             : std::min(numbers.size(), steel.back_stresses.size());
+            for (std::size_t k = 0; k < count; ++k)
+              steel.back_stresses[k].*member = numbers[of_all ? 0 : k];
+          }};
+}
+
+void add_residual_stress(Keys<BodyPlasticity>& keys) {
+  using Residual = BodyPlasticity::ResidualStress;
+  const auto of = [](std::vector<double> Residual::*member) {
+    return inside(&BodyPlasticity::residual, member);
+  };
+  const auto each = per("depths");
+  keys.add("residual_depth", of(&Residual::depth), each, unit("mm"), zero_or(smallest, 1e3),
+           otherwise("no residual stress before the first pass"),
+           "Depths below the surface, ascending, of the residual stress before the first pass: "
+           "linear between, constant outside, the same everywhere along and across.");
+  keys.add("residual_along", of(&Residual::along), each, unit("MPa"), within(largest),
+           otherwise("0"), "Residual stress along rolling at these depths; tension is positive.");
+  keys.add("residual_across", of(&Residual::across), each, unit("MPa"), within(largest),
+           otherwise("0"), "The same across.");
+}
+
+template <class Body>
+SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
+  using Steel = BodyPlasticity;
+  Keys<Steel> keys(name + "_plasticity",
+                   "Steel of the " + name + " that yields (model fem, docs/plasticity.md)",
+                   {[body](const Case& c) {
+                      const auto& steel = (c.*body).plasticity;
+                      return steel ? &*steel : nullptr;
+                    },
+                    [body](Case& c) -> Steel& {
+                      auto& steel = (c.*body).plasticity;
+                      return steel ? *steel : steel.emplace();
+                    }});
+  keys.section().alternatives = true;
+  keys.add("yield_stress", &Steel::yield_stress, symbol("sigma_y"), unit("MPa"), positive(),
+           example("520.0"), otherwise("required with this section"),
+           "Yield stress in tension, where plastic flow begins; sqrt(3) times the k of shakedown "
+           "maps.");
+  keys.add(KeyKind::numbers, "hardening", of_back_stresses(&Steel::BackStress::modulus),
+           per("back stresses"), symbol("C"), unit("MPa"), positive(),
+           otherwise("no kinematic hardening"),
+           "Moduli of one to three back stresses: plastic modulus in tension at their beginning.");
+  keys.add(KeyKind::numbers, "recovery", of_back_stresses(&Steel::BackStress::recovery),
+           per("back stresses"), symbol("gamma"), zero_or(smallest, largest),
+           otherwise("0 (Prager)"),
+           "Dynamic recovery of each back stress (Armstrong and Frederick; Chaboche), which "
+           "saturates at hardening/recovery; 0: linear (Prager).");
+  keys.add("isotropic_rise", &Steel::rise, symbol("Q"), unit("MPa"), within(largest),
+           "Rise of the yield stress with the accumulated plastic strain p, Q (1 - exp(-b p)) "
+           "(Voce); negative: the steel softens.");
+  keys.add("isotropic_rate", &Steel::rate, symbol("b"), zero_or(smallest, largest),
+           "Its rate over p.");
+  add_residual_stress(keys);
   return keys;
 }
 
@@ -174,8 +250,13 @@ SectionWithKeys profile_section(const std::string& name, Body Case::*body) {
 }  // namespace
 
 Sections body_sections() {
-  return {wheel_section(), rail_section(), geometry_section(),
-          profile_section("wheel", &Case::wheel), profile_section("rail", &Case::rail)};
+  return {wheel_section(),
+          rail_section(),
+          geometry_section(),
+          profile_section("wheel", &Case::wheel),
+          profile_section("rail", &Case::rail),
+          plasticity_section("wheel", &Case::wheel),
+          plasticity_section("rail", &Case::rail)};
 }
 
 }  // namespace rollfem::contact

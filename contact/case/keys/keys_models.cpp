@@ -134,10 +134,24 @@ void add_meshes(FemKeys& keys) {
            "force (`point_load`).");
 }
 
+void add_passes(FemKeys& keys) {
+  keys.add("passes", &FemOptions::passes, between(1, 1000),
+           "Passes over bodies that yield ([rail_plasticity], [wheel_plasticity]); the load points "
+           "of the case follow one another, again and again.");
+  keys.add("pass_pressure", &FemOptions::pass_pressure,
+           {{"yielding", PassPressure::yielding}, {"elastic", PassPressure::elastic}},
+           "Contact of the passes: `yielding`, that of the bodies as they are; `elastic`, as if "
+           "they had not changed their shape, for comparison with theory.");
+  keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
+           "Extent of the streamlines that may yield, relative to the usual one (as deep as "
+           "elastic stress exceeds the yield stress); the program says when it is too small.");
+}
+
 SectionWithKeys fem_section() {
   FemKeys keys("fem", "Finite-element model", &Case::fem);
   add_elements(keys);
   add_meshes(keys);
+  add_passes(keys);
   return keys;
 }
 

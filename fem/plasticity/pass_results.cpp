@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/plasticity/pass_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollfem::fem {
+
+namespace {
+
+using contact::YieldedSection;
+
+/// Linear between the depths, constant outside.
+double over_depth(const std::vector<double>& depths, const std::vector<double>& values,
+                  double depth) {
+  if (values.empty()) return 0.0;
+  const auto above = std::upper_bound(depths.begin(), depths.end(), depth);
+  if (above == depths.begin()) return values.front();
+  const auto k = static_cast<std::size_t>(above - depths.begin());
+  if (k >= depths.size()) return values.back();
+  const double part = (depth - depths[k - 1]) / (depths[k] - depths[k - 1]);
+  return values[k - 1] + part * (values[k] - values[k - 1]);
+}
+
+/// Stress before the first pass, MPa, along and across.
+std::array<double, 2> stress_before(const PlasticLaw& law, double depth) {
+  const auto& residual = law.parameters().residual;
+  return {over_depth(residual.depth, residual.along, depth),
+          over_depth(residual.depth, residual.across, depth)};
+}
+
+/// Cells of the section lie this many stations before the trailing end of the streamlines.
+constexpr std::size_t stations_before_end = 2;
+
+std::vector<Place> section_places(const Body& body, const Streamlines& streamlines, bool surface) {
+  std::vector<Place> places;
+  const double s = streamlines.s(streamlines.stations() - 1 - stations_before_end);
+  const std::size_t count = surface ? streamlines.width() : streamlines.streams();
+  for (std::size_t stream = 0; stream < count; ++stream) {
+    const auto [t, depth] = streamlines.section(stream);
+    const auto place = body.shape().place(s, t, surface ? 0.0 : depth);
+    places.push_back({place[0], place[1], place[2]});
+  }
+  return places;
+}
+
+template <class To, class From>
+std::array<To, 6> converted(const From& from) {
+  std::array<To, 6> to{};
+  for (std::size_t c = 0; c < 6; ++c) to[c] = static_cast<To>(from[c]);
+  return to;
+}
+
+}  // namespace
+
+Deviator initial_strain(const PlasticLaw& law, double depth) {
+  const auto [along, across] = stress_before(law, depth);
+  const double mean = (along + across) / 3.0, twice_g = 2.0 * law.shear_modulus();
+  return {(along - mean) / twice_g, (across - mean) / twice_g, -mean / twice_g, 0.0, 0.0, 0.0};
+}
+
+PassResults::PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines)
+    : body_(body), law_(law), streamlines_(streamlines), recovery_(body) {
+  const BodyLocator locator(body);
+  const double reach = body.options().cell_size;
+  places_ = locator.find(section_places(body, streamlines, false), reach);
+  surface_ = locator.find(section_places(body, streamlines, true), reach);
+}
+
+YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBody& before,
+                                       const YieldedBody& after) {
+  ++passes_;
+  YieldedSection section;
+  section.body = body_.shape().is_wheel ? "wheel" : "rail";
+  section.iterations = report.iterations;
+  section.residual = report.residual;
+  section.plastic_work = report.plastic_work;
+  section.utilisation = report.utilisation;
+  for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream) {
+    const PlasticState &in = before.leaving[stream], &out = after.leaving[stream];
+    const auto largest = [](double& value, double other) { value = std::max(value, other); };
+    largest(section.increment, out.accumulated - in.accumulated);
+    largest(section.net_increment, std::sqrt(2.0 / 3.0) * norm(sum(out.strain, -1.0, in.strain)));
+    largest(section.plastic_strain, out.accumulated);
+  }
+  judge(section);
+  too_much_ = streamlines_.nodal_stress(after.plastic, before.leaving, after.leaving,
+                                        [&](double depth) { return stress_before(law_, depth); });
+  fill_section(after, section);
+  return section;
+}
+
+void PassResults::judge(YieldedSection& section) {
+  // Relative to the yield strain; plastic flow of one pass, of a closed cycle, and from one pass to
+  // the next.
+  constexpr double nothing = 2e-3, closed = 0.05, steady = 0.02;
+  const double yield_strain = law_.parameters().yield_stress / (3.0 * law_.shear_modulus());
+  const double change = std::abs(section.increment - last_increment_);
+  std::string verdict = "settling";
+  if (section.plastic_strain == 0.0)
+    verdict = "elastic";
+  else if (section.increment <= nothing * yield_strain)
+    verdict = "elastic shakedown";
+  else if (section.net_increment <= closed * section.increment)
+    verdict = "plastic shakedown";
+  else if (passes_ > 2 && change <= steady * section.increment)
+    verdict = "ratchetting";
+  if (verdict != verdict_) from_pass_ = passes_;
+  verdict_ = section.verdict = verdict;
+  section.from_pass = from_pass_;
+  last_increment_ = section.increment;
+}
+
+void PassResults::fill_section(const YieldedBody& after, YieldedSection& section) {
+  section.across = static_cast<int>(streamlines_.width());
+  section.down = static_cast<int>(streamlines_.streams() / streamlines_.width());
+  NodalStress stress = recovery_.recover(after.displacement);
+  stress.direct -= too_much_->direct;
+  stress.shear -= too_much_->shear;
+  stress.direct.update_ghost_values();
+  stress.shear.update_ghost_values();
+  // In the meshed half.
+  const auto direct = places_.values(stress.direct, {1, 1, 1});
+  const auto shear = places_.values(stress.shear, {1, 1, 1});
+  for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream) {
+    const auto [y, depth] = streamlines_.section(stream);
+    section.y.push_back(y);
+    section.depth.push_back(depth);
+    section.strain.push_back(converted<float>(after.leaving[stream].strain));
+    section.accumulated.push_back(static_cast<float>(after.leaving[stream].accumulated));
+    const std::array<double, 6> in_space{direct[stream][0], direct[stream][1], direct[stream][2],
+                                         shear[stream][0],  shear[stream][1],  shear[stream][2]};
+    section.stress.push_back(converted<float>(streamlines_.in_section(
+        in_space, streamlines_.stations() - 1 - stations_before_end, stream)));
+  }
+  const auto moved = surface_.values(after.displacement, {1, 1, 1});
+  const double s = streamlines_.s(streamlines_.stations() - 1 - stations_before_end);
+  const double outwards = body_.shape().is_wheel ? -1.0 : 1.0;
+  for (std::size_t j = 0; j < streamlines_.width(); ++j) {
+    const double y = streamlines_.section(j)[0];
+    const SurfaceFrame frame = body_.shape().frame(s, y);
+    const dealii::Tensor<1, 3> u({moved[j][0], moved[j][1], moved[j][2]});
+    section.surface_y.push_back(y);
+    section.groove.push_back(outwards * (u * frame[2]));
+    section.forward_flow.push_back(u * frame[0]);
+  }
+}
+
+void sum_up(contact::PointResult& point) {
+  const auto largest = [](std::optional<double>& value, double other) {
+    value = std::max(value.value_or(0.0), other);
+  };
+  for (const YieldedSection& section : point.yielded) {
+    largest(point.plastic_strain, section.plastic_strain);
+    largest(point.plastic_increment, section.increment);
+    largest(point.net_plastic_increment, section.net_increment);
+    point.plastic_work = point.plastic_work.value_or(0.0) + section.plastic_work;
+    for (const auto& stress : section.stress) largest(point.residual_stress, -stress[0]);
+    for (const double groove : section.groove) largest(point.groove_depth, -groove);
+    for (const double flow : section.forward_flow)
+      if (std::abs(flow) >= std::abs(point.forward_flow.value_or(0.0))) point.forward_flow = flow;
+  }
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a pass leaves in a body: the section behind the load, residual stress, groove and flow, and
+// what becomes of the body with further passes. Internal to fem/plasticity.
+#pragma once
+
+#include "contact/result/result.hpp"
+#include "fem/discretisation/body_points.hpp"
+#include "fem/plasticity/steady_pass.hpp"
+#include "fem/stress/stress_recovery.hpp"
+
+#include <optional>
+
+namespace rollfem::fem {
+
+/// Deviatoric strain of the residual stress before the first pass at a depth (mm).
+Deviator initial_strain(const PlasticLaw& law, double depth);
+
+class PassResults {
+ public:
+  /// Arguments must outlive this object. Collective.
+  PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines);
+  /// Collective.
+  contact::YieldedSection after_pass(const PassReport& report, const YieldedBody& before,
+                                     const YieldedBody& after);
+  /// Of the last pass, see YieldingBodies.
+  const NodalStress& stress_too_much() const { return *too_much_; }
+
+ private:
+  void fill_section(const YieldedBody& after, contact::YieldedSection& section);
+  void judge(contact::YieldedSection& section);
+
+  const Body& body_;
+  const PlasticLaw& law_;
+  const Streamlines& streamlines_;
+  StressRecovery recovery_;
+  BodyPoints places_;   ///< of the section's streamlines
+  BodyPoints surface_;  ///< above them
+  std::optional<NodalStress> too_much_;
+  int passes_ = 0;
+  double last_increment_ = 0.0;
+  std::string verdict_;
+  int from_pass_ = 0;
+};
+
+/// The scalars of a load point from its bodies.
+void sum_up(contact::PointResult& point);
+
+}  // namespace rollfem::fem

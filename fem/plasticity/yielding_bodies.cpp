@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/plasticity/yielding_bodies.hpp"
+
+#include "contact/base/errors.hpp"
+#include "fem/discretisation/cell_terms.hpp"
+#include "fem/plasticity/pass_results.hpp"
+#include "fem/plasticity/steady_pass.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rollfem::fem {
+
+namespace {
+
+/// The fine region of the mesh.
+StreamLattice lattice_of(const BodyOptions& options) {
+  const double h = options.cell_size;
+  const auto cells = [h](double length) { return static_cast<int>(std::lround(length / h)); };
+  const auto within = [h](double length) {
+    return static_cast<int>(std::floor(length / h + 1e-6));
+  };
+  StreamLattice lattice;
+  lattice.cell = h;
+  lattice.along = {-within(options.fine_half_length), within(options.fine_half_length)};
+  const int middle = cells(options.middle), wide = within(options.fine_half_width);
+  lattice.across = {options.half ? 0 : middle - wide, middle + wide};
+  lattice.down = within(options.fine_depth * h);
+  return lattice;
+}
+
+/// While the contact is sought, and for a pass that counts.
+constexpr double loose_residual = 1e-5;
+constexpr double tight_residual = 1e-6;
+
+class YieldingBody {
+ public:
+  YieldingBody(const contact::BodyPlasticity& steel, const Body& body, const LinearSolver& solver)
+      : body_(body),
+        solver_(solver),
+        law_(steel, lame_mu(body.material())),
+        streamlines_(body, lattice_of(body.options())),
+        results_(body, law_, streamlines_),
+        before_(before_first_pass(streamlines_, body)),
+        now_(before_) {
+    for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
+      initial_.push_back(initial_strain(law_, streamlines_.section(stream)[1]));
+  }
+
+  /// Solves the pass in question anew, from its last solution.
+  PassReport pass(const Vector& elastic, double residual) {
+    std::vector<Deviator> strain = streamlines_.strains(elastic);
+    for (std::size_t k = 0; k < strain.size(); ++k)
+      strain[k] = sum(strain[k], 1.0, initial_[k / streamlines_.stations()]);
+    YieldedBody next = now_;
+    next.leaving = before_.leaving;
+    PassAccuracy accuracy;
+    accuracy.residual = residual;
+    const PassReport report = steady_pass(streamlines_, law_, solver_, strain, accuracy, next);
+    now_ = std::move(next);
+    return report;
+  }
+
+  contact::YieldedSection finish(const Vector& elastic) {
+    const PassReport report = pass(elastic, tight_residual);
+    refuse_beyond_streamlines();
+    contact::YieldedSection section = results_.after_pass(report, before_, now_);
+    before_ = now_;
+    return section;
+  }
+
+  const YieldedBody& now() const { return now_; }
+  const NodalStress& stress_too_much() const { return results_.stress_too_much(); }
+
+ private:
+  /// At the border of the lattice nothing may yield, except where the streamlines leave.
+  void refuse_beyond_streamlines() const {
+    const std::size_t width = streamlines_.width(), all = streamlines_.streams();
+    const double least = 1e-3 * law_.parameters().yield_stress / law_.shear_modulus();
+    const auto refuse = [&](const char* where) {
+      throw contact::SolveError(fmt::format(
+          "the {} yields {} of the streamlines that may yield; do: give a larger "
+          "fem.plastic_extent (now {:.3g} mm along and {:.3g} mm across to both sides, {:.3g} mm "
+          "deep)",
+          body_.shape().is_wheel ? "wheel" : "rail", where, body_.options().fine_half_length,
+          body_.options().fine_half_width, body_.options().fine_depth * body_.options().cell_size));
+    };
+    for (std::size_t stream = 0; stream < all; ++stream) {
+      const double gained = now_.leaving[stream].accumulated - before_.leaving[stream].accumulated;
+      if (gained <= least) continue;
+      if (stream + width >= all) refuse("at the lower border");
+      const bool left = stream % width == 0 && !body_.options().half;
+      if (left || (stream + 1) % width == 0) refuse("at the lateral border");
+      const std::size_t first = stream * streamlines_.stations();
+      if (now_.accumulated[first] - before_.leaving[stream].accumulated > 0.05 * gained)
+        refuse("at the leading border");
+      if (now_.leaving[stream].accumulated - now_.accumulated[first + streamlines_.stations() - 3] >
+          0.05 * gained + least)
+        refuse("at the trailing border");
+    }
+  }
+
+  const Body& body_;
+  const LinearSolver& solver_;
+  PlasticLaw law_;
+  Streamlines streamlines_;
+  PassResults results_;
+  std::vector<Deviator> initial_;  ///< strain of the residual stress before, of every streamline
+  YieldedBody before_, now_;
+};
+
+}  // namespace
+
+struct YieldingBodies::Implementation {
+  std::array<std::unique_ptr<YieldingBody>, 2> parts;
+};
+
+YieldingBodies::YieldingBodies(const contact::Scene& scene, const BodyPair& bodies,
+                               const Solvers& solvers)
+    : implementation_(std::make_unique<Implementation>()) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& steel = (k == 0 ? scene.wheel : scene.rail).plasticity;
+    if (steel && bodies[k] != nullptr)
+      implementation_->parts[k] = std::make_unique<YieldingBody>(*steel, *bodies[k], *solvers[k]);
+  }
+}
+
+YieldingBodies::~YieldingBodies() = default;
+
+std::vector<Vector> YieldingBodies::respond(const std::vector<Vector>& elastic) {
+  std::vector<Vector> plastic(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!implementation_->parts[k]) continue;
+    implementation_->parts[k]->pass(elastic[k], loose_residual);
+    plastic[k] = implementation_->parts[k]->now().displacement;
+    plastic[k].update_ghost_values();
+  }
+  return plastic;
+}
+
+void YieldingBodies::finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point) {
+  for (std::size_t k = 0; k < 2; ++k)
+    if (implementation_->parts[k])
+      point.yielded.push_back(implementation_->parts[k]->finish(elastic[k]));
+  sum_up(point);
+}
+
+const Vector* YieldingBodies::displacement(std::size_t body) const {
+  const auto& part = implementation_->parts[body];
+  return part ? &part->now().displacement : nullptr;
+}
+
+const NodalStress* YieldingBodies::stress_too_much(std::size_t body) const {
+  const auto& part = implementation_->parts[body];
+  return part ? &part->stress_too_much() : nullptr;
+}
+
+}  // namespace rollfem::fem

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Wheel and rail that yield, pass after pass: what they add to the elastic displacement at the
+// contact and to the stress, and the results of each pass.
+#pragma once
+
+#include "contact/result/result.hpp"
+#include "fem/discretisation/body.hpp"
+#include "fem/linear/solver_choice.hpp"
+#include "fem/stress/stress_recovery.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace rollfem::fem {
+
+class YieldingBodies {
+ public:
+  /// Bodies of a scene that yields; streamlines may yield in the fine region of the mesh. All
+  /// arguments must outlive this object. Collective, as all members are.
+  YieldingBodies(const contact::Scene& scene, const BodyPair& bodies, const Solvers& solvers);
+  ~YieldingBodies();
+  /// Displacements by plastic strain of wheel and rail, mm, with ghost values, in a pass with these
+  /// elastic displacements; empty for a body that stays elastic. The pass does not count until it
+  /// is finished. Throws contact::SolveError.
+  std::vector<Vector> respond(const std::vector<Vector>& elastic);
+  /// The pass under the load of these elastic displacements has passed: fills the results of the
+  /// point, and is the state that the next one meets.
+  void finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point);
+
+  // Of the pass that was finished last; body 0 is the wheel.
+
+  /// Null: the body stays elastic.
+  const Vector* displacement(std::size_t body) const;
+  /// 2 G eps_p less the residual stress before the first pass: what the stress of the total
+  /// displacement has too much, MPa, at the nodes; null: nothing.
+  const NodalStress* stress_too_much(std::size_t body) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace rollfem::fem
