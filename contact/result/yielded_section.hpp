@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rollfem::contact {
@@ -31,6 +32,16 @@ struct YieldedSection {
   std::vector<double> groove;  ///< mm, plastic displacement out of the body there, negative in
   std::vector<double> forward_flow;  ///< mm, along +x
 };
+
+/// Numbers of the pass as a whole, by name.
+inline std::array<std::pair<const char*, double>, 6> scalars_of(const YieldedSection& section) {
+  return {{{"increment", section.increment},
+           {"net_increment", section.net_increment},
+           {"plastic_strain", section.plastic_strain},
+           {"plastic_work", section.plastic_work},
+           {"utilisation", section.utilisation},
+           {"residual", section.residual}}};
+}
 
 /// How a body takes the passes: it does not yield; it yields no more (elastic shakedown); the same
 /// closed cycle again and again (plastic shakedown); strain grows with every pass (ratchetting); it

@@ -164,6 +164,16 @@ void set_point_bars(const Scene& scene, std::size_t k, const Beside& beside,
   contact::explain_singular_values(scene, levels[last].grid, levels[last].points[k]);
 }
 
+/// Plastic strain has kinks, so that the change between two meshes is taken as the error.
+void set_pass_bars(const PointResult& coarse, PointResult& fine) {
+  for (const char* name : {"plastic_strain", "plastic_increment", "net_plastic_increment",
+                           "residual_stress", "groove_depth", "forward_flow", "plastic_work"}) {
+    const contact::Quantity& quantity = contact::quantity_named(name);
+    const auto value = quantity.value(fine), before = quantity.value(coarse);
+    if (value && before) fine.error_estimate[name] = std::abs(*value - *before);
+  }
+}
+
 }  // namespace
 
 double bar_beside_half_spaces(const NumberOnLevels& number) {
@@ -195,6 +205,7 @@ bool set_error_bars(const Scene& scene, std::vector<ModelResult>& levels) {
       fine.richardson.clear();
     }
     halfspace::set_stress_bars(levels[last].grid, coarse, coarsest, true, fine);
+    if (scene.yields()) set_pass_bars(coarse, fine);
   }
   if (!beside) return false;
   beside->count_steps(scene, levels[last]);

@@ -10,6 +10,7 @@
 #include "contact/solve/state_record.hpp"
 #include "fem/elasticity/fem_elasticity.hpp"
 #include "fem/mesh/run_layout.hpp"
+#include "fem/plasticity/pass_results.hpp"
 #include "halfspace/patch/coverage.hpp"
 
 #include <fmt/format.h>
@@ -113,6 +114,8 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   if (std::string note = contact::steep_friction_note(level, scene.friction()); !note.empty())
     result.notes.push_back(std::move(note));
   result.points = std::move(level.points);
+  for (const contact::YieldedSection& section : result.points.back().yielded)
+    result.notes.push_back(verdict_note(section, static_cast<int>(result.points.size())));
   result.seconds["normal"] += level.normal_seconds;
   result.seconds["tangential"] = level.tangential_seconds;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/pass_results.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -144,6 +146,20 @@ void PassResults::fill_section(const YieldedBody& after, YieldedSection& section
     section.groove.push_back(outwards * (u * frame[2]));
     section.forward_flow.push_back(u * frame[0]);
   }
+}
+
+std::string verdict_note(const YieldedSection& section, int passes) {
+  std::string text = fmt::format("the {} after {} pass{}: {}", section.body, passes,
+                                 passes == 1 ? "" : "es", section.verdict);
+  if (section.from_pass < passes) text += fmt::format(" since pass {}", section.from_pass);
+  if (section.verdict == "ratchetting")
+    text += fmt::format(", {:.2g} of lasting plastic strain a pass", section.net_increment);
+  if (section.verdict == "settling")
+    text += fmt::format(
+        ", {:.2g} of plastic strain in the last pass, {:.2g} of it lasting: more "
+        "passes will tell",
+        section.increment, section.net_increment);
+  return text;
 }
 
 void sum_up(contact::PointResult& point) {

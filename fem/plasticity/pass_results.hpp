@@ -45,4 +45,7 @@ class PassResults {
 /// The scalars of a load point from its bodies.
 void sum_up(contact::PointResult& point);
 
+/// What became of a body, in a sentence for the reader.
+std::string verdict_note(const contact::YieldedSection& section, int passes);
+
 }  // namespace rollfem::fem

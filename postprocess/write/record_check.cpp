@@ -80,6 +80,13 @@ void check_point(const std::string& where, const contact::ContactGrid& grid,
     require_finite(maximum.value, name);
     for (const double coordinate : maximum.place) require_finite(coordinate, name + "/place");
   }
+  for (const contact::YieldedSection& body : point.yielded) {
+    const std::string name = fmt::format("{}/yielded/{}", where, body.body);
+    for (const auto& [scalar, value] : contact::scalars_of(body))
+      require_finite(value, name + "/" + scalar);
+    check_vectors(name + "/strain", body.strain, body.depth.size());
+    check_vectors(name + "/stress", body.stress, body.depth.size());
+  }
   for (std::size_t k = 0; k < point.subsurface.size(); ++k) {
     const contact::SubsurfaceField& field = point.subsurface[k];
     const std::string name = fmt::format("{}/subsurface[{}]", where, k);

@@ -8,6 +8,7 @@
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
+#include "postprocess/write/yielded_hdf5.hpp"
 
 #include <fmt/core.h>
 
@@ -301,6 +302,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
     write_values(group, "pass_work", list_of(work), "N/mm", "frictional work per pass and area");
   write_subsurface(group, point.subsurface);
   write_stress_maxima(group, point.stress_maxima);
+  write_yielded(group, point.yielded);
   write_body_values(group, model.bodies, point);
 }
 

@@ -60,6 +60,13 @@ ordered_json point_json(const contact::ModelResult& model, const contact::PointR
                                      {"measure", maximum.measure},
                                      {"value", maximum.value},
                                      {"place", maximum.place}});
+  for (const contact::YieldedSection& body : point.yielded) {
+    ordered_json entry{
+        {"body", body.body}, {"verdict", body.verdict}, {"from_pass", body.from_pass}};
+    for (const auto& [name, value] : contact::scalars_of(body)) entry[name] = value;
+    entry["iterations"] = body.iterations;
+    json["yielded"].push_back(std::move(entry));
+  }
   if (point.patch_count > 1)
     for (const contact::PatchPart& part : contact::patch_parts(model.grid, point.fields))
       json["patches"].push_back(part_json(part));
