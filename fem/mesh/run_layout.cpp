@@ -199,7 +199,10 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
       whole(std::max(options.fine_half_length, patch.half_length + 0.35 * depth));
   options.fine_half_width =
       whole(std::max(options.fine_half_width, patch.half_width + 0.25 * depth));
-  options.fine_depth = std::ceil(depth / h - 1e-6);
+  options.plastic_depth = std::ceil(depth / h - 1e-6);
+  // Below, plastic strain is small and smooth: cells may grow.
+  constexpr double fine_part = 0.7;
+  options.fine_depth = std::ceil(fine_part * depth / h - 1e-6);
   return options;
 }
 

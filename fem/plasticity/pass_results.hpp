@@ -19,14 +19,15 @@ class PassResults {
  public:
   /// Arguments must outlive this object. Collective.
   PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines);
-  /// Collective.
+  /// `displacement`: by plastic strain, with ghost values. Collective.
   contact::YieldedSection after_pass(const PassReport& report, const YieldedBody& before,
-                                     const YieldedBody& after);
+                                     const YieldedBody& after, const Vector& displacement);
   /// Of the last pass, see YieldingBodies.
   const NodalStress& stress_too_much() const { return *too_much_; }
 
  private:
-  void fill_section(const YieldedBody& after, contact::YieldedSection& section);
+  void fill_section(const YieldedBody& after, const Vector& displacement,
+                    contact::YieldedSection& section);
   void judge(contact::YieldedSection& section);
 
   const Body& body_;

@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "fem/discretisation/cell_terms.hpp"
+#include "fem/plasticity/end_flow.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "fem/plasticity/steady_pass.hpp"
 
@@ -28,7 +29,7 @@ StreamLattice lattice_of(const BodyOptions& options) {
   lattice.along = {-within(options.fine_half_length), within(options.fine_half_length)};
   const int middle = cells(options.middle), wide = within(options.fine_half_width);
   lattice.across = {options.half ? 0 : middle - wide, middle + wide};
-  lattice.down = within(options.fine_depth * h);
+  lattice.down = within(options.plastic_depth * h);
   return lattice;
 }
 
@@ -44,6 +45,8 @@ class YieldingBody {
         law_(steel, lame_mu(body.material())),
         streamlines_(body, lattice_of(body.options())),
         results_(body, law_, streamlines_),
+        ends_(body, solver),
+        released_(make_vector(body.dofs())),
         before_(before_first_pass(streamlines_, body)),
         now_(before_) {
     for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
@@ -52,7 +55,11 @@ class YieldingBody {
 
   /// Solves the pass in question anew, from its last solution.
   PassReport pass(const Vector& elastic, double residual) {
-    std::vector<Deviator> strain = streamlines_.strains(elastic);
+    if (now_.displacement.l2_norm() > 0.0) released_ = ends_.released(displacement());
+    Vector loaded = elastic;
+    loaded += released_;
+    loaded.update_ghost_values();
+    std::vector<Deviator> strain = streamlines_.strains(loaded);
     for (std::size_t k = 0; k < strain.size(); ++k)
       strain[k] = sum(strain[k], 1.0, initial_[k / streamlines_.stations()]);
     YieldedBody next = now_;
@@ -67,12 +74,18 @@ class YieldingBody {
   contact::YieldedSection finish(const Vector& elastic) {
     const PassReport report = pass(elastic, tight_residual);
     refuse_beyond_streamlines();
-    contact::YieldedSection section = results_.after_pass(report, before_, now_);
+    contact::YieldedSection section = results_.after_pass(report, before_, now_, displacement());
     before_ = now_;
     return section;
   }
 
-  const YieldedBody& now() const { return now_; }
+  /// By plastic strain, mm, with ghost values.
+  Vector displacement() const {
+    Vector whole = now_.displacement;
+    whole += released_;
+    whole.update_ghost_values();
+    return whole;
+  }
   const NodalStress& stress_too_much() const { return results_.stress_too_much(); }
 
  private:
@@ -86,7 +99,8 @@ class YieldingBody {
           "fem.plastic_extent (now {:.3g} mm along and {:.3g} mm across to both sides, {:.3g} mm "
           "deep)",
           body_.shape().is_wheel ? "wheel" : "rail", where, body_.options().fine_half_length,
-          body_.options().fine_half_width, body_.options().fine_depth * body_.options().cell_size));
+          body_.options().fine_half_width,
+          body_.options().plastic_depth * body_.options().cell_size));
     };
     for (std::size_t stream = 0; stream < all; ++stream) {
       const double gained = now_.leaving[stream].accumulated - before_.leaving[stream].accumulated;
@@ -109,6 +123,8 @@ class YieldingBody {
   Streamlines streamlines_;
   PassResults results_;
   std::vector<Deviator> initial_;  ///< strain of the residual stress before, of every streamline
+  EndFlow ends_;
+  Vector released_;  ///< mm, displacement by what the ends give way
   YieldedBody before_, now_;
 };
 
@@ -135,8 +151,7 @@ std::vector<Vector> YieldingBodies::respond(const std::vector<Vector>& elastic) 
   for (std::size_t k = 0; k < 2; ++k) {
     if (!implementation_->parts[k]) continue;
     implementation_->parts[k]->pass(elastic[k], loose_residual);
-    plastic[k] = implementation_->parts[k]->now().displacement;
-    plastic[k].update_ghost_values();
+    plastic[k] = implementation_->parts[k]->displacement();
   }
   return plastic;
 }
@@ -148,9 +163,9 @@ void YieldingBodies::finish_pass(const std::vector<Vector>& elastic, contact::Po
   sum_up(point);
 }
 
-const Vector* YieldingBodies::displacement(std::size_t body) const {
+Vector YieldingBodies::displacement(std::size_t body) const {
   const auto& part = implementation_->parts[body];
-  return part ? &part->now().displacement : nullptr;
+  return part ? part->displacement() : Vector();
 }
 
 const NodalStress* YieldingBodies::stress_too_much(std::size_t body) const {
