@@ -82,7 +82,7 @@ class Record {
   void value(YieldedSection& s) {
     values(s.body, s.verdict, s.from_pass, s.iterations, s.residual, s.increment, s.net_increment,
            s.plastic_strain, s.plastic_work, s.utilisation, s.across, s.down, s.y, s.depth,
-           s.strain, s.stress, s.accumulated, s.surface_y, s.groove, s.forward_flow);
+           s.strain, s.stress, s.accumulated, s.surface_y, s.groove, s.forward_flow, s.memory);
   }
   void value(BodyValues& body) { values(body.displacement, body.stress); }
   void value(BodyField& body) {

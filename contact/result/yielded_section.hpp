@@ -30,6 +30,7 @@ struct YieldedSection {
   std::vector<float> accumulated;            ///< plastic strain
   std::vector<double> surface_y;             ///< mm, from one side of the patch to the other
   std::vector<double> groove;  ///< mm, plastic displacement out of the body there, negative in
+  std::string memory;          ///< of the body, for checkpoints: what the next pass starts from
   std::vector<double> forward_flow;  ///< mm, along +x
 };
 

@@ -39,6 +39,11 @@ const char* stage_of(Problem problem) {
   return problem == Problem::transient ? "transient" : "rolling";
 }
 
+/// Memories of bodies are for checkpoints alone.
+void forget(PointResult& point) {
+  for (YieldedSection& body : point.yielded) body.memory = {};
+}
+
 bool rolls(Problem problem) {
   return problem == Problem::steady || problem == Problem::transient;
 }
@@ -306,6 +311,8 @@ bool ContactRun::take_up(std::size_t k) {
   if (!store_->find(k, point, state_)) return false;
   remember(k);
   motion_->take_up(point);
+  elasticity_->take_up(point);
+  forget(point);
   result_.pressure = state_.normal.pressure;
   result_.contact_elements = state_.normal.contact_elements;
   ProgressEvent event = event_of(k);
@@ -335,6 +342,7 @@ void ContactRun::solve_point(std::size_t k) {
   if (!touches_border(result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);
   point.seconds = watch.seconds();
   if (store_) store_->keep(k, point, state_);
+  forget(point);
 
   if (rolls(scene_.problem)) event.creepage = point.creepage.longitudinal;
   describe(event, state_);

@@ -45,6 +45,8 @@ class Elasticity {
   virtual Eigen::Vector2d shift_stiffness(const PatchSize& patch) const = 0;
   /// Throws when the bodies are not known at the patch.
   virtual void check_patch(const PatchSize&) const {}
+  /// A load point that an earlier run has solved and completed; may be called before prepare().
+  virtual void take_up(const PointResult&) {}
   /// Adds model-specific results to a solved load point: stresses, errors.
   virtual void complete(std::size_t, PointResult&) {}
 };

@@ -102,6 +102,7 @@ class SharedLevel {
     });
   }
   void complete(const FemCompliance& of_point, std::size_t k, PointResult& point);
+  void take_up(const PointResult& point) { last_pass_ = point.yielded; }
   std::size_t most_beside() const;
   /// Has the responses of a compliance include what yielding bodies do.
   void let_yield(FemCompliance& of_point) const {
@@ -135,7 +136,8 @@ class SharedLevel {
   CaseBodies bodies_;
   bool factorisation_ = false;
   Solvers solvers_;
-  std::unique_ptr<YieldingBodies> yielding_;  ///< null: elastic
+  std::unique_ptr<YieldingBodies> yielding_;        ///< null: elastic
+  std::vector<contact::YieldedSection> last_pass_;  ///< of an earlier run that is resumed
   std::unique_ptr<StressOutput> stresses_;
 };
 
@@ -168,6 +170,7 @@ class LevelElasticity : public FemElasticity {
   Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
     return halfspace::shift_stiffness(patch, level_->scene.material);
   }
+  void take_up(const PointResult& point) override { level_->take_up(point); }
   void complete(std::size_t k, PointResult& point) override { level_->complete(*own_, k, point); }
 
  private:
@@ -271,6 +274,7 @@ void SharedLevel::make_compliance() {
   if (scene.yields()) {
     one_at_a_time(
         [&] { yielding_ = std::make_unique<YieldingBodies>(scene, bodies_.both(), solvers_); });
+    yielding_->recall(last_pass_);
     let_yield(*compliance);
   }
   contact::ProgressEvent event;

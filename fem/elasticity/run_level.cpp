@@ -13,6 +13,7 @@
 #include "fem/plasticity/pass_results.hpp"
 #include "halfspace/patch/coverage.hpp"
 
+#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -92,7 +93,11 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   run_options.independent = !scene.is_history() && !scene.load_changes() && !scene.yields();
   const auto make = [&] { return elasticity.beside(); };
   std::optional<contact::PointStore> store;
-  if (options.checkpoint != nullptr) store.emplace(*options.checkpoint, name, stored.has_value());
+  // What several processes know of bodies that yield is not collected.
+  const bool collected =
+      !scene.yields() || dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  if (options.checkpoint != nullptr && collected)
+    store.emplace(*options.checkpoint, name, stored.has_value());
   if (!stored) {
     contact::ContactRun run(scene, geometry, run_options, progress, nullptr);
     run.on_first_defect = [&](const contact::Response& defect, int contact_elements) {

@@ -3,6 +3,7 @@
 // what becomes of the body with further passes. Internal to fem/plasticity.
 #pragma once
 
+#include "contact/result/record.hpp"
 #include "contact/result/result.hpp"
 #include "fem/discretisation/body_points.hpp"
 #include "fem/plasticity/steady_pass.hpp"
@@ -22,6 +23,10 @@ class PassResults {
   /// `displacement`: by plastic strain, with ghost values. Collective.
   contact::YieldedSection after_pass(const PassReport& report, const YieldedBody& before,
                                      const YieldedBody& after, const Vector& displacement);
+  /// The history on which a verdict depends.
+  void exchange(contact::Record& record) {
+    record.values(passes_, last_increment_, verdict_, from_pass_);
+  }
   /// Of the last pass, see YieldingBodies.
   const NodalStress& stress_too_much() const { return *too_much_; }
 

@@ -2,6 +2,7 @@
 #include "fem/plasticity/yielding_bodies.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/record.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/plasticity/end_flow.hpp"
 #include "fem/plasticity/pass_results.hpp"
@@ -76,7 +77,15 @@ class YieldingBody {
     refuse_beyond_streamlines();
     contact::YieldedSection section = results_.after_pass(report, before_, now_, displacement());
     before_ = now_;
+    contact::Record record;
+    exchange(record);
+    section.memory = record.bytes();
     return section;
+  }
+  void recall(const std::string& memory) {
+    contact::Record record(memory);
+    exchange(record);
+    before_ = now_;
   }
 
   /// By plastic strain, mm, with ghost values.
@@ -89,6 +98,17 @@ class YieldingBody {
   const NodalStress& stress_too_much() const { return results_.stress_too_much(); }
 
  private:
+  void exchange(contact::Record& record) {
+    results_.exchange(record);
+    record.values(now_.leaving);
+    for (Vector* vector : {&now_.displacement, &now_.load, &released_}) {
+      std::vector<double> numbers(vector->begin(), vector->end());
+      record.values(numbers);
+      std::copy(numbers.begin(), numbers.end(), vector->begin());
+      vector->update_ghost_values();
+    }
+  }
+
   /// At the border of the lattice nothing may yield, except where the streamlines leave.
   void refuse_beyond_streamlines() const {
     const std::size_t width = streamlines_.width(), all = streamlines_.streams();
@@ -161,6 +181,12 @@ void YieldingBodies::finish_pass(const std::vector<Vector>& elastic, contact::Po
     if (implementation_->parts[k])
       point.yielded.push_back(implementation_->parts[k]->finish(elastic[k]));
   sum_up(point);
+}
+
+void YieldingBodies::recall(const std::vector<contact::YieldedSection>& sections) {
+  for (const contact::YieldedSection& section : sections)
+    if (!section.memory.empty())
+      implementation_->parts[section.body == body_names[0] ? 0 : 1]->recall(section.memory);
 }
 
 Vector YieldingBodies::displacement(std::size_t body) const {

@@ -29,6 +29,9 @@ class YieldingBodies {
   /// point, and is the state that the next one meets.
   void finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point);
 
+  /// Goes on from the memories of a finished pass, in a single process; nothing without them.
+  void recall(const std::vector<contact::YieldedSection>& sections);
+
   // Of the pass that was finished last; body 0 is the wheel.
 
   /// mm, by plastic strain, with ghost values; empty: the body stays elastic.
