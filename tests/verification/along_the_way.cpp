@@ -179,17 +179,32 @@ TEST(AlongTheWay, EqualSectionsAreThePlainProfile) {
   const track::ProfilePair pair = manchester_pair();
   std::vector<PlacedSection> sections;
   for (const double u : {-50.0, 0.0, 70.0}) sections.push_back({u, pair.rail, {}});
-  const auto rail =
-      std::make_shared<const SectionSurface>(std::move(sections), SectionSpline::through);
+  const track::ProfilePair family{
+      pair.wheel, pair.rail, nullptr,
+      std::make_shared<const SectionSurface>(std::move(sections), SectionSpline::through)};
   contact::Case input = wheel_case();
   input.wheel.rolling_radius = 460.0;
-  const Found equal = solved(input, {pair.wheel, pair.rail, nullptr, rail});
-  const Found plain = solved(input, pair);
-  EXPECT_NEAR(equal.placed.contact.place.height, plain.placed.contact.place.height, 1e-9);
-  EXPECT_NEAR(equal.placed.contact.place.y_rail, plain.placed.contact.place.y_rail, 1e-5);
-  expect_alike(equal.point, plain.point, 1e-5);
-  // What finite elements may take as a body of this section.
-  EXPECT_LT(equal.placed.contact.geometry.variation(), 1e-5);
+  // On the tread, and on the corner, where the plain profile is a cubic over y between its points.
+  for (const auto& [shift, within] : {std::pair{0.0, 1e-9}, {-3.0, 1e-9}, {4.0, 1e-7}}) {
+    input.wheelset.lateral_shift = {shift};
+    const Found equal = solved(input, family), plain = solved(input, pair);
+    const contact::ContactPlace &a = equal.placed.contact.place, &b = plain.placed.contact.place;
+    EXPECT_NEAR(a.height, b.height, within) << shift;
+    EXPECT_NEAR(a.y_rail, b.y_rail, within) << shift;
+    EXPECT_NEAR(a.y_wheel, b.y_wheel, within) << shift;
+    EXPECT_NEAR(a.contact_angle, b.contact_angle, within) << shift;
+    EXPECT_LT(equal.placed.contact.geometry.variation(), within) << shift;
+    for (const double x : {-4.0, 0.0, 5.0})
+      for (const double y : {-2.0, 0.3, 3.0})
+        EXPECT_NEAR(equal.placed.contact.geometry.distance(x, y),
+                    plain.placed.contact.geometry.distance(x, y), within);
+    // As near as the solver's own tolerance.
+    EXPECT_NEAR(equal.point.normal_force, plain.point.normal_force,
+                1e-6 * plain.point.normal_force);
+    EXPECT_NEAR(equal.point.max_pressure, plain.point.max_pressure,
+                1e-6 * plain.point.max_pressure);
+    expect_alike(equal.point, plain.point, 1e-5);
+  }
 }
 
 }  // namespace
