@@ -180,6 +180,10 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
     : count_(sections.size()), turn_(turn) {
   if (sections.size() < 2) throw std::invalid_argument("a surface needs at least two sections");
   given_ = {sections.front().position, sections.back().position};
+  for (const PlacedSection& section : sections)
+    for (const double feature : section.features)
+      if (turn > 0.0 && std::isnan(feature))
+        throw std::invalid_argument("around a wheel every section needs all features");
   if (turn > 0.0) sections = continued(sections, turn);
   std::vector<std::vector<double>> bounds;
   for (const PlacedSection& section : sections) {
@@ -218,7 +222,6 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
         return part.having[0] == 0 && part.having[1] + 1 == sections.size();
       }))
     return;
-  if (turn > 0.0) throw std::invalid_argument("around a wheel all sections have all features");
   constexpr double far = std::numeric_limits<double>::infinity();
   for (const Part& part : parts) {
     const auto [first, last] = part.having;

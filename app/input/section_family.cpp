@@ -80,10 +80,13 @@ std::string sections_table(const ListedSections& family, const std::string& titl
     for (std::size_t part = 0; part < steps.size(); ++part)
       for (int k = 0; k <= steps[part]; ++k) {
         const double at = ends[part] + (ends[part + 1] - ends[part]) * k / steps[part];
-        const profiles::ProfilePoint place =
-            std::isnan(at) ? profiles::ProfilePoint{at, at} : section.curve.at(at);
-        text +=
-            fmt::format("{:g},{},{:.6f},{:.6f}\n", section.position, part + 1, place.y, place.z);
+        text += fmt::format("{:g},{},", section.position, part + 1);
+        if (std::isnan(at)) {
+          text += ",\n";
+          continue;
+        }
+        const profiles::ProfilePoint place = section.curve.at(at);
+        text += fmt::format("{:.6f},{:.6f}\n", place.y, place.z);
       }
   }
   return text;
