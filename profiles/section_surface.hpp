@@ -67,7 +67,8 @@ class SectionSurface {
   }
   /// Whether the part of this parameter does so there.
   bool exists(double way, double parameter) const;
-  double first() const { return given_[0]; }  ///< of the given sections
+  bool has_ends() const { return !presence_.empty(); }  ///< some part does not exist everywhere
+  double first() const { return given_[0]; }            ///< of the given sections
   double last() const { return given_[1]; }
   std::size_t sections() const { return count_; }
 

@@ -5,6 +5,7 @@
 #include "halfspace/model/model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
+#include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
 
 namespace {
@@ -205,6 +206,55 @@ TEST(AlongTheWay, EqualSectionsAreThePlainProfile) {
                 1e-6 * plain.point.max_pressure);
     expect_alike(equal.point, plain.point, 1e-5);
   }
+}
+
+/// A crown about y = -10, a groove, and another crown 5 mm lower about y = 40. The first one begins
+/// at x = 0: before it the sections begin in the groove.
+std::shared_ptr<const SectionSurface> head_that_begins() {
+  constexpr double groove = 10.0, from = 4.0, floor = 8.0, to = 13.0, second = 17.0;
+  const auto crown = [](double y) { return 5.0 + arc(head_radius, y - 40.0); };
+  const auto height = [&](double y) {
+    if (y < from) return arc(head_radius, y + 10.0);
+    if (y < floor) return groove * (y - from) / (floor - from);
+    if (y < to) return groove;
+    return y < second ? groove + (crown(second) - groove) * (y - to) / (second - to) : crown(y);
+  };
+  const auto slope = [&](double y) {
+    return y < from || y >= second ? arc_slope(head_radius, y + (y < from ? 10.0 : -40.0)) : 0.0;
+  };
+  std::vector<PlacedSection> sections;
+  for (const double x : {-200.0, -100.0, -10.0, 0.0, 60.0}) {
+    const bool lacks = x < 0.0;
+    sections.push_back({x,
+                        profile_of(height, slope, lacks ? floor : -40.0, 60.0),
+                        {lacks ? std::nan("") : floor, to}});
+  }
+  return std::make_shared<const SectionSurface>(std::move(sections), SectionSpline::through);
+}
+
+TEST(AlongTheWay, AHeadThatBeginsCarriesFromThereOn) {
+  const track::ProfilePair pair{profile(sphere, sphere_slope), profile(head, head_slope), nullptr,
+                                head_that_begins()};
+  contact::Case input = wheel_case();
+  input.wheelset.lateral_shift = {-10.0};
+  input.wheelset.track_position = {40.0};
+  const Found on_head = solved(input, pair);
+  EXPECT_NEAR(on_head.placed.contact.place.y_rail, -10.0, 1e-6);
+  EXPECT_NEAR(on_head.placed.contact.place.height, 0.0, 1e-9);
+  expect_alike(on_head.point,
+               of_curvatures(1.0 / wheel_radius, 1.0 / wheel_radius + 1.0 / head_radius), 1e-3);
+  // Farther before it than the wheel reaches, only the other one carries.
+  input.wheelset.track_position = {-150.0};
+  const Found before = solved(input, pair);
+  const double apart = 50.0, both = wheel_radius + head_radius;
+  // The middle of the patch, in which the slope changes.
+  EXPECT_NEAR(before.placed.contact.place.y_rail, 40.0 - apart * head_radius / both, 1e-3);
+  EXPECT_NEAR(before.placed.contact.place.height,
+              5.0 + both - std::sqrt(both * both - apart * apart), 1e-8);
+  // Where the wheel would stand on the edge at which it begins.
+  input.wheelset.track_position = {-20.0};
+  EXPECT_TRUE(says(refusal<contact::SolveError>([&] { solved(input, pair); }),
+                   "a head of the rail begins or ends", "do: let the sections"));
 }
 
 }  // namespace

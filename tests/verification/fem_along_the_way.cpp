@@ -11,6 +11,7 @@
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/mpi_environment.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
 
 namespace {

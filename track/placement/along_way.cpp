@@ -123,21 +123,33 @@ struct BodiesAlongWay::Rail {
   };
   std::vector<Row> rows;
 
-  const Row& nearest(double x) const {
+  /// The row nearest to x, or one beside it.
+  const Row& nearest(double x, double beside = 0.0) const {
     const double part = (x - rows.front().x) / (rows.back().x - rows.front().x);
     const double last = static_cast<double>(rows.size() - 1);
-    return rows[static_cast<std::size_t>(std::clamp(std::round(part * last), 0.0, last))];
+    return rows[static_cast<std::size_t>(std::clamp(std::round(part * last) + beside, 0.0, last))];
   }
   SlopedHeight height_in(const SurfaceFrame& frame, double x, double y) const;
+  SlopedHeight height_from(const Row& row, const SurfaceFrame& frame, double x, double y) const;
 };
 
-/// Newton's method for position along the track and parameter of the point over (x, y).
 SlopedHeight BodiesAlongWay::Rail::height_in(const SurfaceFrame& frame, double x, double y) const {
+  const double along = frame.origin[0] + x * frame.x[0] + y * frame.y[0];
+  SlopedHeight found = height_from(nearest(along), frame, x, y);
+  // Where a head begins the nearest row may lack it.
+  for (const double beside : {1.0, -1.0})
+    if (surface->has_ends() && !std::isfinite(found.z))
+      found = height_from(nearest(along, beside), frame, x, y);
+  return found;
+}
+
+/// Newton's method for position along the track and parameter of the point over (x, y).
+SlopedHeight BodiesAlongWay::Rail::height_from(const Row& row, const SurfaceFrame& frame, double x,
+                                               double y) const {
   const auto at_plane = [&](std::size_t d) {
     return frame.origin[d] + x * frame.x[d] + y * frame.y[d];
   };
   double along = at_plane(0);
-  const Row& row = nearest(along);
   const double aside = std::clamp(at_plane(1), row.parameter.first(), row.parameter.last());
   double parameter = row.parameter.at(aside).value;
   for (int step = 0; step < 30; ++step) {
@@ -260,14 +272,18 @@ BodiesAlongWay::Level BodiesAlongWay::level() const {
   std::vector<double> radii = part.z;
   for (double& z : radii) z += rolling_radius_;
   const contact::HeightCurve& head = rail_->nearest(axle_.point[0]).height;
-  Level level{level_frame(tread), {}, head.first() - tread[1], head.last() - tread[1], {}, {}};
+  Level level{level_frame(tread), {}, contact::infinity, -contact::infinity, {}, {}};
+  for (const Rail::Row& row : rail_->rows) {
+    level.rows.push_back(row.x);
+    level.first = std::min(level.first, row.height.first() - tread[1]);
+    level.last = std::max(level.last, row.height.last() - tread[1]);
+  }
   level.bodies = {upside_down(head, tread),
                   {part.y, radii, part.slope},
                   in_frame(axle_, level.frame),
-                  level.first,
-                  level.last};
+                  std::min(level.first, -1.0),
+                  std::max(level.last, 1.0)};
   level.bodies.set_surfaces(rail_in(level.frame), wheel_around(0.0, 0.0));
-  for (const auto& row : rail_->rows) level.rows.push_back(row.x);
   for (const double y : head.knots()) level.pieces.push_back(y - tread[1]);
   for (std::size_t k = 0; k < part.y.size(); ++k)
     level.pieces.push_back(axle_.point[1] + part.y[k] * axle_.direction[1] + radii[k] * down[1] -

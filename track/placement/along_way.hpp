@@ -66,6 +66,8 @@ class BodiesAlongWay {
 
   const contact::Axle& axle() const { return axle_; }
   bool rail_changes() const { return sections_.rail != nullptr; }
+  /// Whether heads of the rail begin or end along the track.
+  bool heads_end() const { return rail_changes() && sections_.rail->has_ends(); }
   bool wheel_changes() const { return sections_.wheel != nullptr; }
   /// Heights of the rail in a frame; empty where it does not change.
   contact::RailSurface rail_in(const SurfaceFrame& frame) const;

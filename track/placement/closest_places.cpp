@@ -61,27 +61,33 @@ struct BodiesAlongWay::GapAlong {
 
   double at(double x) const { return level.bodies.distance(x, y); }
   double slope(double x) const {
-    return wheel_at(level.bodies, x, y).along - along_way.rail_at(level, x, y).along;
+    const SlopedHeight wheel = wheel_at(level.bodies, x, y), rail = along_way.rail_at(level, x, y);
+    return std::isfinite(wheel.z - rail.z) ? wheel.along - rail.along : contact::infinity;
   }
 
-  /// The lowest place between two x, by the secant method on the slope. `bend`: about its change.
+  /// The lowest place between two x, by the secant method on the slope; it may be where a head
+  /// begins or ends. `bend`: about the change of the slope.
   std::optional<double> lowest(double lower, double start, double upper, double bend) const {
-    double x = start, before = 0.0, slope_before = 0.0;
-    for (int round = 0; round < 50; ++round) {
+    constexpr double close = 1e-8;  // mm
+    double x = start, before = start, slope_before = contact::infinity;
+    for (int round = 0; round < 60; ++round) {
       const double here = slope(x);
-      if (!std::isfinite(here)) return {};
-      if (round > 0 && (here - slope_before) * (x - before) > 0.0)
+      if (std::isinf(here)) {
+        if (std::abs(x - before) < close) break;
+        (x < before ? lower : upper) = x;
+        x = 0.5 * (x + before);
+        continue;
+      }
+      if (x != before && (here - slope_before) * (x - before) > 0.0)
         bend = (here - slope_before) / (x - before);
-      (here > 0.0 ? upper : lower) = x;
-      double next = x - here / bend;
-      if (std::abs(next - x) < 1e-8) return next;
-      if (!(next > lower && next < upper)) next = 0.5 * (lower + upper);
-      if (upper - lower < 1e-8) return next;
-      before = x;
+      (here > 0.0 ? upper : lower) = before = x;
       slope_before = here;
-      x = next;
+      const double next = x - here / bend;
+      if (std::abs(next - x) < close) return next;
+      if (upper - lower < close) return x;
+      x = next > lower && next < upper ? next : 0.5 * (lower + upper);
     }
-    return x;
+    return std::isinf(slope_before) ? std::nullopt : std::optional(before);
   }
 
   /// Rows at which the gap is a local minimum among them.
@@ -98,6 +104,7 @@ struct BodiesAlongWay::GapAlong {
   /// Radius of the circle that opens as much at `wide` to both sides of x.
   double relative_radius(double x, double wide, double most) const {
     const double opening = 0.5 * (at(x - wide) + at(x + wide)) - at(x);
+    if (!std::isfinite(opening)) return along_way.rolling_radius_;
     return 2.0 * opening * most > wide * wide + opening * opening
                ? 0.5 * (wide * wide / opening + opening)
                : most;
