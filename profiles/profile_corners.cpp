@@ -183,16 +183,10 @@ std::vector<std::size_t> kinks_of(const PointRow& row) {
   ProfilePoints points;
   for (std::size_t k = 0; k < row.y.size(); ++k) points.list.push_back({row.y[k], row.z[k], 0});
   const std::vector<char> found = corners(points, ProfileSource{}.largest_kink, 0.0);
-  const auto sharper = [&](std::size_t a, std::size_t b) {
-    return std::abs(turn(points, a - 1, a, a + 1)) > std::abs(turn(points, b - 1, b, b + 1));
-  };
   std::vector<std::size_t> kinks;
-  for (std::size_t k = 1; k < found.size(); ++k) {
-    if (found[k] != kink) continue;
-    if (found[k - 1] != kink)
-      kinks.push_back(k);
-    else if (sharper(k, kinks.back()))
-      kinks.back() = k;
+  for (std::size_t k = 1, first = 0; k + 1 < found.size(); ++k) {
+    if (found[k] == kink && found[k - 1] != kink) first = k;
+    if (found[k] == kink && found[k + 1] != kink) kinks.push_back((first + k) / 2);
   }
   return kinks;
 }

@@ -20,16 +20,11 @@ constexpr std::ptrdiff_t sections_beyond = 6;
 /// Rejects features that do not lie in a section one after the other.
 void check_ends(const std::vector<double>& ends) {
   double last = -std::numeric_limits<double>::infinity();
-  std::size_t known = 0;
   for (const double end : ends) {
-    if (std::isnan(end)) continue;
-    if (!(end > last))
+    if (end <= last)
       throw std::invalid_argument("the features of a section must lie within it and increase");
-    last = end;
-    ++known;
+    if (!std::isnan(end)) last = end;
   }
-  if (ends.size() > 2 && known < 3)
-    throw std::invalid_argument("a section needs at least one of the features");
 }
 
 /// A part of all sections: the section from which it takes its nodes, that with most knots in it,
@@ -218,20 +213,17 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
       z_.across.push_back(pace * at.z.slope);
     }
   for (Nodes* coordinate : {&y_, &z_}) run_along_way(spline, having, *coordinate);
-  if (std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
-        return part.having[0] == 0 && part.having[1] + 1 == sections.size();
-      }))
-    return;
-  constexpr double far = std::numeric_limits<double>::infinity();
-  for (const Part& part : parts) {
-    const auto [first, last] = part.having;
-    presence_.push_back(
-        {part.start, first == 0 ? -far : way_[first], last + 1 == way_.size() ? far : way_[last]});
-  }
-  for (std::size_t i = 0; i + 1 < sections.size(); ++i)
-    if (std::none_of(parts.begin(), parts.end(),
-                     [&](const Part& part) { return part.having[0] <= i && part.having[1] > i; }))
+  for (std::size_t i = 1; i < sections.size(); ++i)
+    if (std::none_of(having.begin(), having.end(),
+                     [i](const auto& node) { return node[0] < i && node[1] >= i; }))
       throw std::invalid_argument("two neighbouring sections have no part in common");
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const std::size_t last = sections.size() - 1;
+  for (const auto& [begins, ends] : having)
+    presence_.push_back({begins == 0 ? -far : way_[begins], ends == last ? far : way_[ends]});
+  if (std::all_of(having.begin(), having.end(),
+                  [last](const auto& node) { return node[0] == 0 && node[1] == last; }))
+    presence_.clear();
 }
 
 void SectionSurface::run_along_way(SectionSpline spline,
@@ -273,9 +265,8 @@ void SectionSurface::run_along_way(SectionSpline spline,
 
 bool SectionSurface::exists(double way, double parameter) const {
   if (presence_.empty()) return true;
-  auto part = presence_.begin();
-  while (part + 1 != presence_.end() && parameter > (part + 1)->start) ++part;
-  return way >= part->from && way <= part->to;
+  const auto [from, to] = presence_[cell_of(parameter_, parameter).node];
+  return way >= from && way <= to;
 }
 
 SectionSurface::Cell SectionSurface::cell_of(const std::vector<double>& at, double place) {

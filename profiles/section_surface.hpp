@@ -82,10 +82,6 @@ class SectionSurface {
     std::size_t node;
     double length, fraction;
   };
-  /// Where a part of the surface begins and from which way to which it exists.
-  struct Presence {
-    double start, from, to;
-  };
   /// `having`: the first and the last section that have each node.
   void run_along_way(SectionSpline spline, const std::vector<std::array<std::size_t, 2>>& having,
                      Nodes& nodes) const;
@@ -97,7 +93,8 @@ class SectionSurface {
   std::size_t count_ = 0;
   double turn_ = 0.0;
   Nodes y_, z_;
-  std::vector<Presence> presence_;  ///< of the parts; empty where all exist everywhere
+  /// From which way to which the part of each node exists; empty where all do everywhere.
+  std::vector<std::array<double, 2>> presence_;
 };
 
 /// The sections listed by the file that the source names (ProfileSource::lists_sections), each read

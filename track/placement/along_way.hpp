@@ -25,8 +25,6 @@ struct LocusPoint {
   double rail_z = 0.0, wheel_z = 0.0;          ///< mm
   double along = 0.0;                          ///< dz/dx of both
   double rail_slope = 0.0, wheel_slope = 0.0;  ///< dz/dy at this x
-  double profile_y = 0.0;                      ///< mm, of the wheel
-  double radius = 0.0;                         ///< mm, from its axle
   double relative_radius = 0.0;  ///< mm, of the parabola along x that is as wide at 0.1 mm
 };
 

@@ -135,9 +135,6 @@ std::optional<LocusPoint> BodiesAlongWay::point_at(const Level& level, double y,
   point.along = -rail.along;
   point.rail_slope = -rail.across;
   point.wheel_slope = -wheel.across;
-  const contact::AxlePlace at = contact::axle_place(axle_, {point.x, point.y, point.wheel_z});
-  point.profile_y = at.axial;
-  point.radius = at.radius;
   constexpr double depth = 0.1, most_times = 50.0;
   point.relative_radius = gap.relative_radius(point.x, std::sqrt(2.0 * rolling_radius_ * depth),
                                               most_times * rolling_radius_);

@@ -133,7 +133,7 @@ TEST(SectionFeatures, WhatCorrespondsInNoWayIsRefused) {
   std::vector<PlacedSection> sections = placed({head(30.0).curve(), rise.curve()});
   const std::string wrong =
       refusal<std::invalid_argument>([&] { profiles::find_features(sections); });
-  EXPECT_TRUE(says(wrong, "do not correspond: 1 at 10 (y = 35.66), 1 at 0 (y = 35.66)",
+  EXPECT_TRUE(says(wrong, "the 1 bends and kinks of the section at 10 do not correspond",
                    "give the arc lengths", "- for one that a section lacks"));
 }
 
@@ -188,8 +188,8 @@ TEST(SectionParts, WrongOnesAreRefused) {
     section.features = section.position < 20.0 ? std::vector{missing, missing, 10.0}
                                                : std::vector{-10.0, missing, missing};
   EXPECT_TRUE(says(refused(apart), "no part in common"));
-  for (PlacedSection& section : apart) section.features = {missing, missing};
-  EXPECT_TRUE(says(refused(apart), "at least one of the features"));
+  for (PlacedSection& section : apart) section.features = {5.0, missing, 10.0};
+  EXPECT_TRUE(says(refused(apart), "no section has two neighbouring features"));
   EXPECT_TRUE(says(refused(beginning_head(), 45.0), "around a wheel"));
 }
 
