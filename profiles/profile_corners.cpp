@@ -179,6 +179,18 @@ double least_smoothing(const ProfilePoints& points, const ProfileSource& source)
   return 0.0;
 }
 
+std::vector<std::size_t> kinks_of(const PointRow& row) {
+  ProfilePoints points;
+  for (std::size_t k = 0; k < row.y.size(); ++k) points.list.push_back({row.y[k], row.z[k], 0});
+  const std::vector<char> found = corners(points, ProfileSource{}.largest_kink, 0.0);
+  std::vector<std::size_t> kinks;
+  for (std::size_t k = 1, first = 0; k + 1 < found.size(); ++k) {
+    if (found[k] == kink && found[k - 1] != kink) first = k;
+    if (found[k] == kink && found[k + 1] != kink) kinks.push_back((first + k) / 2);
+  }
+  return kinks;
+}
+
 void treat_corners(ProfilePoints& points, const ProfileSource& source) {
   const std::vector<char> found = corners(points, source.largest_kink, source.smoothing);
   if (!has(found, kink) && !has(found, step)) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files that list the sections of a body: position, file and, if wanted, the arc lengths of
-// features in a line; or CONTACT's slices (.slcs of a rail, .slcw of a wheel; user guide, "Variable
-// profiles").
+// features in a line, "-" of one that the section lacks; or CONTACT's slices (.slcs of a rail,
+// .slcw of a wheel; user guide, "Variable profiles").
 #include "profiles/section_list.hpp"
 
 #include "contact/base/errors.hpp"
@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -72,6 +73,10 @@ class Rows {
            "a number", "correct it");
     return *value;
   }
+  /// An arc length, NaN of a feature that is missing.
+  double feature(const std::string& field) const {
+    return field == "-" ? std::numeric_limits<double>::quiet_NaN() : number(field);
+  }
   int count(const std::string& field) const {
     constexpr double most = 1e4;
     const double value = number(field);
@@ -100,7 +105,7 @@ SectionList read_rows(std::string_view text, const std::string& name) {
     const auto& fields = rows.take(2, "position and file");
     Listed section{rows.number(fields[0]), fields[1], {}, line};
     for (std::size_t k = 2; k < fields.size(); ++k)
-      section.features.push_back(rows.number(fields[k]));
+      section.features.push_back(rows.feature(fields[k]));
     list.sections.push_back(std::move(section));
   }
   return list;
@@ -131,22 +136,22 @@ SectionList read_slices(std::string_view text, const std::string& name) {
     section.line = line;
     // The first and the last are the ends of the section.
     for (int f = 2; f < features; ++f)
-      section.features.push_back(rows.number(fields[static_cast<std::size_t>(f)]));
+      section.features.push_back(rows.feature(fields[static_cast<std::size_t>(f)]));
   }
   return list;
 }
 
-/// Parameters of a curve at arc lengths from its start.
+/// Parameters of a curve at arc lengths from its start; NaN remains. Stops at one beyond its end.
 std::vector<double> at_lengths(const ProfileCurve& curve, const std::vector<double>& lengths) {
   std::vector<double> result;
   const std::vector<double> places = dense_parameters(curve, 0.05);
   double way = 0.0;
-  std::size_t next = 0;
-  for (std::size_t k = 1; k < places.size() && next < lengths.size(); ++k) {
+  for (std::size_t k = 1; k < places.size() && result.size() < lengths.size(); ++k) {
     const ProfilePoint a = curve.at(places[k - 1]), b = curve.at(places[k]);
     const double step = std::hypot(b.y - a.y, b.z - a.z);
-    for (; next < lengths.size() && way + step > lengths[next]; ++next)
-      result.push_back(places[k - 1] + (lengths[next] - way) / step * (places[k] - places[k - 1]));
+    while (result.size() < lengths.size() && !(way + step <= lengths[result.size()]))
+      result.push_back(places[k - 1] +
+                       (lengths[result.size()] - way) / step * (places[k] - places[k - 1]));
     way += step;
   }
   return result;
@@ -165,7 +170,7 @@ void check_list(const SectionList& list, const std::string& name) {
     if (here.features.size() != before.features.size())
       fail(name, here.line, fmt::format("{} features", here.features.size()),
            fmt::format("{}, as many for each section", before.features.size()),
-           "give the same features for each section");
+           "give the same features for each section, - for one that it lacks");
   }
 }
 
@@ -179,7 +184,7 @@ ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
   const bool plain = std::filesystem::path(source.name).extension() == ".sections";
   const SectionList list = plain ? read_rows(text, source.name) : read_slices(text, source.name);
   check_list(list, source.name);
-  ListedSections read{{}, list.spline, false};
+  ListedSections read{{}, list.spline, false, list.sections.front().features.empty()};
   for (const Listed& listed : list.sections) {
     contact::ProfileSource one = source;
     one.name = (std::filesystem::path(source.name).parent_path() / listed.file).string();
@@ -190,6 +195,11 @@ ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
            "arc lengths from the start of the section, mm", "correct it");
     read.sections.push_back(std::move(section));
   }
+  if (read.found) try {
+      find_features(read.sections);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(fmt::format("{}: {}", source.name, error.what()));
+    }
   const double way = read.sections.back().position - read.sections.front().position;
   read.around = wheel && std::abs(way - 2.0 * contact::pi) < 1e-3;
   return read;

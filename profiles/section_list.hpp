@@ -9,14 +9,22 @@
 
 namespace rollfem::profiles {
 
-/// Parameters at which the parts of a section begin and end.
+/// Parameters at which the parts of a section begin and end, NaN of a part that it lacks.
 std::vector<double> ends_of_parts(const PlacedSection& section);
 
 struct ListedSections {
   std::vector<PlacedSection> sections;
   SectionSpline spline = SectionSpline::through;
   bool around = false;  ///< a wheel described over a full turn
+  bool found = false;   ///< the features, which the list does not give
 };
+
+/// Finds the features of sections: the middle of every bend from level (up to 30 degrees) to steep
+/// (from 60 degrees) or back, where a head, a flank or the floor of a groove ends, and kinks. Where
+/// sections have different numbers of them, those of the section with most are compared by kind,
+/// order and place from neighbour to neighbour. Throws std::invalid_argument where that is
+/// ambiguous.
+void find_features(std::vector<PlacedSection>& sections);
 
 /// The list that the source names, each section read and repaired as the source says. Throws
 /// contact::InputError with file and line.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -17,34 +19,50 @@ constexpr std::ptrdiff_t sections_beyond = 6;
 
 /// Rejects features that do not lie in a section one after the other.
 void check_ends(const std::vector<double>& ends) {
-  for (std::size_t k = 1; k < ends.size(); ++k)
-    if (!(ends[k] > ends[k - 1]))
+  double last = -std::numeric_limits<double>::infinity();
+  for (const double end : ends) {
+    if (end <= last)
       throw std::invalid_argument("the features of a section must lie within it and increase");
+    if (!std::isnan(end)) last = end;
+  }
 }
 
 /// A part of all sections: the section from which it takes its nodes, that with most knots in it,
-/// and where it begins on the surface.
+/// where it begins on the surface, and the first and the last section that have it.
 struct Part {
   std::size_t master = 0;
   double from = 0.0, length = 0.0;  ///< parameters of the master
   double start = 0.0;               ///< parameter of the surface
+  std::array<std::size_t, 2> having{};
 };
+
+bool has_part(const std::vector<double>& ends, std::size_t k) {
+  return !std::isnan(ends[k] + ends[k + 1]);
+}
 
 std::vector<Part> parts_of(const std::vector<PlacedSection>& sections,
                            const std::vector<std::vector<double>>& bounds) {
   std::vector<Part> parts;
-  double start = bounds.front().front();
+  double start = 0.0;
   for (std::size_t k = 0; k + 1 < bounds.front().size(); ++k) {
     Part part;
     std::ptrdiff_t most = -1;
     for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (!has_part(bounds[i], k)) continue;
+      if (most >= 0 && part.having[1] + 1 < i)
+        throw std::invalid_argument("a part between two features begins again where it had ended");
+      if (most < 0) part.having[0] = i;
+      part.having[1] = i;
       const auto& knots = sections[i].curve.knots().parameter;
       const auto from = std::upper_bound(knots.begin(), knots.end(), bounds[i][k]);
       const std::ptrdiff_t inside = std::lower_bound(from, knots.end(), bounds[i][k + 1]) - from;
       if (inside > most) most = inside, part.master = i;
     }
+    if (most < 0)
+      throw std::invalid_argument("no section has two neighbouring features between which it lies");
     part.from = bounds[part.master][k];
     part.length = bounds[part.master][k + 1] - part.from;
+    if (k == 0) start = part.from;
     part.start = start;
     start += part.length;
     parts.push_back(part);
@@ -60,12 +78,16 @@ struct Node {
 
 std::vector<Node> nodes_of(const std::vector<PlacedSection>& sections,
                            const std::vector<Part>& parts) {
-  std::vector<Node> nodes{{0, 0.0}};
+  std::vector<Node> nodes;
   for (std::size_t k = 0; k < parts.size(); ++k) {
+    // Each part has its own ends: its parameter runs at another pace than that of its neighbour.
+    constexpr double apart = 1e-4, most_apart = 0.01;  // mm, of the length
+    nodes.push_back({k, k == 0 ? 0.0 : std::min(apart / parts[k].length, most_apart)});
     for (const double knot : sections[parts[k].master].curve.knots().parameter) {
       const double fraction = (knot - parts[k].from) / parts[k].length;
       constexpr double same = 1e-9;
-      if (fraction > same && fraction < 1.0 - same) nodes.push_back({k, fraction});
+      if (fraction > nodes.back().fraction + same && fraction < 1.0 - same)
+        nodes.push_back({k, fraction});
     }
     nodes.push_back({k, 1.0});
   }
@@ -103,10 +125,10 @@ std::vector<PlacedSection> continued(const std::vector<PlacedSection>& once, dou
 /// Slopes at the knots of the natural cubic spline through `count` values `step` apart in a list.
 class NaturalSpline {
  public:
-  explicit NaturalSpline(const std::vector<double>& at) : at_(at), pivot_(at.size()) {
+  explicit NaturalSpline(std::vector<double> at) : at_(std::move(at)), pivot_(at_.size()) {
     // Equations of the slopes m: h_k m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_{k-1} m_{k+1} = ...
     pivot_[0] = 2.0;
-    for (std::size_t k = 1; k < at.size(); ++k)
+    for (std::size_t k = 1; k < at_.size(); ++k)
       pivot_[k] = diagonal(k) - lower(k) * upper(k - 1) / pivot_[k - 1];
   }
   void slopes(const double* values, std::size_t step, double* slopes) const {
@@ -132,8 +154,7 @@ class NaturalSpline {
   double lower(std::size_t k) const { return end(k) ? 1.0 : length(k); }
   double upper(std::size_t k) const { return end(k) ? 1.0 : length(k - 1); }
 
-  const std::vector<double>& at_;
-  std::vector<double> pivot_;
+  std::vector<double> at_, pivot_;
 };
 
 }  // namespace
@@ -142,6 +163,10 @@ std::vector<double> ends_of_parts(const PlacedSection& section) {
   std::vector<double> ends{section.curve.first()};
   ends.insert(ends.end(), section.features.begin(), section.features.end());
   ends.push_back(section.curve.last());
+  for (std::size_t k = 1; k + 1 < ends.size() && std::isnan(ends[k]); ++k)
+    std::swap(ends[k - 1], ends[k]);
+  for (std::size_t k = ends.size() - 2; k > 0 && std::isnan(ends[k]); --k)
+    std::swap(ends[k], ends[k + 1]);
   return ends;
 }
 
@@ -150,6 +175,10 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
     : count_(sections.size()), turn_(turn) {
   if (sections.size() < 2) throw std::invalid_argument("a surface needs at least two sections");
   given_ = {sections.front().position, sections.back().position};
+  for (const PlacedSection& section : sections)
+    for (const double feature : section.features)
+      if (turn > 0.0 && std::isnan(feature))
+        throw std::invalid_argument("around a wheel every section needs all features");
   if (turn > 0.0) sections = continued(sections, turn);
   std::vector<std::vector<double>> bounds;
   for (const PlacedSection& section : sections) {
@@ -167,10 +196,15 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
     const Part& part = parts[node.part];
     parameter_.push_back(part.start + node.fraction * part.length);
   }
+  std::vector<std::array<std::size_t, 2>> having;
+  for (const Node& node : nodes) having.push_back(parts[node.part].having);
   for (std::size_t i = 0; i < sections.size(); ++i)
-    for (const Node& node : nodes) {
-      const double from = bounds[i][node.part], length = bounds[i][node.part + 1] - from;
-      const Passed at = passed(sections[i].curve, from + node.fraction * length);
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      const Node& node = nodes[j];
+      // Where its part does not exist a node is where it is in the nearest section.
+      const std::size_t near = std::clamp(i, having[j][0], having[j][1]);
+      const double from = bounds[near][node.part], length = bounds[near][node.part + 1] - from;
+      const Passed at = passed(sections[near].curve, from + node.fraction * length);
       // The parameter of the surface runs through the part at the pace of its master.
       const double pace = length / parts[node.part].length;
       y_.value.push_back(at.y.value);
@@ -178,28 +212,45 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
       y_.across.push_back(pace * at.y.slope);
       z_.across.push_back(pace * at.z.slope);
     }
-  for (Nodes* coordinate : {&y_, &z_}) run_along_way(spline, *coordinate);
+  for (Nodes* coordinate : {&y_, &z_}) run_along_way(spline, having, *coordinate);
+  for (std::size_t i = 1; i < sections.size(); ++i)
+    if (std::none_of(having.begin(), having.end(),
+                     [i](const auto& node) { return node[0] < i && node[1] >= i; }))
+      throw std::invalid_argument("two neighbouring sections have no part in common");
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const std::size_t last = sections.size() - 1;
+  for (const auto& [begins, ends] : having)
+    presence_.push_back({begins == 0 ? -far : way_[begins], ends == last ? far : way_[ends]});
+  if (std::all_of(having.begin(), having.end(),
+                  [last](const auto& node) { return node[0] == 0 && node[1] == last; }))
+    presence_.clear();
 }
 
-void SectionSurface::run_along_way(SectionSpline spline, Nodes& nodes) const {
-  const std::size_t step = parameter_.size(), n = way_.size();
-  const NaturalSpline natural(way_);
+void SectionSurface::run_along_way(SectionSpline spline,
+                                   const std::vector<std::array<std::size_t, 2>>& having,
+                                   Nodes& nodes) const {
+  const std::size_t step = parameter_.size();
+  std::optional<NaturalSpline> natural;
   const auto run = [&](std::vector<double>& values, std::vector<double>& slopes) {
-    slopes.resize(values.size());
+    slopes.assign(values.size(), 0.0);
     const std::vector<double> given = values;
     for (std::size_t j = 0; j < step; ++j) {
+      const auto [first, last] = having[j];
+      if (first == last) continue;
       if (spline == SectionSpline::through) {
-        natural.slopes(&values[j], step, &slopes[j]);
+        if (j == 0 || having[j] != having[j - 1])
+          natural.emplace(
+              std::vector<double>(way_.begin() + static_cast<std::ptrdiff_t>(first),
+                                  way_.begin() + static_cast<std::ptrdiff_t>(last) + 1));
+        natural->slopes(&values[first * step + j], step, &slopes[first * step + j]);
         continue;
       }
-      for (std::size_t k = 0; k < n; ++k) {
-        const auto chord = [&](std::size_t i) {
-          return (given[(i + 1) * step + j] - given[i * step + j]) / (way_[i + 1] - way_[i]);
-        };
-        if (k == 0 || k + 1 == n) {
-          slopes[k * step + j] = chord(k == 0 ? 0 : n - 2);
-          continue;
-        }
+      const auto chord = [&, j = j](std::size_t i) {
+        return (given[(i + 1) * step + j] - given[i * step + j]) / (way_[i + 1] - way_[i]);
+      };
+      slopes[first * step + j] = chord(first);
+      slopes[last * step + j] = chord(last - 1);
+      for (std::size_t k = first + 1; k < last; ++k) {
         // The cubic B-spline with equal steps, by the parabola through three sections.
         const double before = way_[k] - way_[k - 1], after = way_[k + 1] - way_[k];
         const double bend = (chord(k) - chord(k - 1)) / (before + after);
@@ -210,6 +261,12 @@ void SectionSurface::run_along_way(SectionSpline spline, Nodes& nodes) const {
   };
   run(nodes.value, nodes.value_way);
   run(nodes.across, nodes.across_way);
+}
+
+bool SectionSurface::exists(double way, double parameter) const {
+  if (presence_.empty()) return true;
+  const auto [from, to] = presence_[cell_of(parameter_, parameter).node];
+  return way >= from && way <= to;
 }
 
 SectionSurface::Cell SectionSurface::cell_of(const std::vector<double>& at, double place) {
@@ -258,18 +315,22 @@ SurfacePoint SectionSurface::at(double way, double parameter) const {
 ProfileCurve SectionSurface::section(double way) const {
   const Cell along = cell_of(way_, known_way(way));
   const std::size_t step = parameter_.size();
-  const auto between = [&](const std::vector<double>& values, const std::vector<double>& slopes) {
-    std::vector<double> result(step);
-    for (std::size_t j = 0; j < step; ++j) {
+  ProfileKnots knots;
+  for (std::size_t j = 0; j < step; ++j) {
+    if (!exists(way, parameter_[j])) continue;
+    const auto between = [&](const std::vector<double>& values, const std::vector<double>& slopes) {
       const std::size_t a = along.node * step + j, b = a + step;
-      result[j] =
-          contact::hermite(along.length, along.fraction, values[a], values[b], slopes[a], slopes[b])
-              .value;
-    }
-    return result;
-  };
-  return ProfileCurve({parameter_, between(y_.value, y_.value_way), between(z_.value, z_.value_way),
-                       between(y_.across, y_.across_way), between(z_.across, z_.across_way)});
+      return contact::hermite(along.length, along.fraction, values[a], values[b], slopes[a],
+                              slopes[b])
+          .value;
+    };
+    knots.parameter.push_back(parameter_[j]);
+    knots.y.push_back(between(y_.value, y_.value_way));
+    knots.z.push_back(between(z_.value, z_.value_way));
+    knots.dy.push_back(between(y_.across, y_.across_way));
+    knots.dz.push_back(between(z_.across, z_.across_way));
+  }
+  return ProfileCurve(std::move(knots));
 }
 
 bool SectionSurface::height(double way, double y, double start, SurfaceHeight& found) const {
@@ -281,6 +342,7 @@ bool SectionSurface::height(double way, double y, double start, SurfaceHeight& f
     parameter += change;
     if (!has_parameter(parameter)) return false;
     if (std::abs(change) > 1e-13 * (1.0 + std::abs(parameter))) continue;
+    if (!exists(way, parameter)) return false;
     const double by_y = point.z_across / point.y_across;
     found = {point.z + by_y * (y - point.y), point.z_way - by_y * point.y_way, by_y, parameter};
     return true;

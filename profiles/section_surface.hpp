@@ -3,7 +3,9 @@
 // track (crossing, switch), a wheel over the angle about its axle (flat, polygon). Sections
 // correspond to each other by features at which parts begin and end; within a part by the fraction
 // of its arc length. From section to section every point runs along a cubic spline, so that a
-// linear change is exact; beyond the first and the last section nothing changes.
+// linear change is exact; beyond the first and the last section nothing changes. A part that only
+// some neighbouring sections have, as a nose that begins, exists from the first to the last of
+// them.
 #pragma once
 
 #include "contact/case/track.hpp"
@@ -20,7 +22,9 @@ namespace rollfem::profiles {
 struct PlacedSection {
   double position = 0.0;  ///< mm along the track, or rad about the axle
   ProfileCurve curve;
-  /// Parameters of the curve at which parts end, without its ends; as many for each section.
+  /// Parameters of the curve at which parts end, without its ends; as many for each section, NaN
+  /// where it lacks one. A part exists where both of its ends do; an end of the section stands for
+  /// the nearest of the features that are missing there.
   std::vector<double> features;
 };
 
@@ -50,7 +54,7 @@ class SectionSurface {
   SectionSurface(std::vector<PlacedSection> sections, SectionSpline spline, double turn = 0.0);
 
   SurfacePoint at(double way, double parameter) const;
-  /// The section there, with the parameters of this surface.
+  /// The parts of the section that exist there, with the parameters of this surface.
   ProfileCurve section(double way) const;
   /// The surface at this y near the parameter `start`, by Newton's method; false where the section
   /// is steeper than a height curve allows or there is none.
@@ -61,7 +65,10 @@ class SectionSurface {
   bool has_parameter(double parameter) const {
     return parameter >= parameter_.front() && parameter <= parameter_.back();
   }
-  double first() const { return given_[0]; }  ///< of the given sections
+  /// Whether the part of this parameter does so there.
+  bool exists(double way, double parameter) const;
+  bool has_ends() const { return !presence_.empty(); }  ///< some part does not exist everywhere
+  double first() const { return given_[0]; }            ///< of the given sections
   double last() const { return given_[1]; }
   std::size_t sections() const { return count_; }
 
@@ -75,7 +82,9 @@ class SectionSurface {
     std::size_t node;
     double length, fraction;
   };
-  void run_along_way(SectionSpline spline, Nodes& nodes) const;
+  /// `having`: the first and the last section that have each node.
+  void run_along_way(SectionSpline spline, const std::vector<std::array<std::size_t, 2>>& having,
+                     Nodes& nodes) const;
   static Cell cell_of(const std::vector<double>& at, double place);
   double known_way(double way) const;
 
@@ -84,6 +93,8 @@ class SectionSurface {
   std::size_t count_ = 0;
   double turn_ = 0.0;
   Nodes y_, z_;
+  /// From which way to which the part of each node exists; empty where all do everywhere.
+  std::vector<std::array<double, 2>> presence_;
 };
 
 /// The sections listed by the file that the source names (ProfileSource::lists_sections), each read

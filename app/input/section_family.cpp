@@ -41,16 +41,25 @@ std::string sections_text(const ListedSections& family, const std::string& title
   line("between sections", family.spline == profiles::SectionSpline::through
                                ? "every point follows a cubic spline through them"
                                : "every point follows a spline that rounds kinks");
+  const std::size_t count = first.features.size();
   line("features",
-       first.features.empty()
-           ? "none: points correspond by the fraction of the whole arc length"
-           : fmt::format("{} in each section; their ways, y, z in mm:", first.features.size()));
-  for (std::size_t k = 0; k < first.features.size(); ++k) {
+       count == 0 ? "none: points correspond by the fraction of the whole arc length"
+                  : fmt::format("{} {}; their ways, y, z in mm:", count,
+                                family.found ? "found, bends and kinks" : "given in the list"));
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto has = [&](const PlacedSection& section) { return !std::isnan(section.features[k]); };
+    const auto from = std::find_if(sections.begin(), sections.end(), has);
+    if (from == sections.end()) continue;
+    const PlacedSection &start = *from,
+                        &end = *std::find_if(sections.rbegin(), sections.rend(), has);
     const auto at = [&](const PlacedSection& section) {
       const profiles::ProfilePoint place = section.curve.at(section.features[k]);
       return fmt::format("{:9.3f},{:8.3f}", place.y, place.z);
     };
-    text += fmt::format("    {:<34}{}  -> {}\n", k + 1, at(first), at(last));
+    text += fmt::format("    {:<34}{}  -> {}{}\n", k + 1, at(start), at(end),
+                        has(first) && has(last)
+                            ? ""
+                            : fmt::format("  from {:g} to {:g}", start.position, end.position));
   }
   return text;
 }
@@ -61,8 +70,8 @@ std::string sections_table(const ListedSections& family, const std::string& titl
   for (const PlacedSection& section : family.sections) {
     const std::vector<double> ends = ends_of_parts(section);
     for (std::size_t part = 0; part < steps.size(); ++part)
-      steps[part] = std::max(steps[part],
-                             static_cast<int>(std::ceil((ends[part + 1] - ends[part]) / spacing)));
+      if (const double length = ends[part + 1] - ends[part]; length > 0.0)
+        steps[part] = std::max(steps[part], static_cast<int>(std::ceil(length / spacing)));
   }
   std::string text =
       fmt::format("# {}\nposition [{}],part [-],y [mm],z [mm]\n", title, wheel ? "rad" : "mm");
@@ -71,9 +80,13 @@ std::string sections_table(const ListedSections& family, const std::string& titl
     for (std::size_t part = 0; part < steps.size(); ++part)
       for (int k = 0; k <= steps[part]; ++k) {
         const double at = ends[part] + (ends[part + 1] - ends[part]) * k / steps[part];
+        text += fmt::format("{:g},{},", section.position, part + 1);
+        if (std::isnan(at)) {
+          text += ",\n";
+          continue;
+        }
         const profiles::ProfilePoint place = section.curve.at(at);
-        text +=
-            fmt::format("{:g},{},{:.6f},{:.6f}\n", section.position, part + 1, place.y, place.z);
+        text += fmt::format("{:.6f},{:.6f}\n", place.y, place.z);
       }
   }
   return text;

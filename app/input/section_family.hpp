@@ -13,7 +13,8 @@ std::string sections_text(const profiles::ListedSections& family, const std::str
                           bool wheel);
 
 /// A table (CSV) of all sections: position, number of the part between features, y and z. A part
-/// has as many points in each section, so that equal rows of sections correspond.
+/// has as many points in each section, so that equal rows of sections correspond;
+/// empty cells where a section lacks it.
 std::string sections_table(const profiles::ListedSections& family, const std::string& title,
                            bool wheel);
 

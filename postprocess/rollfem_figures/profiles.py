@@ -103,6 +103,24 @@ MOST_SECTIONS = 7
 SECTION_COLOURS = ("ink", "violet", "blue", "sky", "green", "amber", "red")
 
 
+def _without_gaps(position, y, z):
+    """Rows of sections without what they lack (nan): its points coincide with the nearest one that a section has. A part
+    begins or ends at a section, where the row is there twice, with and without it."""
+    rows = [(position[0], y[0], z[0])]
+    for k in range(1, len(y)):
+        here, before = np.isnan(y[k]), np.isnan(y[k - 1])
+        if (here != before).any():
+            lacking, at = (before, k) if here.sum() < before.sum() else (here, k - 1)
+            rows.append((position[at], *(np.where(lacking, np.nan, part[at]) for part in (y, z))))
+        rows.append((position[k], y[k], z[k]))
+    position, y, z = (np.array(part) for part in zip(*rows))
+    for row in range(len(y)):
+        known = np.flatnonzero(~np.isnan(y[row]))
+        near = known[np.abs(np.arange(y.shape[1])[:, None] - known).argmin(axis=1)]
+        y[row], z[row] = y[row, near], z[row, near]
+    return position, y, z
+
+
 def draw_sections(title, columns, unit):
     """Sections along the way: some of them over y with their features, and a map of all, on which the features are
     lines: the height seen from above, or how far a wheel is out of round. `unit`: of the position."""
@@ -115,16 +133,20 @@ def draw_sections(title, columns, unit):
     shape = figure.add(560, 0, "", "$y$, to the field side [mm]", "$z$, down [mm]", equal=True)
     figure.add(14, 10, bare=True)  # above the colour scale
     for colour, k in zip(SECTION_COLOURS, np.unique(np.linspace(0, len(at) - 1, MOST_SECTIONS).round().astype(int))):
-        shape.line(y[k], z[k], colour, 1.3, name=f"{at[k]:.4g} {unit}")
-        shape.line(y[k, joints], z[k, joints], colour, marker="o", size=2.2, joined=False, order=4)
+        known = ~np.isnan(y[k])
+        joined = joints[known[joints]]
+        shape.line(y[k, known], z[k, known], colour, 1.3, name=f"{at[k]:.4g} {unit}")
+        shape.line(y[k, joined], z[k, joined], colour, marker="o", size=2.2, joined=False, order=4)
     shape.y.flipped = True
     plan = figure.add(560, 260, what + "; lines: features" * bool(len(joints)), where,
                       "$y$, to the field side [mm]")
-    plan.x.limits, plan.y.limits = (at[0], at[-1]), (y.min(), y.max())
-    levels, step = filled(plan, position.T, y.T, -z.T if unit == "mm" else (z - z[0]).T)
+    plan.x.limits, plan.y.limits = (at[0], at[-1]), (np.nanmin(y), np.nanmax(y))
+    ways, places, heights = _without_gaps(position, y, z)
+    levels, step = filled(plan, ways.T, places.T, -heights.T if unit == "mm" else (heights - heights[0]).T)
     for joint in joints:
-        plan.line(at, y[:, joint], "ground", 2.0)
-        plan.line(at, y[:, joint], "ink", 0.9)
+        known = ~np.isnan(y[:, joint])
+        plan.line(at[known], y[known, joint], "ground", 2.0)
+        plan.line(at[known], y[known, joint], "ink", 0.9)
     colour_scale(figure, levels, step, 260)
     shape.room_left = plan.room_left = 64  # one below the other
     return figure

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command profile: its output, files, figures and refusals.
+#include "contact/base/text_fields.hpp"
+
 #include "support/profile_texts.hpp"
 #include "support/program.hpp"
 #include <regex>
@@ -38,7 +40,7 @@ TEST_F(Profile, SectionsAlongTheWayAreDrawnWithTheirFeatures) {
   const std::string list = std::string(ROLLFEM_SOURCE_DIR) + "/cases/profiles/crossing.sections";
   const Outcome outcome = done({"profile", list, "-o", "out"});
   EXPECT_TRUE(says(outcome.out, "rail " + list, "sections                            25",
-                   "0 to 240, 10 apart", "a cubic spline", "10 in each section"));
+                   "0 to 240, 10 apart", "a cubic spline", "10 given in the list"));
   // The nose's crown begins at y = 8 in all sections and rises with it.
   EXPECT_TRUE(
       std::regex_search(outcome.out, std::regex(" 2 +8\\.000, +3\\.\\d+  -> +8\\.000, +2\\.")))
@@ -48,6 +50,35 @@ TEST_F(Profile, SectionsAlongTheWayAreDrawnWithTheirFeatures) {
   EXPECT_TRUE(
       says(folder.text("out/sections.svg"), "height of the surface, up [mm]; lines: features"));
   EXPECT_TRUE(says(done({"profile", list, "--json"}).out, "\"features\": 10"));
+}
+
+TEST_F(Profile, FeaturesAreFoundWhereAListGivesNone) {
+  // Of the crossing, whose nose begins at 0 here: before it there is only the wing.
+  const std::string crossing = std::string(ROLLFEM_SOURCE_DIR) + "/cases/profiles/crossing/";
+  const std::string whole = contact::text_of_file(crossing + "000.csv", "000.csv", 1'000'000);
+  std::string wing;
+  for (contact::TextLines lines(whole); lines.next();)
+    if (std::stod(std::string(lines.line())) > 34.0) wing += std::string(lines.line()) + "\n";
+  folder.file("wing.csv", wing);
+  std::string list = "-20 wing.csv\n-10 wing.csv\n";
+  for (const char* at : {"000", "010", "020"}) list += at + (" " + crossing) + at + ".csv\n";
+  const std::string file = folder.file("nose.sections", list);
+  const Outcome outcome = done({"profile", file, "-o", "out"});
+  EXPECT_TRUE(says(outcome.out, "5 found, bends and kinks", "  from 0 to 20\n"));
+  EXPECT_TRUE(says(folder.text("out/sections.svg"), "lines: features"));
+  EXPECT_TRUE(says(folder.text("out/sections.csv"), "-20,1,,\n"));
+  EXPECT_TRUE(says(done({"profile", file, "--json"}).out, "null", "\"features\": 5"));
+}
+
+TEST_F(Profile, SectionsThatChangeOverThePatchAreNotForFiniteElements) {
+  const std::string file = std::string(ROLLFEM_SOURCE_DIR) + "/cases/crossing.toml";
+  for (const std::string model : {"fem", "hybrid"}) {
+    const Outcome outcome = call(
+        {"run", file, "--model", model, "-o", "out", "--set", "placement.track_position=[80.0]"});
+    expect_refused(outcome,
+                   "it cannot handle profiles that change over the patch by more than 1 %");
+    expect_refused(outcome, "do: run with --model halfspace");
+  }
 }
 
 TEST_F(Profile, TheTableIsAProfileAgain) {

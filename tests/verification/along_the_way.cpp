@@ -5,6 +5,7 @@
 #include "halfspace/model/model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
+#include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"
 
 namespace {
@@ -179,17 +180,81 @@ TEST(AlongTheWay, EqualSectionsAreThePlainProfile) {
   const track::ProfilePair pair = manchester_pair();
   std::vector<PlacedSection> sections;
   for (const double u : {-50.0, 0.0, 70.0}) sections.push_back({u, pair.rail, {}});
-  const auto rail =
-      std::make_shared<const SectionSurface>(std::move(sections), SectionSpline::through);
+  const track::ProfilePair family{
+      pair.wheel, pair.rail, nullptr,
+      std::make_shared<const SectionSurface>(std::move(sections), SectionSpline::through)};
   contact::Case input = wheel_case();
   input.wheel.rolling_radius = 460.0;
-  const Found equal = solved(input, {pair.wheel, pair.rail, nullptr, rail});
-  const Found plain = solved(input, pair);
-  EXPECT_NEAR(equal.placed.contact.place.height, plain.placed.contact.place.height, 1e-9);
-  EXPECT_NEAR(equal.placed.contact.place.y_rail, plain.placed.contact.place.y_rail, 1e-5);
-  expect_alike(equal.point, plain.point, 1e-5);
-  // What finite elements may take as a body of this section.
-  EXPECT_LT(equal.placed.contact.geometry.variation(), 1e-5);
+  // On the tread, and on the corner, where the plain profile is a cubic over y between its points.
+  for (const auto& [shift, within] : {std::pair{0.0, 1e-9}, {-3.0, 1e-9}, {4.0, 1e-7}}) {
+    input.wheelset.lateral_shift = {shift};
+    const Found equal = solved(input, family), plain = solved(input, pair);
+    const contact::ContactPlace &a = equal.placed.contact.place, &b = plain.placed.contact.place;
+    EXPECT_NEAR(a.height, b.height, within) << shift;
+    EXPECT_NEAR(a.y_rail, b.y_rail, within) << shift;
+    EXPECT_NEAR(a.y_wheel, b.y_wheel, within) << shift;
+    EXPECT_NEAR(a.contact_angle, b.contact_angle, within) << shift;
+    EXPECT_LT(equal.placed.contact.geometry.variation(), within) << shift;
+    for (const double x : {-4.0, 0.0, 5.0})
+      for (const double y : {-2.0, 0.3, 3.0})
+        EXPECT_NEAR(equal.placed.contact.geometry.distance(x, y),
+                    plain.placed.contact.geometry.distance(x, y), within);
+    // As near as the solver's own tolerance.
+    EXPECT_NEAR(equal.point.normal_force, plain.point.normal_force,
+                1e-6 * plain.point.normal_force);
+    EXPECT_NEAR(equal.point.max_pressure, plain.point.max_pressure,
+                1e-6 * plain.point.max_pressure);
+    expect_alike(equal.point, plain.point, 1e-5);
+  }
+}
+
+/// A crown about y = -10, a groove, and another crown 5 mm lower about y = 40. The first one begins
+/// at x = 0: before it the sections begin in the groove.
+std::shared_ptr<const SectionSurface> head_that_begins() {
+  constexpr double groove = 10.0, from = 4.0, floor = 8.0, to = 13.0, second = 17.0;
+  const auto crown = [](double y) { return 5.0 + arc(head_radius, y - 40.0); };
+  const auto height = [&](double y) {
+    if (y < from) return arc(head_radius, y + 10.0);
+    if (y < floor) return groove * (y - from) / (floor - from);
+    if (y < to) return groove;
+    return y < second ? groove + (crown(second) - groove) * (y - to) / (second - to) : crown(y);
+  };
+  const auto slope = [&](double y) {
+    return y < from || y >= second ? arc_slope(head_radius, y + (y < from ? 10.0 : -40.0)) : 0.0;
+  };
+  std::vector<PlacedSection> sections;
+  for (const double x : {-200.0, -100.0, -10.0, 0.0, 60.0}) {
+    const bool lacks = x < 0.0;
+    sections.push_back({x,
+                        profile_of(height, slope, lacks ? floor : -40.0, 60.0),
+                        {lacks ? std::nan("") : floor, to}});
+  }
+  return std::make_shared<const SectionSurface>(std::move(sections), SectionSpline::through);
+}
+
+TEST(AlongTheWay, AHeadThatBeginsCarriesFromThereOn) {
+  const track::ProfilePair pair{profile(sphere, sphere_slope), profile(head, head_slope), nullptr,
+                                head_that_begins()};
+  contact::Case input = wheel_case();
+  input.wheelset.lateral_shift = {-10.0};
+  input.wheelset.track_position = {40.0};
+  const Found on_head = solved(input, pair);
+  EXPECT_NEAR(on_head.placed.contact.place.y_rail, -10.0, 1e-6);
+  EXPECT_NEAR(on_head.placed.contact.place.height, 0.0, 1e-9);
+  expect_alike(on_head.point,
+               of_curvatures(1.0 / wheel_radius, 1.0 / wheel_radius + 1.0 / head_radius), 1e-3);
+  // Farther before it than the wheel reaches, only the other one carries.
+  input.wheelset.track_position = {-150.0};
+  const Found before = solved(input, pair);
+  const double apart = 50.0, both = wheel_radius + head_radius;
+  // The middle of the patch, in which the slope changes.
+  EXPECT_NEAR(before.placed.contact.place.y_rail, 40.0 - apart * head_radius / both, 1e-3);
+  EXPECT_NEAR(before.placed.contact.place.height,
+              5.0 + both - std::sqrt(both * both - apart * apart), 1e-8);
+  // Where the wheel would stand on the edge at which it begins.
+  input.wheelset.track_position = {-20.0};
+  EXPECT_TRUE(says(refusal<contact::SolveError>([&] { solved(input, pair); }),
+                   "a head of the rail begins or ends", "do: let the sections"));
 }
 
 }  // namespace

@@ -20,9 +20,6 @@ namespace {
 
 /// Between the points of a section from which searches start, mm.
 constexpr double sample_step = 0.5;
-/// Between the points of the locus, and between the places at which all of x is looked at, mm.
-constexpr double locus_step = 0.1;
-constexpr int points_per_look = 10;
 /// Rows to each side, up to this fraction of the wheel's radius.
 constexpr int rows_to_side = 30;
 constexpr double farthest_row = 0.25;
@@ -126,21 +123,33 @@ struct BodiesAlongWay::Rail {
   };
   std::vector<Row> rows;
 
-  const Row& nearest(double x) const {
+  /// The row nearest to x, or one beside it.
+  const Row& nearest(double x, double beside = 0.0) const {
     const double part = (x - rows.front().x) / (rows.back().x - rows.front().x);
     const double last = static_cast<double>(rows.size() - 1);
-    return rows[static_cast<std::size_t>(std::clamp(std::round(part * last), 0.0, last))];
+    return rows[static_cast<std::size_t>(std::clamp(std::round(part * last) + beside, 0.0, last))];
   }
-  double height_in(const SurfaceFrame& frame, double x, double y) const;
+  SlopedHeight height_in(const SurfaceFrame& frame, double x, double y) const;
+  SlopedHeight height_from(const Row& row, const SurfaceFrame& frame, double x, double y) const;
 };
 
+SlopedHeight BodiesAlongWay::Rail::height_in(const SurfaceFrame& frame, double x, double y) const {
+  const double along = frame.origin[0] + x * frame.x[0] + y * frame.y[0];
+  SlopedHeight found = height_from(nearest(along), frame, x, y);
+  // Where a head begins the nearest row may lack it.
+  for (const double beside : {1.0, -1.0})
+    if (surface->has_ends() && !std::isfinite(found.z))
+      found = height_from(nearest(along, beside), frame, x, y);
+  return found;
+}
+
 /// Newton's method for position along the track and parameter of the point over (x, y).
-double BodiesAlongWay::Rail::height_in(const SurfaceFrame& frame, double x, double y) const {
+SlopedHeight BodiesAlongWay::Rail::height_from(const Row& row, const SurfaceFrame& frame, double x,
+                                               double y) const {
   const auto at_plane = [&](std::size_t d) {
     return frame.origin[d] + x * frame.x[d] + y * frame.y[d];
   };
   double along = at_plane(0);
-  const Row& row = nearest(along);
   const double aside = std::clamp(at_plane(1), row.parameter.first(), row.parameter.last());
   double parameter = row.parameter.at(aside).value;
   for (int step = 0; step < 30; ++step) {
@@ -151,17 +160,20 @@ double BodiesAlongWay::Rail::height_in(const SurfaceFrame& frame, double x, doub
     const double a = dot(by_way, frame.x), b = dot(by_parameter, frame.x);
     const double c = dot(by_way, frame.y), d = dot(by_parameter, frame.y);
     const double determinant = a * d - b * c;
-    if (!(std::abs(determinant) * profiles::steepest > std::abs(dot(by_parameter, frame.z)))) break;
+    const double up = dot(by_way, frame.z), up_across = dot(by_parameter, frame.z);
+    if (!(std::abs(determinant) * profiles::steepest > std::abs(up_across))) break;
     const double change = (d * defect_x - b * defect_y) / determinant;
     const double across = (a * defect_y - c * defect_x) / determinant;
-    if (std::abs(change) + std::abs(across) < 1e-11)
-      return dot(arm, frame.z) + change * dot(by_way, frame.z) +
-             across * dot(by_parameter, frame.z);
+    if (std::abs(change) + std::abs(across) < 1e-11) {
+      if (!surface->exists(way + along, parameter)) break;
+      return {dot(arm, frame.z) + change * up + across * up_across,
+              (d * up - c * up_across) / determinant, (a * up_across - b * up) / determinant};
+    }
     along += change;
     parameter += across;
     if (!surface->has_parameter(parameter)) break;
   }
-  return -contact::infinity;
+  return {};
 }
 
 BodiesAlongWay::BodiesAlongWay(Sections sections, const ProfileCurve& rail,
@@ -191,7 +203,7 @@ BodiesAlongWay::BodiesAlongWay(Sections sections, const ProfileCurve& rail,
 
 contact::RailSurface BodiesAlongWay::rail_in(const SurfaceFrame& frame) const {
   if (!rail_changes()) return {};
-  return [rail = rail_, frame](double x, double y) { return rail->height_in(frame, x, y); };
+  return [rail = rail_, frame](double x, double y) { return rail->height_in(frame, x, y).z; };
 }
 
 ProfileCurve BodiesAlongWay::rail_section(const AlongRail& along) const {
@@ -247,141 +259,43 @@ contact::WheelSurface BodiesAlongWay::wheel_around(double angle_here, double ang
   };
 }
 
-namespace {
-
-/// The gap over x at one y, in the frame of `bodies`.
-struct GapAlong {
-  const contact::PatchGeometry& bodies;
-  double y;
-  double at(double x) const { return bodies.distance(x, y); }
-
-  /// The lowest place between two x by Newton's method from the middle one.
-  std::optional<double> lowest(double lower, double start, double upper) const {
-    constexpr double step = 0.05;  // mm; the curvature changes over centimetres
-    double x = start;
-    for (int round = 0; round < 20; ++round) {
-      const double before = at(x - step), here = at(x), after = at(x + step);
-      if (!std::isfinite(before + here + after)) return {};
-      const double bend = (before - 2.0 * here + after) / (step * step);
-      const double slope = 0.5 * (after - before) / step;
-      const double move = bend > 0.0 ? -slope / bend : (slope > 0.0 ? lower - x : upper - x) / 2.0;
-      const double next = std::clamp(x + move, lower, upper);
-      if (std::abs(next - x) < 1e-6) return next;
-      x = next;
-    }
-    return x;
-  }
-};
-
-/// Over a stretch without points, the wall between two heads, the gap is wide: it opens on one side
-/// and closes on the other.
-void bridge(std::vector<LocusPoint>& points, const LocusPoint& next) {
-  if (points.empty() || next.y - points.back().y < 1.5 * locus_step) return;
-  constexpr double wide = 20.0;  // mm
-  const LocusPoint last = points.back();
-  const double width = next.y - last.y;
-  for (const double part : {1.0 / 3.0, 2.0 / 3.0}) {
-    LocusPoint point = part < 0.5 ? last : next;
-    point.y = last.y + part * width;
-    point.rail_z = point.wheel_z + wide;
-    point.rail_slope = (part < 0.5 ? 1.0 : -1.0) * wide / width;
-    point.wheel_slope = 0.0;
-    points.push_back(point);
-  }
-}
-
-/// Places at which the gap is a local minimum among the rows.
-std::vector<std::size_t> low_rows(const GapAlong& gap, const std::vector<double>& x) {
-  std::vector<double> value;
-  for (const double at : x) value.push_back(gap.at(at));
-  std::vector<std::size_t> low;
-  for (std::size_t k = 1; k + 1 < x.size(); ++k)
-    if (std::isfinite(value[k]) && value[k] < value[k - 1] && value[k] <= value[k + 1])
-      low.push_back(k);
-  return low;
-}
-
-}  // namespace
-
-/// The point at y where the gap is least among the lowest places near these rows.
-std::optional<LocusPoint> BodiesAlongWay::point_at(const contact::PatchGeometry& bodies,
-                                                   const SurfaceFrame& level, double y,
-                                                   const std::vector<double>& rows,
-                                                   const std::vector<std::size_t>& near) const {
-  const GapAlong gap{bodies, y};
-  std::optional<double> best;
-  for (const std::size_t k : near)
-    if (const auto x = gap.lowest(rows[k - 1], rows[k], rows[k + 1]))
-      if (!best || gap.at(*x) < gap.at(*best)) best = x;
-  if (!best) return {};
-  constexpr double beside = 1e-3;  // mm
-  const double x = *best;
-  const auto slope = [&](auto&& height) {
-    return (height(x, y - beside) - height(x, y + beside)) / (2.0 * beside);  // z down
-  };
-  const auto rail = [&](double at_x, double at_y) { return bodies.rail_height(at_x, at_y); };
-  const auto wheel = [&](double at_x, double at_y) { return bodies.wheel_height(at_x, at_y); };
-  LocusPoint point;
-  point.x = x;
-  point.y = level.origin[1] + y;
-  point.rail_z = level.origin[2] - rail(x, y);
-  point.wheel_z = level.origin[2] - wheel(x, y);
-  point.along = (rail(x - beside, y) - rail(x + beside, y)) / (2.0 * beside);
-  point.rail_slope = slope(rail);
-  point.wheel_slope = slope(wheel);
-  const contact::AxlePlace at = contact::axle_place(axle_, {x, point.y, point.wheel_z});
-  point.profile_y = at.axial;
-  point.radius = at.radius;
-  constexpr double depth = 0.1, most_times = 50.0;
-  const double wide = std::sqrt(2.0 * rolling_radius_ * depth);
-  const double bend = (gap.at(x - wide) - 2.0 * gap.at(x) + gap.at(x + wide)) / (wide * wide);
-  point.relative_radius =
-      bend * most_times * rolling_radius_ > 1.0 ? 1.0 / bend : most_times * rolling_radius_;
-  if (!std::isfinite(point.rail_slope + point.wheel_slope + point.along)) return {};
-  return point;
-}
-
-std::vector<LocusPoint> BodiesAlongWay::locus() const {
-  // The tread under the axle.
+/// The section that points down from its tread to both sides.
+BodiesAlongWay::Level BodiesAlongWay::level() const {
   Vector3 tread = axle_.point;
   for (int d = 0; d < 3; ++d) tread[d] += tread_y_ * axle_.direction[d];
-  const Vector3 down =
-      contact::cross(axle_.direction, contact::cross({0.0, 0.0, 1.0}, axle_.direction));
+  Vector3 down = contact::cross(axle_.direction, contact::cross({0.0, 0.0, 1.0}, axle_.direction));
+  const double length = std::sqrt(dot(down, down));
+  for (double& part : down) part /= length;
   const OverY part = part_about(wheel_, tread_y_);
   const double radius = rolling_radius_ + part.heights().at(tread_y_).value;
-  for (int d = 0; d < 3; ++d) tread[d] += radius * down[d] / std::sqrt(dot(down, down));
-  const SurfaceFrame level = level_frame(tread);
+  for (int d = 0; d < 3; ++d) tread[d] += radius * down[d];
   std::vector<double> radii = part.z;
   for (double& z : radii) z += rolling_radius_;
   const contact::HeightCurve& head = rail_->nearest(axle_.point[0]).height;
-  const double first = head.first() - tread[1], last = head.last() - tread[1];
-  contact::PatchGeometry bodies(upside_down(head, tread), {part.y, radii, part.slope},
-                                in_frame(axle_, level), first, last);
-  bodies.set_surfaces(rail_in(level), wheel_around(0.0, 0.0));
-  std::vector<double> rows;
-  for (const auto& row : rail_->rows) rows.push_back(row.x);
-  const double from = std::max(first, bodies.wheel().first());
-  const double to = std::min(last, bodies.wheel().last());
-  std::vector<LocusPoint> points;
-  std::vector<std::size_t> before, ahead;
-  for (int k = 0; from + k * locus_step < to; ++k) {
-    const double y = from + k * locus_step;
-    if (k % points_per_look == 0) {
-      before = k == 0 ? low_rows({bodies, y}, rows) : ahead;
-      ahead = low_rows({bodies, std::min(y + points_per_look * locus_step, to)}, rows);
-    }
-    std::vector<std::size_t> near = before;
-    for (const std::size_t row : ahead)
-      if (std::none_of(near.begin(), near.end(), [&](std::size_t known) { return known == row; }))
-        near.push_back(row);
-    if (const auto point = point_at(bodies, level, y, rows, near)) {
-      bridge(points, *point);
-      points.push_back(*point);
-    }
+  Level level{level_frame(tread), {}, contact::infinity, -contact::infinity, {}, {}};
+  for (const Rail::Row& row : rail_->rows) {
+    level.rows.push_back(row.x);
+    level.first = std::min(level.first, row.height.first() - tread[1]);
+    level.last = std::max(level.last, row.height.last() - tread[1]);
   }
-  if (points.size() < 2)
-    throw contact::SolveError("the wheel is not above the rail anywhere near this position");
-  return points;
+  level.bodies = {upside_down(head, tread),
+                  {part.y, radii, part.slope},
+                  in_frame(axle_, level.frame),
+                  std::min(level.first, -1.0),
+                  std::max(level.last, 1.0)};
+  level.bodies.set_surfaces(rail_in(level.frame), wheel_around(0.0, 0.0));
+  for (const double y : head.knots()) level.pieces.push_back(y - tread[1]);
+  for (std::size_t k = 0; k < part.y.size(); ++k)
+    level.pieces.push_back(axle_.point[1] + part.y[k] * axle_.direction[1] + radii[k] * down[1] -
+                           tread[1]);
+  std::sort(level.pieces.begin(), level.pieces.end());
+  return level;
+}
+
+SlopedHeight BodiesAlongWay::rail_at(const Level& level, double x, double y) const {
+  if (rail_changes()) return rail_->height_in(level.frame, x, y);
+  const contact::CurveValue rail = level.bodies.rail().at(y);
+  return {rail.value, 0.0, rail.slope};
 }
 
 }  // namespace rollfem::track

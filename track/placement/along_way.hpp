@@ -25,13 +25,19 @@ struct LocusPoint {
   double rail_z = 0.0, wheel_z = 0.0;          ///< mm
   double along = 0.0;                          ///< dz/dx of both
   double rail_slope = 0.0, wheel_slope = 0.0;  ///< dz/dy at this x
-  double profile_y = 0.0;                      ///< mm, of the wheel
-  double radius = 0.0;                         ///< mm, from its axle
   double relative_radius = 0.0;  ///< mm, of the parabola along x that is as wide at 0.1 mm
 };
 
-/// A value of the points over y.
-contact::HeightCurve curve_over(const std::vector<LocusPoint>& locus, double LocusPoint::*value);
+/// A height of the points over y, with its slope at a fixed x.
+contact::HeightCurve curve_over(const std::vector<LocusPoint>& locus, double LocusPoint::*height,
+                                double LocusPoint::*slope);
+/// What these slopes change by along the locus, where x changes with y: dz/dx dx/dy of each point.
+std::vector<double> climb_over_y(const std::vector<LocusPoint>& locus);
+
+/// Height of a surface in some frame, with its slopes by x and y.
+struct SlopedHeight {
+  double z = -contact::infinity, along = 0.0, across = 0.0;
+};
 
 /// What of a section is seen from above (small z), as a height over y.
 contact::HeightCurve seen_from_above(const profiles::ProfileCurve& section);
@@ -56,7 +62,10 @@ class BodiesAlongWay {
   /// above the rail.
   std::vector<LocusPoint> locus() const;
 
+  const contact::Axle& axle() const { return axle_; }
   bool rail_changes() const { return sections_.rail != nullptr; }
+  /// Whether heads of the rail begin or end along the track.
+  bool heads_end() const { return rail_changes() && sections_.rail->has_ends(); }
   bool wheel_changes() const { return sections_.wheel != nullptr; }
   /// Heights of the rail in a frame; empty where it does not change.
   contact::RailSurface rail_in(const SurfaceFrame& frame) const;
@@ -73,10 +82,20 @@ class BodiesAlongWay {
 
  private:
   struct Rail;
-  std::optional<LocusPoint> point_at(const contact::PatchGeometry& bodies,
-                                     const SurfaceFrame& level, double y,
-                                     const std::vector<double>& rows,
-                                     const std::vector<std::size_t>& near) const;
+  /// Both bodies in a level frame, with the places along x that are looked at, and those of y at
+  /// which a section begins another piece.
+  struct Level {
+    SurfaceFrame frame;
+    contact::PatchGeometry bodies;
+    double first = 0.0, last = 0.0;  ///< mm, of the rail seen from above
+    std::vector<double> rows, pieces;
+  };
+  struct GapAlong;
+  Level level() const;
+  SlopedHeight rail_at(const Level& level, double x, double y) const;
+  std::optional<LocusPoint> point_at(const Level& level, double y,
+                                     const std::vector<std::size_t>& near,
+                                     const LocusPoint* before) const;
 
   Sections sections_;
   std::shared_ptr<const Rail> rail_;

@@ -143,7 +143,8 @@ std::pair<std::size_t, double> between(const std::vector<LocusPoint>& locus, dou
   return {k, (y - locus[k].y) / (locus[k + 1].y - locus[k].y)};
 }
 
-OutlinePoint on_locus(const std::vector<LocusPoint>& locus, double y) {
+OutlinePoint on_locus(const std::vector<LocusPoint>& locus, const contact::HeightCurve& outline,
+                      const Axle& axle, double y) {
   const auto [k, part] = between(locus, y);
   const LocusPoint &a = locus[k], &b = locus[k + 1];
   // Beside a jump, of the nearer side.
@@ -153,29 +154,41 @@ OutlinePoint on_locus(const std::vector<LocusPoint>& locus, double y) {
   };
   OutlinePoint point;
   point.y = y;
-  point.z = at(&LocusPoint::wheel_z);
+  point.z = outline.at(y).value;
   point.along =
       AlongRail::sloping(at(&LocusPoint::x), at(&LocusPoint::rail_z), at(&LocusPoint::along));
-  point.profile_y = at(&LocusPoint::profile_y);
-  point.radius = at(&LocusPoint::radius);
+  const contact::AxlePlace place = contact::axle_place(axle, {point.along.x, y, point.z});
+  point.profile_y = place.axial;
+  point.radius = place.radius;
   point.relative_radius = at(&LocusPoint::relative_radius);
   return point;
 }
 
 }  // namespace
 
-contact::HeightCurve curve_over(const std::vector<LocusPoint>& locus, double LocusPoint::*value) {
-  std::vector<double> y, at, slope;
+std::vector<double> climb_over_y(const std::vector<LocusPoint>& locus) {
+  std::vector<double> climb;
   for (std::size_t k = 0; k < locus.size(); ++k) {
     // The neighbours on this side of a jump.
     std::size_t a = k > 0 ? k - 1 : k, b = std::min(k + 1, locus.size() - 1);
     if (std::abs(locus[a].x - locus[k].x) >= longest_step) a = k;
     if (std::abs(locus[b].x - locus[k].x) >= longest_step) b = k;
-    y.push_back(locus[k].y);
-    at.push_back(locus[k].*value);
-    slope.push_back(a == b ? 0.0 : (locus[b].*value - locus[a].*value) / (locus[b].y - locus[a].y));
+    const double by_y = a == b ? 0.0 : (locus[b].x - locus[a].x) / (locus[b].y - locus[a].y);
+    climb.push_back(locus[k].along * by_y);
   }
-  return {std::move(y), std::move(at), std::move(slope)};
+  return climb;
+}
+
+contact::HeightCurve curve_over(const std::vector<LocusPoint>& locus, double LocusPoint::*height,
+                                double LocusPoint::*slope) {
+  const std::vector<double> climb = climb_over_y(locus);
+  std::vector<double> y, z, by_y;
+  for (std::size_t k = 0; k < locus.size(); ++k) {
+    y.push_back(locus[k].y);
+    z.push_back(locus[k].*height);
+    by_y.push_back(locus[k].*slope + climb[k]);
+  }
+  return {std::move(y), std::move(z), std::move(by_y)};
 }
 
 WheelPoints wheel_points(const profiles::ProfileCurve& wheel, double tread_y) {
@@ -231,11 +244,13 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
   curve_ = contact::HeightCurve(std::move(y), std::move(z), std::move(slope));
 }
 
-Silhouette::Silhouette(const std::vector<LocusPoint>& locus)
-    : curve_(curve_over(locus, &LocusPoint::wheel_z)), locus_(locus) {}
+Silhouette::Silhouette(const std::vector<LocusPoint>& locus, const Axle& axle)
+    : curve_(curve_over(locus, &LocusPoint::wheel_z, &LocusPoint::wheel_slope)),
+      locus_(locus),
+      axle_(axle) {}
 
 OutlinePoint Silhouette::at(double y) const {
-  if (!locus_.empty()) return on_locus(locus_, y);
+  if (!locus_.empty()) return on_locus(locus_, curve_, axle_, y);
   OutlinePoint point;
   point.y = y;
   point.z = curve_.at(y).value;

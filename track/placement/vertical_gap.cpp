@@ -92,24 +92,19 @@ VerticalGap::VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies)
 VerticalGap::VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies,
                          const std::vector<LocusPoint>& locus)
     : bodies_(std::move(bodies)),
-      wheel_(locus),
-      rail_(curve_over(locus, &LocusPoint::rail_z)),
+      wheel_(locus, bodies_->axle()),
+      rail_(curve_over(locus, &LocusPoint::rail_z, &LocusPoint::rail_slope)),
       first_(locus.front().y),
       last_(locus.back().y) {
-  std::vector<double> gap, slope, mean, bend;
+  std::vector<double> gap, slope;
   for (const LocusPoint& point : locus) {
     places_.push_back(point.y);
     gap.push_back(point.rail_z - point.wheel_z);
     // Along the locus the gap changes as at a fixed x, where it is least.
     slope.push_back(point.rail_slope - point.wheel_slope);
-    mean.push_back(0.5 * (point.rail_slope + point.wheel_slope));
-  }
-  for (std::size_t k = 0; k < mean.size(); ++k) {
-    const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, mean.size() - 1);
-    bend.push_back((mean[b] - mean[a]) / (places_[b] - places_[a]));
   }
   gap_ = {places_, gap, slope};
-  surface_slope_ = {places_, mean, bend};
+  climb_ = {places_, climb_over_y(locus), std::vector<double>(places_.size(), 0.0)};
   values_.reserve(places_.size());
   for (const double y : places_) values_.push_back(at(y));
   find_minima();
@@ -129,7 +124,7 @@ VerticalGap::WithSurface VerticalGap::with_surface(double y) const {
   if (bodies_) {
     CurveValue gap = gap_.at(y);
     gap.value -= lowered_;
-    return {gap, surface_slope_.at(y).value};
+    return {gap, rail_.at(y).slope - climb_.at(y).value - 0.5 * gap.slope};
   }
   const CurveValue rail = rail_.at(y);
   const CurveValue wheel = wheel_.curve().at(y);

@@ -47,7 +47,7 @@ class Silhouette {
   Silhouette(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
              double rail_rolling_radius);
   /// Of bodies that change along the way: the wheel over its locus.
-  explicit Silhouette(const std::vector<LocusPoint>& locus);
+  Silhouette(const std::vector<LocusPoint>& locus, const contact::Axle& axle);
 
   /// z over y; covers the part not steeper than a height curve allows.
   const contact::HeightCurve& curve() const { return curve_; }
@@ -133,7 +133,7 @@ class VerticalGap {
   void find_minima();
 
   std::shared_ptr<const BodiesAlongWay> bodies_;
-  contact::HeightCurve gap_, surface_slope_;  ///< over the locus
+  contact::HeightCurve gap_, climb_;  ///< over the locus: the gap, and climb_over_y
   Silhouette wheel_;
   contact::HeightCurve rail_;
   double first_ = 0.0;

@@ -117,6 +117,15 @@ double touching_roll(const Case& input, const SearchScene& scene, WheelsetPose p
 
 }  // namespace
 
+void fail_where_head_ends(const Case& input, int position, bool left) {
+  throw contact::SolveError(fmt::format(
+      "{}: under its load the patch reaches the place along the track where a head of the rail "
+      "begins or ends; allowed: patches on heads that go on; do: let the sections of the head "
+      "begin "
+      "earlier or end later, or change track_position",
+      where(input, position, left)));
+}
+
 [[noreturn]] void fail_at_end(const Case& input, const VerticalGap& gap, bool inner, int position,
                               bool left, const std::string& what) {
   const contact::HeightCurve& wheel = gap.wheel().curve();

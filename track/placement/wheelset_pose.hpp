@@ -62,5 +62,7 @@ VerticalGap touching_gap(const contact::Case& input, const SearchScene& scene, W
 /// Rejects contact at an end of the known profiles, with `what` in the message.
 [[noreturn]] void fail_at_end(const contact::Case& input, const VerticalGap& gap, bool inner,
                               int position, bool left, const std::string& what);
+/// A patch that reaches the place along the track where a head of the rail begins or ends.
+[[noreturn]] void fail_where_head_ends(const contact::Case& input, int position, bool left);
 
 }  // namespace rollfem::track

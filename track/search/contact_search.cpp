@@ -231,7 +231,7 @@ class WheelSearch {
   }
 
   /// Over the ellipse of the overlap, less than half of which is the patch.
-  static void set_variation(WheelRailContact& contact, double relative_radius) {
+  void set_variation(WheelRailContact& contact, double relative_radius) const {
     if (!(contact.approach > 0.0)) return;
     contact::PatchGeometry plain = contact.geometry;
     plain.set_surfaces({}, {});
@@ -243,7 +243,10 @@ class WheelSearch {
     for (int k = 0; k < places; ++k) {
       const double angle = 2.0 * contact::pi * k / places;
       const double x = half_length * std::cos(angle), y = middle + half_width * std::sin(angle);
-      most = std::max(most, std::abs(contact.geometry.distance(x, y) - plain.distance(x, y)));
+      const double difference = std::abs(contact.geometry.distance(x, y) - plain.distance(x, y));
+      if (std::isinf(difference) && gap_.bodies()->heads_end())
+        fail_where_head_ends(input_, position_, left_);
+      most = std::max(most, difference);
     }
     contact.geometry.set_variation(most / contact.approach);
   }
