@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -51,6 +52,7 @@ class Anderson {
     }
     last_residual_ = residual;
     last_result_ = result;
+    forget_what_no_longer_helps(energy(residual, residual));
     const auto n = static_cast<Eigen::Index>(residual_steps_.size());
     Loaded combined = result;
     if (n == 0) return combined;
@@ -75,9 +77,25 @@ class Anderson {
   }
 
  private:
-  static constexpr std::size_t depth = 20;
+  static constexpr std::size_t depth = 10;
+  /// Near the limit of shakedown old steps, from points that yield no longer, hold the iteration up
+  /// for hundreds of steps: without progress it begins anew.
+  void forget_what_no_longer_helps(double size) {
+    constexpr int patience = 5;
+    ++without_progress_;
+    if (size >= smallest_ && without_progress_ < patience) return;
+    if (size >= smallest_) {
+      residual_steps_.clear();
+      result_steps_.clear();
+    }
+    smallest_ = size;
+    without_progress_ = 0;
+  }
+
   std::deque<Loaded> residual_steps_, result_steps_;
   std::optional<Loaded> last_residual_, last_result_;
+  double smallest_ = std::numeric_limits<double>::infinity();
+  int without_progress_ = 0;
 };
 
 /// Follows every streamline from its inflow through the total strain.

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Plane strain by finite elements: a slab one cell wide whose sides do not move across, under
+// Hertz's pressure of a line contact.
+#pragma once
+
+#include "meshes/grading.hpp"
+
+#include "support/fem_rolled_body.hpp"
+#include "support/mesh_examples.hpp"
+
+namespace rollfem::testing {
+
+/// Lengths in half-widths of the contact.
+struct SlabOptions {
+  int per_half_width = 8;               ///< cells
+  double extent = 10.0;                 ///< to the clamped ends and bottom
+  int ahead = 2, behind = 2, deep = 2;  ///< of the material points
+  bool wheel = false;
+};
+
+/// Half-width 1 mm, pressure sqrt(1 - x^2) MPa.
+inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) {
+  const double h = 1.0 / options.per_half_width;
+  const auto along =
+      meshes::outward_steps(h, std::max(options.ahead, options.behind), options.extent, 1.3);
+  std::vector<double> z{0.0};
+  for (const double step : meshes::outward_steps(h, options.deep, options.extent, 1.3))
+    if (options.wheel)
+      z.push_back(z.back() + step);
+    else
+      z.insert(z.begin(), z.front() - step);
+  meshes::HexMesh mesh =
+      block(meshes::points_both_ways(along), {0.0, h}, z, !options.wheel, nullptr, true);
+  for (auto& quad : mesh.sides) {
+    const auto beyond = [&](int corner) { return std::abs(mesh.points[corner][1] - h) < 1e-12; };
+    if (std::all_of(quad.corners.begin(), quad.corners.end(), beyond))
+      quad.side = meshes::Side::symmetry;
+  }
+  fem::BodyOptions body;
+  body.cell_size = h;
+  body.growth = 1e6;
+  body.half = true;
+  body.fine_half_length = options.ahead - 0.5 * h;  // no cell beyond is refined
+  body.fine_half_width = h;
+  body.extent = options.extent;
+  const auto grid =
+      contact::ContactGrid::centred(5 * options.per_half_width / 2, 2, h, h, 0.0, 0.0);
+  const auto below = [](double x) {  // integral of the pressure
+    x = std::clamp(x, -1.0, 1.0);
+    return 0.5 * (x * std::sqrt(1.0 - x * x) + std::asin(x));
+  };
+  const contact::Field pressure =
+      grid.sample([&](double x, double) { return (below(x + 0.5 * h) - below(x - 0.5 * h)) / h; });
+  fem::StreamLattice lattice;
+  lattice.cell = h;
+  lattice.along = {-options.behind * options.per_half_width,
+                   options.ahead * options.per_half_width};
+  lattice.across = {0, 1};
+  lattice.down = options.deep * options.per_half_width;
+  // A wheel so large that its tread is flat to rounding within the segment.
+  constexpr double flat = 1e9;
+  const auto shape =
+      options.wheel ? wheel_shape(flat, contact::infinity) : rail_shape(contact::infinity);
+  return std::make_unique<RolledBody>(
+      std::make_unique<fem::Body>(shape, contact::Material{210e3, 0.3}, body, mesh, MPI_COMM_WORLD),
+      grid, pressure, lattice);
+}
+
+/// Residual stress along and across the rolling direction at a depth behind the load, MPa, where
+/// that normal to the surface vanishes: between the two nearest streamlines, mean of the stations
+/// from `from` to `to` (mm).
+inline std::array<double, 2> residual_at(const Passes& passes, double depth, double from,
+                                         double to) {
+  const auto stress = passes.residual_stress();
+  const fem::Streamlines& lines = passes.of.lines;
+  std::map<double, std::array<double, 3>> at;  // sums over a depth
+  for (std::size_t k = 0; k < lines.points(); ++k) {
+    const double s = lines.s(k % lines.stations());
+    if (s < from || s > to) continue;
+    auto& sums = at[lines.section(k / lines.stations())[1]];
+    sums[0] += stress[k][0] - stress[k][2];
+    sums[1] += stress[k][1] - stress[k][2];
+    sums[2] += 1.0;
+  }
+  const auto below = at.lower_bound(depth), above = std::prev(below);
+  const double share = (depth - above->first) / (below->first - above->first);
+  std::array<double, 2> result{};
+  for (int c = 0; c < 2; ++c)
+    result[c] = (1.0 - share) * above->second[c] / above->second[2] +
+                share * below->second[c] / below->second[2];
+  return result;
+}
+
+}  // namespace rollfem::testing

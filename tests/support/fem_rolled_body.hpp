@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A rail or wheel of finite elements that yields under a given pressure and friction moving over
+// it, pass by pass, and the residual stress below its surface.
+#pragma once
+
+#include "fem/discretisation/cell_terms.hpp"
+#include "fem/linear/factorisation.hpp"
+#include "fem/plasticity/steady_pass.hpp"
+#include "fem/trace/compliance.hpp"
+
+#include "support/fem_test_support.hpp"
+#include "support/test.hpp"
+
+namespace rollfem::testing {
+
+/// An elastic body with its material points, and the fields of a pressure and of a traction equal
+/// to it along +x on a rail (-x on a wheel: what the rail receives is the same).
+class RolledBody {
+ public:
+  /// `pressure` in MPa on the elements of `grid`.
+  RolledBody(std::unique_ptr<fem::Body> the_body, const contact::ContactGrid& grid,
+             const contact::Field& pressure, const fem::StreamLattice& lattice)
+      : body(std::move(the_body)),
+        solver(fem::make_factorisation(problem())),
+        coupling(own_coupling(*body, grid)),
+        lines(*body, lattice) {
+    const contact::Field none = 0.0 * pressure;
+    const double sign = body->shape().is_wheel ? 1.0 : -1.0;
+    pressed.traction = {none, none, sign * pressure};
+    sheared.traction = {-sign * pressure, none, none};
+    for (Load* load : {&pressed, &sheared}) {
+      auto b = fem::make_vector(body->dofs());
+      load->displacement = fem::make_vector(body->dofs());
+      coupling.load(load->traction, b);
+      solver->solve(load->displacement, b);
+      load->displacement.update_ghost_values();
+      load->strain = lines.strains(load->displacement);
+    }
+  }
+
+  fem::ElasticProblem problem() const {
+    auto problem = body->problem();
+    problem.project_dilatation = true;
+    return problem;
+  }
+  std::vector<fem::Deviator> elastic_strain(double factor, double friction) const {
+    std::vector<fem::Deviator> result;
+    for (std::size_t k = 0; k < lines.points(); ++k) {
+      result.push_back(fem::sum(pressed.strain[k], friction, sheared.strain[k]));
+      for (double& component : result.back()) component *= factor;
+    }
+    return result;
+  }
+
+  struct Load {
+    contact::SurfaceField traction;
+    fem::Vector displacement;
+    std::vector<fem::Deviator> strain;
+  };
+  std::unique_ptr<fem::Body> body;
+  std::unique_ptr<fem::LinearSolver> solver;
+  fem::SurfaceCoupling coupling;
+  fem::Streamlines lines;
+  Load pressed, sheared;
+};
+
+/// Steel whose yield stress in shear is `shear_yield`, with Prager's hardening.
+inline contact::BodyPlasticity plain_steel(double shear_yield, double modulus = 0.0) {
+  contact::BodyPlasticity steel;
+  steel.yield_stress = std::sqrt(3.0) * shear_yield;
+  steel.back_stresses[0].modulus = modulus;
+  return steel;
+}
+
+/// Passes of one load over one body, the pressure of which is multiplied by a factor.
+class Passes {
+ public:
+  Passes(const RolledBody& rolled, const contact::BodyPlasticity& steel, double factor,
+         double with_friction = 0.0)
+      : of(rolled),
+        law(steel, fem::lame_mu(rolled.body->material())),
+        load_factor(factor),
+        friction(with_friction),
+        elastic(rolled.elastic_strain(factor, with_friction)),
+        state(fem::before_first_pass(rolled.lines, *rolled.body)) {}
+
+  /// Largest increase of the accumulated plastic strain of any streamline during one more pass.
+  double next() {
+    const auto before = state.leaving;
+    report = fem::steady_pass(of.lines, law, *of.solver, elastic, accuracy, state);
+    double increase = 0.0;
+    for (std::size_t k = 0; k < before.size(); ++k)
+      increase = std::max(increase, state.leaving[k].accumulated - before[k].accumulated);
+    return increase;
+  }
+  /// The same of each of so many passes.
+  std::vector<double> next(int passes) {
+    std::vector<double> increases;
+    for (int k = 0; k < passes; ++k) increases.push_back(next());
+    return increases;
+  }
+  /// Largest von Mises stress of the load alone relative to the yield stress, and where.
+  std::pair<double, std::size_t> utilisation() const {
+    std::pair<double, std::size_t> largest{0.0, 0};
+    for (std::size_t k = 0; k < elastic.size(); ++k)
+      largest = std::max(largest, {law.utilisation({}, elastic[k]), k});
+    return largest;
+  }
+  /// Deviator of the residual stress at the points, MPa.
+  std::vector<fem::Deviator> residual_stress() const {
+    auto strain = of.lines.strains(state.displacement);
+    for (std::size_t k = 0; k < strain.size(); ++k) {
+      fem::PlasticState point;
+      point.strain = state.plastic[k];
+      strain[k] = law.stress(point, strain[k]);
+    }
+    return strain;
+  }
+
+  const RolledBody& of;
+  fem::PlasticLaw law;
+  double load_factor, friction;
+  std::vector<fem::Deviator> elastic;
+  fem::PassAccuracy accuracy;
+  fem::YieldedBody state;
+  fem::PassReport report;
+};
+
+}  // namespace rollfem::testing

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A line contact on perfectly plastic steel in plane strain: first yield, shakedown and ratchetting
+// against Johnson's theory (Contact mechanics, 1985, sections 4.2, 9.2).
+#include "postprocess/stress/shakedown.hpp"
+
+#include "support/fem_plane_strain.hpp"
+
+namespace {
+
+/// MPa, yield stress in shear.
+constexpr double k = 300.0;
+
+/// Along, across and normal to the surface and xz, over p0, under Hertz's pressure; lengths in
+/// half-widths, Poisson's ratio 0.3 (McEwen 1949).
+std::array<double, 4> hertz_line(double x, double depth) {
+  const double z = depth, q = 1.0 - x * x + z * z, root = std::hypot(q, 2.0 * x * z);
+  const double m = std::sqrt(0.5 * (root + q)), n = std::sqrt(0.5 * (root - q));
+  const double share = (z * z + n * n) / (m * m + n * n);
+  const double along = 2.0 * z - m * (1.0 + share), normal = -m * (1.0 - share);
+  return {along, 0.3 * (along + normal), normal, n * (m * m - z * z) / (m * m + n * n)};
+}
+
+/// p0/k and depth of first yield: below the middle.
+std::pair<double, double> first_yield() {
+  std::pair<double, double> largest{0.0, 0.0};
+  for (double depth = 0.5; depth < 1.0; depth += 1e-3) {
+    const auto s = hertz_line(0.0, depth);
+    const double mises = std::sqrt(
+        0.5 * (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)));
+    largest = std::max(largest, {mises, depth});
+  }
+  return {std::sqrt(3.0) / largest.first, largest.second};
+}
+
+std::unique_ptr<RolledBody> slab_of(int per_half_width, double extent) {
+  SlabOptions options;
+  options.per_half_width = per_half_width;
+  options.extent = extent;
+  return rolled_slab(options);
+}
+
+/// p0/k at which the largest |xz| at the material points is k: what a steady residual stress cannot
+/// change.
+double melan_limit(const RolledBody& slab, double friction) {
+  double largest = 0.0;
+  for (const auto& strain : slab.elastic_strain(1.0, friction))
+    largest = std::max(largest, std::abs(strain[5]));
+  return 1.0 / (2.0 * fem::lame_mu(slab.body->material()) * largest);
+}
+
+/// To 1e-5: what the residual stresses of these tests need.
+Passes passes_over(const RolledBody& slab, double load, double friction = 0.0) {
+  Passes passes(slab, plain_steel(k), load * k, friction);
+  passes.accuracy.residual = 1e-5;
+  return passes;
+}
+
+}  // namespace
+
+// Clamped ends at a distance L change the stress by the order of a/L (a line load decays no
+// faster): extrapolated from 40 and 80 half-widths. What remains, 0.2 %, is that of cells of a/8.
+TEST(PlasticLineContact, YieldsFirstWhereTheElasticFieldSays) {
+  std::array<double, 2> load{};
+  double depth = 0.0;
+  for (int n = 0; n < 2; ++n) {
+    const auto slab = slab_of(8, 40.0 * (n + 1));
+    const auto [largest, at] = Passes(*slab, plain_steel(k), k).utilisation();
+    load[n] = 1.0 / largest;
+    depth = slab->lines.section(at / slab->lines.stations())[1];
+    EXPECT_NEAR(slab->lines.s(at % slab->lines.stations()), 0.0, 0.5 / 8);
+  }
+  const auto [expected, deep] = first_yield();
+  EXPECT_NEAR(2.0 * load[1] - load[0], expected, 0.005 * expected);
+  EXPECT_NEAR(depth, deep, 0.5 / 8);  // half a cell
+}
+
+// The limit of shakedown is where the largest |xz| reaches k; second order in the cells, 0.84 % at
+// a/8, while below the surface; at the surface (friction 0.4) the first material point is 0.2 cells
+// down: 5.2 %, first order.
+TEST(PlasticLineContact, ShearThatNoResidualStressChangesFollowsTheShakedownMap) {
+  const auto coarse = slab_of(8, 20.0), fine = slab_of(16, 20.0);
+  for (const double friction : {0.0, 0.1, 0.2, 0.3}) {
+    const double theory = postprocess::line_contact_limits(friction).shakedown;
+    EXPECT_NEAR(melan_limit(*coarse, friction), theory, 0.01 * theory) << friction;
+    EXPECT_NEAR(melan_limit(*fine, friction), theory, 0.003 * theory) << friction;
+  }
+  EXPECT_NEAR(melan_limit(*coarse, 0.4), 2.5, 0.06 * 2.5);
+  EXPECT_NEAR(melan_limit(*fine, 0.4), 2.5, 0.03 * 2.5);
+}
+
+TEST(PlasticLineContact, ShakesDownBelowFourK) {
+  const auto slab = slab_of(8, 40.0);
+  for (const double load : {3.9, 4.0}) {
+    auto passes = passes_over(*slab, load);
+    const auto increases = passes.next(3);
+    EXPECT_GT(increases[0], 1e-3) << load;
+    EXPECT_LT(increases[2], 1e-8) << load;
+    EXPECT_LT(passes.report.plastic_work, 1e-8 * load * k) << load;
+  }
+}
+
+TEST(PlasticLineContact, RatchetsSteadilyAboveFourK) {
+  const auto slab = slab_of(8, 40.0);
+  auto passes = passes_over(*slab, 4.2);
+  const auto increases = passes.next(5);
+  EXPECT_GT(increases[4], 5e-4);
+  EXPECT_GT(increases[4], 0.9 * increases[3]);
+}
+
+TEST(PlasticLineContact, FrictionLowersTheLimitAsTheMapSays) {
+  const auto slab = slab_of(8, 40.0);
+  const double limit = postprocess::line_contact_limits(0.2).shakedown;
+  const auto below = passes_over(*slab, 0.96 * limit, 0.2).next(4);
+  EXPECT_GT(below[0], 1e-4);
+  EXPECT_LT(below[3], 1e-6);
+  const auto above = passes_over(*slab, 1.08 * limit, 0.2).next(4);
+  EXPECT_GT(above[3], 5e-4);
+  EXPECT_GT(above[3], 0.8 * above[2]);
+}
+
+// Where |xz| is largest the limit leaves no other stress but it: residual stresses along and across
+// make the three normal ones equal. At the limit of these cells, after passes that fall ever
+// slower, along within 0.03 p0, across within 0.02 p0.
+TEST(PlasticLineContact, ResidualStressAtTheLimitIsTheOnlyOnePossible) {
+  const auto slab = slab_of(8, 160.0);
+  auto passes = passes_over(*slab, 1.005 * melan_limit(*slab, 0.0));
+  passes.next(4);
+  const auto residual = residual_at(passes, 0.5, -1.6, -1.4);
+  const auto elastic = hertz_line(std::sqrt(0.75), 0.5);
+  EXPECT_NEAR(elastic[3], 0.25, 1e-12);
+  EXPECT_NEAR(residual[0] / passes.load_factor, elastic[2] - elastic[0], 0.03);
+  EXPECT_NEAR(residual[1] / passes.load_factor, elastic[2] - elastic[1], 0.02);
+  for (int c = 0; c < 2; ++c) std::printf("residual %.4f\n", residual[c] / passes.load_factor);
+}
