@@ -8,7 +8,7 @@ import numpy as np
 from . import load_points, styles, tables
 from .figure import Figure
 from .outline import ALONG, extent, loaded_runs
-from .published import published
+from .reader import published
 
 
 def _draw_published(panel, result, models):
@@ -30,8 +30,8 @@ def _error(point, force):
 
 def creep_curve(result):
     """-F_x/F_z of every model with friction, and beside it the difference from the reference model. None if no model
-    has two load points. With prescribed forces only for a law that falls: found_for_force."""
-    models = [m for m in load_points.friction_models(result) if len(m.points) > 1]
+    has two load points that are no passes. With prescribed forces only for a law that falls: found_for_force."""
+    models = [m for m in load_points.friction_models(result) if len(m.points) > 1 and m.points[0].by_number != "pass"]
     found, law = load_points.found_motions(models), result.case.get("friction_law")
     if not models or (found and law is None):
         return None

@@ -31,9 +31,9 @@ def varying(keys):
 
 def key_texts(creepages):
     """The distinguishing values of load points, e.g. "ξ = 0.2 %", for each of a list of keys, (xi, eta, spin) or
-    (number,); and their common values, e.g. "η = 0.1 %", empty if there are none."""
-    if any(len(c) == 1 for c in creepages):
-        return {c: f"load point {c[0]:.0f}" for c in creepages}, ""
+    (number, what it counts); and their common values, e.g. "η = 0.1 %", empty if there are none."""
+    if any(len(c) == 2 for c in creepages):
+        return {c: f"{c[1]} {c[0]}" if len(c) == 2 else "" for c in creepages}, ""
     # For a single point: the nonzero values.
     told = varying(creepages) or [k for k in range(3) if any(c[k] for c in creepages)] or [0]
 

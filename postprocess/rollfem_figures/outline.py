@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contour lines of a field on a grid (marching squares), for sub-element edges of the patch and borders between
-adhesion and slip area."""
+"""Contour lines of a field on a grid (marching squares), for sub-element edges of the patch, borders between adhesion and
+slip area, and maps of a section."""
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from .panel import nice_step
 from .results import ADHESION, PLASTIC
 
 # Labels of the axes of the patch.
@@ -203,3 +205,47 @@ def adhering(point):
     if share < 0.05 and (np.asarray(point.fields.get("state")) == PLASTIC).any():
         return "slips or yields everywhere"
     return "slips everywhere" if share < 0.05 else f"sticks in {share:.0f} % of the patch"
+
+
+# The colour map viridis in steps, and the part with white text.
+VIRIDIS = ("#440154 #481b6d #46327e #3f4788 #365c8d #2e6e8e #277f8e #21918c #1fa187 #2db27d #4ac16d #73d056 "
+           "#a0da39 #d0e11c #fde725").split()
+
+
+def _shade(number, levels):
+    return VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
+
+
+def filled(panel, right, up, values):
+    """Overlaid areas above increasing levels. The lattice may be skew, because contours are computed over the indices
+    of its points. Returns the levels."""
+    low, high = float(values.min()), float(values.max())
+    step = nice_step(max(high - low, 1e-6 * max(abs(high), 1e-9)), len(VIRIDIS) - 1)
+    first = math.floor(low / step + 1e-9)
+    levels = [step * n for n in range(first, first + len(VIRIDIS)) if step * n < high]
+    rows, columns = values.shape
+    # A ring beyond the border closes the lines; the border clips it.
+    x, y = np.arange(-1, columns + 1.0), np.arange(-1, rows + 1.0)
+    x[[0, -1]], y[[0, -1]] = (-1e-3, columns - 1 + 1e-3), (-1e-3, rows - 1 + 1e-3)
+    wide = np.pad(values, 1, constant_values=low - 1e3 * (high - low or 1.0))
+    panel.area([_edge(right, up)], VIRIDIS[0])
+    for place, level in enumerate(levels[1:], 1):
+        rings = contour_lines(x, y, wide, level)
+        panel.area([np.stack([at_points(np.arange(columns), np.arange(rows), part, ring)
+                              for part in (right, up)], axis=1) for ring in rings], _shade(place, levels))
+    return levels, step
+
+
+def _edge(right, up):
+    """The border of a lattice."""
+    return np.concatenate([np.stack([part[side] for part in (right, up)], axis=1) for side in (
+        np.s_[0, :], np.s_[1:, -1], np.s_[-1, -2::-1], np.s_[-2:0:-1, 0])])
+
+
+def colour_scale(figure, levels, step, height):
+    """A panel with the colour scale of the levels."""
+    panel = figure.add(14, height, " ")
+    panel.x.ticks, panel.x.limits, panel.room_left = [], (0.0, 1.0), 34
+    panel.y.limits = (levels[0], levels[-1] + step)
+    for place, level in enumerate(levels):
+        panel.area([np.array([(0, level), (1, level), (1, level + step), (0, level + step)])], _shade(place, levels))

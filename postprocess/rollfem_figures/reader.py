@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads results.h5, stresses, and tables and JSON files of rollfem."""
+"""Reads results.h5, stresses, and tables and JSON files of rollfem; published values for a case (published.json)."""
 import csv
 import json
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -70,6 +72,15 @@ def _texts(dataset):
     return [_plain(line) for line in dataset[()]] if dataset.shape != (0,) else []
 
 
+def _read_yielded(group):
+    """A body that yields: streamlines as [down, across]."""
+    about = _attributes(group)
+    shape = about.pop("down"), about.pop("across")
+    values = {name: data[()].astype(float) for name, data in group.items()}
+    return {**about, **{name: each.reshape(*shape, *each.shape[1:]) if name in ("y", "depth", "strain", "stress", "accumulated")
+                        else each for name, each in values.items()}}
+
+
 def _read_point(group, number, by_number, nodes):
     below = [{**_attributes(part), **{n: d[()] for n, d in part.items()}}
              for _, part in sorted(group.get("subsurface", {}).items())]
@@ -81,6 +92,7 @@ def _read_point(group, number, by_number, nodes):
             **{name: _attributes(group[name]) if name in group else {}
                for name in ("error_estimate", "no_bar", "model_error", "richardson")},
             "subsurface": below, "stress_maxima": largest,
+            "yielded": {body: _read_yielded(part) for body, part in group.get("yielded", {}).items()},
             "bodies": Bodies(nodes, group["bodies"]) if nodes is not None and "bodies" in group else {},
             "number": number, "by_number": by_number}
 
@@ -92,7 +104,7 @@ def _read_model(key, group, by_number):
     for count in ("position", "patch", "patches") if place else ():
         place[count] = int(place[count])
     # Hertz always has a single point.
-    points = [_read_point(group["points"][each], number, by_number and name != "hertz", group.get("bodies"))
+    points = [_read_point(group["points"][each], number, by_number if name != "hertz" else "", group.get("bodies"))
               for number, each in enumerate(sorted(group["points"]))]
     return {"name": name, "label": about.get("label", ""), "key": key, "seconds": _attributes(group["seconds"]),
             "unknowns": about["unknowns"], "contact_elements": about["contact_elements"], "notes": _texts(group["notes"]),
@@ -115,7 +127,10 @@ def _read_file(path, directory, of_model):
         case = _attributes(file["case"])
         if "friction_law" in file["case"]:  # [n, 2]: slip velocity, mm/s, and coefficient of friction
             case["friction_law"] = file["case/friction_law"][()]
-        by_number = bool(case.get("problem", "steady") in ("shift", "transient") or case.get("prescribed_forces", ""))
+        by_number = "load point" if case.get("problem", "steady") in ("shift", "transient") or case.get(
+            "prescribed_forces", "") else ""
+        if any("yielded" in point for group in file["models"].values() for point in group["points"].values()):
+            by_number = "pass"
         models = [of_model(_read_model(name, group, by_number)) for name, group in
                   sorted(file["models"].items(), key=lambda item: _plain(item[1].attrs["order"]))]
         columns = [_texts(file["quantities"][n]) for n in ("name", "title", "symbol", "unit", "meaning", "percent_of")]
@@ -215,6 +230,54 @@ def read_result(path, of_model=Model):
     except KeyError as error:
         raise ResultError(f"{file} cannot be read as a result of rollfem: {error}; "
                           "run the case again") from error
+
+
+@lru_cache(maxsize=1)
+def _all_published():
+    with open(os.path.join(os.path.dirname(__file__), "published.json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def _is(value, wanted):
+    """Whether an input matches the entry: null means flat, a list holds all allowed values; near and within give a
+    range."""
+    if value is None:
+        return False
+    if wanted is None:
+        return math.isinf(value)
+    if isinstance(wanted, list):
+        return value in wanted
+    if isinstance(wanted, dict):
+        return abs(value - wanted["near"]) <= wanted["within"]
+    return value == wanted
+
+
+def _has(values, wanted):
+    return all(_is(values.get(name), value) for name, value in wanted.items())
+
+
+def _published_case(result):
+    """The entry whose inputs match the result and whose place matches its patch; empty if there is none. A result with
+    several patches has none; pass one of its scenes."""
+    places = {m.place["wheel"]: m.place for m in result.models if m.place}
+    if len(result.scenes()) > 1 or "rail_rolling_radius" in result.case:
+        return {}
+    for entry in _all_published()["cases"].values():
+        wanted = entry.get("place")
+        at_place = not places if wanted is None else any(_has(p, wanted) for p in places.values())
+        if at_place and _has(result.case, {**_all_published()["common"], **entry["inputs"]}):
+            return entry
+    return {}
+
+
+def published(result):
+    """Published data for the case: `creep_curve`, rows name, source, xi (list), traction_coefficient (list, -F_x/F_z);
+    `patch`, rows name, source, and the known ones of semi_axis_x, semi_axis_y, contact_length, contact_width (mm),
+    contact_area (mm²), max_pressure (MPa), approach (mm), max_traction_x ({"xi", "value" in MPa}); `says`, remarks of
+    the 2012 study; `sources`, one sentence for each. Empty if nothing is published."""
+    found = {"creep_curve": [], "patch": [], "says": "", **_published_case(result)}
+    used = dict.fromkeys(row["source"] for row in found["patch"] + found["creep_curve"])
+    return {**found, "sources": "; ".join(_all_published()["sources"][name] for name in used)}
 
 
 @dataclass

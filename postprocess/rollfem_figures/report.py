@@ -3,7 +3,7 @@
 import re
 from html import escape
 
-from . import curves, load_points, maps, positions, stresses, styles, tables
+from . import curves, load_points, maps, positions, stresses, styles, tables, yielding
 from .page import case_file, hint, made_by, section
 from .reader import read_result
 from .results import place_label
@@ -51,6 +51,7 @@ def captions(result):
     for number, kind, body in stresses.lines(result):
         yield (f"stress_{number + 1}.svg", stresses.caption(kind, body),
                lambda number=number: stresses.of_request(result, number))
+    yield from yielding.captions(result)
 
 
 def place_captions(result):
@@ -85,7 +86,7 @@ MOST_FULL = 8
 def _telling(scene):
     """Prefixes of the figures drawn for every patch of a long sweep."""
     reference = load_points.reference_for_forces(scene) or load_points.reference_for_patch(scene)
-    return ("creep_", "path_x", "path_y", "outlines", "stress_",
+    return ("creep_", "path_x", "path_y", "outlines", "stress_", "yielded_",
             *(f"oblique_{what}_{reference.name}.svg" for what in ("px", "pn")))
 
 
@@ -232,6 +233,7 @@ def _patch(scene, images, heading):
         _numbers(scene), images("outlines", "contact_area"), _forces(scene, images("creep_")),
         section("Tractions in the patch", images("path", "strip_force", "oblique")),
         section("Work of friction", images("pass_work")),
+        section("Steel that yields", yielding.passes_table(scene), images("yielded_")),
         section("Stress in the bodies", largest, hint("Over all load points. ±: the model's own error estimate. Places x, "
                                                       "y, z; z points into the wheel.") * bool(largest), images("stress_"))])
     return f"<h3>{escape(heading)}</h3>" + lower(html, 2) if heading else html

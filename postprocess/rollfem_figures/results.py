@@ -26,8 +26,17 @@ class PointRecord:
     `subsurface`: dicts for every [[subsurface.*]]: kind, body, points [n, 3], displacement [n, 3], stress [n, 6];
     `stress_maxima`, the largest stresses: dicts body, measure, value (MPa), place [x, y, z] (mm); `bodies`: Bodies of finite
     elements, if stored; otherwise empty. `pass_work` [ny]: frictional work per pass and area of the rows (N/mm), or None.
+    `yielded`: {"wheel": ..., "rail": ...} of the bodies that yield, after this pass of the load: dicts of `verdict` ("elastic",
+    "elastic shakedown", "plastic shakedown", "ratchetting", "settling"), which holds since `from_pass`; `increment`,
+    `net_increment`, `plastic_strain`, `plastic_work` (N mm per mm), `utilisation`, `iterations`, `residual`; of the section
+    behind the load `y`, `depth` (mm) and `accumulated` [down, across], plastic `strain` and residual `stress` (MPa)
+    [down, across, 6] (xx, yy, zz, xy, yz, xz; x along rolling, tension positive); on the surface `surface_y`, `groove`
+    (negative into the body), `forward_flow` [across] (mm). Only y > 0 where half of a symmetric body is modelled. Otherwise
+    empty.
     `x`, `y`, `place`: those of its model.
     """
+
+    yielded = {}  # of records without it
 
     def __init__(self, record, x, y, place):
         self.__dict__.update(record)
@@ -44,8 +53,8 @@ class PointRecord:
 
 
 class Point(PointRecord):
-    """A load point as figures need it. `number`: of the load point, from 0; `by_number`: identified by it (steps of a
-    history, prescribed forces)."""
+    """A load point as figures need it. `number`: of the load point, from 0; `by_number`: what this number counts if it
+    identifies the load point, "load point" (steps of a history, prescribed forces) or "pass" (bodies that yield)."""
 
     def __getitem__(self, name):
         return self.scalars[name]
@@ -69,9 +78,9 @@ class Point(PointRecord):
 
     @property
     def key(self):
-        """Key of a load point within its case, equal in every model: (xi, eta, spin), or the number from 1 in a history
-        or with prescribed forces, where creepages are results."""
-        return (float(self.number + 1),) if self.by_number else self.creepages
+        """Key of a load point within its case, equal in every model: (xi, eta, spin), or (number from 1, what it counts)
+        where creepages are results or repeat."""
+        return (self.number + 1, self.by_number) if self.by_number else self.creepages
 
 
 class ModelRecord:
@@ -122,7 +131,7 @@ class Model(ModelRecord):
         if self._found is None:
             self._found = {point.key: point for point in reversed(self.points)}
         return self._found.get(key) or next(
-            (p for p in self.points if len(p.key) == len(key)
+            (p for p in self.points if len(p.key) == len(key) == 3
              and all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-15) for a, b in zip(p.key, key))), None)
 
     def nearest(self, longitudinal_creepage):

@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """stress.html: results of `rollfem stress` at all requested load points: depth profiles, lines, planes and the
 shakedown map."""
-import math
 from html import escape
 
 import numpy as np
 
 from . import labels, load_points, stresses, styles
 from .figure import Figure
-from .outline import at_points, contour_lines
+from .outline import colour_scale, filled
 from .page import hint, section
-from .panel import nice_step
 from .reader import read_stress
 from .stresses import MEASURES
 from .tables import number, plain, table
@@ -118,50 +116,6 @@ def _lattice(part):
     return found[0][1], found[1][1], found[0][2], found[1][2]
 
 
-# The colour map viridis in steps, and the part with white text.
-VIRIDIS = ("#440154 #481b6d #46327e #3f4788 #365c8d #2e6e8e #277f8e #21918c #1fa187 #2db27d #4ac16d #73d056 "
-           "#a0da39 #d0e11c #fde725").split()
-
-
-def _shade(number, levels):
-    return VIRIDIS[round(number * (len(VIRIDIS) - 1) / max(1, len(levels) - 1))]
-
-
-def filled(panel, right, up, values):
-    """Overlaid areas above increasing levels. The lattice may be skew, because contours are computed over the indices
-    of its points. Returns the levels."""
-    low, high = float(values.min()), float(values.max())
-    step = nice_step(max(high - low, 1e-6 * max(abs(high), 1e-9)), len(VIRIDIS) - 1)
-    first = math.floor(low / step + 1e-9)
-    levels = [step * n for n in range(first, first + len(VIRIDIS)) if step * n < high]
-    rows, columns = values.shape
-    # A ring beyond the border closes the lines; the border clips it.
-    x, y = np.arange(-1, columns + 1.0), np.arange(-1, rows + 1.0)
-    x[[0, -1]], y[[0, -1]] = (-1e-3, columns - 1 + 1e-3), (-1e-3, rows - 1 + 1e-3)
-    wide = np.pad(values, 1, constant_values=low - 1e3 * (high - low or 1.0))
-    panel.area([_edge(right, up)], VIRIDIS[0])
-    for place, level in enumerate(levels[1:], 1):
-        rings = contour_lines(x, y, wide, level)
-        panel.area([np.stack([at_points(np.arange(columns), np.arange(rows), part, ring)
-                              for part in (right, up)], axis=1) for ring in rings], _shade(place, levels))
-    return levels, step
-
-
-def _edge(right, up):
-    """The border of a lattice."""
-    return np.concatenate([np.stack([part[side] for part in (right, up)], axis=1) for side in (
-        np.s_[0, :], np.s_[1:, -1], np.s_[-1, -2::-1], np.s_[-2:0:-1, 0])])
-
-
-def colour_scale(figure, levels, step, height):
-    """A panel with the colour scale of the levels."""
-    panel = figure.add(14, height, " ")
-    panel.x.ticks, panel.x.limits, panel.room_left = [], (0.0, 1.0), 34
-    panel.y.limits = (levels[0], levels[-1] + step)
-    for place, level in enumerate(levels):
-        panel.area([np.array([(0, level), (1, level), (1, level + step), (0, level + step)])], _shade(place, levels))
-
-
 def plane(model, part):
     """Filled contours of four measures on a plane."""
     right, up, right_label, up_label = _lattice(part)
@@ -181,9 +135,6 @@ def plane(model, part):
                             for column, label, _ in MEASURES])
 
 
-KINDS = (("line", (7.5, 3), "line contact"), ("circle", (1.5, 1.5), "circular contact"))
-
-
 def _curves(result):
     """{key of a model: (model, its shakedown at all load points, numbers of the requested ones)}."""
     return {m.key: (m, m.data["shakedown"], [other.data["point"] for other in result.models if other.key == m.key])
@@ -196,18 +147,10 @@ def shakedown_map(result):
     bounds = result.shakedown_map
     if bounds is None:
         return None
+    curves = _curves(result)
     figure = Figure(1)
-    panel = figure.add(440, 300, f"yield stress in shear $k$ = {result.yield_shear_stress:.4g} MPa",
-                       "tangential force over normal force $T/F_z$ [-]", "load factor $p_0/k$ [-]")
-    at, curves = bounds["tangential_coefficient"], _curves(result)
-    top = max([5.2] + [1.15 * p["load_factor"] for _, curve, _ in curves.values() for p in curve])
-    panel.x.limits, panel.y.limits = (0.0, max(at)), (0.0, top)
-    if "ellipse_shakedown" in bounds:
-        panel.line(at, bounds["ellipse_shakedown"], "ink", 1.8,
-                   name=f"shakedown limit of the ellipse, $b/a$ = {bounds['ellipse_ratio']:.3g}")
-    for kind, dash, name in KINDS:
-        panel.line(at, bounds[f"{kind}_shakedown"], "soft", 1.1, dash, name=f"shakedown limit, {name}")
-        panel.line(at, bounds[f"{kind}_elastic"], "sky", 1.1, dash, name=f"elastic limit, {name}")
+    panel = stresses.shakedown_panel(figure, f"yield stress in shear $k$ = {result.yield_shear_stress:.4g} MPa", bounds,
+                                     [p["load_factor"] for _, curve, _ in curves.values() for p in curve])
     for size, (model, curve, asked) in zip((4.5, 3.2, 2.6, 2.2) * len(curves), curves.values()):
         look = {**styles.line(model, True), "size": size}  # models that coincide stay visible
         spots = [(p["tangential_coefficient"], p["load_factor"]) for p in curve]
@@ -216,10 +159,6 @@ def shakedown_map(result):
         figure.entry(f"{look['name']} (filled: the load points of the stresses)", look["colour"], look["dash"],
                      marker=look["marker"])
         panel.spots(chosen, order=5, **{**look, "name": f"{look['name']} (filled: the load points of the stresses)"})
-    panel.text(0.012, 0.3, "elastic")
-    if top < 6:  # otherwise there is no space between the limits
-        panel.text(0.008, 3.2, "elastic shakedown")
-    panel.text(0.97, 0.93, "plastic flow at every pass", "end", share=(True, True))
     return figure.tell("Shakedown map, ", [panel.seen()])
 
 

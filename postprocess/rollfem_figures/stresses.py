@@ -117,9 +117,31 @@ def maxima_table(result):
         if not found:
             return None
         value, place, point = max(found, key=lambda row: row[0])
-        more = "" if len(models[column].points) < 2 else f", load point {plain(point.key[0])}" if point.by_number else (
+        more = "" if len(models[column].points) < 2 else f", {point.by_number} {point.key[0]}" if point.by_number else (
             f", ξ = {plain(100 * point['longitudinal_creepage'])} %")
         name = f"max_{measure}_{body}"
         return largest_cell(value, point.error_estimate.get(name, point.no_bar.get(name, "")), place, more)
 
     return largest_table([escape(styles.label(m)) for m in models], cell)
+
+
+KINDS = (("line", (7.5, 3), "line contact"), ("circle", (1.5, 1.5), "circular contact"))
+
+
+def shakedown_panel(figure, title, bounds, factors):
+    """Adds the panel of a shakedown map: load factor p0/k against tangential coefficient with its boundaries (StressResult)
+    and room for these load factors."""
+    panel = figure.add(440, 300, title, "tangential force over normal force $T/F_z$ [-]", "load factor $p_0/k$ [-]")
+    at, top = bounds["tangential_coefficient"], max([5.2] + [1.15 * factor for factor in factors])
+    panel.x.limits, panel.y.limits = (0.0, max(at)), (0.0, top)
+    if "ellipse_shakedown" in bounds:
+        panel.line(at, bounds["ellipse_shakedown"], "ink", 1.8,
+                   name=f"shakedown limit of the ellipse, $b/a$ = {bounds['ellipse_ratio']:.3g}")
+    for kind, dash, name in KINDS:
+        panel.line(at, bounds[f"{kind}_shakedown"], "soft", 1.1, dash, name=f"shakedown limit, {name}")
+        panel.line(at, bounds[f"{kind}_elastic"], "sky", 1.1, dash, name=f"elastic limit, {name}")
+    panel.text(0.012, 0.3, "elastic")
+    if top < 6:  # otherwise there is no space between the limits
+        panel.text(0.008, 3.2, "elastic shakedown")
+    panel.text(0.97, 0.93, "plastic flow at every pass", "end", share=(True, True))
+    return panel

@@ -6,8 +6,8 @@ from html import escape
 
 from . import load_points, styles
 from .labels import symbol
-from .published import published
 from .page import hint
+from .reader import published
 from .results import full_sliding, place_label
 
 
@@ -169,7 +169,7 @@ def _creepage_head(models):
     ones."""
     told = _told(models)
     if told is None:
-        return "load point", lambda key: plain(key[0])
+        return next(key[1] for key in load_points.all_keys(models) if len(key) == 2), lambda key: plain(key[0])
     parts = [(k, *load_points.PARTS[k][2:5]) for k in told]
     return (", ".join(f"{symbol} [{unit_}]" for _, symbol, _, unit_ in parts),
             lambda key: ", ".join(plain(key[k] * factor) for k, _, factor, _ in parts))
@@ -178,7 +178,7 @@ def _creepage_head(models):
 def _told(models):
     """The parts of the keys shown in a table; None if keys are numbers."""
     found = load_points.all_keys(models)
-    return None if any(len(key) == 1 for key in found) else load_points.varying(found) or [0]
+    return None if any(len(key) == 2 for key in found) else load_points.varying(found) or [0]
 
 
 def shared_creepage(models):

@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bodies that yield: what is read of them, and their figures and table in the report.
+Call: yielded.py SOURCE_FOLDER PROGRAM; rollfem is found by PYTHONPATH."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+import rollfem
+
+PROGRAM = pathlib.Path(sys.argv[2]).resolve()
+# Coarse: wheel and rail yield below a round patch, slipping in the first and third pass only.
+CASE = """title = "two bodies that yield"
+models = ["fem"]
+[load]
+normal_force = 100e3
+[friction]
+coefficient = 0.3
+[wheel]
+rolling_radius = 450.0
+transverse_radius = inf
+[rail]
+transverse_radius = 450.0
+[rail_plasticity]
+yield_stress = 450.0
+hardening = [20e3]
+residual_depth = [0.0, 10.0]
+residual_along = [100.0, 0.0]
+[wheel_plasticity]
+yield_stress = 520.0
+hardening = [20e3]
+[rolling]
+longitudinal_creepage = [0.03, 0.001]
+[fem]
+cell_size = 4.0
+passes = 3
+"""
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+class Yielded(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name)
+        (cls.path / "case.toml").write_text(CASE, encoding="utf-8")
+        run("run", cls.path / "case.toml", "-o", cls.path / "run", "-q")
+        cls.result = rollfem.read(cls.path / "run")
+        cls.points = cls.result.models[0].points
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_sections_have_the_scalars_of_the_load_point(self):
+        self.assertEqual([p.step for p in self.points], [1, 2, 3])
+        for point in self.points:
+            bodies = point.yielded.values()
+            self.assertEqual(list(point.yielded), ["rail", "wheel"])
+            for name, quantity in (("plastic_strain", "plastic_strain"), ("increment", "plastic_increment"),
+                                   ("net_increment", "net_plastic_increment")):
+                self.assertEqual(max(body[name] for body in bodies), point[quantity])
+            self.assertAlmostEqual(sum(body["plastic_work"] for body in bodies) / point.plastic_work, 1.0, 12)
+            self.assertEqual(max(-body["groove"].min() for body in bodies), point.groove_depth)
+            self.assertEqual(max(-body["stress"][..., 0].min() for body in bodies), point.residual_stress)
+
+    def test_streamlines_are_rows_of_one_depth(self):
+        for body in self.points[-1].yielded.values():
+            shape = body["y"].shape
+            self.assertEqual(body["strain"].shape, (*shape, 6))
+            self.assertEqual(body["groove"].shape, shape[1:])
+            self.assertTrue((np.diff(body["depth"], axis=0) > 0).all() and (np.diff(body["y"], axis=1) > 0).all())
+            np.testing.assert_array_equal(body["surface_y"], body["y"][0])
+            self.assertLess(np.abs(body["strain"][..., :3].sum(axis=-1)).max(), 1e-6 * body["plastic_strain"])  # no volume
+            self.assertAlmostEqual(float(body["accumulated"].max()) / body["plastic_strain"], 1.0, 6)
+
+    def test_what_has_flowed_stays(self):
+        for body in ("wheel", "rail"):
+            sums = np.array([p.yielded[body]["accumulated"] for p in self.points])
+            self.assertTrue((np.diff(sums, axis=0) >= -1e-9).all())
+        # Braking drags the surface of the rail forwards, that of the wheel backwards.
+        self.assertGreater(self.points[0].yielded["rail"]["forward_flow"].max(), 0)
+        self.assertLess(self.points[0].yielded["wheel"]["forward_flow"].min(), 0)
+
+    def test_the_report_shows_passes_instead_of_a_creep_curve(self):
+        figures = {path.stem for path in (self.path / "run/figures").glob("*.svg")}
+        self.assertEqual({name for name in figures if name.startswith("yielded")},
+                         {"yielded_passes", "yielded_shakedown_map", *(f"yielded_{what}_{body}" for body in ("wheel", "rail")
+                                                                       for what in ("stress", "section", "groove"))})
+        self.assertNotIn("creep_curve", figures)
+        page = (self.path / "run/report.html").read_text(encoding="utf-8")
+        for words in ("Steel that yields</h2>", "<th scope=col>pass</th>", f"rail: {self.points[-1].yielded['rail']['verdict']}",
+                      "Shakedown map with the passes", "yield stress in shear k = 300.2 MPa (wheel), k = 259.8 MPa (rail)",
+                      "before the first pass", "Section of the rail after pass 3", ">pass 2<"):
+            self.assertIn(words, page)
+
+    def test_bodies_that_stay_elastic_have_none(self):
+        run("run", self.path / "case.toml", "--model", "halfspace", "-o", self.path / "elastic", "-q")
+        self.assertEqual(rollfem.read(self.path / "elastic").points[0].yielded, {})
+        self.assertFalse(list((self.path / "elastic/figures").glob("yielded*")))
+
+
+class Boundaries(unittest.TestCase):
+    def test_the_shakedown_map_is_that_of_rollfem_stress(self):
+        from rollfem_figures.yielding import _boundaries
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder)
+            (path / "case.toml").write_text(
+                "[given_pressure]\nsemi_axis_x = 1.0\nsemi_axis_y = 1.0\nmax_pressure = 1000.0\n[friction]\ncoefficient = 0.3\n"
+                "[rolling]\nlongitudinal_creepage = 0.01\n[contact_grid]\nelements_across = 10\n", encoding="utf-8")
+            for ratio in (0.26, 1.0, 1.3, 7.0):
+                run("run", path / "case.toml", "--model", "halfspace", "--set", f"given_pressure.semi_axis_y={ratio}", "--no-report",
+                    "-q", "-o", path / "run")
+                run("stress", path / "run", "--yield-shear-stress", "300", "--no-figures", "-q", "-o", path / "stress")
+                wanted = json.loads((path / "stress/stress.json").read_text(encoding="utf-8"))["shakedown_map"]
+                found = _boundaries(ratio)
+                for name in ("line_elastic", "line_shakedown", "circle_elastic", "circle_shakedown"):
+                    np.testing.assert_allclose(found[name], wanted[name], atol=6e-5, err_msg=name)
+                # Between the ellipses that are known.
+                np.testing.assert_allclose(found["ellipse_shakedown"], wanted["ellipse_shakedown"], rtol=0.03)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
