@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Contact of bodies that yield, by the whole model: an elastic limit, equal discs, the pressure
+// that flattens, number of threads.
+#include "contact/base/threads.hpp"
+#include "fem/elasticity/run_level.hpp"
+
+#include "support/committed_cases.hpp"
+#include <cmath>
+
+namespace {
+
+using contact::Case;
+using contact::ModelResult;
+using contact::PointResult;
+
+/// A wheel on a roller like it, pressed without friction to about p0 = `pressure` (MPa).
+Case equal_discs(double pressure, int passes) {
+  Case input = committed_case('b', {0.0});
+  input.rolling.problem = contact::Problem::frictionless;
+  input.wheel.rolling_radius = input.rail.rolling_radius = 200.0;
+  input.wheel.transverse_radius = input.rail.transverse_radius = 200.0;
+  // Hertz: p0^3 = 6 F E*^2 / (pi^3 R^2), R = 100 mm, E* of two steel bodies.
+  const double modulus = input.wheel.material.young_modulus / (2.0 * (1.0 - 0.3 * 0.3));
+  input.load.normal_force =
+      std::pow(std::acos(-1.0), 3) * 100.0 * 100.0 * std::pow(pressure, 3) / (6.0 * modulus * modulus);
+  input.rolling.creepages.resize(passes);
+  input.fem.passes = passes;
+  return input;
+}
+
+contact::BodyPlasticity steel(double yield_stress, double hardening) {
+  contact::BodyPlasticity steel;
+  steel.yield_stress = yield_stress;
+  steel.back_stresses[0].modulus = hardening;
+  return steel;
+}
+
+ModelResult solved(const Case& input, double cell) {
+  return fem::run_level(input, {cell, "", false}, {});
+}
+
+// p0 = 1500 MPa is 5 k of a steel of 520 MPa; a is about 1.3 mm.
+constexpr double pressure = 1500.0, cell = 0.4;
+
+TEST(FemYieldingContact, OfStrongSteelIsElasticToTheLastDigit) {
+  Case input = equal_discs(pressure, 1);
+  input.rail.plasticity = steel(1e6, 0.0);
+  const PointResult yielding = solved(input, cell).points.front();
+  input.fem.pass_pressure = contact::PassPressure::elastic;
+  const PointResult elastic = solved(input, cell).points.front();
+  EXPECT_EQ(yielding.max_pressure, elastic.max_pressure);
+  EXPECT_EQ(yielding.approach, elastic.approach);
+  EXPECT_EQ(yielding.yielded.front().verdict, "elastic");
+  EXPECT_EQ(yielding.plastic_strain.value(), 0.0);
+  EXPECT_EQ(yielding.groove_depth.value(), 0.0);
+  EXPECT_LT(yielding.yielded.front().utilisation, 1e-3);
+  // The mesh is finer than that of an elastic body: alike within the errors of such cells.
+  input.rail.plasticity.reset();
+  EXPECT_NEAR(solved(input, cell).points.front().max_pressure / elastic.max_pressure, 1.0, 3e-3);
+}
+
+TEST(FemYieldingContact, OfEqualDiscsYieldsEquallyInBoth) {
+  Case input = equal_discs(pressure, 2);
+  input.wheel.plasticity = input.rail.plasticity = steel(520.0, 20e3);
+  for (const PointResult& point : solved(input, cell).points) {
+    ASSERT_EQ(point.yielded.size(), 2U);
+    const contact::YieldedSection &wheel = point.yielded[0], &rail = point.yielded[1];
+    EXPECT_EQ(wheel.body, "wheel");
+    EXPECT_GT(wheel.plastic_strain, 1e-3);
+    // To the tolerance of the contact iteration.
+    EXPECT_NEAR(wheel.plastic_strain / rail.plastic_strain, 1.0, 1e-4);
+    EXPECT_NEAR(wheel.groove.front() / rail.groove.front(), 1.0, 1e-3);
+    EXPECT_EQ(wheel.verdict, rail.verdict);
+  }
+}
+
+TEST(FemYieldingContact, FlattensThePressureAndIsTheSameOnAnyNumberOfThreads) {
+  Case input = equal_discs(pressure, 3);
+  input.rail.plasticity = steel(520.0, 20e3);
+  const std::vector<PointResult> points = solved(input, cell).points;
+  for (const PointResult& point : points) {
+    EXPECT_TRUE(point.converged);
+    EXPECT_LT(point.max_pressure, 0.97 * pressure);
+    EXPECT_GT(point.groove_depth.value(), 0.0);
+    EXPECT_NEAR(point.yielded.front().utilisation, 1.0, 1e-10);
+  }
+  // Steel that has yielded yields less.
+  EXPECT_LT(points[2].plastic_increment.value(), 0.5 * points[0].plastic_increment.value());
+  const contact::Threads one(1);
+  const std::vector<PointResult> alone = solved(input, cell).points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    EXPECT_EQ(points[k].max_pressure, alone[k].max_pressure);
+    EXPECT_EQ(points[k].plastic_strain.value(), alone[k].plastic_strain.value());
+  }
+}
+
+TEST(FemYieldingContact, OfResidualCompressionYieldsLater) {
+  // Compression along and across as shakedown leaves it lowers the plastic strain of the first
+  // pass.
+  Case input = equal_discs(pressure, 1);
+  input.rail.plasticity = steel(520.0, 20e3);
+  const double without = solved(input, cell).points.front().plastic_increment.value();
+  input.rail.plasticity->residual = {{0.0, 1.0, 3.0}, {-200.0, -200.0, 0.0}, {-200.0, -200.0, 0.0}};
+  EXPECT_LT(solved(input, cell).points.front().plastic_increment.value(), 0.8 * without);
+}
+
+}  // namespace
