@@ -34,9 +34,24 @@ StreamLattice lattice_of(const BodyOptions& options) {
   return lattice;
 }
 
-/// While the contact is sought, and for a pass that counts.
+/// While the contact is sought: a part of the last change of the load, within bounds; and for a
+/// pass that counts.
+constexpr double part_of_change = 0.02;
+constexpr double loosest_residual = 1e-2;
 constexpr double loose_residual = 1e-5;
 constexpr double tight_residual = 1e-6;
+
+/// |a - b| over |a|.
+double relative_change(const std::vector<Deviator>& a, const std::vector<Deviator>& b) {
+  if (b.size() != a.size()) return 1.0;
+  double change = 0.0, all = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const Deviator difference = sum(a[k], -1.0, b[k]);
+    change += product(difference, difference);
+    all += product(a[k], a[k]);
+  }
+  return all > 0.0 ? std::sqrt(change / all) : 0.0;
+}
 
 class YieldingBody {
  public:
@@ -55,7 +70,7 @@ class YieldingBody {
   }
 
   /// Solves the pass in question anew, from its last solution.
-  PassReport pass(const Vector& elastic, double residual) {
+  PassReport pass(const Vector& elastic, bool counts) {
     if (now_.displacement.l2_norm() > 0.0) released_ = ends_.released(displacement());
     Vector loaded = elastic;
     loaded += released_;
@@ -66,14 +81,17 @@ class YieldingBody {
     YieldedBody next = now_;
     next.leaving = before_.leaving;
     PassAccuracy accuracy;
-    accuracy.residual = residual;
+    accuracy.residual = counts ? tight_residual
+                               : std::clamp(part_of_change * relative_change(strain, last_strain_),
+                                            loose_residual, loosest_residual);
     const PassReport report = steady_pass(streamlines_, law_, solver_, strain, accuracy, next);
     now_ = std::move(next);
+    last_strain_ = std::move(strain);
     return report;
   }
 
   contact::YieldedSection finish(const Vector& elastic) {
-    const PassReport report = pass(elastic, tight_residual);
+    const PassReport report = pass(elastic, true);
     refuse_beyond_streamlines();
     contact::YieldedSection section = results_.after_pass(report, before_, now_, displacement());
     before_ = now_;
@@ -142,6 +160,7 @@ class YieldingBody {
   PlasticLaw law_;
   Streamlines streamlines_;
   PassResults results_;
+  std::vector<Deviator> last_strain_;  ///< under the last load
   std::vector<Deviator> initial_;  ///< strain of the residual stress before, of every streamline
   EndFlow ends_;
   Vector released_;  ///< mm, displacement by what the ends give way
@@ -170,7 +189,7 @@ std::vector<Vector> YieldingBodies::respond(const std::vector<Vector>& elastic) 
   std::vector<Vector> plastic(2);
   for (std::size_t k = 0; k < 2; ++k) {
     if (!implementation_->parts[k]) continue;
-    implementation_->parts[k]->pass(elastic[k], loose_residual);
+    implementation_->parts[k]->pass(elastic[k], false);
     plastic[k] = implementation_->parts[k]->displacement();
   }
   return plastic;

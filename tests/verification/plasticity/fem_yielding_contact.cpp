@@ -25,6 +25,7 @@ Case equal_discs(double pressure, int passes) {
       std::pow(std::acos(-1.0), 3) * 100.0 * 100.0 * std::pow(pressure, 3) / (6.0 * modulus * modulus);
   input.rolling.creepages.resize(passes);
   input.fem.passes = passes;
+  input.fem.extent = 8.0;
   return input;
 }
 
@@ -75,7 +76,7 @@ TEST(FemYieldingContact, OfEqualDiscsYieldsEquallyInBoth) {
 }
 
 TEST(FemYieldingContact, FlattensThePressureAndIsTheSameOnAnyNumberOfThreads) {
-  Case input = equal_discs(pressure, 3);
+  Case input = equal_discs(pressure, 2);
   input.rail.plasticity = steel(520.0, 20e3);
   const std::vector<PointResult> points = solved(input, cell).points;
   for (const PointResult& point : points) {
@@ -85,7 +86,7 @@ TEST(FemYieldingContact, FlattensThePressureAndIsTheSameOnAnyNumberOfThreads) {
     EXPECT_NEAR(point.yielded.front().utilisation, 1.0, 1e-10);
   }
   // Steel that has yielded yields less.
-  EXPECT_LT(points[2].plastic_increment.value(), 0.5 * points[0].plastic_increment.value());
+  EXPECT_LT(points[1].plastic_increment.value(), 0.5 * points[0].plastic_increment.value());
   const contact::Threads one(1);
   const std::vector<PointResult> alone = solved(input, cell).points;
   for (std::size_t k = 0; k < points.size(); ++k) {
