@@ -49,7 +49,7 @@ ALLOWED = {
 # Rooms of a module, each of which may include those before it.
 ROOMS = {
     "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature", ""],
-    "fem": ["mesh", "discretisation", "linear", "trace", "stress", "elasticity"],
+    "fem": ["mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance"],
     "postprocess": ["files", "hdf5", "write", "read", "compare", "study", "stress"],
