@@ -72,7 +72,8 @@ std::vector<Quantity> of_the_motion() {
        "rotation of the wheel relative to the rail about the normal, per mm rolled", Scale::none,
        Use::stored, at<&P::creepage, &Creepage::spin>(), no_bar::given},
       {"step", "step", "", "-",
-       "number of the step in a history (problems `shift`, `transient`), from 1; otherwise 0",
+       "number of the step in a history (problems `shift`, `transient`) or of the pass over bodies "
+       "that yield, from 1; otherwise 0",
        Scale::none, Use::stored, at<&P::step>(), no_bar::counted},
       {"longitudinal_shift", "longitudinal shift", "", "mm",
        "rigid shift of the wheel over the rail along x since the beginning", Scale::none,
@@ -202,8 +203,8 @@ std::vector<Quantity> of_the_passes() {
        "largest increase of the accumulated plastic strain during this pass", Scale::value,
        Use::stored, at<&P::plastic_increment>()},
       {"net_plastic_increment", "lasting plastic strain of the pass", "", "-",
-       "largest change of the plastic strain from before to after the pass, sqrt(2/3) |d eps_p|: "
-       "the rate of ratchetting",
+       "largest change of the plastic strain from before to after the pass, as an equivalent "
+       "strain: the rate of ratchetting",
        Scale::value, Use::stored, at<&P::net_plastic_increment>()},
       {"residual_stress", "largest residual compression", "", "MPa",
        "largest compressive residual stress along rolling below the running band after the pass",

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the commands of docs/cookbook.md and docs/crossing.md and copies the figures that they name to docs/figures.
+"""Runs the commands of docs/cookbook.md, docs/crossing.md and docs/plasticity.md and copies the figures that they name to docs/figures.
 Call: docs/figures/cookbook.py PROGRAM"""
 import os
 import pathlib
@@ -19,7 +19,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(program, f"{folder}/rollfem")
         os.symlink(HERE.parent.parent / "cases", f"{folder}/cases")
-        pages = [(HERE.parent / page).read_text(encoding="utf-8") for page in ("cookbook.md", "crossing.md")]
+        pages = [(HERE.parent / page).read_text(encoding="utf-8") for page in ("cookbook.md", "crossing.md", "plasticity.md")]
         for commands, drawn, kept in RECIPE.findall("".join(pages)):
             subprocess.run(["sh", "-ec", commands], cwd=folder, check=True, stdout=subprocess.DEVNULL,
                            env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})
