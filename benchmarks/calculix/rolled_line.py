@@ -104,7 +104,9 @@ def deck(block, args):
             centre = -args.travel + k * args.step * block.cell
             forces = block.forces(centre, p0, args.friction) if k <= steps else {}
             now = {n for n, f in forces.items() if f[1] != 0.0}
-            yield from ["*STEP, INC=50", "*STATIC", "1., 1.", "*CLOAD"]
+            # More iterations before an increment is halved: plastic zones that move take them.
+            yield from ["*STEP, INC=50", "*STATIC", "1., 1.", "*CONTROLS, PARAMETERS=TIME INCREMENTATION",
+                        "12, 16, 18, 30, 10, 4, , 8", "*CLOAD"]
             for node in sorted(now | before):
                 along, up = forces.get(node, (0.0, 0.0))
                 yield f"{node}, 1, {along:.10g}"

@@ -44,7 +44,7 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
   body.fine_half_width = h;
   body.extent = options.extent;
   const auto grid =
-      contact::ContactGrid::centred(5 * options.per_half_width / 2, 2, h, h, 0.0, 0.0);
+      contact::ContactGrid::centred(2 * ((5 * options.per_half_width + 3) / 4), 2, h, h, 0.0, 0.0);
   const auto below = [](double x) {  // integral of the pressure
     x = std::clamp(x, -1.0, 1.0);
     return 0.5 * (x * std::sqrt(1.0 - x * x) + std::asin(x));
@@ -57,8 +57,8 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
                    options.ahead * options.per_half_width};
   lattice.across = {0, 1};
   lattice.down = options.deep * options.per_half_width;
-  // A wheel so large that its tread is flat to rounding within the segment.
-  constexpr double flat = 1e9;
+  // A wheel so large that its tread is flat: it leaves the plane by 2e-5 mm at 20 mm.
+  constexpr double flat = 1e7;
   const auto shape =
       options.wheel ? wheel_shape(flat, contact::infinity) : rail_shape(contact::infinity);
   return std::make_unique<RolledBody>(
@@ -66,29 +66,35 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
       grid, pressure, lattice);
 }
 
-/// Residual stress along and across the rolling direction at a depth behind the load, MPa, where
-/// that normal to the surface vanishes: between the two nearest streamlines, mean of the stations
-/// from `from` to `to` (mm).
-inline std::array<double, 2> residual_at(const Passes& passes, double depth, double from,
-                                         double to) {
+/// Residual stress along and across the rolling direction behind the load, MPa, where that normal
+/// to the surface vanishes: {depth: mean of the stations from `from` to `to`}.
+inline std::map<double, std::array<double, 2>> residual_below(const Passes& passes, double from,
+                                                              double to) {
   const auto stress = passes.residual_stress();
   const fem::Streamlines& lines = passes.of.lines;
-  std::map<double, std::array<double, 3>> at;  // sums over a depth
+  std::map<double, std::array<double, 2>> mean;
+  std::map<double, int> count;
   for (std::size_t k = 0; k < lines.points(); ++k) {
     const double s = lines.s(k % lines.stations());
+    const double depth = lines.section(k / lines.stations())[1];
     if (s < from || s > to) continue;
-    auto& sums = at[lines.section(k / lines.stations())[1]];
-    sums[0] += stress[k][0] - stress[k][2];
-    sums[1] += stress[k][1] - stress[k][2];
-    sums[2] += 1.0;
+    mean[depth][0] += stress[k][0] - stress[k][2];
+    mean[depth][1] += stress[k][1] - stress[k][2];
+    ++count[depth];
   }
-  const auto below = at.lower_bound(depth), above = std::prev(below);
+  for (auto& [depth, sums] : mean)
+    for (double& sum : sums) sum /= count[depth];
+  return mean;
+}
+
+/// The same at a depth between two streamlines.
+inline std::array<double, 2> residual_at(const Passes& passes, double depth, double from,
+                                         double to) {
+  const auto profile = residual_below(passes, from, to);
+  const auto below = profile.lower_bound(depth), above = std::prev(below);
   const double share = (depth - above->first) / (below->first - above->first);
-  std::array<double, 2> result{};
-  for (int c = 0; c < 2; ++c)
-    result[c] = (1.0 - share) * above->second[c] / above->second[2] +
-                share * below->second[c] / below->second[2];
-  return result;
+  return {(1.0 - share) * above->second[0] + share * below->second[0],
+          (1.0 - share) * above->second[1] + share * below->second[1]};
 }
 
 }  // namespace rollfem::testing

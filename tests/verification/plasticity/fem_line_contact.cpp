@@ -78,18 +78,18 @@ TEST(PlasticLineContact, YieldsFirstWhereTheElasticFieldSays) {
 // a/8, while below the surface; at the surface (friction 0.4) the first material point is 0.2 cells
 // down: 5.2 %, first order.
 TEST(PlasticLineContact, ShearThatNoResidualStressChangesFollowsTheShakedownMap) {
-  const auto coarse = slab_of(8, 20.0), fine = slab_of(16, 20.0);
+  const auto coarse = slab_of(8, 20.0), fine = slab_of(12, 20.0);
   for (const double friction : {0.0, 0.1, 0.2, 0.3}) {
     const double theory = postprocess::line_contact_limits(friction).shakedown;
     EXPECT_NEAR(melan_limit(*coarse, friction), theory, 0.01 * theory) << friction;
-    EXPECT_NEAR(melan_limit(*fine, friction), theory, 0.003 * theory) << friction;
+    EXPECT_NEAR(melan_limit(*fine, friction), theory, 0.005 * theory) << friction;
   }
   EXPECT_NEAR(melan_limit(*coarse, 0.4), 2.5, 0.06 * 2.5);
-  EXPECT_NEAR(melan_limit(*fine, 0.4), 2.5, 0.03 * 2.5);
+  EXPECT_NEAR(melan_limit(*fine, 0.4), 2.5, 0.04 * 2.5);
 }
 
 TEST(PlasticLineContact, ShakesDownBelowFourK) {
-  const auto slab = slab_of(8, 40.0);
+  const auto slab = slab_of(6, 20.0);
   for (const double load : {3.9, 4.0}) {
     auto passes = passes_over(*slab, load);
     const auto increases = passes.next(3);
@@ -100,29 +100,30 @@ TEST(PlasticLineContact, ShakesDownBelowFourK) {
 }
 
 TEST(PlasticLineContact, RatchetsSteadilyAboveFourK) {
-  const auto slab = slab_of(8, 40.0);
-  auto passes = passes_over(*slab, 4.2);
-  const auto increases = passes.next(5);
-  EXPECT_GT(increases[4], 5e-4);
-  EXPECT_GT(increases[4], 0.9 * increases[3]);
+  const auto slab = slab_of(6, 20.0);
+  const auto increases = passes_over(*slab, 4.24).next(4);  // 1.7e-3 in the end
+  EXPECT_GT(increases[3], 1e-3);
+  EXPECT_GT(increases[3], 0.85 * increases[2]);
 }
 
+// 6 % to both sides of the limit with friction 0.2: increases that fall by half with every pass, or
+// stay at 1.5e-3.
 TEST(PlasticLineContact, FrictionLowersTheLimitAsTheMapSays) {
-  const auto slab = slab_of(8, 40.0);
+  const auto slab = slab_of(6, 20.0);
   const double limit = postprocess::line_contact_limits(0.2).shakedown;
-  const auto below = passes_over(*slab, 0.96 * limit, 0.2).next(4);
+  const auto below = passes_over(*slab, 0.94 * limit, 0.2).next(5);
   EXPECT_GT(below[0], 1e-4);
-  EXPECT_LT(below[3], 1e-6);
-  const auto above = passes_over(*slab, 1.08 * limit, 0.2).next(4);
-  EXPECT_GT(above[3], 5e-4);
-  EXPECT_GT(above[3], 0.8 * above[2]);
+  for (int pass = 1; pass < 5; ++pass) EXPECT_LT(below[pass], 0.6 * below[pass - 1]) << pass;
+  const auto above = passes_over(*slab, 1.06 * limit, 0.2).next(4);
+  EXPECT_GT(above[3], 1e-3);
+  EXPECT_GT(above[3], 0.85 * above[2]);
 }
 
 // Where |xz| is largest the limit leaves no other stress but it: residual stresses along and across
 // make the three normal ones equal. At the limit of these cells, after passes that fall ever
 // slower, along within 0.03 p0, across within 0.02 p0.
 TEST(PlasticLineContact, ResidualStressAtTheLimitIsTheOnlyOnePossible) {
-  const auto slab = slab_of(8, 160.0);
+  const auto slab = slab_of(8, 80.0);
   auto passes = passes_over(*slab, 1.005 * melan_limit(*slab, 0.0));
   passes.next(4);
   const auto residual = residual_at(passes, 0.5, -1.6, -1.4);
@@ -130,5 +131,4 @@ TEST(PlasticLineContact, ResidualStressAtTheLimitIsTheOnlyOnePossible) {
   EXPECT_NEAR(elastic[3], 0.25, 1e-12);
   EXPECT_NEAR(residual[0] / passes.load_factor, elastic[2] - elastic[0], 0.03);
   EXPECT_NEAR(residual[1] / passes.load_factor, elastic[2] - elastic[1], 0.02);
-  for (int c = 0; c < 2; ++c) std::printf("residual %.4f\n", residual[c] / passes.load_factor);
 }
