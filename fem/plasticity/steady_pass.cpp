@@ -205,10 +205,11 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
     if (report.iterations == accuracy.most_iterations || !std::isfinite(report.residual))
       throw contact::SolveError(fmt::format(
           "plastic flow did not settle in {} iterations: out-of-balance forces are {:.2g} of those "
-          "of plastic strain, allowed: {:.2g}; do: give a smaller load or friction, more "
-          "hardening, "
-          "or a smaller [fem] cell_size",
-          report.iterations, report.residual, accuracy.residual));
+          "of plastic strain, allowed: {:.2g}; steel that does not harden bears no shear traction "
+          "above its yield stress in shear ({:.4g} MPa) and no pressure above some six times that; "
+          "do: give a smaller load or friction, hardening, or a smaller [fem] cell_size",
+          report.iterations, report.residual, accuracy.residual,
+          law.parameters().shear_yield_stress()));
     tried = anderson.next(tried, result);
     tried.displacement.update_ghost_values();
   }
