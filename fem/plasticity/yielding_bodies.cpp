@@ -95,6 +95,7 @@ class YieldingBody {
     refuse_beyond_streamlines();
     contact::YieldedSection section = results_.after_pass(report, before_, now_, displacement());
     before_ = now_;
+    last_strain_.clear();  // the next pass begins as in a run that is resumed
     contact::Record record;
     exchange(record);
     section.memory = record.bytes();

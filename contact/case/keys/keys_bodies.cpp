@@ -75,12 +75,19 @@ SectionWithKeys rail_section() {
 /// A list with one number for each back stress.
 Access<BodyPlasticity> of_back_stresses(double BodyPlasticity::BackStress::*member) {
   return {[member](const BodyPlasticity& steel) -> KeyValue {
+            // As many as there are moduli.
+            using Back = BodyPlasticity::BackStress;
+            std::size_t moduli = 0, given = 0;
+            for (std::size_t k = 0; k < steel.back_stresses.size(); ++k) {
+              const Back& back = steel.back_stresses[k];
+              if (back.modulus > 0.0) moduli = k + 1;
+              if (back.*member != 0.0) given = k + 1;
+            }
+            if (given == 0) return {};
             Numbers numbers;
-            for (const auto& back : steel.back_stresses)
-              if (back.modulus > 0.0) numbers.push_back(back.*member);
-            if (std::all_of(numbers.begin(), numbers.end(), [](double n) { return n == 0.0; }))
-              return {};
-            return numbers;
+            for (std::size_t k = 0; k < (moduli > 0 ? moduli : given); ++k)
+              numbers.push_back(steel.back_stresses[k].*member);
+            return member == &Back::recovery ? shortened(numbers) : KeyValue(numbers);
           },
           [member](BodyPlasticity& steel, const KeyValue& value) {
             const auto& numbers = std::get<Numbers>(value);
@@ -125,7 +132,7 @@ SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
                     }});
   keys.section().alternatives = true;
   keys.add("yield_stress", &Steel::yield_stress, symbol("sigma_y"), unit("MPa"), positive(),
-           example("520.0"), otherwise("required with this section"),
+           otherwise("required with this section"),
            "Yield stress in tension, where plastic flow begins; sqrt(3) times the k of shakedown "
            "maps.");
   keys.add(KeyKind::numbers, "hardening", of_back_stresses(&Steel::BackStress::modulus),

@@ -125,10 +125,10 @@ TEST_F(PagesTest, AStudyHasFiguresAndTablesOfEverySeries) {
     EXPECT_TRUE(says(contents(base_ / "figures" / name), "</svg>")) << name;
 }
 
-/// Prints what rollfem_figures/published.py gives for a result, name by name.
+/// Prints what rollfem_figures/reader.py gives for a result, name by name.
 const char* const published = R"(
 from rollfem_figures import read_result
-from rollfem_figures.published import published
+from rollfem_figures.reader import published
 known = [published(s) for _, s in read_result(sys.argv[1]).scenes()]
 print(*[row['name'] for each in known for row in each['patch'] + each['creep_curve']], sep='; ')
 )";
