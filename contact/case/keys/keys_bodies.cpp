@@ -144,11 +144,12 @@ SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
            otherwise("0 (Prager)"),
            "Dynamic recovery of each back stress (Armstrong and Frederick; Chaboche), which "
            "saturates at hardening/recovery; 0: linear (Prager).");
-  keys.add("isotropic_rise", &Steel::rise, symbol("Q"), unit("MPa"), within(largest),
+  keys.add("isotropic_rise", &Steel::rise, silent_default, otherwise("0"), symbol("Q"), unit("MPa"),
+           within(largest),
            "Rise of the yield stress with the accumulated plastic strain p, Q (1 - exp(-b p)) "
            "(Voce); negative: the steel softens.");
-  keys.add("isotropic_rate", &Steel::rate, symbol("b"), zero_or(smallest, largest),
-           "Its rate over p.");
+  keys.add("isotropic_rate", &Steel::rate, silent_default, otherwise("0"), symbol("b"),
+           zero_or(smallest, largest), "Its rate over p.");
   add_residual_stress(keys);
   return keys;
 }

@@ -21,8 +21,8 @@ Case equal_discs(double pressure, int passes) {
   input.wheel.transverse_radius = input.rail.transverse_radius = 200.0;
   // Hertz: p0^3 = 6 F E*^2 / (pi^3 R^2), R = 100 mm, E* of two steel bodies.
   const double modulus = input.wheel.material.young_modulus / (2.0 * (1.0 - 0.3 * 0.3));
-  input.load.normal_force =
-      std::pow(std::acos(-1.0), 3) * 100.0 * 100.0 * std::pow(pressure, 3) / (6.0 * modulus * modulus);
+  input.load.normal_force = std::pow(std::acos(-1.0), 3) * 100.0 * 100.0 * std::pow(pressure, 3) /
+                            (6.0 * modulus * modulus);
   input.rolling.creepages.resize(passes);
   input.fem.passes = passes;
   input.fem.extent = 8.0;
