@@ -190,19 +190,19 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
   const double nu = body.material.poisson_ratio, roundness = patch.smaller() / patch.larger();
   // Plastic flow of the first passes reaches deeper than the elastic stress.
   constexpr double deeper = 1.2;
-  const double depth = deeper * scene.options.fem.plastic_extent * patch.smaller() *
+  const double depth = deeper * patch.smaller() *
                        (roundness * depth_of_stress(part, nu, false) +
                         (1.0 - roundness) * depth_of_stress(part, nu, true));
-  const double h = options.cell_size;
-  const auto whole = [h](double length) { return std::ceil(length / h - 1e-6) * h; };
-  options.fine_half_length =
-      whole(std::max(options.fine_half_length, patch.half_length + 0.35 * depth));
-  options.fine_half_width =
-      whole(std::max(options.fine_half_width, patch.half_width + 0.25 * depth));
-  options.plastic_depth = std::ceil(depth / h - 1e-6);
+  const double h = options.cell_size, extent = scene.options.fem.plastic_extent;
+  const auto extended = [h, extent](double least, double length) {
+    return std::ceil(extent * std::max(least, length) / h - 1e-6) * h;
+  };
+  options.fine_half_length = extended(options.fine_half_length, patch.half_length + 0.35 * depth);
+  options.fine_half_width = extended(options.fine_half_width, patch.half_width + 0.25 * depth);
+  options.plastic_depth = std::ceil(extent * depth / h - 1e-6);
   // Below, plastic strain is small and smooth: cells may grow.
   constexpr double fine_part = 0.7;
-  options.fine_depth = std::ceil(fine_part * depth / h - 1e-6);
+  options.fine_depth = std::ceil(fine_part * options.plastic_depth);
   return options;
 }
 

@@ -154,7 +154,7 @@ const std::vector<Need> needs{
      "where the origin of the rail's profiles is",
      "add `rail_position = [750.0, 0.0]` under [track], from the middle of the track outwards and "
      "down"},
-    {when::section("wheel_plasticity"),
+    {when::any_of("wheel_plasticity"),
      {"wheel_plasticity.yield_stress"},
      "is missing",
      "the stress in tension at which the steel yields",
@@ -164,7 +164,7 @@ const std::vector<Need> needs{
      "is missing",
      "the moduli of the back stresses that recover",
      "add `hardening = 100e3` under [wheel_plasticity], or remove recovery"},
-    {when::section("rail_plasticity"),
+    {when::any_of("rail_plasticity"),
      {"rail_plasticity.yield_stress"},
      "is missing",
      "the stress in tension at which the steel yields",
