@@ -5,6 +5,7 @@
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/point_table.hpp"
 
+#include <algorithm>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -87,6 +88,36 @@ py::list maxima_of(const PointResult& point) {
   return found;
 }
 
+/// Numbers one after another as an array of this shape.
+template <class Number>
+py::array_t<double> shaped(const Number* values, const std::vector<py::ssize_t>& shape) {
+  py::array_t<double> array(shape);
+  std::copy(values, values + array.size(), array.mutable_data());
+  return array;
+}
+
+/// Bodies that yield, their streamlines as [down, across].
+py::dict yielded_of(const PointResult& point) {
+  py::dict found;
+  for (const contact::YieldedSection& body : point.yielded) {
+    const std::vector<py::ssize_t> section{body.down, body.across},
+        tensors{body.down, body.across, 6};
+    const std::vector<py::ssize_t> surface{static_cast<py::ssize_t>(body.surface_y.size())};
+    py::dict values("verdict"_a = body.verdict, "from_pass"_a = body.from_pass,
+                    "iterations"_a = body.iterations, "y"_a = shaped(body.y.data(), section),
+                    "depth"_a = shaped(body.depth.data(), section),
+                    "accumulated"_a = shaped(body.accumulated.data(), section),
+                    "strain"_a = shaped(body.strain.front().data(), tensors),
+                    "stress"_a = shaped(body.stress.front().data(), tensors),
+                    "surface_y"_a = shaped(body.surface_y.data(), surface),
+                    "groove"_a = shaped(body.groove.data(), surface),
+                    "forward_flow"_a = shaped(body.forward_flow.data(), surface));
+    for (const auto& [name, value] : contact::scalars_of(body)) values[name] = value;
+    found[body.body.c_str()] = values;
+  }
+  return found;
+}
+
 py::dict bodies_of(const ModelResult& model, const PointResult& point, const Shared& owner) {
   py::dict found;
   for (std::size_t b = 0; b < point.bodies.size() && b < model.bodies.size(); ++b)
@@ -105,7 +136,7 @@ py::dict point_of(const ModelResult& model, const PointResult& point, const Shar
                   "subsurface"_a = subsurface_of(point, owner),
                   "stress_maxima"_a = maxima_of(point),
                   "pass_work"_a = column(contact::pass_work(model, point)),
-                  "bodies"_a = bodies_of(model, point, owner));
+                  "yielded"_a = yielded_of(point), "bodies"_a = bodies_of(model, point, owner));
 }
 
 py::dict model_of(const ModelResult& model, const Shared& owner) {

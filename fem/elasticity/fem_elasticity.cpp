@@ -308,9 +308,9 @@ void SharedLevel::add_stresses(const FemCompliance& of_point, std::size_t k, Poi
     point.step = static_cast<int>(k) + 1;
     for (std::size_t b = 0; b < 2; ++b) {
       too_much[b] = yielding_->stress_too_much(b);
-      const Vector plastic = yielding_->displacement(b);
-      if (plastic.size() == 0) continue;
-      displacement[b] += plastic;
+      const Vector* plastic = yielding_->displacement(b);
+      if (plastic == nullptr) continue;
+      displacement[b] += *plastic;
       displacement[b].update_ghost_values();
     }
   }

@@ -70,7 +70,7 @@ PassResults::PassResults(const Body& body, const PlasticLaw& law, const Streamli
 }
 
 YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBody& before,
-                                       const YieldedBody& after, const Vector& displacement) {
+                                       const YieldedBody& after) {
   ++passes_;
   YieldedSection section;
   section.body = body_.shape().is_wheel ? "wheel" : "rail";
@@ -88,7 +88,7 @@ YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBo
   judge(section);
   too_much_ = streamlines_.nodal_stress(after.plastic, before.leaving, after.leaving,
                                         [&](double depth) { return stress_before(law_, depth); });
-  fill_section(after, displacement, section);
+  fill_section(after, section);
   return section;
 }
 
@@ -113,11 +113,10 @@ void PassResults::judge(YieldedSection& section) {
   last_increment_ = section.increment;
 }
 
-void PassResults::fill_section(const YieldedBody& after, const Vector& displacement,
-                               YieldedSection& section) {
+void PassResults::fill_section(const YieldedBody& after, YieldedSection& section) {
   section.across = static_cast<int>(streamlines_.width());
   section.down = static_cast<int>(streamlines_.streams() / streamlines_.width());
-  NodalStress stress = recovery_.recover(displacement);
+  NodalStress stress = recovery_.recover(after.displacement);
   stress.direct -= too_much_->direct;
   stress.shear -= too_much_->shear;
   stress.direct.update_ghost_values();
@@ -136,7 +135,7 @@ void PassResults::fill_section(const YieldedBody& after, const Vector& displacem
     section.stress.push_back(converted<float>(streamlines_.in_section(
         in_space, streamlines_.stations() - 1 - stations_before_end, stream)));
   }
-  const auto moved = surface_.values(displacement, {1, 1, 1});
+  const auto moved = surface_.values(after.displacement, {1, 1, 1});
   const double s = streamlines_.s(streamlines_.stations() - 1 - stations_before_end);
   const double outwards = body_.shape().is_wheel ? -1.0 : 1.0;
   for (std::size_t j = 0; j < streamlines_.width(); ++j) {

@@ -20,9 +20,9 @@ class PassResults {
  public:
   /// Arguments must outlive this object. Collective.
   PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines);
-  /// `displacement`: by plastic strain, with ghost values. Collective.
+  /// Collective.
   contact::YieldedSection after_pass(const PassReport& report, const YieldedBody& before,
-                                     const YieldedBody& after, const Vector& displacement);
+                                     const YieldedBody& after);
   /// The history on which a verdict depends.
   void exchange(contact::Record& record) {
     record.values(passes_, last_increment_, verdict_, from_pass_);
@@ -31,8 +31,7 @@ class PassResults {
   const NodalStress& stress_too_much() const { return *too_much_; }
 
  private:
-  void fill_section(const YieldedBody& after, const Vector& displacement,
-                    contact::YieldedSection& section);
+  void fill_section(const YieldedBody& after, contact::YieldedSection& section);
   void judge(contact::YieldedSection& section);
 
   const Body& body_;

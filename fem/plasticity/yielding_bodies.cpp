@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
 #include "fem/discretisation/cell_terms.hpp"
-#include "fem/plasticity/end_flow.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "fem/plasticity/steady_pass.hpp"
 
@@ -61,8 +60,6 @@ class YieldingBody {
         law_(steel, lame_mu(body.material())),
         streamlines_(body, lattice_of(body.options())),
         results_(body, law_, streamlines_),
-        ends_(body, solver),
-        released_(make_vector(body.dofs())),
         before_(before_first_pass(streamlines_, body)),
         now_(before_) {
     for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
@@ -71,11 +68,7 @@ class YieldingBody {
 
   /// Solves the pass in question anew, from its last solution.
   PassReport pass(const Vector& elastic, bool counts) {
-    if (now_.displacement.l2_norm() > 0.0) released_ = ends_.released(displacement());
-    Vector loaded = elastic;
-    loaded += released_;
-    loaded.update_ghost_values();
-    std::vector<Deviator> strain = streamlines_.strains(loaded);
+    std::vector<Deviator> strain = streamlines_.strains(elastic);
     for (std::size_t k = 0; k < strain.size(); ++k)
       strain[k] = sum(strain[k], 1.0, initial_[k / streamlines_.stations()]);
     YieldedBody next = now_;
@@ -93,7 +86,7 @@ class YieldingBody {
   contact::YieldedSection finish(const Vector& elastic) {
     const PassReport report = pass(elastic, true);
     refuse_beyond_streamlines();
-    contact::YieldedSection section = results_.after_pass(report, before_, now_, displacement());
+    contact::YieldedSection section = results_.after_pass(report, before_, now_);
     before_ = now_;
     last_strain_.clear();  // the next pass begins as in a run that is resumed
     contact::Record record;
@@ -108,19 +101,14 @@ class YieldingBody {
   }
 
   /// By plastic strain, mm, with ghost values.
-  Vector displacement() const {
-    Vector whole = now_.displacement;
-    whole += released_;
-    whole.update_ghost_values();
-    return whole;
-  }
+  const Vector& displacement() const { return now_.displacement; }
   const NodalStress& stress_too_much() const { return results_.stress_too_much(); }
 
  private:
   void exchange(contact::Record& record) {
     results_.exchange(record);
     record.values(now_.leaving);
-    for (Vector* vector : {&now_.displacement, &now_.load, &released_}) {
+    for (Vector* vector : {&now_.displacement, &now_.load}) {
       std::vector<double> numbers(vector->begin(), vector->end());
       record.values(numbers);
       std::copy(numbers.begin(), numbers.end(), vector->begin());
@@ -163,8 +151,6 @@ class YieldingBody {
   PassResults results_;
   std::vector<Deviator> last_strain_;  ///< under the last load
   std::vector<Deviator> initial_;  ///< strain of the residual stress before, of every streamline
-  EndFlow ends_;
-  Vector released_;  ///< mm, displacement by what the ends give way
   YieldedBody before_, now_;
 };
 
@@ -192,6 +178,7 @@ std::vector<Vector> YieldingBodies::respond(const std::vector<Vector>& elastic) 
     if (!implementation_->parts[k]) continue;
     implementation_->parts[k]->pass(elastic[k], false);
     plastic[k] = implementation_->parts[k]->displacement();
+    plastic[k].update_ghost_values();  // copies have none
   }
   return plastic;
 }
@@ -209,9 +196,9 @@ void YieldingBodies::recall(const std::vector<contact::YieldedSection>& sections
       implementation_->parts[section.body == body_names[0] ? 0 : 1]->recall(section.memory);
 }
 
-Vector YieldingBodies::displacement(std::size_t body) const {
+const Vector* YieldingBodies::displacement(std::size_t body) const {
   const auto& part = implementation_->parts[body];
-  return part ? part->displacement() : Vector();
+  return part ? &part->displacement() : nullptr;
 }
 
 const NodalStress* YieldingBodies::stress_too_much(std::size_t body) const {

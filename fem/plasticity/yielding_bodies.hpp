@@ -34,8 +34,8 @@ class YieldingBodies {
 
   // Of the pass that was finished last; body 0 is the wheel.
 
-  /// mm, by plastic strain, with ghost values; empty: the body stays elastic.
-  Vector displacement(std::size_t body) const;
+  /// mm, by plastic strain, with ghost values; null: the body stays elastic.
+  const Vector* displacement(std::size_t body) const;
   /// 2 G eps_p less the residual stress before the first pass: what the stress of the total
   /// displacement has too much, MPa, at the nodes; null: nothing.
   const NodalStress* stress_too_much(std::size_t body) const;

@@ -72,6 +72,14 @@ class Yielded(unittest.TestCase):
             self.assertEqual(max(-body["groove"].min() for body in bodies), point.groove_depth)
             self.assertEqual(max(-body["stress"][..., 0].min() for body in bodies), point.residual_stress)
 
+    def test_what_is_solved_here_has_what_is_read(self):
+        solved = rollfem.solve(rollfem.Case(self.path / "case.toml")).models[0].points
+        for here, there in zip(solved, self.points):
+            for body, read in there.yielded.items():
+                self.assertEqual(set(here.yielded[body]), set(read))
+                for name in ("stress", "strain", "groove", "depth"):
+                    np.testing.assert_allclose(here.yielded[body][name], read[name], rtol=1e-6, atol=1e-9)
+
     def test_streamlines_are_rows_of_one_depth(self):
         for body in self.points[-1].yielded.values():
             shape = body["y"].shape

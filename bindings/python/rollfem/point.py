@@ -48,8 +48,8 @@ class Point(PointRecord):
     stress_maxima: Annotated[list[dict[str, Any]], "body, measure, value (MPa), place (mm)"]
     bodies: Annotated[Mapping[str, dict[str, np.ndarray]], "wheel and rail with points, cells, displacement and stress, for "
                       "finite elements only"]
-    yielded: Annotated[Mapping[str, dict[str, Any]], "wheel and rail that yield, after this pass of the load, of a result that "
-                       "was read: verdict, from_pass, increment, ...; y, depth, accumulated [down, across], strain, stress [down, "
+    yielded: Annotated[Mapping[str, dict[str, Any]], "wheel and rail that yield, after this pass of the load: "
+                       "verdict, from_pass, increment, ...; y, depth, accumulated [down, across], strain, stress [down, "
                        "across, 6] of the section behind the load; surface_y, groove, forward_flow [across] (docs/results.md)"]
     pass_work: Annotated[np.ndarray | None, "frictional work per pass and area of the rows [ny] of the grid, N/mm; its bar "
                          "is that of max_pass_work"]
