@@ -36,6 +36,8 @@ const std::vector<OfCalculix> of_calculix{{0.0528312, 0, 0.02104, 0.00631},
 // inverse of the length that the load has rolled over, in CalculiX 12 half-widths to both sides:
 // across it is within 0.012 p0, along within 0.022 p0, of which that length makes 0.021 at the
 // surface.
+// Not converged on either side: with steps of half a cell CalculiX has 16 % more plastic strain,
+// here cells of a/16 have 9 % more.
 TEST(PlasticLineContact, FlowIsThatOfALoadMovedStepByStepInCalculix) {
   SlabOptions options;
   options.per_half_width = 4;
