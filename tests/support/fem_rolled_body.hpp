@@ -3,6 +3,7 @@
 // it, pass by pass, and the residual stress below its surface.
 #pragma once
 
+#include "contact/base/threads.hpp"
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/plasticity/steady_pass.hpp"
@@ -57,6 +58,8 @@ class RolledBody {
     fem::Vector displacement;
     std::vector<fem::Deviator> strain;
   };
+  /// Bodies of tests are so small that threads would only wait for each other.
+  contact::Threads one_thread{1};
   std::unique_ptr<fem::Body> body;
   std::unique_ptr<fem::LinearSolver> solver;
   fem::SurfaceCoupling coupling;

@@ -124,11 +124,11 @@ TEST(PlasticLineContact, FrictionLowersTheLimitAsTheMapSays) {
 // slower, along within 0.03 p0, across within 0.02 p0.
 TEST(PlasticLineContact, ResidualStressAtTheLimitIsTheOnlyOnePossible) {
   const auto slab = slab_of(8, 80.0);
-  auto passes = passes_over(*slab, 1.005 * melan_limit(*slab, 0.0));
-  passes.next(4);
+  auto passes = passes_over(*slab, 1.0065 * melan_limit(*slab, 0.0));
+  passes.next(10);
   const auto residual = residual_at(passes, 0.5, -1.6, -1.4);
   const auto elastic = hertz_line(std::sqrt(0.75), 0.5);
   EXPECT_NEAR(elastic[3], 0.25, 1e-12);
   EXPECT_NEAR(residual[0] / passes.load_factor, elastic[2] - elastic[0], 0.03);
-  EXPECT_NEAR(residual[1] / passes.load_factor, elastic[2] - elastic[1], 0.02);
+  EXPECT_NEAR(residual[1] / passes.load_factor, elastic[2] - elastic[1], 0.01);
 }

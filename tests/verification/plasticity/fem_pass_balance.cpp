@@ -88,11 +88,13 @@ TEST(PlasticPassBalance, ResidualStressLeavesTheSurfaceAndEveryDepthFree) {
     along = std::max(along, std::abs(stress[0]));
   });
   EXPECT_GT(points, 100u);
-  EXPECT_LT(free, 1e-3 * along);  // 2.5e-4
+  // 2.2e-3 with clamped ends at 20 half-widths, 2.5e-4 at 40
+  EXPECT_LT(free, 4e-3 * along);
 }
 
-// After five passes at 4.4 k what is stored changes little more; 4.7 % are missing at cells of a/4,
-// 1.7 % at a/8, first order. The first pass stores a tenth of its work.
+// After five passes at 4.4 k what is stored changes little more: 7.5 % are missing at cells of a/4
+// and clamped ends at 20 half-widths, 4.7 % with ends at 40, 1.7 % with cells of a/8 as well. The
+// first pass stores a tenth of its work.
 TEST(PlasticPassBalance, WorkOfTheLoadIsPlasticWorkInSteadyRatchetting) {
   std::array<double, 2> missing{};
   for (int n = 0; n < 2; ++n) {
@@ -107,7 +109,7 @@ TEST(PlasticPassBalance, WorkOfTheLoadIsPlasticWorkInSteadyRatchetting) {
     missing[n] = 1.0 - load / plastic;
     EXPECT_GT(plastic, 0.1 * of_first);
   }
-  EXPECT_LT(std::abs(missing[0]), 0.06);
+  EXPECT_LT(std::abs(missing[0]), 0.09);
   EXPECT_LT(std::abs(missing[1]), 0.8 * std::abs(missing[0]));
 }
 
