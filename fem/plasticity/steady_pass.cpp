@@ -48,7 +48,9 @@ class Anderson {
       if (residual_steps_.size() > depth) {
         residual_steps_.pop_front();
         result_steps_.pop_front();
+        products_ = products_.bottomRightCorner(depth - 1, depth - 1).eval();
       }
+      add_products_of_last();
     }
     last_residual_ = residual;
     last_result_ = result;
@@ -56,15 +58,10 @@ class Anderson {
     const auto n = static_cast<Eigen::Index>(residual_steps_.size());
     Loaded combined = result;
     if (n == 0) return combined;
-    Eigen::MatrixXd products(n, n);
     Eigen::VectorXd right(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      right[i] = energy(residual, residual_steps_[i]);
-      for (Eigen::Index j = 0; j <= i; ++j)
-        products(i, j) = products(j, i) = energy(residual_steps_[i], residual_steps_[j]);
-    }
-    const Eigen::VectorXd scale = products.diagonal().cwiseSqrt().cwiseInverse();
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(scale.asDiagonal() * products *
+    for (Eigen::Index i = 0; i < n; ++i) right[i] = energy(residual, residual_steps_[i]);
+    const Eigen::VectorXd scale = products_.diagonal().cwiseSqrt().cwiseInverse();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(scale.asDiagonal() * products_ *
                                                         scale.asDiagonal());
     factors.setThreshold(1e-10);
     const Eigen::VectorXd share =
@@ -78,6 +75,15 @@ class Anderson {
 
  private:
   static constexpr std::size_t depth = 10;
+
+  void add_products_of_last() {
+    const auto n = static_cast<Eigen::Index>(residual_steps_.size());
+    products_.conservativeResize(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      products_(n - 1, j) = products_(j, n - 1) =
+          energy(residual_steps_.back(), residual_steps_[j]);
+  }
+
   /// Near the limit of shakedown old steps, from points that yield no longer, hold the iteration up
   /// for hundreds of steps: without progress it begins anew.
   void forget_what_no_longer_helps(double size) {
@@ -87,12 +93,14 @@ class Anderson {
     if (size >= smallest_) {
       residual_steps_.clear();
       result_steps_.clear();
+      products_.resize(0, 0);
     }
     smallest_ = size;
     without_progress_ = 0;
   }
 
   std::deque<Loaded> residual_steps_, result_steps_;
+  Eigen::MatrixXd products_;  ///< energies of residual_steps_ with each other
   std::optional<Loaded> last_residual_, last_result_;
   double smallest_ = std::numeric_limits<double>::infinity();
   int without_progress_ = 0;

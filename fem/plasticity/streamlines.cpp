@@ -78,7 +78,8 @@ struct Streamlines::Implementation {
   }
 
   double place_of(int lattice_cell, std::size_t point) const {
-    return (lattice_cell + static_cast<double>(point / 2) + gauss_places[point % 2]) * lattice.cell;
+    const std::size_t further = point / 2;
+    return (lattice_cell + static_cast<double>(further) + gauss_places[point % 2]) * lattice.cell;
   }
   double s_of(std::size_t station) const {
     return place_of(lattice.along[0], stations - 1 - station);
@@ -90,8 +91,8 @@ struct Streamlines::Implementation {
   std::array<std::size_t, 2> between(double lower, double upper, int first,
                                      std::size_t count) const {
     const auto number = [&](double place) {
-      const double cells = std::floor(2.0 * (place / lattice.cell - first)) - 1.0;
-      auto k = static_cast<std::size_t>(std::clamp(cells, 0.0, static_cast<double>(count)));
+      const double about = std::floor(2.0 * (place / lattice.cell - first)) - 1.0;
+      auto k = static_cast<std::size_t>(std::clamp(about, 0.0, static_cast<double>(count)));
       while (k < count && place_of(first, k) < place) ++k;
       return k;
     };
