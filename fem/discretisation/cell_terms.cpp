@@ -67,6 +67,19 @@ std::array<double, DilatationSpace::largest_size> DilatationSpace::values(
   return v;
 }
 
+dealii::Tensor<2, 3> tensor_of(const std::array<double, 6>& components) {
+  dealii::Tensor<2, 3> tensor;
+  for (unsigned int c = 0; c < 3; ++c) tensor[c][c] = components[c];
+  tensor[0][1] = tensor[1][0] = components[3];
+  tensor[1][2] = tensor[2][1] = components[4];
+  tensor[0][2] = tensor[2][0] = components[5];
+  return tensor;
+}
+
+std::array<double, 6> components_of(const dealii::Tensor<2, 3>& t) {
+  return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2]};
+}
+
 CellStress::CellStress(const ElasticProblem& problem)
     : lambda_(lame_lambda(problem.material)),
       mu_(lame_mu(problem.material)),

@@ -53,6 +53,10 @@ class DilatationSpace {
   std::array<std::array<double, largest_size>, largest_size> factor_{};  ///< Gram matrix = L L^T
 };
 
+/// A symmetric tensor and its components xx yy zz xy yz xz.
+dealii::Tensor<2, 3> tensor_of(const std::array<double, 6>& components);
+std::array<double, 6> components_of(const dealii::Tensor<2, 3>& tensor);
+
 /// Stress by Hooke's law, cell by cell, sigma = lambda P(div u) I + 2 mu eps(u), with the same
 /// projection P (or none) as in the stiffness: with the unprojected dilatation the pressure of a
 /// nearly incompressible body would be noise.

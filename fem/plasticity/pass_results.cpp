@@ -117,10 +117,7 @@ void PassResults::fill_section(const YieldedBody& after, YieldedSection& section
   section.across = static_cast<int>(streamlines_.width());
   section.down = static_cast<int>(streamlines_.streams() / streamlines_.width());
   NodalStress stress = recovery_.recover(after.displacement);
-  stress.direct -= too_much_->direct;
-  stress.shear -= too_much_->shear;
-  stress.direct.update_ghost_values();
-  stress.shear.update_ghost_values();
+  subtract(*too_much_, stress);
   // In the meshed half.
   const auto direct = places_.values(stress.direct, {1, 1, 1});
   const auto shear = places_.values(stress.shear, {1, 1, 1});

@@ -23,15 +23,6 @@ const std::array<double, 2> gauss_places{0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 /
 
 using SpaceTensor = dealii::Tensor<2, 3>;
 
-SpaceTensor tensor_of(const Deviator& a) {
-  SpaceTensor t;
-  for (unsigned int i = 0; i < 3; ++i) t[i][i] = a[i];
-  t[0][1] = t[1][0] = a[3];
-  t[1][2] = t[2][1] = a[4];
-  t[0][2] = t[2][0] = a[5];
-  return t;
-}
-
 Deviator deviator_of(const SpaceTensor& gradient) {
   const double mean = dealii::trace(gradient) / 3.0;
   return {gradient[0][0] - mean,
@@ -305,16 +296,13 @@ std::array<double, 6> Streamlines::in_section(const std::array<double, 6>& stres
                                               std::size_t station, std::size_t stream) const {
   const Implementation& of = *implementation_;
   const SpaceTensor turn = of.turn(of.sine_at(of.s_of(station), of.t_of(stream)));
-  const SpaceTensor t = dealii::transpose(turn) * tensor_of(stress) * turn;
-  return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2]};
+  return components_of(dealii::transpose(turn) * tensor_of(stress) * turn);
 }
 
 namespace {
 
-/// The best linear function of unit coordinates through values at points, by its values at nodes.
-using Four = Eigen::Matrix<double, 1, 4>;
-
-Four linear_terms(const dealii::Point<3>& unit) {
+/// Of a linear function of unit coordinates.
+Eigen::Matrix<double, 1, 4> linear_terms(const dealii::Point<3>& unit) {
   return {1.0, unit[0] - 0.5, unit[1] - 0.5, unit[2] - 0.5};
 }
 
@@ -345,9 +333,9 @@ NodalStress Streamlines::nodal_stress(
       stress[0] -= residual[0];
       stress[1] -= residual[1];
       const SpaceTensor turn = of.turn(slot.sine);
-      const SpaceTensor t = turn * tensor_of(stress) * dealii::transpose(turn);
+      const auto in_space = components_of(turn * tensor_of(stress) * dealii::transpose(turn));
       terms.row(k) = linear_terms(slot.unit);
-      values.row(k) << t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2];
+      values.row(k) = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(in_space.data());
     }
     const Eigen::MatrixXd fit = terms.completeOrthogonalDecomposition().solve(values);
     for (unsigned int a = 0; a < nodes.size(); ++a) {

@@ -155,12 +155,7 @@ struct StressOutput::Implementation {
     NodalStress stress = part.recovery.recover(displacement);
     point.error_estimate[fmt::format("energy_norm_{}", part.name)] =
         energy_error(part.body, displacement, stress).relative();
-    if (too_much != nullptr) {
-      stress.direct -= too_much->direct;
-      stress.shear -= too_much->shear;
-      stress.direct.update_ghost_values();
-      stress.shear.update_ghost_values();
-    }
+    if (too_much != nullptr) subtract(*too_much, stress);
     if (keep) point.bodies.push_back(values(part, displacement, stress, expansion));
     for (std::size_t k = 0; k < part.requests.size(); ++k) {
       const BodyPoints& points = part.points[k];

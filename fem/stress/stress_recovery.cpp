@@ -87,6 +87,13 @@ double energy_density(const contact::Material& material, const Stress6& s) {
 
 }  // namespace
 
+void subtract(const NodalStress& part, NodalStress& stress) {
+  stress.direct -= part.direct;
+  stress.shear -= part.shear;
+  stress.direct.update_ghost_values();
+  stress.shear.update_ghost_values();
+}
+
 struct StressRecovery::Implementation {
   /// A cell of this process or an adjacent one.
   struct CellData {

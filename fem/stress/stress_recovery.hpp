@@ -19,6 +19,9 @@ struct NodalStress {
   Vector shear;   ///< components xy yz xz
 };
 
+/// `stress` less `part`, with ghost values.
+void subtract(const NodalStress& part, NodalStress& stress);
+
 /// Stores the data that depend only on the mesh, so that every load point costs little.
 class StressRecovery {
  public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/stress/surface_stress.hpp"
 
+#include "fem/discretisation/cell_terms.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,15 +24,6 @@ constexpr double around_reach = 0.1;
 
 Tensor1 vector(const std::array<double, 3>& v) {
   return Tensor1({v[0], v[1], v[2]});
-}
-
-Tensor2 tensor(const std::array<double, 6>& s) {
-  Tensor2 result;
-  for (unsigned int c = 0; c < 3; ++c) result[c][c] = s[c];
-  result[0][1] = result[1][0] = s[3];
-  result[1][2] = result[2][1] = s[4];
-  result[0][2] = result[2][0] = s[5];
-  return result;
 }
 
 /// Within the surface, along the first two axes.
@@ -252,8 +245,9 @@ void SurfaceStress::combine(const Vector& displacement, const contact::SurfaceFi
       inside = inside && std::isfinite(ahead.moved(k)) && std::isfinite(behind.moved(k));
     }
     std::array<double, 6>& here = stress[on_surface_[k]];
-    const SurfaceStrain strain = inside ? strain_of(way, change, own)
-                                        : strain_of(in_frame(tensor(here), own), body_.material());
+    const SurfaceStrain strain = inside
+                                     ? strain_of(way, change, own)
+                                     : strain_of(in_frame(tensor_of(here), own), body_.material());
     here = in_global(strain, surface_load(tractions.at(s, t), own, shared), own, body_.material());
   }
 }
