@@ -2,6 +2,7 @@
 #include "fem/linear/factorisation.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/threads.hpp"
 #include "fem/discretisation/elasticity_assembly.hpp"
 #include "fem/linear/cholmod.hpp"
 #include "fem/linear/mirrored_halves.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -34,8 +36,8 @@ class Part {
                                "use a coarser fem.cell_size or linear_solver = \"multigrid\""});
     verify(matrix);
   }
-  /// u += weight C K^-1 C^T b, for `count` right-hand sides at once.
-  void add_solutions(double weight, const Vector* b, std::size_t count, Vector* u) const {
+  /// weight K^-1 C^T b, for `count` right-hand sides at once.
+  std::vector<double> solutions(double weight, const Vector* b, std::size_t count) const {
     const auto size = static_cast<std::size_t>(unknowns_.count);
     std::vector<double> condensed, right(count * size);
     for (std::size_t k = 0; k < count; ++k) {
@@ -44,7 +46,12 @@ class Part {
                      [=](double value) { return weight * value; });
     }
     factor_->solve(right, count);
-    for (std::size_t k = 0; k < count; ++k) unknowns_.expand_and_add(&right[k * size], u[k]);
+    return right;
+  }
+  /// u += C x.
+  void add(const std::vector<double>& x, std::size_t count, Vector* u) const {
+    for (std::size_t k = 0; k < count; ++k)
+      unknowns_.expand_and_add(&x[k * static_cast<std::size_t>(unknowns_.count)], u[k]);
   }
   int unknowns() const { return unknowns_.count; }
   double memory_bytes() const {
@@ -95,10 +102,11 @@ class Factorisation : public LinearSolver {
       of_parts.push_back(&of_part);
     }
     std::vector<SymmetricMatrix> matrices = assemble(problem, of_parts);
-    for (std::size_t k = 0; k < unknowns.size(); ++k) {
-      parts_.emplace_back(std::move(unknowns[k]), matrices[k]);
+    parts_.resize(unknowns.size());
+    contact::for_each_index(parts_.size(), [&](std::size_t k) {
+      parts_[k] = std::make_unique<Part>(std::move(unknowns[k]), matrices[k]);
       matrices[k] = {};
-    }
+    });
   }
   Factorisation(const Factorisation&) = delete;
   Factorisation& operator=(const Factorisation&) = delete;
@@ -113,9 +121,9 @@ class Factorisation : public LinearSolver {
   std::string description() const override {
     int unknowns = 0;
     double bytes = 0.0;
-    for (const Part& part : parts_) {
-      unknowns += part.unknowns();
-      bytes += part.memory_bytes();
+    for (const auto& part : parts_) {
+      unknowns += part->unknowns();
+      bytes += part->memory_bytes();
     }
     return fmt::format("CHOLMOD factorisation{}, {} free unknowns, {:.2f} GB",
                        parts_.size() > 1 ? " of mirrored halves" : "", unknowns, 1e-9 * bytes);
@@ -125,11 +133,14 @@ class Factorisation : public LinearSolver {
   void solve_some(Vector* u, const Vector* b, std::size_t count) const {
     std::for_each(u, u + count, [](Vector& of_one) { of_one = 0.0; });
     const double weight = 1.0 / static_cast<double>(parts_.size());
-    for (const Part& part : parts_) part.add_solutions(weight, b, count, u);
+    std::vector<std::vector<double>> x(parts_.size());
+    contact::for_each_index(parts_.size(),
+                            [&](std::size_t k) { x[k] = parts_[k]->solutions(weight, b, count); });
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k]->add(x[k], count, u);
     std::for_each(u, u + count, [](const Vector& of_one) { of_one.update_ghost_values(); });
   }
 
-  std::vector<Part> parts_;
+  std::vector<std::unique_ptr<Part>> parts_;
 };
 
 }  // namespace
