@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace rollfem::contact {
@@ -25,6 +26,7 @@ struct BodyPlasticity {
   /// constant outside; the same everywhere along and across. Empty: none.
   struct ResidualStress {
     std::vector<double> depth, along, across;
+    std::string file{};  ///< that gives them, as named in the case
   } residual;
 
   /// Yield stress in shear, MPa: the k of the shakedown map.

@@ -136,7 +136,9 @@ std::string text_in_folder(const Case& input, const std::string& folder) {
                                       {"wheel", "mesh"},
                                       {"rail", "mesh"},
                                       {"undeformed_distance", "file"},
-                                      {"rolling", "extra_slip_file"}}) {
+                                      {"rolling", "extra_slip_file"},
+                                      {"wheel_plasticity", "residual_file"},
+                                      {"rail_plasticity", "residual_file"}}) {
     const KeyValue value = find_key(section, name)->get(input);
     const auto* file = std::get_if<std::string>(&value);
     // Built-in profiles have names without dots and slashes.

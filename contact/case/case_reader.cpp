@@ -33,6 +33,11 @@ void read_files(const GivenCase& given, Case& input) {
   };
   fill(input.undeformed_distance.values, 1);
   fill(input.rolling.extra_slip_values, 2);
+  for (auto* steel : {&input.wheel.plasticity, &input.rail.plasticity})
+    if (*steel && !(*steel)->residual.file.empty()) {
+      auto& residual = (*steel)->residual;
+      residual = read_residual_stress((folder / residual.file).string(), residual.file);
+    }
   // Meshes are read when the bodies are built; missing files are reported at once.
   for (const char* body : {"wheel", "rail"}) {
     const GivenValue* mesh = given.find(body, "mesh");

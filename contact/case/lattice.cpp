@@ -45,12 +45,10 @@ std::optional<double> number_in(std::string_view field) {
 }
 
 Row row_of(const std::vector<std::string_view>& fields, const std::string& file, std::size_t line,
-           int columns) {
-  const std::size_t expected = 2 + static_cast<std::size_t>(columns);
+           const std::string& columns) {
+  const std::size_t expected = fields_of(columns, ",").size();
   if (fields.size() != expected)
-    fail_at(file, line,
-            fmt::format("has {} numbers, not {}: x, y and {} value{}", fields.size(), expected,
-                        columns, columns == 1 ? "" : "s"),
+    fail_at(file, line, fmt::format("has {} numbers, not {}: {}", fields.size(), expected, columns),
             "write one point on each line");
   std::vector<double> numbers(expected);
   for (std::size_t k = 0; k < expected; ++k) {
@@ -63,11 +61,13 @@ Row row_of(const std::vector<std::string_view>& fields, const std::string& file,
   return {numbers[0], numbers[1], {numbers.begin() + 2, numbers.end()}, line};
 }
 
-std::vector<Row> rows_of(std::string_view text, const std::string& shown, int columns) {
+/// `columns`: their names, separated by commas.
+std::vector<Row> rows_of(std::string_view text, const std::string& shown,
+                         const std::string& columns) {
   // Never quote the contents of files that hold no table.
   if (!looks_like_table(text, "#"))
     fail_at(shown, 0, "has no points: most of its lines do not begin with a number",
-            "name a file with lines of x, y and values");
+            "name a file with lines of " + columns);
   std::vector<Row> rows;
   for (TextLines lines(text); lines.next();) {
     const std::size_t line = lines.number();
@@ -82,7 +82,7 @@ std::vector<Row> rows_of(std::string_view text, const std::string& shown, int co
               "give a coarser lattice");
     rows.push_back(row_of(fields, shown, line, columns));
   }
-  if (rows.empty()) fail_at(shown, 0, "has no points", "write lines of x, y and values");
+  if (rows.empty()) fail_at(shown, 0, "has no points", "write lines of " + columns);
   return rows;
 }
 
@@ -112,19 +112,40 @@ Axis axis_of(std::vector<double> at, const std::string& file, const char* name) 
   return {at.front(), range / (count - 1), count};
 }
 
+std::string text_of_points(const std::string& path, const std::string& shown) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    fail_at(shown, 0, "there is no such file",
+            "name a file of points; the path is relative to the case file");
+  constexpr std::size_t largest_file = 1'000'000'000;
+  return text_of_file(path, shown, largest_file);
+}
+
 }  // namespace
 
 Lattice read_lattice(const std::string& path, const std::string& shown_name, int columns) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    fail_at(shown_name, 0, "there is no such file",
-            "name a file of points; the path is relative to the case file");
-  constexpr std::size_t largest_file = 1'000'000'000;
-  return parse_lattice(text_of_file(path, shown_name, largest_file), shown_name, columns);
+  return parse_lattice(text_of_points(path, shown_name), shown_name, columns);
+}
+
+BodyPlasticity::ResidualStress read_residual_stress(const std::string& path,
+                                                    const std::string& shown_name) {
+  BodyPlasticity::ResidualStress residual;
+  residual.file = shown_name;
+  for (const Row& row :
+       rows_of(text_of_points(path, shown_name), shown_name, "depth, along, across")) {
+    if (row.x < 0.0 || (!residual.depth.empty() && row.x <= residual.depth.back()))
+      fail_at(shown_name, row.line, fmt::format("the depth {} does not ascend from 0", row.x),
+              "give depths below the surface in ascending order, each once");
+    residual.depth.push_back(row.x);
+    residual.along.push_back(row.y);
+    residual.across.push_back(row.values.front());
+  }
+  return residual;
 }
 
 Lattice parse_lattice(std::string_view text, const std::string& shown_name, int columns) {
-  const std::vector<Row> rows = rows_of(text, shown_name, columns);
+  const std::vector<Row> rows =
+      rows_of(text, shown_name, columns == 1 ? "x, y, value" : "x, y, value, value");
   std::vector<double> xs;
   std::vector<double> ys;
   for (const Row& row : rows) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Fields read from a file of values on a regular lattice of points and interpolated by cubics
-// through the four nearest points in each direction (exact for polynomials of degree 3).
+// through the four nearest points in each direction (exact for polynomials of degree 3); residual
+// stress from a file of the same kind.
 #pragma once
 
 #include "contact/base/grid.hpp"
@@ -17,7 +18,11 @@ namespace rollfem::contact {
 /// `shown_name` is used in messages and in Lattice::file. Throws InputError with file and line.
 Lattice read_lattice(const std::string& path, const std::string& shown_name, int columns);
 
-/// The same from the text of such a file.
+/// Residual stress of such lines `depth, along, across` (mm, MPa), depths ascending.
+BodyPlasticity::ResidualStress read_residual_stress(const std::string& path,
+                                                    const std::string& shown_name);
+
+/// The same as read_lattice from the text of such a file.
 Lattice parse_lattice(std::string_view text, const std::string& shown_name, int columns);
 
 /// Value of a column at a point within the lattice; outside, the outermost cubic is extrapolated.

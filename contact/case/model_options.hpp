@@ -70,6 +70,7 @@ struct FemOptions {
   LinearSolver linear_solver = LinearSolver::automatic;
   bool inertia = false;  ///< of wheel and rail at Rolling::speed
   int passes = 1;        ///< over bodies that yield
+  int cycle = 1;         ///< load points given, after which the passes repeat them
   PassPressure pass_pressure = PassPressure::yielding;
   double plastic_extent = 1.0;  ///< of the streamlines that may yield, relative to the usual one
 };

@@ -20,7 +20,7 @@ namespace {
 using contact::InputError;
 
 /// Version of the folder and its records; raise it when contact/result/record.cpp changes.
-constexpr int format = 5;
+constexpr int format = 6;
 
 /// Less work than this is not worth disk access.
 constexpr auto grace = std::chrono::milliseconds(500);
@@ -48,8 +48,11 @@ unsigned long long checksum_of(const contact::Case& input) {
           {reinterpret_cast<const char*>(column.data()), column.size() * sizeof(double)}, hash);
   }
   std::error_code error;  // built-in profiles have no file
-  for (const std::string* name :
-       {&input.wheel.profile.name, &input.rail.profile.name, &input.wheel.mesh, &input.rail.mesh})
+  std::vector<const std::string*> names{&input.wheel.profile.name, &input.rail.profile.name,
+                                        &input.wheel.mesh, &input.rail.mesh};
+  for (const auto* steel : {&input.wheel.plasticity, &input.rail.plasticity})
+    if (*steel) names.push_back(&(*steel)->residual.file);
+  for (const std::string* name : names)
     if (const fs::path file = fs::path(input.file).parent_path() / *name;
         !name->empty() && fs::is_regular_file(file, error))
       hash = contact::checksum(contents_of(file), hash);

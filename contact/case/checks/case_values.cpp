@@ -180,6 +180,7 @@ void repeat_load_points(Case& input) {
   const auto repeat = [&](auto& entries) {
     if (entries.empty()) return;
     const auto once = entries;
+    input.fem.cycle = std::max(input.fem.cycle, static_cast<int>(once.size()));
     entries.clear();
     for (int pass = 0; pass < input.fem.passes; ++pass) entries.push_back(once[pass % once.size()]);
   };
@@ -188,13 +189,27 @@ void repeat_load_points(Case& input) {
   repeat(input.wheelset.rotation_change);
 }
 
-/// One number for each back stress and each depth, depths in ascending order.
+/// What the keys of a steel need, and one number for each back stress; depths in ascending order.
 void check_plasticity(const GivenCase& given, const char* body, const BodyPlasticity& steel) {
   const std::string section = std::string(body) + "_plasticity";
   const auto length = [&](const char* key) {
     const GivenValue* value = given.find(section, key);
     return value == nullptr ? 0 : std::get<std::vector<double>>(value->value).size();
   };
+  const auto need = [&](const char* key, const char* allowed, const char* action) {
+    if (given.find(section, key) == nullptr)
+      fail_missing(given, section + "." + key, section_line(given, section), "is missing", allowed,
+                   fmt::format("add `{} under [{}]", action, section));
+  };
+  need("yield_stress", "the stress in tension at which the steel yields", "yield_stress = 520.0`");
+  if (length("recovery") > 0)
+    need("hardening", "the moduli of the back stresses that recover", "hardening = 100e3`");
+  const bool lists = length("residual_along") + length("residual_across") > 0;
+  if (!steel.residual.file.empty() && (lists || length("residual_depth") > 0))
+    fail_at(given, section + ".residual_file", *given.find(section, "residual_file"),
+            "stands beside lists of the residual stress", "the file or the lists",
+            "remove one of the two");
+  if (lists) need("residual_depth", "depths of the lists", "residual_depth = [0.0, 5.0]`");
   constexpr std::size_t most = BodyPlasticity::most_back_stresses;
   if (length("hardening") > most)
     fail_at(given, section + ".hardening", *given.find(section, "hardening"),

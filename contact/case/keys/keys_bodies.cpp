@@ -115,6 +115,10 @@ void add_residual_stress(Keys<BodyPlasticity>& keys) {
            otherwise("0"), "Residual stress along rolling at these depths; tension is positive.");
   keys.add("residual_across", of(&Residual::across), each, unit("MPa"), within(largest),
            otherwise("0"), "The same across.");
+  keys.add("residual_file", inside(&BodyPlasticity::residual, &Residual::file),
+           otherwise("the three lists apply"),
+           "Instead of the three lists: a file of lines `depth, along, across` (mm, MPa), its path "
+           "relative to the case file.");
 }
 
 template <class Body>

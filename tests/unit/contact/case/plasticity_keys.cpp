@@ -47,9 +47,64 @@ TEST(PlasticityKeys, AreRefusedWhereTheyMeanNothing) {
   expect_error(yielding("yield_stress = 520.0\nresidual_depth = [5.0, 1.0]\n"
                         "residual_along = [0.0, 0.0]\n"),
                {"rail_plasticity.residual_depth", "does not ascend"});
+  expect_error(yielding("yield_stress = 520.0\nresidual_along = -100.0\n"),
+               {"rail_plasticity.residual_depth: is missing"});
   expect_error(plus("[fem]\npasses = 4\n"), {"fem.passes", "is for bodies that yield"});
   expect_error(plus("[rail_plasticity]\nyield_stress = 520.0\n[rolling]\nproblem = \"shift\"\n"),
                {"rail_plasticity.yield_stress", "is for steady rolling"});
+}
+
+TEST(PlasticityKeys, ReadResidualStressFromAFileAsFromLists) {
+  const rollfem::testing::TemporaryFolder folder;
+  const std::string head =
+      yielding("yield_stress = 520.0\n") + "residual_file = \"measured.csv\"\n";
+  const auto read = [&](const std::string& lines, const std::string& more = "") {
+    folder.file("measured.csv", lines);
+    return contact::read_case(folder.file("case.toml", head + more));
+  };
+  const Case from_lists = parse_case(
+      yielding("yield_stress = 520.0\nresidual_depth = [0.0, 2.0, 5.5]\nresidual_along = "
+               "[-100.0, 20.0, 0.0]\nresidual_across = [-80.0, 10.0, 0.0]\n"),
+      "case.toml");
+  for (const char* lines :
+       {"depth, along, across\n0, -100, -80\n2, 20, 10\n5.5, 0, 0\n",
+        "# X-ray, etched\n0.0 -100.0 -80.0\n\n2.0\t20.0\t10.0  # MPa\n5.5 0 0\n"}) {
+    const auto found = contact::Scene(read(lines)).rail.plasticity->residual;
+    const auto& expected = from_lists.rail.plasticity->residual;
+    EXPECT_EQ(found.depth, expected.depth);
+    EXPECT_EQ(found.along, expected.along);
+    EXPECT_EQ(found.across, expected.across);
+  }
+  // A case that is stored elsewhere finds its file.
+  const Case stored = read("0, -100, -80\n2, 20, 10\n");
+  const std::string moved = contact::text_in_folder(stored, folder.path("results/run"));
+  EXPECT_NE(moved.find("residual_file = \"../../measured.csv\""), std::string::npos) << moved;
+
+  const auto refused = [&](const std::string& lines, const std::string& more = "") {
+    return refusal<contact::InputError>([&] { read(lines, more); });
+  };
+  EXPECT_TRUE(
+      says(refused("0, 1, 2\n1, 2\n"), "measured.csv:2: has 2 numbers, not 3: depth, along"));
+  EXPECT_TRUE(says(refused("0, 1, 2\n1, 2, x\n"), "measured.csv:2: 'x' is not a finite number"));
+  EXPECT_TRUE(says(refused("0, 1, 2\n3, 1, 2\n3, 2, 1\n"), "measured.csv:3: the depth 3 does not"));
+  EXPECT_TRUE(says(refused("-1, 1, 2\n"), "measured.csv:1: the depth -1 does not ascend from 0"));
+  EXPECT_TRUE(says(refused("# nothing\n"), "measured.csv: has no points", "depth, along, across"));
+  EXPECT_TRUE(says(refused("0, 1, 2\n", "residual_along = 3.0\n"), "rail_plasticity.residual_file",
+                   "stands beside lists", "do: remove one of the two"));
+  folder.file("case.toml",
+              plus("[rail_plasticity]\nyield_stress = 520.0\nresidual_file = \"no.csv\"\n"));
+  EXPECT_TRUE(
+      says(refusal<contact::InputError>([&] { contact::read_case(folder.path("case.toml")); }),
+           "no.csv: there is no such file"));
+}
+
+TEST(PlasticityKeys, CountTheLoadPointsOfACycle) {
+  const Case alternating = parse_case(yielding("yield_stress = 520.0\n"), "case.toml");
+  EXPECT_EQ(alternating.fem.cycle, 3);
+  EXPECT_EQ(
+      parse_case(plus("[fem]\npasses = 4\n[rail_plasticity]\nyield_stress = 520.0\n"), "case.toml")
+          .fem.cycle,
+      1);
 }
 
 }  // namespace
