@@ -80,11 +80,15 @@ class Record {
     values(maximum.body, maximum.measure, maximum.value, maximum.place);
   }
   void value(YieldedSection& s) {
-    values(s.body, s.verdict, s.from_pass, s.iterations, s.residual, s.increment, s.net_increment,
-           s.plastic_strain, s.plastic_work, s.utilisation, s.across, s.down, s.y, s.depth,
-           s.strain, s.stress, s.accumulated, s.surface_y, s.groove, s.forward_flow, s.memory);
+    values(s.body, s.verdict, s.cycle, s.from_pass, s.iterations, s.residual, s.increment,
+           s.net_increment, s.cycle_increment, s.cycle_net_increment, s.plastic_strain,
+           s.plastic_work, s.utilisation, s.across, s.down, s.y, s.depth, s.strain, s.stress,
+           s.accumulated, s.surface_y, s.groove, s.forward_flow, s.memory);
   }
-  void value(BodyValues& body) { values(body.displacement, body.stress); }
+  void value(BodyValues& body) {
+    values(body.displacement, body.stress, body.plastic_strain, body.residual_stress,
+           body.accumulated);
+  }
   void value(BodyField& body) {
     values(body.name, body.points, body.cells, body.displacement, body.stress);
   }

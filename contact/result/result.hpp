@@ -50,6 +50,10 @@ struct StressMaximum {
 struct BodyValues {
   std::vector<std::array<float, 3>> displacement;  ///< mm
   std::vector<std::array<float, 6>> stress;        ///< MPa: xx yy zz xy yz xz
+  // Of a body that yields, else empty.
+  std::vector<std::array<float, 6>> plastic_strain{};   ///< in the order of stress
+  std::vector<std::array<float, 6>> residual_stress{};  ///< MPa, by plastic strain alone
+  std::vector<float> accumulated{};                     ///< plastic strain
 };
 
 /// One load point of one model: the entries of summary.json and the fields behind them. Its scalars

@@ -13,15 +13,18 @@ namespace rollfem::contact {
 /// Streamlines of the section in order of depth, then y (`y` fastest); tensors are xx yy zz xy yz
 /// xz, x along rolling, in the section's own axes.
 struct YieldedSection {
-  std::string body;             ///< "wheel", "rail"
-  std::string verdict;          ///< a word of yield_verdicts
-  int from_pass = 0;            ///< the verdict has held since this pass
-  int iterations = 0;           ///< of the pass
-  double residual = 0.0;        ///< out-of-balance forces relative to those of plastic strain
-  double increment = 0.0;       ///< largest increase of the accumulated plastic strain
-  double net_increment = 0.0;   ///< largest change of plastic strain, sqrt(2/3) |d eps_p|
-  double plastic_strain = 0.0;  ///< largest accumulated
-  double plastic_work = 0.0;    ///< N mm per mm of track
+  std::string body;              ///< "wheel", "rail"
+  std::string verdict;           ///< a word of yield_verdicts
+  int cycle = 1;                 ///< load points of a cycle, the last whole one of which is judged
+  int from_pass = 0;             ///< the verdict has held since this pass
+  int iterations = 0;            ///< of the pass
+  double residual = 0.0;         ///< out-of-balance forces relative to those of plastic strain
+  double increment = 0.0;        ///< largest increase of the accumulated plastic strain
+  double net_increment = 0.0;    ///< largest change of plastic strain, sqrt(2/3) |d eps_p|
+  double cycle_increment = 0.0;  ///< the same of the cycle that is judged
+  double cycle_net_increment = 0.0;  ///< the same
+  double plastic_strain = 0.0;       ///< largest accumulated
+  double plastic_work = 0.0;         ///< N mm per mm of track
   double utilisation = 0.0;  ///< largest von Mises stress over the yield surface, during the pass
   int across = 0, down = 0;  ///< streamlines
   std::vector<double> y, depth;              ///< mm, of each
@@ -35,18 +38,20 @@ struct YieldedSection {
 };
 
 /// Numbers of the pass as a whole, by name.
-inline std::array<std::pair<const char*, double>, 6> scalars_of(const YieldedSection& section) {
+inline std::array<std::pair<const char*, double>, 8> scalars_of(const YieldedSection& section) {
   return {{{"increment", section.increment},
            {"net_increment", section.net_increment},
+           {"cycle_increment", section.cycle_increment},
+           {"cycle_net_increment", section.cycle_net_increment},
            {"plastic_strain", section.plastic_strain},
            {"plastic_work", section.plastic_work},
            {"utilisation", section.utilisation},
            {"residual", section.residual}}};
 }
 
-/// How a body takes the passes: it does not yield; it yields no more (elastic shakedown); the same
-/// closed cycle again and again (plastic shakedown); strain grows with every pass (ratchetting); it
-/// still changes from pass to pass.
+/// How a body takes the passes, or cycles of several load points: it does not yield; it yields no
+/// more (elastic shakedown); the same closed cycle again and again (plastic shakedown); strain
+/// grows with every cycle (ratchetting); it still changes from cycle to cycle.
 inline constexpr std::array<const char*, 5> yield_verdicts{
     "elastic", "elastic shakedown", "plastic shakedown", "ratchetting", "settling"};
 

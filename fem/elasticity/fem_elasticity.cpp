@@ -302,21 +302,20 @@ void SharedLevel::add_stresses(const FemCompliance& of_point, std::size_t k, Poi
   const Stopwatch watch;
   tell({}, yielding_ ? "plastic flow" : "stresses");
   std::vector<Vector> displacement = of_point.body_displacements(point.fields.traction);
-  std::array<const NodalStress*, 2> too_much{};
+  std::array<const YieldedFields*, 2> yielded{};
   if (yielding_) {
     yielding_->finish_pass(displacement, point);
     point.step = static_cast<int>(k) + 1;
     for (std::size_t b = 0; b < 2; ++b) {
-      too_much[b] = yielding_->stress_too_much(b);
-      const Vector* plastic = yielding_->displacement(b);
-      if (plastic == nullptr) continue;
-      displacement[b] += *plastic;
+      yielded[b] = yielding_->fields(b);
+      if (yielded[b] == nullptr) continue;
+      displacement[b] += yielded[b]->displacement;
       displacement[b].update_ghost_values();
     }
   }
   if (stresses_->wanted(k))
     stresses_->fill(k, point, displacement, expansion ? &expansion->displacement : nullptr,
-                    too_much);
+                    yielded);
   tell({}, yielding_ ? "plastic flow" : "stresses", true);
   result_.seconds["stresses"] += watch.seconds();
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/pass_results.hpp"
 
+#include "fem/stress/stress_output.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace rollfem::fem {
 
@@ -15,7 +18,7 @@ using contact::YieldedSection;
 /// Linear between the depths, constant outside.
 double over_depth(const std::vector<double>& depths, const std::vector<double>& values,
                   double depth) {
-  if (values.empty()) return 0.0;
+  if (values.size() < 2) return values.empty() ? 0.0 : values.front();
   const auto above = std::upper_bound(depths.begin(), depths.end(), depth);
   if (above == depths.begin()) return values.front();
   const auto k = static_cast<std::size_t>(above - depths.begin());
@@ -46,11 +49,22 @@ std::vector<Place> section_places(const Body& body, const Streamlines& streamlin
   return places;
 }
 
-template <class To, class From>
-std::array<To, 6> converted(const From& from) {
-  std::array<To, 6> to{};
-  for (std::size_t c = 0; c < 6; ++c) to[c] = static_cast<To>(from[c]);
-  return to;
+std::array<float, 6> single(const std::array<double, 6>& tensor) {
+  std::array<float, 6> rounded{};
+  std::copy(tensor.begin(), tensor.end(), rounded.begin());
+  return rounded;
+}
+
+/// Largest increase of the accumulated plastic strain, and largest change of plastic strain.
+std::pair<double, double> gained(const std::vector<PlasticState>& before,
+                                 const std::vector<PlasticState>& after) {
+  std::pair<double, double> largest{0.0, 0.0};
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    const Deviator change = sum(after[k].strain, -1.0, before[k].strain);
+    largest.first = std::max(largest.first, after[k].accumulated - before[k].accumulated);
+    largest.second = std::max(largest.second, std::sqrt(2.0 / 3.0) * norm(change));
+  }
+  return largest;
 }
 
 }  // namespace
@@ -61,8 +75,9 @@ Deviator initial_strain(const PlasticLaw& law, double depth) {
   return {(along - mean) / twice_g, (across - mean) / twice_g, -mean / twice_g, 0.0, 0.0, 0.0};
 }
 
-PassResults::PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines)
-    : body_(body), law_(law), streamlines_(streamlines), recovery_(body) {
+PassResults::PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines,
+                         int cycle)
+    : body_(body), law_(law), streamlines_(streamlines), recovery_(body), cycle_(cycle) {
   const BodyLocator locator(body);
   const double reach = body.options().cell_size;
   places_ = locator.find(section_places(body, streamlines, false), reach);
@@ -71,66 +86,67 @@ PassResults::PassResults(const Body& body, const PlasticLaw& law, const Streamli
 
 YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBody& before,
                                        const YieldedBody& after) {
-  ++passes_;
+  if (passes_++ % cycle_ == 0) cycle_start_ = before.leaving;
   YieldedSection section;
   section.body = body_.shape().is_wheel ? "wheel" : "rail";
   section.iterations = report.iterations;
   section.residual = report.residual;
-  section.plastic_work = report.plastic_work;
+  section.plastic_work = report.plastic_work * (body_.options().half ? 2.0 : 1.0);
   section.utilisation = report.utilisation;
-  for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream) {
-    const PlasticState &in = before.leaving[stream], &out = after.leaving[stream];
-    const auto largest = [](double& value, double other) { value = std::max(value, other); };
-    largest(section.increment, out.accumulated - in.accumulated);
-    largest(section.net_increment, std::sqrt(2.0 / 3.0) * norm(sum(out.strain, -1.0, in.strain)));
-    largest(section.plastic_strain, out.accumulated);
-  }
-  judge(section);
-  too_much_ = streamlines_.nodal_stress(after.plastic, before.leaving, after.leaving,
-                                        [&](double depth) { return stress_before(law_, depth); });
+  std::tie(section.increment, section.net_increment) = gained(before.leaving, after.leaving);
+  for (const PlasticState& out : after.leaving)
+    section.plastic_strain = std::max(section.plastic_strain, out.accumulated);
+  judge(after, section);
+  fields_ = streamlines_.at_nodes(after.plastic, after.accumulated, before.leaving, after.leaving,
+                                  [&](double depth) { return stress_before(law_, depth); });
+  fields_.displacement = after.displacement;
+  fields_.displacement.update_ghost_values();
+  fields_.residual = recovery_.recover(after.displacement);
+  subtract(fields_.too_much, fields_.residual);
   fill_section(after, section);
   return section;
 }
 
-void PassResults::judge(YieldedSection& section) {
-  // Relative to the yield strain; plastic flow of one pass, of a closed cycle, and from one pass to
+void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
+  // Relative to the yield strain; plastic flow of one cycle, of a closed one, and from one cycle to
   // the next.
   constexpr double nothing = 2e-3, closed = 0.05, steady = 0.02;
   const double yield_strain = law_.parameters().yield_stress / (3.0 * law_.shear_modulus());
-  const double change = std::abs(section.increment - last_increment_);
+  const double last_increment = increment_;
+  if (passes_ < cycle_ || passes_ % cycle_ == 0)
+    std::tie(increment_, net_increment_) = gained(cycle_start_, after.leaving);
+  const double change = std::abs(increment_ - last_increment);
   std::string verdict = "settling";
-  if (section.plastic_strain == 0.0)
+  if (passes_ % cycle_ != 0)
+    verdict = verdict_.empty() ? verdict : verdict_;
+  else if (section.plastic_strain == 0.0)
     verdict = "elastic";
-  else if (section.increment <= nothing * yield_strain)
+  else if (increment_ <= nothing * yield_strain)
     verdict = "elastic shakedown";
-  else if (section.net_increment <= closed * section.increment)
+  else if (net_increment_ <= closed * increment_)
     verdict = "plastic shakedown";
-  else if (passes_ > 2 && change <= steady * section.increment)
+  else if (passes_ > 2 * cycle_ && change <= steady * increment_)
     verdict = "ratchetting";
   if (verdict != verdict_) from_pass_ = passes_;
   verdict_ = section.verdict = verdict;
   section.from_pass = from_pass_;
-  last_increment_ = section.increment;
+  section.cycle = cycle_;
+  section.cycle_increment = increment_;
+  section.cycle_net_increment = net_increment_;
 }
 
 void PassResults::fill_section(const YieldedBody& after, YieldedSection& section) {
   section.across = static_cast<int>(streamlines_.width());
   section.down = static_cast<int>(streamlines_.streams() / streamlines_.width());
-  NodalStress stress = recovery_.recover(after.displacement);
-  subtract(*too_much_, stress);
-  // In the meshed half.
-  const auto direct = places_.values(stress.direct, {1, 1, 1});
-  const auto shear = places_.values(stress.shear, {1, 1, 1});
+  const auto stress = stress_at(places_, fields_.residual);
   for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream) {
     const auto [y, depth] = streamlines_.section(stream);
     section.y.push_back(y);
     section.depth.push_back(depth);
-    section.strain.push_back(converted<float>(after.leaving[stream].strain));
+    section.strain.push_back(single(after.leaving[stream].strain));
     section.accumulated.push_back(static_cast<float>(after.leaving[stream].accumulated));
-    const std::array<double, 6> in_space{direct[stream][0], direct[stream][1], direct[stream][2],
-                                         shear[stream][0],  shear[stream][1],  shear[stream][2]};
-    section.stress.push_back(converted<float>(streamlines_.in_section(
-        in_space, streamlines_.stations() - 1 - stations_before_end, stream)));
+    section.stress.push_back(single(streamlines_.in_section(
+        stress[stream], streamlines_.stations() - 1 - stations_before_end, stream)));
   }
   const auto moved = surface_.values(after.displacement, {1, 1, 1});
   const double s = streamlines_.s(streamlines_.stations() - 1 - stations_before_end);
@@ -149,13 +165,17 @@ std::string verdict_note(const YieldedSection& section, int passes) {
   std::string text = fmt::format("the {} after {} pass{}: {}", section.body, passes,
                                  passes == 1 ? "" : "es", section.verdict);
   if (section.from_pass < passes) text += fmt::format(" since pass {}", section.from_pass);
+  const std::string cycle =
+      section.cycle == 1 ? "pass" : fmt::format("cycle of {} points", section.cycle);
   if (section.verdict == "ratchetting")
-    text += fmt::format(", {:.2g} of lasting plastic strain a pass", section.net_increment);
-  if (section.verdict == "settling")
+    text +=
+        fmt::format(", {:.2g} of lasting plastic strain a {}", section.cycle_net_increment, cycle);
+  else if (section.verdict == "settling")
     text += fmt::format(
-        ", {:.2g} of plastic strain in the last pass, {:.2g} of it lasting: more "
-        "passes will tell",
-        section.increment, section.net_increment);
+        ", {:.2g} of plastic strain in the last {}, {:.2g} of it lasting: more passes will tell",
+        section.cycle_increment, cycle, section.cycle_net_increment);
+  else if (section.cycle > 1)
+    text += fmt::format(", judged over a {}", cycle);
   return text;
 }
 

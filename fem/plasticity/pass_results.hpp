@@ -18,21 +18,22 @@ Deviator initial_strain(const PlasticLaw& law, double depth);
 
 class PassResults {
  public:
-  /// Arguments must outlive this object. Collective.
-  PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines);
+  /// `cycle`: load points after which they repeat. Other arguments must outlive this object.
+  /// Collective.
+  PassResults(const Body& body, const PlasticLaw& law, const Streamlines& streamlines, int cycle);
   /// Collective.
   contact::YieldedSection after_pass(const PassReport& report, const YieldedBody& before,
                                      const YieldedBody& after);
   /// The history on which a verdict depends.
   void exchange(contact::Record& record) {
-    record.values(passes_, last_increment_, verdict_, from_pass_);
+    record.values(passes_, increment_, net_increment_, verdict_, from_pass_, cycle_start_);
   }
   /// Of the last pass, see YieldingBodies.
-  const NodalStress& stress_too_much() const { return *too_much_; }
+  const YieldedFields& fields() const { return fields_; }
 
  private:
   void fill_section(const YieldedBody& after, contact::YieldedSection& section);
-  void judge(contact::YieldedSection& section);
+  void judge(const YieldedBody& after, contact::YieldedSection& section);
 
   const Body& body_;
   const PlasticLaw& law_;
@@ -40,9 +41,12 @@ class PassResults {
   StressRecovery recovery_;
   BodyPoints places_;   ///< of the section's streamlines
   BodyPoints surface_;  ///< above them
-  std::optional<NodalStress> too_much_;
+  YieldedFields fields_;
   int passes_ = 0;
-  double last_increment_ = 0.0;
+  int cycle_;
+  std::vector<PlasticState> cycle_start_;  ///< streamlines before the cycle
+  double increment_ = 0.0;                 ///< of the last cycle
+  double net_increment_ = 0.0;
   std::string verdict_;
   int from_pass_ = 0;
 };

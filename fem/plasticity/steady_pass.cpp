@@ -116,11 +116,9 @@ class Flow {
         elastic_(elastic),
         entering_(entering),
         steps_(steps) {
-    for (const PlasticState& state : entering) inflow_.push_back(state.strain);
     plastic.resize(streamlines.points());
     accumulated.resize(streamlines.points());
     leaving.resize(streamlines.streams());
-    outflow_.resize(streamlines.streams());
     work_.resize(streamlines.streams());
     utilisation_.resize(streamlines.streams());
   }
@@ -146,9 +144,8 @@ class Flow {
         accumulated[k] = state.accumulated;
       }
       leaving[stream] = state;
-      outflow_[stream] = state.strain;
     });
-    streamlines_.load(plastic, inflow_, outflow_, load);
+    streamlines_.load(plastic, entering_, leaving, load);
   }
 
   /// N mm per mm of track, in what was followed last.
@@ -169,7 +166,6 @@ class Flow {
   const std::vector<Deviator>& elastic_;
   const std::vector<PlasticState>& entering_;
   int steps_;
-  std::vector<Deviator> inflow_, outflow_;
   std::vector<double> work_, utilisation_;
 };
 

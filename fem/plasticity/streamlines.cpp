@@ -44,6 +44,15 @@ struct Slot {
   double sine;    ///< of the angle about the axle
   dealii::Point<3> unit;
   double depth;  ///< mm
+
+  /// A quantity there, of its points or of the states at the ends.
+  template <class Quantity>
+  const Quantity& of(const std::vector<Quantity>& points, const std::vector<PlasticState>& inflow,
+                     const std::vector<PlasticState>& outflow,
+                     Quantity PlasticState::*of_ends) const {
+    return source == Source::point ? points[from]
+                                   : (source == Source::inflow ? inflow : outflow)[from].*of_ends;
+  }
 };
 
 struct PlasticCell {
@@ -251,12 +260,12 @@ std::vector<Deviator> Streamlines::strains(const Vector& displacement) const {
   return result;
 }
 
-void Streamlines::load(const std::vector<Deviator>& plastic, const std::vector<Deviator>& inflow,
-                       const std::vector<Deviator>& outflow, Vector& b) const {
+void Streamlines::load(const std::vector<Deviator>& plastic,
+                       const std::vector<PlasticState>& inflow,
+                       const std::vector<PlasticState>& outflow, Vector& b) const {
   const Implementation& of = *implementation_;
   const unsigned int nodes = of.shape.nodes();
   const auto& element = of.body.dofs().get_fe();
-  const std::vector<Deviator>* strain_of[] = {&plastic, &inflow, &outflow};
   const double twice_g = 2.0 * lame_mu(of.body.material());
   std::vector<double> forces(3 * nodes * of.cells.size(), 0.0);
   contact::for_each_piece(
@@ -266,7 +275,8 @@ void Streamlines::load(const std::vector<Deviator>& plastic, const std::vector<D
           double* const force = &forces[3 * nodes * c];
           for (std::size_t k = of.cells[c].first_slot; k < of.cells[c].end_slot; ++k) {
             const Slot& slot = of.slots[k];
-            SpaceTensor stress = tensor_of((*strain_of[static_cast<int>(slot.source)])[slot.from]);
+            SpaceTensor stress =
+                tensor_of(slot.of(plastic, inflow, outflow, &PlasticState::strain));
             stress *= twice_g * slot.weight;
             if (slot.sine != 0.0) {
               const SpaceTensor turn = of.turn(slot.sine);
@@ -308,49 +318,52 @@ Eigen::Matrix<double, 1, 4> linear_terms(const dealii::Point<3>& unit) {
 
 }  // namespace
 
-NodalStress Streamlines::nodal_stress(
-    const std::vector<Deviator>& plastic, const std::vector<PlasticState>& inflow,
-    const std::vector<PlasticState>& outflow,
+YieldedFields Streamlines::at_nodes(
+    const std::vector<Deviator>& plastic, const std::vector<double>& accumulated,
+    const std::vector<PlasticState>& inflow, const std::vector<PlasticState>& outflow,
     const std::function<std::array<double, 2>(double)>& before) const {
   const Implementation& of = *implementation_;
   const auto& dofs = of.body.dofs();
   const auto& element = dofs.get_fe();
   const auto& nodes = element.base_element(0).get_unit_support_points();
   const double twice_g = 2.0 * lame_mu(of.body.material());
-  NodalStress sum{make_vector(dofs), make_vector(dofs)};
+  YieldedFields sum;
   Vector count = make_vector(dofs);
-  for (auto* vector : {&sum.direct, &sum.shear, &count}) vector->zero_out_ghost_values();
+  const std::array<Vector*, 5> fields{&sum.too_much.direct, &sum.too_much.shear, &sum.strain.direct,
+                                      &sum.strain.shear, &sum.accumulated};
+  for (Vector* vector : fields) *vector = make_vector(dofs);
+  for (Vector* vector : {&sum.accumulated, &count}) vector->zero_out_ghost_values();
   for (const PlasticCell& cell : of.cells) {
     const auto size = static_cast<Eigen::Index>(cell.end_slot - cell.first_slot);
-    Eigen::MatrixXd terms(size, 4), values(size, 6);
+    Eigen::MatrixXd terms(size, 4), values = Eigen::MatrixXd::Zero(size, 3 * fields.size());
     for (Eigen::Index k = 0; k < size; ++k) {
       const Slot& slot = of.slots[cell.first_slot + k];
-      Deviator stress = slot.source == Source::point
-                            ? plastic[slot.from]
-                            : (slot.source == Source::inflow ? inflow : outflow)[slot.from].strain;
-      for (double& component : stress) component *= twice_g;
+      const Deviator& strain = slot.of(plastic, inflow, outflow, &PlasticState::strain);
       const auto residual = before(slot.depth);
-      stress[0] -= residual[0];
-      stress[1] -= residual[1];
       const SpaceTensor turn = of.turn(slot.sine);
-      const auto in_space = components_of(turn * tensor_of(stress) * dealii::transpose(turn));
+      const auto in_space = [&](const Deviator& tensor) {
+        const auto turned = components_of(turn * tensor_of(tensor) * dealii::transpose(turn));
+        return Eigen::Map<const Eigen::Matrix<double, 1, 6>>(turned.data()).eval();
+      };
       terms.row(k) = linear_terms(slot.unit);
-      values.row(k) = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(in_space.data());
+      values.row(k).segment<6>(6) = in_space(strain);
+      values.row(k).head<6>() =
+          twice_g * values.row(k).segment<6>(6) - in_space({residual[0], residual[1]});
+      values(k, 12) = slot.of(accumulated, inflow, outflow, &PlasticState::accumulated);
     }
     const Eigen::MatrixXd fit = terms.completeOrthogonalDecomposition().solve(values);
     for (unsigned int a = 0; a < nodes.size(); ++a) {
-      const Eigen::Matrix<double, 1, 6> at_node = linear_terms(nodes[a]) * fit;
+      const Eigen::RowVectorXd at_node = linear_terms(nodes[a]) * fit;
       for (unsigned int c = 0; c < 3; ++c) {
         const auto dof = cell.dofs[element.component_to_system_index(c, a)];
-        sum.direct(dof) += at_node[c];
-        sum.shear(dof) += at_node[3 + c];
+        for (std::size_t f = 0; f < fields.size(); ++f) (*fields[f])(dof) += at_node[3 * f + c];
         count(dof) += 1.0;
       }
     }
   }
-  for (auto* vector : {&sum.direct, &sum.shear, &count})
+  count.compress(dealii::VectorOperation::add);
+  for (Vector* vector : fields) {
     vector->compress(dealii::VectorOperation::add);
-  for (auto* vector : {&sum.direct, &sum.shear}) {
     for (unsigned int k = 0; k < count.locally_owned_size(); ++k)
       if (count.local_element(k) > 0.0) vector->local_element(k) /= count.local_element(k);
     of.hanging.distribute(*vector);

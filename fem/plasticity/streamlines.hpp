@@ -43,19 +43,20 @@ class Streamlines {
   std::vector<Deviator> strains(const Vector& displacement) const;
   /// b_i = int 2 G eps_p : eps(N_i): on streamlines the plastic strain is that of `plastic` at the
   /// points, `inflow` before and `outflow` behind them, to both ends of the body. Collective.
-  void load(const std::vector<Deviator>& plastic, const std::vector<Deviator>& inflow,
-            const std::vector<Deviator>& outflow, Vector& b) const;
+  void load(const std::vector<Deviator>& plastic, const std::vector<PlasticState>& inflow,
+            const std::vector<PlasticState>& outflow, Vector& b) const;
 
   /// Stress in space at a point, turned to the section (xx yy zz xy yz xz).
   std::array<double, 6> in_section(const std::array<double, 6>& stress, std::size_t station,
                                    std::size_t stream) const;
-  /// 2 G eps_p less the stress `before` (along and across, MPa, over depth), at the nodes of cells
-  /// on streamlines: from linear functions in each cell, averaged. Arguments as of load().
-  /// Collective.
-  NodalStress nodal_stress(const std::vector<Deviator>& plastic,
-                           const std::vector<PlasticState>& inflow,
-                           const std::vector<PlasticState>& outflow,
-                           const std::function<std::array<double, 2>(double depth)>& before) const;
+  /// All but the residual stress, at the nodes of cells on streamlines: from linear functions in
+  /// each cell, averaged. Arguments as of load(); `before`: stress along and across before the
+  /// first pass, MPa, over depth. Collective.
+  YieldedFields at_nodes(const std::vector<Deviator>& plastic,
+                         const std::vector<double>& accumulated,
+                         const std::vector<PlasticState>& inflow,
+                         const std::vector<PlasticState>& outflow,
+                         const std::function<std::array<double, 2>(double depth)>& before) const;
 
  private:
   struct Implementation;

@@ -52,14 +52,17 @@ double relative_change(const std::vector<Deviator>& a, const std::vector<Deviato
   return all > 0.0 ? std::sqrt(change / all) : 0.0;
 }
 
+}  // namespace
+
 class YieldingBody {
  public:
-  YieldingBody(const contact::BodyPlasticity& steel, const Body& body, const LinearSolver& solver)
+  YieldingBody(const contact::BodyPlasticity& steel, int cycle, const Body& body,
+               const LinearSolver& solver)
       : body_(body),
         solver_(solver),
         law_(steel, lame_mu(body.material())),
         streamlines_(body, lattice_of(body.options())),
-        results_(body, law_, streamlines_),
+        results_(body, law_, streamlines_, cycle),
         before_(before_first_pass(streamlines_, body)),
         now_(before_) {
     for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
@@ -102,7 +105,7 @@ class YieldingBody {
 
   /// By plastic strain, mm, with ghost values.
   const Vector& displacement() const { return now_.displacement; }
-  const NodalStress& stress_too_much() const { return results_.stress_too_much(); }
+  const YieldedFields& fields() const { return results_.fields(); }
 
  private:
   void exchange(contact::Record& record) {
@@ -154,19 +157,13 @@ class YieldingBody {
   YieldedBody before_, now_;
 };
 
-}  // namespace
-
-struct YieldingBodies::Implementation {
-  std::array<std::unique_ptr<YieldingBody>, 2> parts;
-};
-
 YieldingBodies::YieldingBodies(const contact::Scene& scene, const BodyPair& bodies,
-                               const Solvers& solvers)
-    : implementation_(std::make_unique<Implementation>()) {
+                               const Solvers& solvers) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& steel = (k == 0 ? scene.wheel : scene.rail).plasticity;
     if (steel && bodies[k] != nullptr)
-      implementation_->parts[k] = std::make_unique<YieldingBody>(*steel, *bodies[k], *solvers[k]);
+      parts_[k] =
+          std::make_unique<YieldingBody>(*steel, scene.options.fem.cycle, *bodies[k], *solvers[k]);
   }
 }
 
@@ -175,9 +172,9 @@ YieldingBodies::~YieldingBodies() = default;
 std::vector<Vector> YieldingBodies::respond(const std::vector<Vector>& elastic) {
   std::vector<Vector> plastic(2);
   for (std::size_t k = 0; k < 2; ++k) {
-    if (!implementation_->parts[k]) continue;
-    implementation_->parts[k]->pass(elastic[k], false);
-    plastic[k] = implementation_->parts[k]->displacement();
+    if (!parts_[k]) continue;
+    parts_[k]->pass(elastic[k], false);
+    plastic[k] = parts_[k]->displacement();
     plastic[k].update_ghost_values();  // copies have none
   }
   return plastic;
@@ -185,25 +182,19 @@ std::vector<Vector> YieldingBodies::respond(const std::vector<Vector>& elastic) 
 
 void YieldingBodies::finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point) {
   for (std::size_t k = 0; k < 2; ++k)
-    if (implementation_->parts[k])
-      point.yielded.push_back(implementation_->parts[k]->finish(elastic[k]));
+    if (parts_[k]) point.yielded.push_back(parts_[k]->finish(elastic[k]));
   sum_up(point);
 }
 
 void YieldingBodies::recall(const std::vector<contact::YieldedSection>& sections) {
   for (const contact::YieldedSection& section : sections)
     if (!section.memory.empty())
-      implementation_->parts[section.body == body_names[0] ? 0 : 1]->recall(section.memory);
+      parts_[section.body == body_names[0] ? 0 : 1]->recall(section.memory);
 }
 
-const Vector* YieldingBodies::displacement(std::size_t body) const {
-  const auto& part = implementation_->parts[body];
-  return part ? &part->displacement() : nullptr;
-}
-
-const NodalStress* YieldingBodies::stress_too_much(std::size_t body) const {
-  const auto& part = implementation_->parts[body];
-  return part ? &part->stress_too_much() : nullptr;
+const YieldedFields* YieldingBodies::fields(std::size_t body) const {
+  const auto& part = parts_[body];
+  return part ? &part->fields() : nullptr;
 }
 
 }  // namespace rollfem::fem

@@ -15,6 +15,8 @@
 
 namespace rollfem::fem {
 
+class YieldingBody;
+
 class YieldingBodies {
  public:
   /// Bodies of a scene that yields; streamlines may yield in the fine region of the mesh. All
@@ -32,17 +34,11 @@ class YieldingBodies {
   /// Goes on from the memories of a finished pass, in a single process; nothing without them.
   void recall(const std::vector<contact::YieldedSection>& sections);
 
-  // Of the pass that was finished last; body 0 is the wheel.
-
-  /// mm, by plastic strain, with ghost values; null: the body stays elastic.
-  const Vector* displacement(std::size_t body) const;
-  /// 2 G eps_p less the residual stress before the first pass: what the stress of the total
-  /// displacement has too much, MPa, at the nodes; null: nothing.
-  const NodalStress* stress_too_much(std::size_t body) const;
+  /// Of the pass that was finished last; body 0 is the wheel. Null: the body stays elastic.
+  const YieldedFields* fields(std::size_t body) const;
 
  private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::array<std::unique_ptr<YieldingBody>, 2> parts_;  ///< wheel, rail; null: elastic
 };
 
 }  // namespace rollfem::fem

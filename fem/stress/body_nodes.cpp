@@ -145,30 +145,37 @@ BodyNodes::BodyNodes(const Body& body, const std::string& name) : body_(body) {
   if (body.options().half) mirror();
 }
 
-contact::BodyValues BodyNodes::values(const Vector& displacement, const NodalStress& stress) const {
-  std::vector<float> own;
-  own.reserve(9 * nodes_.size());
-  for (const NodeIndex& node : nodes_)
-    for (const Vector* field : {&displacement, &stress.direct, &stress.shear})
-      for (const auto unknown : node) own.push_back(static_cast<float>((*field)(unknown)));
+template <std::size_t N>
+std::vector<std::array<float, N>> BodyNodes::gathered(
+    const std::array<const Vector*, N / 3>& fields) const {
+  std::vector<std::array<float, N>> own(nodes_.size()), all(mesh_.points.size());
+  for (std::size_t k = 0; k < own.size(); ++k)
+    for (std::size_t c = 0; c < N; ++c)
+      own[k][c] = static_cast<float>((*fields[c / 3])(nodes_[k][c % 3]));
   const auto processes = dealii::Utilities::MPI::gather(body_.dofs().get_communicator(), own, 0);
-  contact::BodyValues result;
-  auto& [u, s] = result;
-  u.resize(mesh_.points.size());
-  s.resize(mesh_.points.size());
   for (std::size_t process = 0; process < point_of_.size(); ++process)
-    for (std::size_t k = 0; k < point_of_[process].size(); ++k) {
-      const float* const v = &processes[process][9 * k];
-      const int p = point_of_[process][k];
-      u[p] = {v[0], v[1], v[2]};
-      s[p] = {v[3], v[4], v[5], v[6], v[7], v[8]};
-    }
+    for (std::size_t k = 0; k < point_of_[process].size(); ++k)
+      all[point_of_[process][k]] = processes[process][k];
   // u_y, xy and yz change sign; on the plane they vanish.
   std::size_t image = mesh_.points.size() - mirrored_.size();
   for (const int p : mirrored_) {
-    u[image] = {u[p][0], -u[p][1], u[p][2]};
-    s[image++] = {s[p][0], s[p][1], s[p][2], -s[p][3], -s[p][4], s[p][5]};
+    all[image] = all[p];
+    for (const std::size_t c : N == 3 ? std::array{1, 1} : std::array{3, 4})
+      all[image][c] = -all[p][c];
+    ++image;
   }
+  return all;
+}
+
+contact::BodyValues BodyNodes::values(const Vector& displacement, const NodalStress& stress,
+                                      const YieldedFields* yielded) const {
+  contact::BodyValues result;
+  result.displacement = gathered<3>({&displacement});
+  result.stress = gathered<6>({&stress.direct, &stress.shear});
+  if (yielded == nullptr) return result;
+  result.plastic_strain = gathered<6>({&yielded->strain.direct, &yielded->strain.shear});
+  result.residual_stress = gathered<6>({&yielded->residual.direct, &yielded->residual.shear});
+  for (const auto& v : gathered<3>({&yielded->accumulated})) result.accumulated.push_back(v[0]);
   return result;
 }
 

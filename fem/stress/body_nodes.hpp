@@ -20,15 +20,19 @@ class BodyNodes {
   /// hexahedra. Points and cells are in the same order on any number of processes. On other
   /// processes it has only a name.
   const contact::BodyField& mesh() const { return mesh_; }
-  /// Values at the points of mesh(); empty except on process 0. Both arguments with ghost values.
-  /// Collective.
-  contact::BodyValues values(const Vector& displacement, const NodalStress& stress) const;
+  /// Values at the points of mesh(); empty except on process 0. All arguments with ghost values;
+  /// `yielded` may be null. Collective.
+  contact::BodyValues values(const Vector& displacement, const NodalStress& stress,
+                             const YieldedFields* yielded = nullptr) const;
 
  private:
   struct Cells;
   Cells collect_cells();
   void number(const std::vector<Cells>& processes);
   void mirror();
+  /// Vectors or symmetric tensors at the points of mesh().
+  template <std::size_t N>
+  std::vector<std::array<float, N>> gathered(const std::array<const Vector*, N / 3>& fields) const;
 
   using NodeIndex = std::array<dealii::types::global_dof_index, 3>;
   const Body& body_;

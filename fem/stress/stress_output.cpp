@@ -5,7 +5,6 @@
 #include "contact/base/root.hpp"
 #include "contact/result/stress_extremes.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "fem/discretisation/body_points.hpp"
 #include "fem/stress/body_nodes.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/stress/surface_stress.hpp"
@@ -34,16 +33,6 @@ constexpr std::array<int, 3> shear_mirror{-1, -1, 1};
 /// Where "below the surface" begins, in sizes of a cell: nearer the surface the nodal field is that
 /// of the surface.
 constexpr double least_depth = 0.4;
-
-std::vector<std::array<double, 6>> stress_at(const BodyPoints& points, const NodalStress& stress) {
-  const auto direct = points.values(stress.direct, direct_mirror);
-  const auto shear = points.values(stress.shear, shear_mirror);
-  std::vector<std::array<double, 6>> result;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    result.push_back(
-        {direct[k][0], direct[k][1], direct[k][2], shear[k][0], shear[k][1], shear[k][2]});
-  return result;
-}
 
 std::vector<Place> places_of(const SubsurfaceRequest& request, const SurfaceShape& shape) {
   std::vector<Place> places = halfspace::subsurface_points(request);
@@ -80,6 +69,16 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
 }
 
 }  // namespace
+
+std::vector<std::array<double, 6>> stress_at(const BodyPoints& points, const NodalStress& stress) {
+  const auto direct = points.values(stress.direct, direct_mirror);
+  const auto shear = points.values(stress.shear, shear_mirror);
+  std::vector<std::array<double, 6>> result;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    result.push_back(
+        {direct[k][0], direct[k][1], direct[k][2], shear[k][0], shear[k][1], shear[k][2]});
+  return result;
+}
 
 Place place_below(const SurfaceShape& shape, double x, double y, double depth) {
   const double on_surface = shape.streamline_radius(y);
@@ -142,8 +141,9 @@ struct StressOutput::Implementation {
   bool wanted(std::size_t k) const { return scene.asks_for_stress() || keeps_bodies(k); }
 
   static contact::BodyValues values(const Part& part, const Vector& displacement,
-                                    const NodalStress& stress, const Vector* expansion) {
-    if (expansion == nullptr) return part.nodes->values(displacement, stress);
+                                    const NodalStress& stress, const Vector* expansion,
+                                    const YieldedFields* yielded) {
+    if (expansion == nullptr) return part.nodes->values(displacement, stress, yielded);
     Vector total(displacement);
     total += *expansion;
     total.update_ghost_values();
@@ -151,12 +151,12 @@ struct StressOutput::Implementation {
   }
 
   void fill_part(const Part& part, const Vector& displacement, const Vector* expansion,
-                 const NodalStress* too_much, bool keep, contact::PointResult& point) const {
+                 const YieldedFields* yielded, bool keep, contact::PointResult& point) const {
     NodalStress stress = part.recovery.recover(displacement);
     point.error_estimate[fmt::format("energy_norm_{}", part.name)] =
         energy_error(part.body, displacement, stress).relative();
-    if (too_much != nullptr) subtract(*too_much, stress);
-    if (keep) point.bodies.push_back(values(part, displacement, stress, expansion));
+    if (yielded != nullptr) subtract(yielded->too_much, stress);
+    if (keep) point.bodies.push_back(values(part, displacement, stress, expansion, yielded));
     for (std::size_t k = 0; k < part.requests.size(); ++k) {
       const BodyPoints& points = part.points[k];
       SubsurfaceField& field = point.subsurface[part.requests[k]];
@@ -165,7 +165,7 @@ struct StressOutput::Implementation {
       field.displacement = points.values(displacement, displacement_mirror);
       field.stress = stress_at(points, stress);
       // From the strain along the surface by Hooke's law.
-      if (too_much == nullptr)
+      if (yielded == nullptr)
         part.surface[k].combine(displacement, point.fields.traction, field.stress);
     }
     if (!maxima) return;
@@ -285,13 +285,13 @@ bool StressOutput::wanted(std::size_t k) const {
 
 void StressOutput::fill(std::size_t k, contact::PointResult& point,
                         const std::vector<Vector>& displacement, const Vector* expansion,
-                        const std::array<const NodalStress*, 2>& too_much) const {
+                        const std::array<const YieldedFields*, 2>& yielded) const {
   const Implementation& all = *implementation_;
   point.subsurface.resize(all.scene.subsurface.size());
   const bool keep = all.keeps_bodies(k);
   for (std::size_t b = 0; b < 2; ++b)
     if (all.parts[b])
-      all.fill_part(*all.parts[b], displacement[b], b == 0 ? expansion : nullptr, too_much[b], keep,
+      all.fill_part(*all.parts[b], displacement[b], b == 0 ? expansion : nullptr, yielded[b], keep,
                     point);
 }
 

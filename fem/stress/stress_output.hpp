@@ -4,11 +4,13 @@
 #pragma once
 
 #include "contact/result/result.hpp"
+#include "fem/discretisation/body_points.hpp"
 #include "fem/stress/stress_recovery.hpp"
 #include "fem/trace/compliance.hpp"
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -27,10 +29,9 @@ class StressOutput {
   /// and rail, which correspond to the tractions in the fields of the point; the tractions
   /// determine the surface stress (surface_stress.hpp). `expansion`: displacement of the wheel by
   /// its spinning, included only in `bodies`; may be null. Collective.
-  /// `too_much`: what Hooke's law finds too much in wheel and rail, where they have yielded; null:
-  /// nothing.
+  /// `yielded`: plastic strain of wheel and rail; null: none.
   void fill(std::size_t k, contact::PointResult& point, const std::vector<Vector>& displacement,
-            const Vector* expansion, const std::array<const NodalStress*, 2>& too_much = {}) const;
+            const Vector* expansion, const std::array<const YieldedFields*, 2>& yielded = {}) const;
   /// Wheel and rail for ModelResult::bodies: whole on process 0; none when no load point stores
   /// them.
   std::vector<contact::BodyField> bodies() const;
@@ -39,6 +40,9 @@ class StressOutput {
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// At points: xx yy zz xy yz xz, in space.
+std::vector<std::array<double, 6>> stress_at(const BodyPoints& points, const NodalStress& stress);
 
 /// The point at (x, y) and `depth` (mm) below the contact surface of a body: along z in the rail,
 /// towards the axle in the wheel. Throws contact::InputError where x is outside the wheel.

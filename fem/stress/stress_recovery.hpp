@@ -19,6 +19,18 @@ struct NodalStress {
   Vector shear;   ///< components xy yz xz
 };
 
+/// What plastic strain does to a body, at its nodes, with ghost values; plastic strain in the
+/// global frame.
+struct YieldedFields {
+  /// 2 G eps_p less the residual stress before the first pass, MPa: what the stress of the total
+  /// displacement has too much.
+  NodalStress too_much;
+  NodalStress strain;    ///< plastic
+  NodalStress residual;  ///< stress by plastic strain alone
+  Vector displacement;   ///< by plastic strain, mm
+  Vector accumulated;    ///< plastic strain, as the first component
+};
+
 /// `stress` less `part`, with ghost values.
 void subtract(const NodalStress& part, NodalStress& stress);
 

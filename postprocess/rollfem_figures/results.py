@@ -28,11 +28,11 @@ class PointRecord:
     elements, if stored; otherwise empty. `pass_work` [ny]: frictional work per pass and area of the rows (N/mm), or None.
     `yielded`: {"wheel": ..., "rail": ...} of the bodies that yield, after this pass of the load: dicts of `verdict` ("elastic",
     "elastic shakedown", "plastic shakedown", "ratchetting", "settling"), which holds since `from_pass`; `increment`,
-    `net_increment`, `plastic_strain`, `plastic_work` (N mm per mm), `utilisation`, `iterations`, `residual`; of the section
-    behind the load `y`, `depth` (mm) and `accumulated` [down, across], plastic `strain` and residual `stress` (MPa)
-    [down, across, 6] (xx, yy, zz, xy, yz, xz; x along rolling, tension positive); on the surface `surface_y`, `groove`
-    (negative into the body), `forward_flow` [across] (mm). Only y > 0 where half of a symmetric body is modelled. Otherwise
-    empty.
+    `net_increment`, of the last whole cycle of load points `cycle_increment`, `cycle_net_increment`; `plastic_strain`,
+    `plastic_work` (N mm per mm), `utilisation`, `iterations`, `residual`; of the section behind the load `y`, `depth` (mm)
+    and `accumulated` [down, across], plastic `strain` and residual `stress` (MPa) [down, across, 6] (xx, yy, zz, xy, yz, xz;
+    x along rolling, tension positive); on the surface `surface_y`, `groove` (negative into the body), `forward_flow`
+    [across] (mm). Only y > 0 where half of a symmetric body is modelled. Otherwise empty.
     `x`, `y`, `place`: those of its model.
     """
 

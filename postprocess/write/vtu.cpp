@@ -173,12 +173,17 @@ std::string BodyVtu::text(const contact::BodyValues* values) const {
   std::string data = "<PointData>\n";
   if (values != nullptr) {
     data += numbers("displacement [mm]", flatten(values->displacement), xyz);
-    data += numbers("stress [MPa]", flatten(values->stress), {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
+    const std::vector<std::string> tensor{"XX", "YY", "ZZ", "XY", "YZ", "XZ"};
+    data += numbers("stress [MPa]", flatten(values->stress), tensor);
     std::vector<float> equivalent;
     for (const auto& s : values->stress)
       equivalent.push_back(static_cast<float>(
           contact::von_mises(contact::Stress::from_array({s[0], s[1], s[2], s[3], s[4], s[5]}))));
     data += numbers("von Mises stress [MPa]", equivalent);
+    if (!values->accumulated.empty())
+      data += numbers("plastic strain [-]", flatten(values->plastic_strain), tensor) +
+              numbers("accumulated plastic strain [-]", values->accumulated) +
+              numbers("residual stress [MPa]", flatten(values->residual_stress), tensor);
   }
   data += "</PointData>\n";
   return file_xml(point_count_, cell_count_, {points_, data, cells_});

@@ -16,7 +16,8 @@ class BodyVtu {
  public:
   explicit BodyVtu(const contact::BodyField& body);
   /// Hexahedra of the undeformed body with displacement (mm), stress (MPa: xx yy zz xy yz xz, VTK's
-  /// order of a symmetric tensor) and von Mises stress (MPa) at the points; null: without.
+  /// order of a symmetric tensor) and von Mises stress (MPa) at the points, and plastic strain and
+  /// residual stress (MPa) of a body that yields; null: without.
   std::string text(const contact::BodyValues* values = nullptr) const;
 
  private:

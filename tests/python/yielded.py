@@ -2,12 +2,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies that yield: what is read of them, and their figures and table in the report.
 Call: yielded.py SOURCE_FOLDER PROGRAM; rollfem is found by PYTHONPATH."""
+import base64
 import json
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
+import zlib
 
 import numpy as np
 
@@ -39,7 +43,25 @@ longitudinal_creepage = [0.03, 0.001]
 [fem]
 cell_size = 4.0
 passes = 3
+[output]
+body_fields = "last"
 """
+
+
+def vtu_arrays(path):
+    """The floating-point arrays of a ParaView file by name."""
+    found = {}
+    for array in xml.etree.ElementTree.parse(path).getroot().iter("DataArray"):
+        text = array.text.strip()
+        blocks = struct.unpack("<Q", base64.b64decode(text[:12])[:8])[0]
+        length = (8 * (3 + blocks) + 2) // 3 * 4
+        sizes, data = struct.unpack(f"<{3 + blocks}Q", base64.b64decode(text[:length]))[3:], base64.b64decode(text[length:])
+        raw, at = b"", 0
+        for size in sizes:
+            raw, at = raw + zlib.decompress(data[at:at + size]), at + size
+        if array.get("type").startswith("Float"):
+            found[array.get("Name")] = np.frombuffer(raw, array.get("type").lower()).reshape(-1, int(array.get("NumberOfComponents", 1)))
+    return found
 
 
 def run(*arguments):
@@ -109,6 +131,23 @@ class Yielded(unittest.TestCase):
                       "Shakedown map with the passes", "yield stress in shear k = 300.2 MPa (wheel), k = 259.8 MPa (rail)",
                       "before the first pass", "Section of the rail after pass 3", ">pass 2<"):
             self.assertIn(words, page)
+
+    def test_paraview_has_plastic_strain_at_the_nodes(self):
+        for name, body in self.points[-1].yielded.items():
+            at_nodes = vtu_arrays(self.path / f"run/fields/fem_{name}_0002.vtu")
+            strain, accumulated = at_nodes["plastic strain [-]"], at_nodes["accumulated plastic strain [-]"][:, 0]
+            self.assertEqual(len(strain), len(at_nodes["displacement [mm]"]))
+            # Cells are nearly as large as the plastic zone: lines through their points reach beyond the largest value.
+            self.assertLess(abs(accumulated.max() / body["plastic_strain"] - 1), 0.2)
+            largest = np.abs(body["strain"]).max()
+            self.assertLess(np.abs(strain[:, :3].sum(axis=1)).max(), 1e-6 * largest)  # no volume
+            beside = np.abs(at_nodes["Points"][:, 1]) > 1e-6
+            self.assertLess(np.abs(strain[beside][:, [3, 4]].sum(axis=0)).max(), 1e-3 * largest)  # the halves mirror each other
+            for component in (0, 1, 2, 5):
+                there = body["strain"][..., component]
+                self.assertLess(abs(strain[:, component].max() - there.max()), 0.2 * largest)
+                self.assertLess(abs(strain[:, component].min() - there.min()), 0.2 * largest)
+            self.assertLess(at_nodes["residual stress [MPa]"][:, 0].min(), 0.9 * body["stress"][..., 0].min())
 
     def test_bodies_that_stay_elastic_have_none(self):
         run("run", self.path / "case.toml", "--model", "halfspace", "-o", self.path / "elastic", "-q")

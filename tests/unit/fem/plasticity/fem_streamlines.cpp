@@ -105,7 +105,7 @@ TEST(Streamlines, LoadIsTheAdjointOfStrain) {
     ASSERT_GT(body.constraints().n_constraints(), 0u);
     const fem::Streamlines lines(body, across_hanging_nodes);
     const auto plastic = random_deviators(lines.points(), 3);
-    const std::vector<Deviator> none(lines.streams());
+    const std::vector<fem::PlasticState> none(lines.streams());
     const auto u = random_displacement(body);
     auto load = fem::make_vector(body.dofs());
     lines.load(plastic, none, none, load);
@@ -142,7 +142,8 @@ TEST(Streamlines, UniformPlasticStrainLoadsEveryCellToBothEnds) {
   const auto slab = rolled_slab(options);
   const Deviator uniform{3e-3, -1e-3, -2e-3, 0.5e-3, -0.7e-3, 2e-3};
   const std::vector<Deviator> points(slab->lines.points(), uniform);
-  const std::vector<Deviator> ends(slab->lines.streams(), uniform);
+  std::vector<fem::PlasticState> ends(slab->lines.streams());
+  for (fem::PlasticState& end : ends) end.strain = uniform;
   auto load = fem::make_vector(slab->body->dofs());
   slab->lines.load(points, ends, ends, load);
   Gradient stress{{{uniform[0], uniform[3], uniform[5]},
@@ -160,9 +161,11 @@ TEST(Streamlines, InflowFillsTheLeadingEndAndOutflowTheOther) {
   options.extent = 6.0;
   options.ahead = 3;
   const auto slab = rolled_slab(options);
-  const std::vector<Deviator> none(slab->lines.points()), no_end(slab->lines.streams());
+  const std::vector<Deviator> none(slab->lines.points());
+  const std::vector<fem::PlasticState> no_end(slab->lines.streams());
   const auto strain = random_deviators(1, 8)[0];
-  const std::vector<Deviator> end(slab->lines.streams(), strain);
+  std::vector<fem::PlasticState> end(slab->lines.streams());
+  for (fem::PlasticState& one : end) one.strain = strain;
   const auto u = linear_field(*slab->body);
   const double energy_density = 2.0 * fem::lame_mu(slab->body->material()) *
                                 fem::product(strain, deviator_of_gradient(of_field));
