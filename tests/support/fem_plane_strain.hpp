@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Plane strain by finite elements: a slab one cell wide whose sides do not move across, under
-// Hertz's pressure of a line contact.
+// Hertz's pressure of a line contact; or, with the same cells along and down, half of a body in
+// three dimensions under a patch so wide that its middle is in plane strain.
 #pragma once
 
 #include "meshes/grading.hpp"
@@ -16,22 +17,30 @@ struct SlabOptions {
   double extent = 10.0;                 ///< to the clamped ends and bottom
   int ahead = 2, behind = 2, deep = 2;  ///< of the material points
   bool wheel = false;
+  double wide = 0.0;    ///< half of the patch across; 0: plane strain
+  double growth = 1.3;  ///< of cells outwards
 };
 
-/// Half-width 1 mm, pressure sqrt(1 - x^2) MPa.
+/// Half-width 1 mm, pressure sqrt(1 - x^2) MPa as far across as the patch is wide.
 inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) {
   const double h = 1.0 / options.per_half_width;
-  const auto along =
-      meshes::outward_steps(h, std::max(options.ahead, options.behind), options.extent, 1.3);
+  const auto along = meshes::outward_steps(h, std::max(options.ahead, options.behind),
+                                           options.extent, options.growth);
   std::vector<double> z{0.0};
-  for (const double step : meshes::outward_steps(h, options.deep, options.extent, 1.3))
+  for (const double step : meshes::outward_steps(h, options.deep, options.extent, options.growth))
     if (options.wheel)
       z.push_back(z.back() + step);
     else
       z.insert(z.begin(), z.front() - step);
+  const bool plane = options.wide == 0.0;
+  std::vector<double> y{0.0};
+  for (const double step : meshes::outward_steps(
+           h, options.wide, plane ? h : options.wide + options.extent, options.growth))
+    y.push_back(y.back() + step);
   meshes::HexMesh mesh =
-      block(meshes::points_both_ways(along), {0.0, h}, z, !options.wheel, nullptr, true);
+      block(meshes::points_both_ways(along), y, z, !options.wheel, nullptr, true);
   for (auto& quad : mesh.sides) {
+    if (!plane) break;
     const auto beyond = [&](int corner) { return std::abs(mesh.points[corner][1] - h) < 1e-12; };
     if (std::all_of(quad.corners.begin(), quad.corners.end(), beyond))
       quad.side = meshes::Side::symmetry;
@@ -42,9 +51,10 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
   body.half = true;
   body.fine_half_length = options.ahead - 0.5 * h;  // no cell beyond is refined
   body.fine_half_width = h;
-  body.extent = options.extent;
-  const auto grid =
-      contact::ContactGrid::centred(2 * ((5 * options.per_half_width + 3) / 4), 2, h, h, 0.0, 0.0);
+  body.extent = options.extent + options.wide;
+  const int rows = plane ? 1 : static_cast<int>(std::lround(options.wide / h));
+  const auto grid = contact::ContactGrid::centred(2 * ((5 * options.per_half_width + 3) / 4),
+                                                  2 * rows, h, h, 0.0, 0.0);
   const auto below = [](double x) {  // integral of the pressure
     x = std::clamp(x, -1.0, 1.0);
     return 0.5 * (x * std::sqrt(1.0 - x * x) + std::asin(x));
@@ -55,7 +65,7 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
   lattice.cell = h;
   lattice.along = {-options.behind * options.per_half_width,
                    options.ahead * options.per_half_width};
-  lattice.across = {0, 1};
+  lattice.across = {0, plane ? 1 : rows + 1};
   lattice.down = options.deep * options.per_half_width;
   // A wheel so large that its tread is flat: it leaves the plane by 2e-5 mm at 20 mm.
   constexpr double flat = 1e7;
@@ -67,7 +77,8 @@ inline std::unique_ptr<RolledBody> rolled_slab(const SlabOptions& options = {}) 
 }
 
 /// Residual stress along and across the rolling direction behind the load, MPa, where that normal
-/// to the surface vanishes: {depth: mean of the stations from `from` to `to`}.
+/// to the surface vanishes: {depth: mean of the stations from `from` to `to`}, of the first cell
+/// across.
 inline std::map<double, std::array<double, 2>> residual_below(const Passes& passes, double from,
                                                               double to) {
   const auto stress = passes.residual_stress();
@@ -76,8 +87,8 @@ inline std::map<double, std::array<double, 2>> residual_below(const Passes& pass
   std::map<double, int> count;
   for (std::size_t k = 0; k < lines.points(); ++k) {
     const double s = lines.s(k % lines.stations());
-    const double depth = lines.section(k / lines.stations())[1];
-    if (s < from || s > to) continue;
+    const auto [y, depth] = lines.section(k / lines.stations());
+    if (s < from || s > to || y > lines.section(1)[0]) continue;
     mean[depth][0] += stress[k][0] - stress[k][2];
     mean[depth][1] += stress[k][1] - stress[k][2];
     ++count[depth];
