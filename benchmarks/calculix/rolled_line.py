@@ -4,7 +4,7 @@ tests/verification/plasticity/fem_calculix.cpp holds.
 
 A block in plane strain (CPE8R) with Prager's hardening, clamped at bottom and ends; Hertz's pressure, half-width 1 mm,
 with friction everywhere, is moved step by step over it. Prints, below the middle of the block after each pass, depth,
-plastic strain xz, residual stress xx and yy over p0:
+plastic strain xz, residual stress xx and yy over p0, means over cells:
 
     python3 benchmarks/calculix/rolled_line.py --friction 0.2 > line.csv
 
@@ -137,19 +137,16 @@ def printed(path):
 
 
 def rows(block, args, blocks):
-    """(pass, depth, plastic strain xz, residual xx / p0, residual yy / p0), y across, means over the column's width."""
+    """(pass, depth, plastic strain xz, residual xx / p0, residual yy / p0), y across, means over the cells."""
     p0, shear = args.load * SHEAR_YIELD, YOUNG / (2 + 2 * POISSON)
-    gauss = 0.5 / math.sqrt(3.0)
     for number in range(args.passes):
         stress, strain = blocks[2 * number], blocks[2 * number + 1]
         for k, element in enumerate(block.middle()):
-            for level, points in ((0.5 - gauss, (3, 4, 7, 8)), (0.5 + gauss, (1, 2, 5, 6))):
-                points = [p for p in points if (element, p) in stress]
-                s = np.mean([stress[element, p] for p in points], axis=0)
-                e = np.mean([strain[element, p] for p in points], axis=0)
-                # CalculiX: x along, y up, z across; order xx yy zz xy xz yz.
-                plastic = STIFFER * e[3] - s[3] / (2 * shear)
-                yield number + 1, (k + level) * block.cell, plastic, s[0] / p0, s[2] / p0
+            s, e = (np.mean([v for (of, _), v in values.items() if of == element], axis=0)
+                    for values in (stress, strain))
+            # CalculiX: x along, y up, z across; order xx yy zz xy xz yz.
+            plastic = STIFFER * e[3] - s[3] / (2 * shear)
+            yield number + 1, (k + 0.5) * block.cell, plastic, s[0] / p0, s[2] / p0
 
 
 def main():

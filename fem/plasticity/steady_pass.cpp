@@ -198,7 +198,8 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
     solver.solve(result.displacement, result.load);
     const Loaded residual = difference(result, tried);
     const double all = energy(result, result);
-    report.residual = all == 0.0 ? 0.0 : std::sqrt(energy(residual, residual) / all);
+    // That of rounding may be negative.
+    report.residual = all == 0.0 ? 0.0 : std::sqrt(std::max(0.0, energy(residual, residual)) / all);
     if (report.residual <= accuracy.residual && report.iterations > 1) {
       yielded.displacement = result.displacement;
       yielded.displacement.update_ghost_values();
