@@ -72,6 +72,7 @@ struct FemOptions {
   int passes = 1;        ///< over bodies that yield
   int cycle = 1;         ///< load points given, after which the passes repeat them
   PassPressure pass_pressure = PassPressure::yielding;
+  bool limit_state = false;     ///< passes approach the state that repeats by extrapolation
   double plastic_extent = 1.0;  ///< of the streamlines that may yield, relative to the usual one
 };
 

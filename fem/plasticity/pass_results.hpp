@@ -24,6 +24,7 @@ class PassResults {
   /// Collective.
   contact::YieldedSection after_pass(const PassReport& report, const YieldedBody& before,
                                      const YieldedBody& after);
+  bool cycle_ended() const { return passes_ % cycle_ == 0; }
   /// The history on which a verdict depends.
   void exchange(contact::Record& record) {
     record.values(passes_, increment_, net_increment_, verdict_, from_pass_, cycle_start_);

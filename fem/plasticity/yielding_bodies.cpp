@@ -4,6 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/record.hpp"
 #include "fem/discretisation/cell_terms.hpp"
+#include "fem/plasticity/limit_state.hpp"
 #include "fem/plasticity/pass_results.hpp"
 #include "fem/plasticity/steady_pass.hpp"
 
@@ -56,13 +57,14 @@ double relative_change(const std::vector<Deviator>& a, const std::vector<Deviato
 
 class YieldingBody {
  public:
-  YieldingBody(const contact::BodyPlasticity& steel, int cycle, const Body& body,
-               const LinearSolver& solver)
+  YieldingBody(const contact::BodyPlasticity& steel, const contact::FemOptions& options,
+               const Body& body, const LinearSolver& solver)
       : body_(body),
         solver_(solver),
         law_(steel, lame_mu(body.material())),
         streamlines_(body, lattice_of(body.options())),
-        results_(body, law_, streamlines_, cycle),
+        results_(body, law_, streamlines_, options.cycle),
+        extrapolates_(options.limit_state),
         before_(before_first_pass(streamlines_, body)),
         now_(before_) {
     for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
@@ -91,6 +93,8 @@ class YieldingBody {
     refuse_beyond_streamlines();
     contact::YieldedSection section = results_.after_pass(report, before_, now_);
     before_ = now_;
+    if (extrapolates_ && results_.cycle_ended())
+      limit_.approach(residual_behind_load(), before_.leaving);
     last_strain_.clear();  // the next pass begins as in a run that is resumed
     contact::Record record;
     exchange(record);
@@ -100,7 +104,7 @@ class YieldingBody {
   void recall(const std::string& memory) {
     contact::Record record(memory);
     exchange(record);
-    before_ = now_;
+    now_ = before_;
   }
 
   /// By plastic strain, mm, with ghost values.
@@ -110,13 +114,24 @@ class YieldingBody {
  private:
   void exchange(contact::Record& record) {
     results_.exchange(record);
-    record.values(now_.leaving);
-    for (Vector* vector : {&now_.displacement, &now_.load}) {
+    limit_.exchange(record);
+    record.values(before_.leaving);
+    for (Vector* vector : {&before_.displacement, &before_.load}) {
       std::vector<double> numbers(vector->begin(), vector->end());
       record.values(numbers);
       std::copy(numbers.begin(), numbers.end(), vector->begin());
       vector->update_ghost_values();
     }
+  }
+
+  /// Deviator, MPa, on every streamline.
+  std::vector<Deviator> residual_behind_load() const {
+    const std::vector<Deviator> strain = streamlines_.strains(now_.displacement);
+    std::vector<Deviator> stress;
+    for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
+      stress.push_back(
+          law_.stress(now_.leaving[stream], strain[(stream + 1) * streamlines_.stations() - 3]));
+    return stress;
   }
 
   /// At the border of the lattice nothing may yield, except where the streamlines leave.
@@ -152,6 +167,8 @@ class YieldingBody {
   PlasticLaw law_;
   Streamlines streamlines_;
   PassResults results_;
+  bool extrapolates_;
+  LimitState limit_;
   std::vector<Deviator> last_strain_;  ///< under the last load
   std::vector<Deviator> initial_;  ///< strain of the residual stress before, of every streamline
   YieldedBody before_, now_;
@@ -163,7 +180,7 @@ YieldingBodies::YieldingBodies(const contact::Scene& scene, const BodyPair& bodi
     const auto& steel = (k == 0 ? scene.wheel : scene.rail).plasticity;
     if (steel && bodies[k] != nullptr)
       parts_[k] =
-          std::make_unique<YieldingBody>(*steel, scene.options.fem.cycle, *bodies[k], *solvers[k]);
+          std::make_unique<YieldingBody>(*steel, scene.options.fem, *bodies[k], *solvers[k]);
   }
 }
 

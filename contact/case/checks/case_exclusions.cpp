@@ -44,7 +44,7 @@ const std::vector<Exclusion> exclusions{
      rollers,
      "remove it, or geometry.shape"},
     {!when::yields,
-     {"fem.passes", "fem.pass_pressure", "fem.plastic_extent"},
+     {"fem.passes", "fem.pass_pressure", "fem.limit_state", "fem.plastic_extent"},
      "is for bodies that yield, but this case has none",
      "with [rail_plasticity] or [wheel_plasticity]",
      "add `yield_stress = 520.0` under [rail_plasticity], or remove it"},

@@ -142,6 +142,11 @@ void add_passes(FemKeys& keys) {
            {{"yielding", PassPressure::yielding}, {"elastic", PassPressure::elastic}},
            "Contact of the passes: `yielding`, that of the bodies as they are; `elastic`, as if "
            "they had not changed their shape, for comparison with theory.");
+  keys.add(
+      "limit_state", &FemOptions::limit_state,
+      "Each pass (cycle of load points) starts from a state extrapolated from those before, so "
+      "that the state that repeats is reached in about half the passes; plastic strain is then "
+      "that of no number of passes, only its increments count.");
   keys.add("plastic_extent", &FemOptions::plastic_extent, between(0.5, 10.0),
            "Extent of the streamlines that may yield, relative to the usual one (as deep as "
            "elastic stress exceeds the yield stress); the program says when it is too small.");
