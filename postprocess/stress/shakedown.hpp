@@ -12,7 +12,8 @@
 //   is k. Residual stress that is uniform along the rolling direction can balance every component
 //   except xz (for the line, Melan's theorem then gives exactly this value). Without friction 4.00
 //   k (Johnson 1962) and 4.68 k (Ponter, Hearle & Johnson 1985); where the surface decides,
-//   1/(T/N).
+//   1/(T/N). Below a circle with friction residual stress balances a part of xz too, so that this
+//   boundary is on the safe side (by 20 % at T/N = 0.2, docs/plasticity.md).
 #pragma once
 
 #include "contact/result/stress_measures.hpp"
