@@ -34,12 +34,9 @@ std::array<double, 2> stress_before(const PlasticLaw& law, double depth) {
           over_depth(residual.depth, residual.across, depth)};
 }
 
-/// Cells of the section lie this many stations before the trailing end of the streamlines.
-constexpr std::size_t stations_before_end = 2;
-
 std::vector<Place> section_places(const Body& body, const Streamlines& streamlines, bool surface) {
   std::vector<Place> places;
-  const double s = streamlines.s(streamlines.stations() - 1 - stations_before_end);
+  const double s = streamlines.s(streamlines.section_station());
   const std::size_t count = surface ? streamlines.width() : streamlines.streams();
   for (std::size_t stream = 0; stream < count; ++stream) {
     const auto [t, depth] = streamlines.section(stream);
@@ -145,11 +142,11 @@ void PassResults::fill_section(const YieldedBody& after, YieldedSection& section
     section.depth.push_back(depth);
     section.strain.push_back(single(after.leaving[stream].strain));
     section.accumulated.push_back(static_cast<float>(after.leaving[stream].accumulated));
-    section.stress.push_back(single(streamlines_.in_section(
-        stress[stream], streamlines_.stations() - 1 - stations_before_end, stream)));
+    section.stress.push_back(
+        single(streamlines_.in_section(stress[stream], streamlines_.section_station(), stream)));
   }
   const auto moved = surface_.values(after.displacement, {1, 1, 1});
-  const double s = streamlines_.s(streamlines_.stations() - 1 - stations_before_end);
+  const double s = streamlines_.s(streamlines_.section_station());
   const double outwards = body_.shape().is_wheel ? -1.0 : 1.0;
   for (std::size_t j = 0; j < streamlines_.width(); ++j) {
     const double y = streamlines_.section(j)[0];

@@ -35,6 +35,8 @@ class Streamlines {
   std::size_t streams() const;
   std::size_t width() const;  ///< streamlines of one depth, which follow one another
   std::size_t points() const { return stations() * streams(); }
+  /// Of the section behind the load that results show: a cell before the trailing end.
+  std::size_t section_station() const { return stations() - 3; }
   double s(std::size_t station) const;                      ///< mm
   std::array<double, 2> section(std::size_t stream) const;  ///< t and depth, mm
   /// mm^3, of the point k = stream * stations() + station.

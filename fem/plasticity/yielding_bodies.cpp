@@ -130,7 +130,8 @@ class YieldingBody {
     std::vector<Deviator> stress;
     for (std::size_t stream = 0; stream < streamlines_.streams(); ++stream)
       stress.push_back(
-          law_.stress(now_.leaving[stream], strain[(stream + 1) * streamlines_.stations() - 3]));
+          law_.stress(now_.leaving[stream],
+                      strain[stream * streamlines_.stations() + streamlines_.section_station()]));
     return stress;
   }
 
@@ -156,7 +157,8 @@ class YieldingBody {
       const std::size_t first = stream * streamlines_.stations();
       if (now_.accumulated[first] - before_.leaving[stream].accumulated > 0.05 * gained)
         refuse("at the leading border");
-      if (now_.leaving[stream].accumulated - now_.accumulated[first + streamlines_.stations() - 3] >
+      if (now_.leaving[stream].accumulated -
+              now_.accumulated[first + streamlines_.section_station()] >
           0.05 * gained + least)
         refuse("at the trailing border");
     }
