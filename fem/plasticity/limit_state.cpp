@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/limit_state.hpp"
 
-#include "contact/solve/defect_correction.hpp"
+#include "contact/iteration/anderson.hpp"
 
 #include <algorithm>
 

@@ -3,105 +3,52 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
+#include "contact/iteration/anderson.hpp"
 
-#include <Eigen/QR>
+#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 namespace rollfem::fem {
 
 namespace {
 
-/// A displacement with the load that causes it, so that energies need no stiffness.
-struct Loaded {
-  Vector displacement, load;
-};
-
-double energy(const Loaded& a, const Loaded& b) {
-  return a.displacement * b.load;
+/// A displacement of this process and the load that causes it, so that energies need no stiffness.
+Eigen::VectorXd stacked(const Vector& displacement, const Vector& load) {
+  const auto n = static_cast<Eigen::Index>(load.locally_owned_size());
+  Eigen::VectorXd both(2 * n);
+  both << Eigen::Map<const Eigen::VectorXd>(displacement.begin(), n),
+      Eigen::Map<const Eigen::VectorXd>(load.begin(), n);
+  return both;
 }
 
-Loaded difference(const Loaded& a, const Loaded& b) {
-  Loaded d = a;
-  d.displacement -= b.displacement;
-  d.load -= b.load;
-  return d;
+void unstack(const Eigen::VectorXd& both, Vector& displacement, Vector& load) {
+  const Eigen::Index n = both.size() / 2;
+  std::copy_n(both.data(), n, displacement.begin());
+  std::copy_n(both.data() + n, n, load.begin());
+  displacement.update_ghost_values();
 }
 
-/// Anderson's acceleration of a fixed point (D. G. Anderson 1965, J. ACM 12) in the energy norm:
-/// the combination of the last results whose residuals cancel best.
-class Anderson {
+/// Near the limit of shakedown old steps, from points that yield no longer, hold the iteration up
+/// for hundreds of steps: without progress it begins anew.
+class Patience {
  public:
-  /// The next displacement to try, from the last one and the result that followed from it.
-  Loaded next(const Loaded& tried, const Loaded& result) {
-    const Loaded residual = difference(result, tried);
-    if (last_result_) {
-      residual_steps_.push_back(difference(residual, *last_residual_));
-      result_steps_.push_back(difference(result, *last_result_));
-      if (residual_steps_.size() > depth) {
-        residual_steps_.pop_front();
-        result_steps_.pop_front();
-        products_ = products_.bottomRightCorner(depth - 1, depth - 1).eval();
-      }
-      add_products_of_last();
-    }
-    last_residual_ = residual;
-    last_result_ = result;
-    forget_what_no_longer_helps(energy(residual, residual));
-    const auto n = static_cast<Eigen::Index>(residual_steps_.size());
-    Loaded combined = result;
-    if (n == 0) return combined;
-    Eigen::VectorXd right(n);
-    for (Eigen::Index i = 0; i < n; ++i) right[i] = energy(residual, residual_steps_[i]);
-    const Eigen::VectorXd scale = products_.diagonal().cwiseSqrt().cwiseInverse();
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(scale.asDiagonal() * products_ *
-                                                        scale.asDiagonal());
-    factors.setThreshold(1e-10);
-    const Eigen::VectorXd share =
-        scale.cwiseProduct(factors.solve(scale.cwiseProduct(right)).eval());
-    for (Eigen::Index i = 0; i < n; ++i) {
-      combined.displacement.add(-share[i], result_steps_[i].displacement);
-      combined.load.add(-share[i], result_steps_[i].load);
-    }
-    return combined;
+  bool ends_with(double residual) {
+    constexpr int most = 5;
+    ++without_progress_;
+    if (residual >= smallest_ && without_progress_ < most) return false;
+    const bool in_vain = residual >= smallest_;
+    smallest_ = residual;
+    without_progress_ = 0;
+    return in_vain;
   }
 
  private:
-  static constexpr std::size_t depth = 10;
-
-  void add_products_of_last() {
-    const auto n = static_cast<Eigen::Index>(residual_steps_.size());
-    products_.conservativeResize(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      products_(n - 1, j) = products_(j, n - 1) =
-          energy(residual_steps_.back(), residual_steps_[j]);
-  }
-
-  /// Near the limit of shakedown old steps, from points that yield no longer, hold the iteration up
-  /// for hundreds of steps: without progress it begins anew.
-  void forget_what_no_longer_helps(double size) {
-    constexpr int patience = 5;
-    ++without_progress_;
-    if (size >= smallest_ && without_progress_ < patience) return;
-    if (size >= smallest_) {
-      residual_steps_.clear();
-      result_steps_.clear();
-      products_.resize(0, 0);
-    }
-    smallest_ = size;
-    without_progress_ = 0;
-  }
-
-  std::deque<Loaded> residual_steps_, result_steps_;
-  Eigen::MatrixXd products_;  ///< energies of residual_steps_ with each other
-  std::optional<Loaded> last_residual_, last_result_;
   double smallest_ = std::numeric_limits<double>::infinity();
   int without_progress_ = 0;
 };
@@ -186,27 +133,26 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
                        const LinearSolver& solver, const std::vector<Deviator>& elastic,
                        const PassAccuracy& accuracy, YieldedBody& yielded) {
   Flow flow(streamlines, law, elastic, yielded.leaving, accuracy.steps);
-  Anderson anderson;
+  const auto energy = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    const Eigen::Index n = a.size() / 2;
+    return dealii::Utilities::MPI::sum(a.head(n).dot(b.tail(n)),
+                                       yielded.load.get_mpi_communicator());
+  };
+  constexpr int depth = 10;
+  contact::Anderson anderson(depth, energy);
+  Patience patience;
   PassReport report;
-  Loaded tried;
-  tried.displacement = yielded.displacement;
-  tried.displacement.update_ghost_values();
-  tried.load = yielded.load;
+  Vector displacement = yielded.displacement, load = yielded.load;
+  displacement.update_ghost_values();
   for (report.iterations = 1;; ++report.iterations) {
-    Loaded result = tried;
-    flow.follow(tried.displacement, result.load);
-    solver.solve(result.displacement, result.load);
-    const Loaded residual = difference(result, tried);
-    const double all = energy(result, result);
+    const Eigen::VectorXd tried = stacked(displacement, load);
+    flow.follow(displacement, load);
+    solver.solve(displacement, load);
+    const Eigen::VectorXd result = stacked(displacement, load), residual = result - tried;
     // That of rounding may be negative.
-    report.residual = all == 0.0 ? 0.0 : std::sqrt(std::max(0.0, energy(residual, residual)) / all);
-    if (report.residual <= accuracy.residual && report.iterations > 1) {
-      yielded.displacement = result.displacement;
-      yielded.displacement.update_ghost_values();
-      yielded.load = result.load;
-      break;
-    }
-    if (all == 0.0) break;
+    const double all = energy(result, result), change = std::max(0.0, energy(residual, residual));
+    report.residual = all == 0.0 ? 0.0 : std::sqrt(change / all);
+    if (all == 0.0 || (report.residual <= accuracy.residual && report.iterations > 1)) break;
     if (report.iterations == accuracy.most_iterations || !std::isfinite(report.residual))
       throw contact::SolveError(fmt::format(
           "plastic flow did not settle in {} iterations: out-of-balance forces are {:.2g} of those "
@@ -215,9 +161,12 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
           "do: give a smaller load or friction, hardening, or a smaller [fem] cell_size",
           report.iterations, report.residual, accuracy.residual,
           law.parameters().shear_yield_stress()));
-    tried = anderson.next(tried, result);
-    tried.displacement.update_ghost_values();
+    if (patience.ends_with(change)) anderson.restart();
+    unstack(anderson.next(tried, result), displacement, load);
   }
+  yielded.displacement = displacement;
+  yielded.displacement.update_ghost_values();
+  yielded.load = load;
   report.plastic_work = flow.plastic_work();
   report.utilisation = flow.utilisation();
   yielded.leaving = std::move(flow.leaving);

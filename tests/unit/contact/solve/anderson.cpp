@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Anderson acceleration: exact for linear maps once its depth spans the space, and plain iteration
 // at depth 0.
-#include "contact/solve/defect_correction.hpp"
+#include "contact/iteration/anderson.hpp"
 
 #include <Eigen/Dense>
 
