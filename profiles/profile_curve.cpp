@@ -2,6 +2,7 @@
 #include "profiles/profile_curve.hpp"
 
 #include "contact/base/count.hpp"
+#include "contact/base/knots.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 
@@ -14,11 +15,6 @@
 namespace rollfem::profiles {
 
 namespace {
-
-std::size_t piece_of(const std::vector<double>& parameter, double p) {
-  const auto above = std::upper_bound(parameter.begin() + 1, parameter.end() - 1, p);
-  return static_cast<std::size_t>(above - parameter.begin()) - 1;
-}
 
 bool usable(const ProfilePoint& point) {
   return point.tangent_y > 0.0 && std::abs(point.tangent_z) <= steepest * point.tangent_y;
@@ -66,11 +62,10 @@ ProfileCurve::ProfileCurve(ProfileKnots knots) : knots_(std::move(knots)) {
 }
 
 ProfilePoint ProfileCurve::at(double parameter) const {
-  const std::size_t k = piece_of(knots_.parameter, parameter);
-  const double h = knots_.parameter[k + 1] - knots_.parameter[k];
-  const double t = (parameter - knots_.parameter[k]) / h;
+  const contact::KnotPiece piece = contact::piece_of(knots_.parameter, parameter);
   const auto coordinate = [&](const std::vector<double>& value, const std::vector<double>& slope) {
-    return contact::hermite(h, t, value[k], value[k + 1], slope[k], slope[k + 1]);
+    const std::size_t a = piece.first, b = a + 1;
+    return contact::hermite(piece.length, piece.part, value[a], value[b], slope[a], slope[b]);
   };
   const contact::CurveValue y = coordinate(knots_.y, knots_.dy),
                             z = coordinate(knots_.z, knots_.dz);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "profiles/section_surface.hpp"
 
+#include "contact/base/knots.hpp"
 #include "profiles/section_list.hpp"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ std::vector<Node> nodes_of(const std::vector<PlacedSection>& sections,
     for (const double knot : sections[parts[k].master].curve.knots().parameter) {
       const double fraction = (knot - parts[k].from) / parts[k].length;
       constexpr double same = 1e-9;
-      if (fraction > nodes.back().fraction + same && fraction < 1.0 - same)
+      if (fraction > nodes.back().part + same && fraction < 1.0 - same)
         nodes.push_back({k, fraction});
     }
     nodes.push_back({k, 1.0});
@@ -101,11 +102,7 @@ struct Passed {
 
 Passed passed(const ProfileCurve& curve, double parameter) {
   const ProfileKnots& knots = curve.knots();
-  const auto above =
-      std::upper_bound(knots.parameter.begin() + 1, knots.parameter.end() - 1, parameter);
-  const auto k = static_cast<std::size_t>(above - knots.parameter.begin()) - 1;
-  const double h = knots.parameter[k + 1] - knots.parameter[k];
-  const double t = (parameter - knots.parameter[k]) / h;
+  const auto [k, h, t] = contact::piece_of(knots.parameter, parameter);
   return {contact::hermite(h, t, knots.y[k], knots.y[k + 1], knots.dy[k], knots.dy[k + 1]),
           contact::hermite(h, t, knots.z[k], knots.z[k + 1], knots.dz[k], knots.dz[k + 1])};
 }
@@ -194,7 +191,7 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
   const std::vector<Node> nodes = nodes_of(sections, parts);
   for (const Node& node : nodes) {
     const Part& part = parts[node.part];
-    parameter_.push_back(part.start + node.fraction * part.length);
+    parameter_.push_back(part.start + node.part * part.length);
   }
   std::vector<std::array<std::size_t, 2>> having;
   for (const Node& node : nodes) having.push_back(parts[node.part].having);
@@ -204,7 +201,7 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
       // Where its part does not exist a node is where it is in the nearest section.
       const std::size_t near = std::clamp(i, having[j][0], having[j][1]);
       const double from = bounds[near][node.part], length = bounds[near][node.part + 1] - from;
-      const Passed at = passed(sections[near].curve, from + node.fraction * length);
+      const Passed at = passed(sections[near].curve, from + node.part * length);
       // The parameter of the surface runs through the part at the pace of its master.
       const double pace = length / parts[node.part].length;
       y_.value.push_back(at.y.value);
@@ -265,15 +262,8 @@ void SectionSurface::run_along_way(SectionSpline spline,
 
 bool SectionSurface::exists(double way, double parameter) const {
   if (presence_.empty()) return true;
-  const auto [from, to] = presence_[cell_of(parameter_, parameter).node];
+  const auto [from, to] = presence_[contact::piece_of(parameter_, parameter).first];
   return way >= from && way <= to;
-}
-
-SectionSurface::Cell SectionSurface::cell_of(const std::vector<double>& at, double place) {
-  const auto above = std::upper_bound(at.begin() + 1, at.end() - 1, place);
-  const auto node = static_cast<std::size_t>(above - at.begin()) - 1;
-  const double length = at[node + 1] - at[node];
-  return {node, length, (place - at[node]) / length};
 }
 
 double SectionSurface::known_way(double way) const {
@@ -283,27 +273,28 @@ double SectionSurface::known_way(double way) const {
 
 SurfacePoint SectionSurface::at(double way, double parameter) const {
   const double known = known_way(way);
-  const Cell along = cell_of(way_, known), across = cell_of(parameter_, parameter);
+  const auto along = contact::piece_of(way_, known),
+             across = contact::piece_of(parameter_, parameter);
   const std::size_t step = parameter_.size();
   const auto coordinate = [&](const Nodes& nodes, double& value, double& by_way,
                               double& by_parameter) {
     std::array<contact::CurveValue, 2> heights, slopes;
     for (std::size_t side = 0; side < 2; ++side) {
-      const std::size_t a = along.node * step + across.node + side, b = a + step;
-      heights[side] = contact::hermite(along.length, along.fraction, nodes.value[a], nodes.value[b],
+      const std::size_t a = along.first * step + across.first + side, b = a + step;
+      heights[side] = contact::hermite(along.length, along.part, nodes.value[a], nodes.value[b],
                                        nodes.value_way[a], nodes.value_way[b]);
-      slopes[side] = contact::hermite(along.length, along.fraction, nodes.across[a],
-                                      nodes.across[b], nodes.across_way[a], nodes.across_way[b]);
+      slopes[side] = contact::hermite(along.length, along.part, nodes.across[a], nodes.across[b],
+                                      nodes.across_way[a], nodes.across_way[b]);
     }
     const contact::CurveValue here =
-        contact::hermite(across.length, across.fraction, heights[0].value, heights[1].value,
+        contact::hermite(across.length, across.part, heights[0].value, heights[1].value,
                          slopes[0].value, slopes[1].value);
     value = here.value;
     by_parameter = here.slope;
     by_way = known != way && turn_ == 0.0
                  ? 0.0
-                 : contact::hermite(across.length, across.fraction, heights[0].slope,
-                                    heights[1].slope, slopes[0].slope, slopes[1].slope)
+                 : contact::hermite(across.length, across.part, heights[0].slope, heights[1].slope,
+                                    slopes[0].slope, slopes[1].slope)
                        .value;
   };
   SurfacePoint point;
@@ -313,15 +304,14 @@ SurfacePoint SectionSurface::at(double way, double parameter) const {
 }
 
 ProfileCurve SectionSurface::section(double way) const {
-  const Cell along = cell_of(way_, known_way(way));
+  const auto along = contact::piece_of(way_, known_way(way));
   const std::size_t step = parameter_.size();
   ProfileKnots knots;
   for (std::size_t j = 0; j < step; ++j) {
     if (!exists(way, parameter_[j])) continue;
     const auto between = [&](const std::vector<double>& values, const std::vector<double>& slopes) {
-      const std::size_t a = along.node * step + j, b = a + step;
-      return contact::hermite(along.length, along.fraction, values[a], values[b], slopes[a],
-                              slopes[b])
+      const std::size_t a = along.first * step + j, b = a + step;
+      return contact::hermite(along.length, along.part, values[a], values[b], slopes[a], slopes[b])
           .value;
     };
     knots.parameter.push_back(parameter_[j]);

@@ -78,14 +78,9 @@ class SectionSurface {
   struct Nodes {
     std::vector<double> value, across, value_way, across_way;
   };
-  struct Cell {
-    std::size_t node;
-    double length, fraction;
-  };
   /// `having`: the first and the last section that have each node.
   void run_along_way(SectionSpline spline, const std::vector<std::array<std::size_t, 2>>& having,
                      Nodes& nodes) const;
-  static Cell cell_of(const std::vector<double>& at, double place);
   double known_way(double way) const;
 
   std::vector<double> way_, parameter_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/scene/friction_law.hpp"
 
+#include "contact/base/knots.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -64,13 +66,12 @@ LawNumbers numbers_at(const Case& input, const std::vector<double>& places, doub
     const FrictionVariation::Point& point = input.friction_variation.points[k];
     return numbers_of(input.friction_fall.shape, point.coefficient, point.fall);
   };
-  const auto after = std::upper_bound(places.begin(), places.end(), place);
-  if (after == places.begin()) return of(0);
-  const auto k = static_cast<std::size_t>(after - places.begin());
-  if (after == places.end()) return of(k - 1);
-  LawNumbers made = of(k - 1);
-  const LawNumbers to = of(k);
-  const double part = (place - places[k - 1]) / (places[k] - places[k - 1]);
+  if (places.size() < 2) return of(0);
+  const KnotPiece piece = piece_of(places, place);
+  if (piece.part >= 1.0) return of(piece.first + 1);
+  LawNumbers made = of(piece.first);
+  const LawNumbers to = of(piece.first + 1);
+  const double part = std::max(0.0, piece.part);
   const auto move = [part](double& a, double b) { a = a == b ? a : a + part * (b - a); };
   for (double LawNumbers::*number :
        {&LawNumbers::rest, &LawNumbers::kinetic, &LawNumbers::half_velocity, &LawNumbers::second,

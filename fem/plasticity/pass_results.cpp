@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/pass_results.hpp"
 
+#include "contact/base/knots.hpp"
 #include "fem/stress/stress_output.hpp"
 
 #include <fmt/format.h>
@@ -19,12 +20,8 @@ using contact::YieldedSection;
 double over_depth(const std::vector<double>& depths, const std::vector<double>& values,
                   double depth) {
   if (values.size() < 2) return values.empty() ? 0.0 : values.front();
-  const auto above = std::upper_bound(depths.begin(), depths.end(), depth);
-  if (above == depths.begin()) return values.front();
-  const auto k = static_cast<std::size_t>(above - depths.begin());
-  if (k >= depths.size()) return values.back();
-  const double part = (depth - depths[k - 1]) / (depths[k] - depths[k - 1]);
-  return values[k - 1] + part * (values[k] - values[k - 1]);
+  const auto [k, length, part] = contact::piece_of(depths, depth);
+  return values[k] + std::clamp(part, 0.0, 1.0) * (values[k + 1] - values[k]);
 }
 
 /// Stress before the first pass, MPa, along and across.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tables/files/axis_weights.hpp"
 
+#include "contact/base/knots.hpp"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -31,11 +33,8 @@ AxisWeights axis_weights(const std::vector<double>& nodes, double place, bool mi
     found.weight[0] = 1.0;
     return found;
   }
-  const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, place);
-  const auto i = static_cast<std::size_t>(above - nodes.begin()) - 1;
+  const auto [i, h, t] = contact::piece_of(nodes, place);
   found.first = static_cast<int>(i) - 1;
-  const double h = nodes[i + 1] - nodes[i];
-  const double t = (place - nodes[i]) / h;
   auto& weight = found.weight;
   weight[1] = (1.0 + 2.0 * t) * (1.0 - t) * (1.0 - t);
   weight[2] = t * t * (3.0 - 2.0 * t);

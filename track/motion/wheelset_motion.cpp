@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/motion/wheelset_motion.hpp"
 
+#include "contact/base/knots.hpp"
 #include "contact/base/pi.hpp"
 
 #include <algorithm>
@@ -137,21 +138,14 @@ RadiusDifference::RadiusDifference(std::vector<double> shift, std::vector<double
                    0.5 * (difference_[k] + difference_[k - 1]) * (shift_[k] - shift_[k - 1]);
 }
 
-std::size_t RadiusDifference::piece(double shift) const {
-  const auto after = std::upper_bound(shift_.begin(), shift_.end(), shift);
-  const auto index = static_cast<std::size_t>(after - shift_.begin());
-  return std::clamp<std::size_t>(index, 1, shift_.size() - 1) - 1;
-}
-
 double RadiusDifference::at(double shift) const {
-  const std::size_t k = piece(shift);
-  const double part = (shift - shift_[k]) / (shift_[k + 1] - shift_[k]);
+  const auto [k, length, part] = contact::piece_of(shift_, shift);
   return difference_[k] + part * (difference_[k + 1] - difference_[k]);
 }
 
 double RadiusDifference::integral(double shift) const {
   if (shift < shift_.front()) shift = -shift;  // odd
-  const std::size_t k = piece(shift);
+  const std::size_t k = contact::piece_of(shift_, shift).first;
   return integral_[k] + 0.5 * (difference_[k] + at(shift)) * (shift - shift_[k]);
 }
 

@@ -100,7 +100,6 @@ class RadiusDifference {
                                     double rolling_radius) const;
 
  private:
-  std::size_t piece(double shift) const;
   /// Middle between the turning points at an amplitude; NaN where they are beyond the given shifts.
   double middle(double amplitude) const;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "contact/base/errors.hpp"
+#include "contact/base/knots.hpp"
 #include "track/placement/vertical_gap.hpp"
 
 #include <fmt/format.h>
@@ -121,11 +122,9 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
     const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, knots.size() - 1);
     return (values[b] - values[a]) / (knots[b] - knots[a]);
   };
-  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, y);
-  const auto k = static_cast<std::size_t>(above - knots.begin()) - 1;
-  const double h = knots[k + 1] - knots[k];
+  const auto [k, h, part] = contact::piece_of(knots, y);
   // Beyond the ends, along the tangent.
-  const double t = std::clamp((y - knots[k]) / h, 0.0, 1.0);
+  const double t = std::clamp(part, 0.0, 1.0);
   const double inside =
       contact::hermite(h, t, values[k], values[k + 1], slope(k), slope(k + 1)).value;
   return inside + (y - (knots[k] + h * t)) * slope(t > 0.5 ? k + 1 : k);
@@ -134,18 +133,10 @@ double value_over_y(const std::vector<double>& knots, const std::vector<double>&
 /// The locus may jump from one place along x to another.
 constexpr double longest_step = 1.0;  // mm along x between neighbours
 
-/// Index of the neighbour to the left and the fraction of the way to the next.
-std::pair<std::size_t, double> between(const std::vector<LocusPoint>& locus, double y) {
-  const auto above =
-      std::upper_bound(locus.begin() + 1, locus.end() - 1, y,
-                       [](double at, const LocusPoint& point) { return at < point.y; });
-  const auto k = static_cast<std::size_t>(above - locus.begin()) - 1;
-  return {k, (y - locus[k].y) / (locus[k + 1].y - locus[k].y)};
-}
-
 OutlinePoint on_locus(const std::vector<LocusPoint>& locus, const contact::HeightCurve& outline,
                       const Axle& axle, double y) {
-  const auto [k, part] = between(locus, y);
+  const auto [k, length, part] =
+      contact::piece_of(locus, y, [](const LocusPoint& point) { return point.y; });
   const LocusPoint &a = locus[k], &b = locus[k + 1];
   // Beside a jump, of the nearer side.
   const double t = std::abs(b.x - a.x) < longest_step ? part : (part < 0.5 ? 0.0 : 1.0);
