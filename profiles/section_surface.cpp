@@ -87,7 +87,7 @@ std::vector<Node> nodes_of(const std::vector<PlacedSection>& sections,
     for (const double knot : sections[parts[k].master].curve.knots().parameter) {
       const double fraction = (knot - parts[k].from) / parts[k].length;
       constexpr double same = 1e-9;
-      if (fraction > nodes.back().part + same && fraction < 1.0 - same)
+      if (fraction > nodes.back().fraction + same && fraction < 1.0 - same)
         nodes.push_back({k, fraction});
     }
     nodes.push_back({k, 1.0});
@@ -191,7 +191,7 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
   const std::vector<Node> nodes = nodes_of(sections, parts);
   for (const Node& node : nodes) {
     const Part& part = parts[node.part];
-    parameter_.push_back(part.start + node.part * part.length);
+    parameter_.push_back(part.start + node.fraction * part.length);
   }
   std::vector<std::array<std::size_t, 2>> having;
   for (const Node& node : nodes) having.push_back(parts[node.part].having);
@@ -201,7 +201,7 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
       // Where its part does not exist a node is where it is in the nearest section.
       const std::size_t near = std::clamp(i, having[j][0], having[j][1]);
       const double from = bounds[near][node.part], length = bounds[near][node.part + 1] - from;
-      const Passed at = passed(sections[near].curve, from + node.part * length);
+      const Passed at = passed(sections[near].curve, from + node.fraction * length);
       // The parameter of the surface runs through the part at the pace of its master.
       const double pace = length / parts[node.part].length;
       y_.value.push_back(at.y.value);
