@@ -125,8 +125,8 @@ def _read_file(path, directory, of_model):
         if about.get("complete") != 1:
             raise ResultError(f"{path} is incomplete, because writing it was interrupted; run the case again")
         case = _attributes(file["case"])
-        if "friction_law" in file["case"]:  # [n, 2]: slip velocity, mm/s, and coefficient of friction
-            case["friction_law"] = file["case/friction_law"][()]
+        # friction_law [n, 2]: slip velocity, mm/s, and coefficient; BODY_stress_before [n, 3]: depth, mm, along, across, MPa
+        case.update({name: item[()] for name, item in file["case"].items() if name != "text"})
         by_number = "load point" if case.get("problem", "steady") in ("shift", "transient") or case.get(
             "prescribed_forces", "") else ""
         if any("yielded" in point for group in file["models"].values() for point in group["points"].values()):

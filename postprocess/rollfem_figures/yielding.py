@@ -90,7 +90,7 @@ def passes(result):
 def residual_stress(result, model, body):
     """Residual stress over depth below the middle of the running band after a few passes."""
     figure = Figure(2)
-    shown, steel = _shown(model, body), _steel(result, body)
+    shown, before = _shown(model, body), result.case.get(f"{body}_stress_before")
     for component, words in ((0, "along"), (1, "across")):
         panel = figure.add(300, 290, f"residual stress {words}", "stress [MPa], tension positive", DEPTH)
         panel.y.flipped, panel.y.margin = True, 0.0
@@ -99,11 +99,10 @@ def residual_stress(result, model, body):
         for look, point, after in shown:
             column = _band(model, point, after)
             panel.line(after["stress"][:, column, component], after["depth"][:, column], **look)
-        if "residual_depth" in steel:
+        if before is not None:
             depth = shown[-1][2]["depth"][:, 0]
-            before = np.interp(depth, steel["residual_depth"], steel.get(f"residual_{words}", 0.0 * depth[:len(
-                steel["residual_depth"])]))
-            panel.line(before, depth, "soft", 1.2, (1, 2), name="before the first pass")
+            panel.line(np.interp(depth, before[:, 0], before[:, 1 + component]), depth, "soft", 1.2, (1, 2),
+                       name="before the first pass")
     figure.entry(f"in the {body}")
     return figure
 
