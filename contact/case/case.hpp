@@ -3,10 +3,10 @@
 // read from TOML by case_reader.hpp. Units: mm, N, MPa, rad.
 #pragma once
 
-#include "contact/base/body_plasticity.hpp"
 #include "contact/base/choices.hpp"
 #include "contact/base/material.hpp"
 #include "contact/base/profile_drop.hpp"
+#include "contact/case/body_plasticity.hpp"
 #include "contact/case/fall_shape.hpp"
 #include "contact/case/model_options.hpp"
 #include "contact/case/track.hpp"

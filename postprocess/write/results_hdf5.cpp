@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-
 #include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
@@ -60,21 +59,6 @@ void write_friction_law(hid_t group, const contact::Case& input) {
   const Handle table =
       write_dataset(group, "friction_law", {rows.size() / 2, 2}, H5T_NATIVE_DOUBLE, rows.data());
   write_comment(table, "Slip velocity, mm/s (in a shift: slip in mm), and coefficient of friction");
-}
-
-void write_stress_before(hid_t group, const contact::Case& input) {
-  for (const auto& [name, steel] : {std::pair("wheel_stress_before", &input.wheel.plasticity),
-                                    std::pair("rail_stress_before", &input.rail.plasticity)}) {
-    if (!*steel || (*steel)->residual.depth.empty()) continue;
-    const auto& [depth, along, across, file] = (*steel)->residual;
-    std::vector<double> rows;
-    for (std::size_t k = 0; k < depth.size(); ++k)
-      rows.insert(rows.end(),
-                  {depth[k], along.empty() ? 0.0 : along[k], across.empty() ? 0.0 : across[k]});
-    const Handle table =
-        write_dataset(group, name, {depth.size(), 3}, H5T_NATIVE_DOUBLE, rows.data());
-    write_comment(table, "Depth, mm; residual stress along and across before the first pass, MPa");
-  }
 }
 
 void write_case(hid_t file, const contact::Case& input) {
