@@ -40,9 +40,7 @@ AxisWeights axis_weights(const std::vector<double>& nodes, double place, bool mi
   weight[2] = t * t * (3.0 - 2.0 * t);
   const double left = h * t * (1.0 - t) * (1.0 - t), right = -h * t * t * (1.0 - t);
   const auto add = [&](int slot, int step, double scale, const std::array<double, 3>& slope) {
-    for (int n = 0; n < 3; ++n)
-      weight[static_cast<std::size_t>(slot + n * step)] +=
-          scale * slope[static_cast<std::size_t>(n)];
+    for (int n = 0; n < 3; ++n) weight[slot + n * step] += scale * slope[n];
   };
   const bool bent = zero == AtZero::bent;
   const bool has_left = (i > 0 || mirrored) && !(bent && nodes[i] == 0.0);
