@@ -68,24 +68,11 @@ struct Streamlines::Implementation {
         lattice(the_lattice),
         shape(the_body),
         hanging(make_constraints(the_body.dofs(), the_body.mapping(), {})) {
-    stations = 2 * static_cast<std::size_t>(lattice.along[1] - lattice.along[0]);
-    width = 2 * static_cast<std::size_t>(lattice.across[1] - lattice.across[0]);
-    streams = width * 2 * static_cast<std::size_t>(lattice.down);
-    volumes.assign(stations * streams, 0.0);
+    volumes.assign(lattice.points(), 0.0);
     for (const auto& cell : body.dofs().active_cell_iterators())
       if (cell->is_locally_owned()) add(cell);
     check_coverage();
   }
-
-  double place_of(int lattice_cell, std::size_t point) const {
-    const std::size_t further = point / 2;
-    return (lattice_cell + static_cast<double>(further) + gauss_places[point % 2]) * lattice.cell;
-  }
-  double s_of(std::size_t station) const {
-    return place_of(lattice.along[0], stations - 1 - station);
-  }
-  double t_of(std::size_t stream) const { return place_of(lattice.across[0], stream % width); }
-  double depth_of(std::size_t stream) const { return place_of(0, stream / width); }
 
   /// Numbers of the lattice's points between two places, first and end.
   std::array<std::size_t, 2> between(double lower, double upper, int first,
@@ -93,7 +80,7 @@ struct Streamlines::Implementation {
     const auto number = [&](double place) {
       const double about = std::floor(2.0 * (place / lattice.cell - first)) - 1.0;
       auto k = static_cast<std::size_t>(std::clamp(about, 0.0, static_cast<double>(count)));
-      while (k < count && place_of(first, k) < place) ++k;
+      while (k < count && lattice.place(first, k) < place) ++k;
       return k;
     };
     const double tiny = 1e-6 * lattice.cell;
@@ -102,20 +89,21 @@ struct Streamlines::Implementation {
 
   void add(const dealii::DoFHandler<3>::active_cell_iterator& cell) {
     const ChartBox box = chart_box(body.shape(), cell);
-    const auto across = between(box.lower[1], box.upper[1], lattice.across[0], width);
-    const auto down = between(box.lower[2], box.upper[2], 0, streams / width);
+    const auto across = between(box.lower[1], box.upper[1], lattice.across[0], lattice.width());
+    const auto down =
+        between(box.lower[2], box.upper[2], 0, 2 * static_cast<std::size_t>(lattice.down));
     if (across[0] >= across[1] || down[0] >= down[1]) return;
     shape.reinit(cell);
     const double rear = lattice.along[0] * lattice.cell, front = lattice.along[1] * lattice.cell;
-    const auto along = between(box.lower[0], box.upper[0], lattice.along[0], stations);
+    const auto along = between(box.lower[0], box.upper[0], lattice.along[0], lattice.stations());
     const std::size_t first = slots.size();
     for (std::size_t k = down[0]; k < down[1]; ++k)
       for (std::size_t j = across[0]; j < across[1]; ++j) {
-        const std::size_t stream = k * width + j;
+        const std::size_t stream = k * lattice.width() + j;
         for (std::size_t i = along[0]; i < along[1]; ++i) {
-          const std::size_t station = stations - 1 - i;
-          add_slot(s_of(station), 0.5 * lattice.cell, stream, Source::point,
-                   stream * stations + station);
+          const std::size_t station = lattice.stations() - 1 - i;
+          add_slot(lattice.s(station), 0.5 * lattice.cell, stream, Source::point,
+                   stream * lattice.stations() + station);
         }
         add_piece(std::max(front, box.lower[0]), box.upper[0], stream, Source::inflow);
         add_piece(box.lower[0], std::min(rear, box.upper[0]), stream, Source::outflow);
@@ -137,7 +125,8 @@ struct Streamlines::Implementation {
 
   void add_slot(double s, double length, std::size_t stream, Source source, std::size_t from) {
     const SurfaceShape& surface = body.shape();
-    const dealii::Point<3> chart(s, t_of(stream), depth_of(stream));
+    const auto [t, depth] = lattice.section(stream);
+    const dealii::Point<3> chart(s, t, depth);
     const auto unit = shape.inside(surface.place(chart[0], chart[1], chart[2]));
     if (!unit || (source == Source::point && volumes[from] != 0.0)) return;
     const auto map = surface.gradient(chart);
@@ -160,11 +149,11 @@ struct Streamlines::Implementation {
     const auto missing = std::find(volumes.begin(), volumes.end(), 0.0);
     if (missing == volumes.end()) return;
     const auto k = static_cast<std::size_t>(missing - volumes.begin());
+    const auto [t, depth] = lattice.section(k / lattice.stations());
     throw contact::InputError(fmt::format(
         "the {} yields on streamlines that leave its mesh: no cell contains s = {:.4g}, y = {:.4g} "
         "mm, {:.4g} mm below the surface; do: give a larger [fem] extent",
-        body.shape().is_wheel ? "wheel" : "rail", s_of(k % stations), t_of(k / stations),
-        depth_of(k / stations)));
+        body.shape().is_wheel ? "wheel" : "rail", lattice.s(k % lattice.stations()), t, depth));
   }
 
   /// Turns components of the section into space at this sine of the angle about
@@ -191,33 +180,21 @@ struct Streamlines::Implementation {
   const StreamLattice lattice;
   CellShape shape;
   dealii::AffineConstraints<double> hanging;
-  std::size_t stations = 0, width = 0, streams = 0;
   std::vector<double> volumes;
   std::vector<PlasticCell> cells;
   std::vector<Slot> slots;
   std::vector<dealii::Tensor<1, 3>> gradients;  ///< of the nodes, for every slot
 };
 
+double StreamLattice::place(int first, std::size_t point) const {
+  const std::size_t further = point / 2;
+  return (first + static_cast<double>(further) + gauss_places[point % 2]) * cell;
+}
+
 Streamlines::Streamlines(const Body& body, const StreamLattice& lattice)
-    : implementation_(std::make_unique<Implementation>(body, lattice)) {}
+    : StreamLattice(lattice), implementation_(std::make_unique<Implementation>(body, lattice)) {}
 
 Streamlines::~Streamlines() = default;
-
-std::size_t Streamlines::stations() const {
-  return implementation_->stations;
-}
-
-std::size_t Streamlines::streams() const {
-  return implementation_->streams;
-}
-
-double Streamlines::s(std::size_t station) const {
-  return implementation_->s_of(station);
-}
-
-std::array<double, 2> Streamlines::section(std::size_t stream) const {
-  return {implementation_->t_of(stream), implementation_->depth_of(stream)};
-}
 
 double Streamlines::volume(std::size_t k) const {
   return implementation_->volumes[k];
@@ -298,14 +275,10 @@ void Streamlines::load(const std::vector<Deviator>& plastic,
   b.compress(dealii::VectorOperation::add);
 }
 
-std::size_t Streamlines::width() const {
-  return implementation_->width;
-}
-
 std::array<double, 6> Streamlines::in_section(const std::array<double, 6>& stress,
                                               std::size_t station, std::size_t stream) const {
   const Implementation& of = *implementation_;
-  const SpaceTensor turn = of.turn(of.sine_at(of.s_of(station), of.t_of(stream)));
+  const SpaceTensor turn = of.turn(of.sine_at(s(station), section(stream)[0]));
   return components_of(dealii::transpose(turn) * tensor_of(stress) * turn);
 }
 

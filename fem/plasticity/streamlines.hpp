@@ -21,24 +21,31 @@ struct StreamLattice {
   std::array<int, 2> along{};   ///< first and end, in cells
   std::array<int, 2> across{};  ///< the same
   int down = 0;                 ///< cells below the surface
+
+  /// Points of a streamline, from the leading one.
+  std::size_t stations() const { return 2 * static_cast<std::size_t>(along[1] - along[0]); }
+  /// Streamlines of one depth, which follow one another.
+  std::size_t width() const { return 2 * static_cast<std::size_t>(across[1] - across[0]); }
+  std::size_t streams() const { return width() * 2 * static_cast<std::size_t>(down); }
+  std::size_t points() const { return stations() * streams(); }
+  /// Of the section behind the load that results show: a cell before the trailing end.
+  std::size_t section_station() const { return stations() - 3; }
+  double place(int first, std::size_t point) const;  ///< mm, of a point counted from a cell
+  double s(std::size_t station) const { return place(along[0], stations() - 1 - station); }  ///< mm
+  /// t and depth, mm.
+  std::array<double, 2> section(std::size_t stream) const {
+    return {place(across[0], stream % width()), place(0, stream / width())};
+  }
 };
 
 /// The symmetric components of deviators are those of the section of the body that moves with the
 /// material: x along rolling, y and z of the section turned back to s = 0.
-class Streamlines {
+class Streamlines : public StreamLattice {
  public:
   /// The body must outlive the streamlines. Collective. Throws contact::InputError when a point of
   /// the lattice is not in the body.
   Streamlines(const Body& body, const StreamLattice& lattice);
   ~Streamlines();
-  std::size_t stations() const;  ///< points of a streamline in the box, from the leading one
-  std::size_t streams() const;
-  std::size_t width() const;  ///< streamlines of one depth, which follow one another
-  std::size_t points() const { return stations() * streams(); }
-  /// Of the section behind the load that results show: a cell before the trailing end.
-  std::size_t section_station() const { return stations() - 3; }
-  double s(std::size_t station) const;                      ///< mm
-  std::array<double, 2> section(std::size_t stream) const;  ///< t and depth, mm
   /// mm^3, of the point k = stream * stations() + station.
   double volume(std::size_t k) const;
   /// Deviators of the strain of a displacement with ghost values. Collective.
