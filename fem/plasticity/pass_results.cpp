@@ -80,7 +80,8 @@ PassResults::PassResults(const Body& body, const PlasticLaw& law, const Streamli
 
 YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBody& before,
                                        const YieldedBody& after) {
-  if (passes_++ % cycle_ == 0) cycle_start_ = before.leaving;
+  if (cycle_ended()) cycle_start_ = before.leaving;
+  ++passes_;
   YieldedSection section;
   section.body = body_.shape().is_wheel ? "wheel" : "rail";
   section.iterations = report.iterations;
@@ -107,11 +108,11 @@ void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
   constexpr double nothing = 2e-3, closed = 0.05, steady = 0.02;
   const double yield_strain = law_.parameters().yield_stress / (3.0 * law_.shear_modulus());
   const double last_increment = increment_;
-  if (passes_ < cycle_ || passes_ % cycle_ == 0)
+  if (passes_ < cycle_ || cycle_ended())
     std::tie(increment_, net_increment_) = gained(cycle_start_, after.leaving);
   const double change = std::abs(increment_ - last_increment);
   std::string verdict = "settling";
-  if (passes_ % cycle_ != 0)
+  if (!cycle_ended())
     verdict = verdict_.empty() ? verdict : verdict_;
   else if (section.plastic_strain == 0.0)
     verdict = "elastic";

@@ -144,8 +144,8 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
   PassReport report;
   Vector displacement = yielded.displacement, load = yielded.load;
   displacement.update_ghost_values();
+  Eigen::VectorXd tried = stacked(displacement, load);
   for (report.iterations = 1;; ++report.iterations) {
-    const Eigen::VectorXd tried = stacked(displacement, load);
     flow.follow(displacement, load);
     solver.solve(displacement, load);
     const Eigen::VectorXd result = stacked(displacement, load), residual = result - tried;
@@ -162,7 +162,8 @@ PassReport steady_pass(const Streamlines& streamlines, const PlasticLaw& law,
           report.iterations, report.residual, accuracy.residual,
           law.parameters().shear_yield_stress()));
     if (patience.ends_with(change)) anderson.restart();
-    unstack(anderson.next(tried, result), displacement, load);
+    tried = anderson.next(tried, result);
+    unstack(tried, displacement, load);
   }
   yielded.displacement = displacement;
   yielded.displacement.update_ghost_values();

@@ -177,7 +177,7 @@ struct Streamlines::Implementation {
   }
 
   const Body& body;
-  const StreamLattice lattice;
+  const StreamLattice& lattice;  ///< of the streamlines
   CellShape shape;
   dealii::AffineConstraints<double> hanging;
   std::vector<double> volumes;
@@ -192,7 +192,7 @@ double StreamLattice::place(int first, std::size_t point) const {
 }
 
 Streamlines::Streamlines(const Body& body, const StreamLattice& lattice)
-    : StreamLattice(lattice), implementation_(std::make_unique<Implementation>(body, lattice)) {}
+    : StreamLattice(lattice), implementation_(std::make_unique<Implementation>(body, *this)) {}
 
 Streamlines::~Streamlines() = default;
 
@@ -305,7 +305,6 @@ YieldedFields Streamlines::at_nodes(
   const std::array<Vector*, 5> fields{&sum.too_much.direct, &sum.too_much.shear, &sum.strain.direct,
                                       &sum.strain.shear, &sum.accumulated};
   for (Vector* vector : fields) *vector = make_vector(dofs);
-  for (Vector* vector : {&sum.accumulated, &count}) vector->zero_out_ghost_values();
   for (const PlasticCell& cell : of.cells) {
     const auto size = static_cast<Eigen::Index>(cell.end_slot - cell.first_slot);
     Eigen::MatrixXd terms(size, 4), values = Eigen::MatrixXd::Zero(size, 3 * fields.size());
