@@ -102,6 +102,12 @@ class Passes {
     for (int k = 0; k < passes; ++k) increases.push_back(next());
     return increases;
   }
+  /// The body as these passes have left it, of which the next pass is without load.
+  Passes unloaded() const {
+    Passes without = *this;
+    without.elastic.assign(elastic.size(), {});
+    return without;
+  }
   /// Largest von Mises stress of the load alone relative to the yield stress, and where.
   std::pair<double, std::size_t> utilisation() const {
     std::pair<double, std::size_t> largest{0.0, 0};

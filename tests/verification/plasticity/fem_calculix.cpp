@@ -77,8 +77,7 @@ Passes rolled_passes(const RolledBody& slab, double friction) {
 
 /// Of a pass and what is left when the load is away.
 OfPass means_over_cells(const Passes& passes) {
-  Passes unloaded = passes;
-  unloaded.elastic.assign(passes.elastic.size(), {});
+  Passes unloaded = passes.unloaded();
   EXPECT_EQ(unloaded.next(), 0.0);  // no more flow, and uniform along the slab
   const auto residual = residual_below(unloaded, -1.0, 1.0);
   const fem::Streamlines& lines = passes.of.lines;

@@ -19,8 +19,7 @@ std::vector<Profile> profiles_below_middle(const RolledBody& slab, double fricti
   std::vector<Profile> profiles;
   for (int pass = 0; pass < passes; ++pass) {
     rolled.next();
-    Passes unloaded = rolled;
-    unloaded.elastic.assign(rolled.elastic.size(), {});
+    Passes unloaded = rolled.unloaded();
     unloaded.next();
     Profile profile;
     for (const auto& [depth, stress] : residual_below(unloaded, -1.0, 1.0)) {

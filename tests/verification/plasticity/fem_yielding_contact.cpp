@@ -4,8 +4,7 @@
 #include "contact/base/threads.hpp"
 #include "fem/elasticity/run_level.hpp"
 
-#include "support/committed_cases.hpp"
-#include <cmath>
+#include "support/equal_balls.hpp"
 
 namespace {
 
@@ -15,14 +14,8 @@ using contact::PointResult;
 
 /// A wheel on a roller like it, pressed without friction to about p0 = `pressure` (MPa).
 Case equal_discs(double pressure, int passes) {
-  Case input = committed_case('b', {0.0});
+  Case input = equal_balls(200.0, pressure, 0.0);
   input.rolling.problem = contact::Problem::frictionless;
-  input.wheel.rolling_radius = input.rail.rolling_radius = 200.0;
-  input.wheel.transverse_radius = input.rail.transverse_radius = 200.0;
-  // Hertz: p0^3 = 6 F E*^2 / (pi^3 R^2), R = 100 mm, E* of two steel bodies.
-  const double modulus = input.wheel.material.young_modulus / (2.0 * (1.0 - 0.3 * 0.3));
-  input.load.normal_force = std::pow(std::acos(-1.0), 3) * 100.0 * 100.0 * std::pow(pressure, 3) /
-                            (6.0 * modulus * modulus);
   input.rolling.creepages.resize(passes);
   input.fem.passes = passes;
   input.fem.extent = 8.0;
