@@ -25,14 +25,6 @@ constexpr std::size_t most_table_points = 20'000'000;
   throw contact::InputError(fmt::format("{}: table.{}: {}; {}", input.file, key, wrong, advice));
 }
 
-void check_increasing(const contact::Case& input, const std::string& key,
-                      const std::vector<double>& values) {
-  for (std::size_t k = 1; k < values.size(); ++k)
-    if (!(values[k] > values[k - 1]))
-      refuse(input, key, fmt::format("{:g} follows {:g}", values[k], values[k - 1]),
-             "allowed: values that increase; do: sort them");
-}
-
 std::vector<double> ratios_of(const contact::Case& input) {
   if (!input.table.axis_ratio.empty()) return input.table.axis_ratio;
   const char* const ratios =
@@ -77,7 +69,6 @@ std::vector<double> axis_of(const contact::Case& input, std::size_t axis) {
     return axis == 2 ? spins_to(asked.largest[2], points[2])
            : shifts  ? spins_to(asked.largest[axis], 2 * points[axis] - 1)
                      : creepages_to(asked.largest[axis], points[axis]);
-  check_increasing(input, names[axis], list);
   if (list.back() <= 0.0 || (axis < 2 && (list.front() != 0.0 || list.size() < 2)))
     refuse(input, names[axis], "has no positive value, or does not begin with 0",
            "allowed: 0 and larger values; do: begin with 0.0");
@@ -88,7 +79,6 @@ constexpr std::size_t most_shifts = 10'000;
 
 std::vector<double> shifts_of(const contact::Case& input) {
   const std::vector<double>& asked = input.table.lateral_shift;
-  check_increasing(input, "lateral_shift", asked);
   if (!input.table.lateral_shift_step) return asked;
   const double step = *input.table.lateral_shift_step;
   if (asked.size() != 2)
@@ -172,8 +162,6 @@ LoadSets load_sets(const contact::Case& input) {
 /// Loads and speeds: those listed, and one of each where friction depends on it.
 void set_conditions(const contact::Case& input, CreepTable& table) {
   const bool ellipses = !table.over_shifts();
-  check_increasing(input, "load", input.table.load);
-  check_increasing(input, "speed", input.table.speed);
   table.load_sets = ellipses ? load_sets(input) : LoadSets::nothing;
   if (!input.table.load.empty() && ellipses && table.load_sets == LoadSets::nothing)
     refuse(input, "load", "forces of ellipses over mu F_n do not depend on the load",
@@ -243,6 +231,11 @@ std::string ignored_keys(const contact::Case& input) {
 }
 
 CreepTable empty_table(const contact::Case& input) {
+  if (input.yields())
+    throw contact::InputError(fmt::format(
+        "{}: [wheel_plasticity] and [rail_plasticity]: a table holds contacts of elastic bodies; "
+        "allowed: without them; do: remove the section, or use rollfem run",
+        input.file));
   const contact::CombinedMaterial material =
       contact::combine(input.wheel.material, input.rail.material);
   if (material.couples())
@@ -273,7 +266,6 @@ CreepTable empty_table(const contact::Case& input) {
     if (input.table.lateral_shift_step)
       refuse(input, "lateral_shift_step", "lateral_shift is missing",
              "allowed: together with lateral_shift; do: give lateral_shift = [first, last]");
-    check_increasing(input, "axis_ratio", input.table.axis_ratio);
     table.axis_ratio = ratios_of(input);
   }
   set_conditions(input, table);

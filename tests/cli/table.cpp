@@ -142,7 +142,8 @@ TEST_F(Table, OverLateralShiftsHasTheContactsAndItsFigures) {
 
 TEST_F(Table, WrongInputIsReportedInOneLine) {
   for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
-           {table_case("axis_ratio = [2.0, 1.0]\n"), "table.axis_ratio: 1 follows 2"},
+           {table_case("axis_ratio = [2.0, 1.0]\n"),
+            "table.axis_ratio = [2.0, 1.0]: does not ascend"},
            {table_case("points = [1, 8, 11]\n"), "table.points"},
            {table_case("point = [8, 8, 11]\n"), "points"},
            {table_case("spin_values = [-1.0, 1.0]\n"), "table.spin_values"},

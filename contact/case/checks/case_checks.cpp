@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace rollfem::contact {
 
@@ -47,31 +48,40 @@ void check_required(const GivenCase& given) {
   }
 }
 
-void check_list_lengths(const GivenCase& given, const std::string& group) {
-  std::string first_path;
-  const GivenValue* first = nullptr;
-  std::size_t expected = 0;
-  for (const Key& key : case_keys()) {
-    const auto found = given.values.find(&key);
-    if (found == given.values.end()) continue;
-    const GivenValue& value = found->second;
-    const bool steps = key.path() == "history.steps";
-    if (key.per != group) continue;
-    const std::size_t length = steps ? static_cast<std::size_t>(std::get<double>(value.value))
-                                     : std::get<std::vector<double>>(value.value).size();
-    if (length == 1 && !steps) continue;
-    if (first == nullptr) {
-      first = &value;
-      first_path = key.path();
-      expected = length;
-      continue;
+std::size_t length_of(const KeyValue& value) {
+  const auto* list = std::get_if<std::vector<double>>(&value);
+  return list != nullptr ? list->size() : static_cast<std::size_t>(std::get<double>(value));
+}
+
+/// Lists with the same `per` are as long as the one that counts them, otherwise as the first; a
+/// single number is that of all.
+void check_list_lengths(const GivenCase& given) {
+  std::map<std::string, std::pair<const Key*, const GivenValue*>> first;
+  for (const bool counting : {true, false})
+    for (const auto& [key, value] : given.values) {
+      if (key->per.empty() || key->counts != counting) continue;
+      const std::size_t length = length_of(value.value);
+      if (!counting && length == 1) continue;
+      const auto& [model, expected] = first.try_emplace(key->per, key, &value).first->second;
+      if (length == length_of(expected->value)) continue;
+      fail_at(given, key->path(), value,
+              fmt::format("has {} entries, but {} of line {} has {}", length, model->path(),
+                          expected->line, length_of(expected->value)),
+              "lists of one common length, or a single number for all " + key->per,
+              "make the lists equally long");
     }
-    if (length == expected) continue;
-    fail_at(given, key.path(), value,
-            fmt::format("has {} entries, but {} of line {} has {}", length, first_path, first->line,
-                        expected),
-            "lists of one common length, or a single number for all " + group,
-            "make the lists equally long");
+}
+
+void check_order(const GivenCase& given) {
+  for (const auto& [key, value] : given.values) {
+    if (!key->ascending) continue;
+    const auto& list = std::get<std::vector<double>>(value.value);
+    const auto fall = std::adjacent_find(list.begin(), list.end(), std::greater_equal<>());
+    if (fall != list.end())
+      fail_at(given, key->path(), value,
+              fmt::format("does not ascend: {:g} follows {:g}", fall[1], fall[0]),
+              "numbers in ascending order, each once",
+              "sort them, and the lists that belong to them alike");
   }
 }
 
@@ -219,8 +229,8 @@ void check_together(const GivenCase& given) {
   check_rules(given);
   check_required(given);
   check_entries(given);
-  for (const char* group : {"load points", "positions", "friction points"})
-    check_list_lengths(given, group);
+  check_list_lengths(given);
+  check_order(given);
 }
 
 void check_geometry(const GivenCase& given, const Case& input) {

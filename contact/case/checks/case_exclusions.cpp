@@ -7,6 +7,9 @@ namespace rollfem::contact {
 namespace {
 
 constexpr const char* no_extent = "applies to contacts of finite width, but geometry.shape is line";
+constexpr const char* is_rigid = "belongs to a rigid body, which is not meshed";
+constexpr const char* elastic = "a body with a finite young_modulus";
+constexpr const char* make_elastic = "remove it, or give a finite young_modulus";
 constexpr const char* rollers =
     "line contact of rollers under a prescribed force, rolling straight ahead";
 
@@ -48,6 +51,18 @@ const std::vector<Exclusion> exclusions{
      "is for bodies that yield, but this case has none",
      "with [rail_plasticity] or [wheel_plasticity]",
      "add `yield_stress = 520.0` under [rail_plasticity], or remove it"},
+    {when::rigid("wheel"), {"wheel.mesh", "wheel_plasticity.*"}, is_rigid, elastic, make_elastic},
+    {when::rigid("rail"), {"rail.mesh", "rail_plasticity.*"}, is_rigid, elastic, make_elastic},
+    {!when::profiles || !when::has("fem", "mesh") || when::is("fem", "mesh", "structured"),
+     {"fem.rim_thickness"},
+     "is of the wheel's true section, which this case does not mesh",
+     "with profiles and mesh = \"gmsh\"",
+     "write `mesh = \"gmsh\"` under [fem], or remove it"},
+    {when::off("output", "fields"),
+     {"output.body_fields"},
+     "has no effect, because output.fields is false",
+     "with fields = true",
+     "remove one of the two"},
     {when::yields,
      {"fem.inertia"},
      "is for elastic bodies, but this case has bodies that yield",

@@ -138,6 +138,12 @@ const std::vector<Need> needs{
      "is missing, and the friction depends on the slip velocity (friction.law)",
      "the rolling speed in mm/s",
      "add `speed = 10e3` under [rolling], or write `law = \"constant\"` under [friction]"},
+    {when::lists_over("friction points"),
+     {"friction.inclination", "friction.track_position", "friction.lateral_position"},
+     "is missing: nothing says where on the rail the several numbers of [friction] apply",
+     "as many places as numbers: inclination, track_position or lateral_position; or one number",
+     "give the inclination of the rail at each, say `inclination = [-1.2, -0.4, 0.0]` under "
+     "[friction], or one number"},
     {when::varies_along_track || when::rail_sections,
      {"wheelset.track_position", "placement.track_position"},
      "is missing, and rail or friction depend on it (rail.profile, friction.track_position)",

@@ -60,6 +60,26 @@ inline Condition any_of(const char* name) {
   });
 }
 inline const Condition placement = section("placement");
+/// A list, of a key over such entries, has more than one number.
+inline Condition lists_over(const char* per) {
+  return Condition([=](const GivenCase& given) {
+    for (const auto& [key, value] : given.values)
+      if (key->per == per && std::get<std::vector<double>>(value.value).size() > 1) return true;
+    return false;
+  });
+}
+inline Condition off(const char* section, const char* name) {
+  return Condition([=](const GivenCase& given) {
+    const GivenValue* value = given.find(section, name);
+    return value != nullptr && !std::get<bool>(value->value);
+  });
+}
+inline Condition rigid(const char* body) {
+  return Condition([=](const GivenCase& given) {
+    const GivenValue* modulus = given.find(body, "young_modulus");
+    return modulus != nullptr && std::get<double>(modulus->value) == infinity;
+  });
+}
 inline const Condition own_mesh = has("wheel", "mesh") || has("rail", "mesh");
 inline const Condition given_pressure = has("given_pressure", "semi_axis_x") ||
                                         has("given_pressure", "semi_axis_y") ||

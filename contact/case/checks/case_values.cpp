@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <initializer_list>
 #include <utility>
 
 namespace rollfem::contact {
@@ -35,41 +35,6 @@ void check_friction(const GivenCase& given, const Case& input) {
               fmt::format("has next to no friction at a point, {:g}", point.coefficient),
               fmt::format("at least {:g} times the largest, {:g}", least_part_of_largest, mu),
               "give it a small coefficient, 0.01 say");
-}
-
-/// The places of friction that varies: as many as points, ascending.
-void check_friction_points(const GivenCase& given, const Case& input) {
-  const FrictionVariation& over = input.friction_variation;
-  const std::pair<const char*, const std::vector<double>*> lists[] = {
-      {"track_position", &over.track_position},
-      {"lateral_position", &over.lateral_position},
-      {"inclination", &over.inclination}};
-  const auto& [name, list] = *std::find_if(lists, lists + 2, [](auto& one) {
-    return !one.second->empty();  // rivals: one is given at most
-  });
-  const std::vector<double>& places = *list;
-  if (places.empty() && over.points.empty()) return;
-  if (places.size() != over.points.size()) {
-    for (const Key& key : case_keys()) {
-      const GivenValue* value =
-          key.per == "friction points" ? given.find(key.section, key.name) : nullptr;
-      if (value == nullptr ||
-          std::get<std::vector<double>>(value->value).size() != over.points.size())
-        continue;
-      fail_at(given, key.path(), *value,
-              fmt::format("has {} entries, but {}", over.points.size(),
-                          places.empty() ? "nothing says where on the rail they apply"
-                                         : "there is one place"),
-              "lists as long as friction.inclination, track_position or lateral_position, or one "
-              "number",
-              "give the inclination of the rail at each, say "
-              "`inclination = [-1.2, -0.4, 0.0]` under [friction], or one number");
-    }
-  }
-  if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end())
-    fail_at(given, std::string("friction.") + name, *given.find("friction", name),
-            "does not ascend", "places in ascending order, each once",
-            "sort the points, and the lists of the law with them");
 }
 
 /// Below this part of the friction at rest what slides has next to no bound.
@@ -124,14 +89,6 @@ void check_friction_limit(const GivenCase& given, const Case& input) {
 }
 
 void check_rigid(const GivenCase& given, const Case& input) {
-  const auto refuse_mesh = [&](const auto& body, const std::string& section) {
-    if (body.material.rigid() && !body.mesh.empty())
-      fail_at(given, section + ".mesh", *given.find(section, "mesh"),
-              "belongs to a rigid body, which is not meshed", "a mesh of an elastic body",
-              "remove it, or give a finite young_modulus");
-  };
-  refuse_mesh(input.wheel, "wheel");
-  refuse_mesh(input.rail, "rail");
   if (!input.wheel.material.rigid() || !input.rail.material.rigid()) return;
   fail_at(given, "rail.young_modulus", *given.find("rail", "young_modulus"),
           "makes both bodies rigid, so that they touch in a point",
@@ -175,12 +132,19 @@ bool outside(const Case& input, bool wheel, const std::array<double, 3>& place) 
   return depth < (drop < 0.0 ? drop - most_above_surface : 0.0);
 }
 
-/// One load point for each pass.
-void repeat_load_points(Case& input) {
+/// One load point for each pass, by default one pass for each load point.
+void repeat_load_points(const GivenCase& given, Case& input) {
+  const int points = input.fem.cycle = static_cast<int>(input.rolling.creepages.size());
+  const GivenValue* passes = given.find("fem", "passes");
+  if (passes == nullptr) input.fem.passes = points;
+  if (input.fem.passes < points)
+    fail_at(given, "fem.passes", *passes,
+            fmt::format("leaves out some of the {} load points, each of which is a pass", points),
+            fmt::format("at least {}, one cycle of them", points),
+            "raise it, or shorten the lists of creepages or forces");
   const auto repeat = [&](auto& entries) {
     if (entries.empty()) return;
     const auto once = entries;
-    input.fem.cycle = std::max(input.fem.cycle, static_cast<int>(once.size()));
     entries.clear();
     for (int pass = 0; pass < input.fem.passes; ++pass) entries.push_back(once[pass % once.size()]);
   };
@@ -189,7 +153,7 @@ void repeat_load_points(Case& input) {
   repeat(input.wheelset.rotation_change);
 }
 
-/// What the keys of a steel need, and one number for each back stress; depths in ascending order.
+/// What the keys of a steel need of each other.
 void check_plasticity(const GivenCase& given, const char* body, const BodyPlasticity& steel) {
   const std::string section = std::string(body) + "_plasticity";
   const auto length = [&](const char* key) {
@@ -220,10 +184,11 @@ void check_plasticity(const GivenCase& given, const char* body, const BodyPlasti
             "softens the steel to nothing",
             fmt::format("above {:g} MPa (minus the yield stress)", -steel.yield_stress),
             "give a smaller softening");
-  const std::vector<double>& depth = steel.residual.depth;
-  if (std::adjacent_find(depth.begin(), depth.end(), std::greater_equal<>()) != depth.end())
-    fail_at(given, section + ".residual_depth", *given.find(section, "residual_depth"),
-            "does not ascend", "depths in ascending order, each once", "sort the points");
+  if ((steel.rise != 0.0) != (steel.rate != 0.0)) {
+    const std::string key = steel.rise != 0.0 ? "isotropic_rise" : "isotropic_rate";
+    fail_at(given, section + "." + key, *given.find(section, key), "has no effect by itself",
+            "isotropic_rise together with isotropic_rate", "give both of them, or neither");
+  }
 }
 
 }  // namespace
@@ -308,14 +273,20 @@ void complete(const GivenCase& given, Case& input) {
   wheelset.on_rail = given.section_lines.count("placement") > 0;
   for (ProfileSource* profile : {&input.wheel.profile, &input.rail.profile})
     profile->for_track = !wheelset.on_rail && !input.track.rail_position;
-  const auto lists = {&wheelset.lateral_shift,  &wheelset.yaw,
-                      &wheelset.roll,           &wheelset.height,
-                      &wheelset.track_position, &wheelset.wheel_angle};
-  std::size_t count = 0;
-  for (const auto* list : lists) count = std::max(count, list->size());
-  for (auto* list : lists)
-    if (!list->empty()) list->resize(count, list->front());
-  if (input.yields()) repeat_load_points(input);
+  const auto extend = [](std::initializer_list<std::vector<double>*> lists) {
+    std::size_t count = 0;
+    for (const auto* list : lists) count = std::max(count, list->size());
+    for (auto* list : lists)
+      if (!list->empty()) list->resize(count, list->front());
+  };
+  extend({&wheelset.lateral_shift, &wheelset.yaw, &wheelset.roll, &wheelset.height,
+          &wheelset.track_position, &wheelset.wheel_angle});
+  for (Body* body : {static_cast<Body*>(&input.wheel), static_cast<Body*>(&input.rail)})
+    if (body->plasticity) {
+      auto& residual = body->plasticity->residual;
+      extend({&residual.depth, &residual.along, &residual.across});
+    }
+  if (input.yields()) repeat_load_points(given, input);
 }
 
 void check_values(const GivenCase& given, const Case& input) {
@@ -325,7 +296,6 @@ void check_values(const GivenCase& given, const Case& input) {
   }
   check_rigid(given, input);
   check_friction(given, input);
-  check_friction_points(given, input);
   check_fall(given, input);
   check_friction_limit(given, input);
   check_inertia(given, input);

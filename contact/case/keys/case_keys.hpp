@@ -56,7 +56,10 @@ struct Key {
   std::string when_absent;  ///< behaviour if missing, for keys without default value
   std::string example;      ///< TOML text for `new-case`; empty: the default, or left commented out
   std::string sentence;
-  std::string per;  ///< lists of the same `per` have one length: "load points", "positions"
+  std::string per;          ///< lists of the same `per` have one length: "load points", "positions"
+  bool counts = false;      ///< the list (number) says how many of them there are
+  bool ascending = false;   ///< the numbers of the list ascend
+  bool names_file = false;  ///< the text may name a file, relative to the case file
   std::function<KeyValue(const Case&)> get;
   std::function<void(Case&, const KeyValue&)> set;
 

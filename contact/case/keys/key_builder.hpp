@@ -158,8 +158,12 @@ inline constexpr TraitOf<std::string> example{&Key::example};
 /// Behaviour without the key, if there is no default value.
 inline constexpr TraitOf<std::string> otherwise{&Key::when_absent};
 inline constexpr TraitOf<Words> among{&Key::words};
-/// Lists with the same `per` have equal length; a single number applies to all entries.
+/// Lists with the same `per` have equal length, that of one which `counts` them if it is given; a
+/// single number of another one applies to all entries.
 inline constexpr TraitOf<std::string> per{&Key::per};
+inline constexpr Trait<bool> counts{&Key::counts, true};
+inline constexpr Trait<bool> ascending{&Key::ascending, true};
+inline constexpr Trait<bool> names_file{&Key::names_file, true};
 inline constexpr Trait<bool> or_empty{&Key::empty, true};
 /// `check` says nothing of the key where its member is as without it.
 struct Silent {};
@@ -325,7 +329,7 @@ class Keys {
     return key;
   }
   void bind(Key& key, const Access<Part>& access) {
-    const bool listed = !key.per.empty();
+    const bool listed = !key.per.empty() && !key.counts;
     key.get = [find = place_.find, get = access.get, listed](const Case& c) {
       const Part* part = find(c);
       const KeyValue value = part == nullptr ? KeyValue() : get(*part);

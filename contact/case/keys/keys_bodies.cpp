@@ -34,12 +34,12 @@ void add_material(Keys<Body>& keys) {
 /// `names`: built-in profiles.
 template <class Body>
 void add_shape_from_files(Keys<Body>& keys, const std::string& names) {
-  keys.add("profile", inside(&Body::profile, &ProfileSource::name),
+  keys.add("profile", inside(&Body::profile, &ProfileSource::name), names_file,
            otherwise("transverse_radius applies"),
            "The profile, instead of transverse_radius: " + names +
                ", `arcs`, `polynomial`, or a file: columns y, z, or another format. Details: [" +
                keys.section().name + "_profile], docs/profiles.md.");
-  keys.add("mesh", &Body::mesh, otherwise("meshed by the program"),
+  keys.add("mesh", &Body::mesh, names_file, otherwise("meshed by the program"),
            "Hexahedral gmsh mesh (.msh 4.1 or 2.2, mm, contact point at the origin) with the "
            "physical surfaces `contact`, `fixed`, and `symmetry` for a half y >= 0 (model fem).");
 }
@@ -76,18 +76,16 @@ SectionWithKeys rail_section() {
 Access<BodyPlasticity> of_back_stresses(double BodyPlasticity::BackStress::*member) {
   return {[member](const BodyPlasticity& steel) -> KeyValue {
             // As many as there are moduli.
-            using Back = BodyPlasticity::BackStress;
             std::size_t moduli = 0, given = 0;
-            for (std::size_t k = 0; k < steel.back_stresses.size(); ++k) {
-              const Back& back = steel.back_stresses[k];
-              if (back.modulus > 0.0) moduli = k + 1;
-              if (back.*member != 0.0) given = k + 1;
+            Numbers numbers;
+            for (const BodyPlasticity::BackStress& back : steel.back_stresses) {
+              numbers.push_back(back.*member);
+              if (back.modulus > 0.0) moduli = numbers.size();
+              if (back.*member != 0.0) given = numbers.size();
             }
             if (given == 0) return {};
-            Numbers numbers;
-            for (std::size_t k = 0; k < (moduli > 0 ? moduli : given); ++k)
-              numbers.push_back(steel.back_stresses[k].*member);
-            return member == &Back::recovery ? shortened(numbers) : KeyValue(numbers);
+            numbers.resize(moduli > 0 ? moduli : given);
+            return numbers;
           },
           [member](BodyPlasticity& steel, const KeyValue& value) {
             const auto& numbers = std::get<Numbers>(value);
@@ -106,16 +104,18 @@ void add_residual_stress(Keys<BodyPlasticity>& keys) {
   const auto of = [](std::vector<double> Residual::*member) {
     return inside(&BodyPlasticity::residual, member);
   };
-  const auto each = per("depths");
-  keys.add("residual_depth", of(&Residual::depth), each, unit("mm"), zero_or(smallest, 1e3),
-           otherwise("no residual stress before the first pass"),
+  const auto each = per("depths in [" + keys.section().name + "]");
+  keys.add("residual_depth", of(&Residual::depth), each, counts, ascending, unit("mm"),
+           zero_or(smallest, 1e3), otherwise("no residual stress before the first pass"),
            "Depths below the surface, ascending, of the residual stress before the first pass: "
            "linear between, constant outside, the same everywhere along and across.");
   keys.add("residual_along", of(&Residual::along), each, unit("MPa"), within(largest),
-           otherwise("0"), "Residual stress along rolling at these depths; tension is positive.");
+           otherwise("0"),
+           "Residual stress along rolling at each of these depths, or one number for all; tension "
+           "is positive.");
   keys.add("residual_across", of(&Residual::across), each, unit("MPa"), within(largest),
            otherwise("0"), "The same across.");
-  keys.add("residual_file", inside(&BodyPlasticity::residual, &Residual::file),
+  keys.add("residual_file", inside(&BodyPlasticity::residual, &Residual::file), names_file,
            otherwise("the three lists apply"),
            "Instead of the three lists: a file of lines `depth, along, across` (mm, MPa), its path "
            "relative to the case file.");
@@ -135,19 +135,18 @@ SectionWithKeys plasticity_section(const std::string& name, Body Case::*body) {
                       return steel ? *steel : steel.emplace();
                     }});
   keys.section().alternatives = true;
+  const auto each = per("back stresses in [" + keys.section().name + "]");
   keys.add("yield_stress", &Steel::yield_stress, symbol("sigma_y"), unit("MPa"), positive(),
            otherwise("required with this section"),
            "Yield stress in tension, where plastic flow begins; sqrt(3) times the k of shakedown "
            "maps.");
-  keys.add(KeyKind::numbers, "hardening", of_back_stresses(&Steel::BackStress::modulus),
-           per("back stresses"), symbol("C"), unit("MPa"), positive(),
-           otherwise("no kinematic hardening"),
+  keys.add(KeyKind::numbers, "hardening", of_back_stresses(&Steel::BackStress::modulus), each,
+           counts, symbol("C"), unit("MPa"), positive(), otherwise("no kinematic hardening"),
            "Moduli of one to three back stresses: plastic modulus in tension at their beginning.");
-  keys.add(KeyKind::numbers, "recovery", of_back_stresses(&Steel::BackStress::recovery),
-           per("back stresses"), symbol("gamma"), zero_or(smallest, largest),
-           otherwise("0 (Prager)"),
-           "Dynamic recovery of each back stress (Armstrong and Frederick; Chaboche), which "
-           "saturates at hardening/recovery; 0: linear (Prager).");
+  keys.add(KeyKind::numbers, "recovery", of_back_stresses(&Steel::BackStress::recovery), each,
+           symbol("gamma"), zero_or(smallest, largest), otherwise("0 (Prager)"),
+           "Dynamic recovery of each back stress, or one number for all (Armstrong and Frederick; "
+           "Chaboche), which saturates at hardening/recovery; 0: linear (Prager).");
   keys.add("isotropic_rise", &Steel::rise, silent_default, otherwise("0"), symbol("Q"), unit("MPa"),
            within(largest),
            "Rise of the yield stress with the accumulated plastic strain p, Q (1 - exp(-b p)) "

@@ -14,7 +14,8 @@ SectionWithKeys undeformed_distance_section() {
   keys.add("quadratic", &DistanceOptions::quadratic, symbol("A, B"), unit("1/mm"),
            between(1e-9, 1e6), otherwise("from the radii of wheel and rail"),
            "h = A x^2 + B y^2; the radii may then be omitted.");
-  keys.add("file", &DistanceOptions::values, otherwise("from the radii of wheel and rail"),
+  keys.add("file", &DistanceOptions::values, names_file,
+           otherwise("from the radii of wheel and rail"),
            "Lines `x, y, h` in mm on a regular lattice, which becomes the potential contact area; "
            "cubics interpolate.");
   return keys;

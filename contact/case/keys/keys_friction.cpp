@@ -139,20 +139,20 @@ Access<Case> of_places(std::vector<double> FrictionVariation::*member) {
 }
 
 void add_places(Keys<Case>& keys) {
-  const auto kind = KeyKind::numbers;
-  const auto each = per("friction points");
+  const auto places = [&](const auto& name, const auto& member, const auto&... traits) {
+    keys.add(KeyKind::numbers, name, of_places(member), per("friction points"), counts, ascending,
+             traits...);
+  };
   const auto same = otherwise("friction is the same everywhere");
-  keys.add(kind, "inclination", of_places(&FrictionVariation::inclination), each, same, unit("rad"),
-           within(1.6),
-           "Inclinations of the rail's surface against the track plane, ascending, negative on the "
-           "gauge face (minus the contact angle), for lists of the law's numbers: linear between, "
-           "constant outside. Needs profiles.");
-  keys.add(kind, "track_position", of_places(&FrictionVariation::track_position), each, same,
-           unit("mm"), within(largest),
-           "The same over the position along the track, wheelset.track_position, instead of "
-           "inclination.");
-  keys.add(kind, "lateral_position", of_places(&FrictionVariation::lateral_position), each, same,
-           unit("mm"), within(largest), "The same over y, for contacts without profiles.");
+  places("inclination", &FrictionVariation::inclination, same, unit("rad"), within(1.6),
+         "Inclinations of the rail's surface against the track plane, ascending, negative on the "
+         "gauge face (minus the contact angle), for lists of the law's numbers: linear between, "
+         "constant outside. Needs profiles.");
+  places("track_position", &FrictionVariation::track_position, same, unit("mm"), within(largest),
+         "The same over the position along the track, wheelset.track_position, instead of "
+         "inclination.");
+  places("lateral_position", &FrictionVariation::lateral_position, same, unit("mm"),
+         within(largest), "The same over y, for contacts without profiles.");
 }
 
 SectionWithKeys friction_section() {

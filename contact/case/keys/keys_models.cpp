@@ -135,9 +135,10 @@ void add_meshes(FemKeys& keys) {
 }
 
 void add_passes(FemKeys& keys) {
-  keys.add("passes", &FemOptions::passes, between(1, 1000),
+  keys.add("passes", &FemOptions::passes, between(1, 1000), silent_default,
+           otherwise("one for each load point"),
            "Passes over bodies that yield ([rail_plasticity], [wheel_plasticity]); the load points "
-           "of the case follow one another, again and again.");
+           "of the case follow one another, again and again. At least one for each of them.");
   keys.add("pass_pressure", &FemOptions::pass_pressure,
            {{"yielding", PassPressure::yielding}, {"elastic", PassPressure::elastic}},
            "Contact of the passes: `yielding`, that of the bodies as they are; `elastic`, as if "

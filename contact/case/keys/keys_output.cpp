@@ -37,21 +37,21 @@ SectionWithKeys output_section() {
 SectionWithKeys table_section() {
   Keys<TableOptions> keys("table", "Grid of `rollfem table`; other commands ignore it",
                           &Case::table);
-  keys.add("axis_ratio", &TableOptions::axis_ratio, symbol("a/b"), between(0.02, 50.0),
+  keys.add("axis_ratio", &TableOptions::axis_ratio, ascending, symbol("a/b"), between(0.02, 50.0),
            otherwise("from the case's Hertzian ellipse"),
            "Axis ratios a/b of the ellipse, a along rolling, in increasing order.");
   keys.add(
-      "lateral_shift", &TableOptions::lateral_shift, unit("mm"), within(1e3),
+      "lateral_shift", &TableOptions::lateral_shift, ascending, unit("mm"), within(1e3),
       otherwise("none: the table is over axis_ratio"),
       "Lateral shifts of the wheelset, in increasing order, for a table of a wheel with profiles.");
   keys.add("lateral_shift_step", &TableOptions::lateral_shift_step, unit("mm"), between(1e-3, 1e3),
            otherwise("lateral_shift lists every shift"),
            "Step between the first and the last shift; lateral_shift then holds only these two.");
-  keys.add("load", &TableOptions::load, unit("N"), between(1e-6, largest_force),
+  keys.add("load", &TableOptions::load, ascending, unit("N"), between(1e-6, largest_force),
            otherwise("that of the case"),
            "Increasing loads, an axis in place of the force under [load]; of ellipses with a "
            "memory or a layer.");
-  keys.add("speed", &TableOptions::speed, unit("mm/s"), between(1e-3, 1e8),
+  keys.add("speed", &TableOptions::speed, ascending, unit("mm/s"), between(1e-3, 1e8),
            otherwise("rolling.speed"),
            "Increasing speeds, an axis in place of rolling.speed under a falling law.");
   keys.add("points", &TableOptions::points, between(2, 200),
@@ -63,12 +63,13 @@ SectionWithKeys table_section() {
            "with a falling law or a layer).");
   const auto of_lists = zero_or(smallest, 1000.0);
   const auto from_points = otherwise("from points and largest");
-  keys.add("longitudinal_values", &TableOptions::longitudinal, symbol("xi'"), of_lists, from_points,
+  keys.add("longitudinal_values", &TableOptions::longitudinal, ascending, symbol("xi'"), of_lists,
+           from_points,
            "Scaled longitudinal creepages (docs/tables.md) from 0 on, instead of the first entries "
            "of points and largest; over lateral shifts mirrored to negative values.");
-  keys.add("lateral_values", &TableOptions::lateral, symbol("eta'"), of_lists, from_points,
-           "Scaled lateral creepages from 0 on, instead of the second entries.");
-  keys.add("spin_values", &TableOptions::spin, symbol("phi'"), of_lists, from_points,
+  keys.add("lateral_values", &TableOptions::lateral, ascending, symbol("eta'"), of_lists,
+           from_points, "Scaled lateral creepages from 0 on, instead of the second entries.");
+  keys.add("spin_values", &TableOptions::spin, ascending, symbol("phi'"), of_lists, from_points,
            "Scaled spins from 0 on, instead of the third entries; mirrored to negative values.");
   keys.add("check_points", &TableOptions::check_points, between(0, 1e6),
            "Random points between grid points at which the interpolation error is evaluated.");

@@ -39,7 +39,7 @@ void add_extra_slip(RollingKeys& keys) {
            "Rigid slip from the shape of the surface: `auto` from the wheel's rolling radii and, "
            "on a curved surface, its tangents; `none`: creepages and spin alone; `file` adds "
            "extra_slip_file.");
-  keys.add("extra_slip_file", &Rolling::extra_slip_values,
+  keys.add("extra_slip_file", &Rolling::extra_slip_values, names_file,
            otherwise("required if extra_slip is `file`"),
            "Lines `x, y, s_x, s_y` (mm, slip over the rolling speed) on a regular lattice.");
 }
@@ -97,7 +97,7 @@ SectionWithKeys history_section() {
                           c.history.resize(c.rolling.creepages.size());
                           grow_load_points(c, static_cast<std::size_t>(std::get<double>(value)));
                         }},
-           between(1, 1000), per("load points"), otherwise("the length of the lists"),
+           between(1, 1000), per("load points"), counts, otherwise("the length of the lists"),
            "Number of steps, if no list determines it.");
   keys.add("start", &Case::starts_steady, {{"rest", false}, {"steady", true}}, silent_default,
            otherwise("rest"),

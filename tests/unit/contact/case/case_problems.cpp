@@ -143,6 +143,17 @@ TEST(RigidBody, OneIsAllowedTwoAreNot) {
                {"rail.mesh = \"rail.msh\": belongs to a rigid body, which is not meshed"});
 }
 
+TEST(KeysWithoutEffect, AreRefused) {
+  expect_error(plus("[output]\nfields = false\nbody_fields = \"all\"\n"),
+               {"output.body_fields = \"all\": has no effect, because output.fields is false"});
+  EXPECT_NO_THROW(parse_case(plus("[output]\nfields = false\nbody_fields = \"none\"\n"), "c.toml"));
+  for (const char* mesh : {"", "mesh = \"structured\"\n", "mesh = \"gmsh\"\n"})
+    expect_error(plus("[fem]\nrim_thickness = 60.0\n" + std::string(mesh)),
+                 {"fem.rim_thickness = 60.0: is of the wheel's true section"});
+  EXPECT_NO_THROW(
+      parse_case(wheel_on_rail + "[fem]\nrim_thickness = 60.0\nmesh = \"gmsh\"\n", "c.toml"));
+}
+
 TEST(GivenPressure, TakesForceOrPressureAndNeedsNoRadii) {
   const Case by_force = parse_case(pressure + "[load]\nnormal_force = 82e3\n", "c.toml");
   ASSERT_TRUE(by_force.given_pressure);

@@ -141,15 +141,14 @@ TEST(FrictionKeys, BetweenPointsTheNumbersAreLinearAndOutsideConstant) {
 
 TEST(FrictionKeys, RefuseInconsistentFrictionOverTheRail) {
   const std::string two = "coefficient = [0.1, 0.4]\n";
-  expect_error(over_rail(two),
-               {"friction.coefficient = [0.1, 0.4]: has 2 entries, but nothing says "
-                "where",
-                "friction.inclination"});
-  expect_error(over_rail(two + "inclination = -0.4"), {"has 2 entries, but there is one place"});
+  expect_error(over_rail(two), {"friction.inclination: is missing", "nothing says where"});
+  expect_error(
+      over_rail(two + "inclination = -0.4"),
+      {"friction.coefficient = [0.1, 0.4]: has 2 entries, but friction.inclination", "has 1"});
   expect_error(over_rail(two + "inclination = [-1.2, -0.4, 0.0]"),
-               {"friction.inclination", "has 3 entries, but friction.coefficient", "has 2"});
+               {"friction.coefficient", "has 2 entries, but friction.inclination", "has 3"});
   expect_error(over_rail(two + "inclination = [0.0, -0.4]"),
-               {"friction.inclination = [0.0, -0.4]: does not ascend"});
+               {"friction.inclination = [0.0, -0.4]: does not ascend: -0.4 follows 0"});
   expect_error(over_rail(two + "inclination = [-0.4, 0.0]\ntrack_position = [0.0, 1e3]",
                          "track_position = 0.0"),
                {"contradicts friction.inclination"});
