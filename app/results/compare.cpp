@@ -72,8 +72,8 @@ bool is_sound(const Task& task, const nlohmann::json& summary) {
   return false;
 }
 
-/// Whether the result of an earlier call is valid: same case, program and models, complete and
-/// undamaged.
+/// Whether the result of an earlier call is valid: same case and files that it reads, program and
+/// models, complete and undamaged.
 bool is_done(const Task& task) {
   if (contents_of(task.folder / "case.toml") !=
       contact::text_in_folder(task.input, task.folder.string()))
@@ -88,7 +88,9 @@ bool is_done(const Task& task) {
     return false;
   }
   const auto summary = nlohmann::json::parse(text, nullptr, false);
-  if (!summary.is_object() || !summary.contains("program")) return false;
+  if (!summary.is_object() || !summary.contains("program") ||
+      summary.value("case_checksum", "") != postprocess::checksum_of_case(task.input))
+    return false;
   if (summary["program"].value("version", "") != modelling::version() ||
       summary["program"].value("commit", "") != modelling::commit())
     return false;

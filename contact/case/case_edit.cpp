@@ -11,8 +11,11 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <set>
 #include <string_view>
 #include <utility>
+
+namespace fs = std::filesystem;
 
 namespace rollfem::contact {
 
@@ -117,7 +120,37 @@ void make(const Change& change, const std::string& file, std::string& text) {
   }
 }
 
+/// Keys that may name files, with the names.
+std::vector<std::pair<const Key*, std::string>> named_files(const Case& input) {
+  std::vector<std::pair<const Key*, std::string>> named;
+  for (const Key& key : case_keys()) {
+    const KeyValue value = key.names_file ? key.get(input) : KeyValue();
+    if (const auto* name = std::get_if<std::string>(&value)) named.emplace_back(&key, *name);
+  }
+  return named;
+}
+
 }  // namespace
+
+std::vector<std::string> files_read_by(const Case& input) {
+  std::vector<std::string> files;
+  std::set<std::string> seen;
+  const auto add = [&](const fs::path& folder, std::string_view name, const auto& self) -> void {
+    const fs::path file = (folder / name).lexically_normal();
+    std::error_code error;  // built-in profiles have no file
+    if (!fs::is_regular_file(file, error) || !seen.insert(file.string()).second) return;
+    files.push_back(file.string());
+    if (!ProfileSource{file.string()}.lists_sections()) return;
+    // Every field of a list that is the name of a file, whatever the format of the list.
+    constexpr std::size_t largest = 10'000'000;
+    const std::string text = text_of_file(file.string(), file.string(), largest);
+    for (const std::string_view field : fields_of(text, " \t\r\n,'\""))
+      self(file.parent_path(), field, self);
+  };
+  for (const auto& [key, name] : named_files(input))
+    add(fs::path(input.file).parent_path(), name, add);
+  return files;
+}
 
 std::string with_changes(std::string text, const std::string& file,
                          const std::vector<std::string>& changes, const ModelWords& models) {
@@ -129,27 +162,15 @@ std::string with_changes(std::string text, const std::string& file,
 }
 
 std::string text_in_folder(const Case& input, const std::string& folder) {
-  namespace fs = std::filesystem;
   std::string text = input.text;
-  for (const auto& [section, name] : {std::pair("wheel", "profile"),
-                                      {"rail", "profile"},
-                                      {"wheel", "mesh"},
-                                      {"rail", "mesh"},
-                                      {"undeformed_distance", "file"},
-                                      {"rolling", "extra_slip_file"},
-                                      {"wheel_plasticity", "residual_file"},
-                                      {"rail_plasticity", "residual_file"}}) {
-    const KeyValue value = find_key(section, name)->get(input);
-    const auto* file = std::get_if<std::string>(&value);
+  for (const auto& [key, name] : named_files(input)) {
     // Built-in profiles have names without dots and slashes.
-    if (file == nullptr || file->find_first_of("./") == std::string::npos ||
-        fs::path(*file).is_absolute())
-      continue;
+    if (name.find_first_of("./") == std::string::npos || fs::path(name).is_absolute()) continue;
     std::error_code error;
-    const fs::path there = fs::path(input.file).parent_path() / *file;
+    const fs::path there = fs::path(input.file).parent_path() / name;
     const std::string way = fs::relative(there, folder, error).generic_string();
-    if (!error && !way.empty() && way != *file)
-      make({section, name, toml_text(KeyValue(way))}, input.file, text);
+    if (!error && !way.empty() && way != name)
+      make({key->section, key->name, toml_text(KeyValue(way))}, input.file, text);
   }
   return text;
 }

@@ -56,6 +56,10 @@ std::string case_reference_markdown(const ModelWords& models = {});
 std::string with_changes(std::string text, const std::string& file,
                          const std::vector<std::string>& changes, const ModelWords& models = {});
 
+/// The files that a case reads, each once: those that its keys name, and those that lists of
+/// sections among them name.
+std::vector<std::string> files_read_by(const Case& input);
+
 /// The text of the case for a file in another folder: paths of files, which are relative to the
 /// case file, lead from there.
 std::string text_in_folder(const Case& input, const std::string& folder);

@@ -2,6 +2,7 @@
 #include "postprocess/files/checkpoint_folder.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "postprocess/files/files_together.hpp"
@@ -35,28 +36,6 @@ bool is_record(const fs::path& name) {
 
 bool is_of_checkpoint(const fs::path& name) {
   return name == about_name || is_record(name) || name.extension() == part_suffix;
-}
-
-/// Checksum of the case file and of the files that it names.
-unsigned long long checksum_of(const contact::Case& input) {
-  unsigned long long hash = contact::checksum(input.text);
-  for (const auto* lattice :
-       {&input.undeformed_distance.values, &input.rolling.extra_slip_values}) {
-    if (!*lattice) continue;
-    for (const auto& column : (*lattice)->values)
-      hash = contact::checksum(
-          {reinterpret_cast<const char*>(column.data()), column.size() * sizeof(double)}, hash);
-  }
-  std::error_code error;  // built-in profiles have no file
-  std::vector<const std::string*> names{&input.wheel.profile.name, &input.rail.profile.name,
-                                        &input.wheel.mesh, &input.rail.mesh};
-  for (const auto* steel : {&input.wheel.plasticity, &input.rail.plasticity})
-    if (*steel) names.push_back(&(*steel)->residual.file);
-  for (const std::string* name : names)
-    if (const fs::path file = fs::path(input.file).parent_path() / *name;
-        !name->empty() && fs::is_regular_file(file, error))
-      hash = contact::checksum(contents_of(file), hash);
-  return hash;
 }
 
 /// Checksum of the list of quantities, because a record holds them in this order.
@@ -98,6 +77,13 @@ void remove_folder(const fs::path& folder) {
 
 }  // namespace
 
+std::string checksum_of_case(const contact::Case& input) {
+  unsigned long long hash = contact::checksum(input.text);
+  for (const std::string& file : contact::files_read_by(input))
+    hash = contact::checksum(contents_of(file), hash);
+  return fmt::format("{:016x}", hash);
+}
+
 CheckpointFolder::CheckpointFolder(const std::string& result_directory, const contact::Case& input,
                                    const std::string& program, bool resume,
                                    std::function<void(const std::string&)> warn)
@@ -106,8 +92,8 @@ CheckpointFolder::CheckpointFolder(const std::string& result_directory, const co
   about_ = fmt::format(
       "Load points of an unfinished run of rollfem. The same command with --resume continues from "
       "them; without it they are replaced. The folder may be deleted.\nformat: {} "
-      "{:016x}\nprogram: {}\ncase: {:016x}\n",
-      format, checksum_of_quantities(), program, checksum_of(input));
+      "{:016x}\nprogram: {}\ncase: {}\n",
+      format, checksum_of_quantities(), program, checksum_of_case(input));
   look_at(input);
 }
 

@@ -17,6 +17,10 @@
 
 namespace rollfem::postprocess {
 
+/// Checksum of the text of a case and of all files that it reads: what was computed under another
+/// one is stale.
+std::string checksum_of_case(const contact::Case& input);
+
 class CheckpointFolder : public contact::Checkpoint {
  public:
   /// Existing records are used only with `resume`; otherwise an earlier folder is set aside when

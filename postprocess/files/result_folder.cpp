@@ -16,6 +16,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <thread>
@@ -77,12 +78,13 @@ fs::path checked_target(const std::string& directory) {
   return target;
 }
 
-/// Whether a file of an earlier result, relative to its folder, was written by rollfem.
+/// Whether rollfem writes a file of this name, relative to the folder: it then belongs to one
+/// result. ResultFolder::write accepts no other names, so that none is missing here.
 bool is_of_result(const fs::path& name) {
   static const std::set<std::string> files{
-      "summary.json",   "results.h5",   "creep_curve.csv",   "contacts.csv", "patches.csv",
-      "path_x.csv",     "path_y.csv",   "case.toml",         "report.html",  "report.log",
-      "subsurface.csv", "wheelset.csv", "wheelset_rigid.csv"};
+      "summary.json",   "results.h5",   "creep_curve.csv",    "contacts.csv", "patches.csv",
+      "path_x.csv",     "path_y.csv",   "case.toml",          "report.html",  "report.log",
+      "subsurface.csv", "wheelset.csv", "wheelset_rigid.csv", "pass_work.csv"};
   static const std::set<std::string> in_fields{".vtu", ".vtp", ".pvd"};
   if (name.parent_path() == "fields") return in_fields.count(name.extension().string()) > 0;
   if (name.parent_path() == "figures") return name.extension() == ".svg";
@@ -100,7 +102,7 @@ void carry_over(const fs::path& old_folder, const fs::path& new_folder, const fs
     const bool folder = fs::is_directory(fs::symlink_status(old, error));
     if (folder && (name == "fields" || name == "figures")) {
       carry_over(old_folder, new_folder, name, all_saved);
-    } else if (!is_of_result(name)) {
+    } else if (!is_of_result(name) && !fs::exists(new_folder / name, error)) {
       fs::create_directories((new_folder / name).parent_path(), error);
       fs::rename(old, new_folder / name, error);
       if (error) all_saved = false;
@@ -179,6 +181,8 @@ ResultFolder::~ResultFolder() {
 }
 
 void ResultFolder::write(const std::string& name, std::string_view content) {
+  if (!is_of_result(name))
+    throw std::logic_error(name + " is not declared as a file of results (is_of_result)");
   const fs::path path = partial_ / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);

@@ -3,6 +3,7 @@
 #include "contact/result/bars.hpp"
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
+#include "postprocess/files/checkpoint_folder.hpp"
 #include "postprocess/write/json_head.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
@@ -107,6 +108,7 @@ std::string summary_json(const RunRecord& run) {
   json["format"] = 2;
   json["title"] = run.input.title;
   json["case_file"] = run.input.file;
+  json["case_checksum"] = checksum_of_case(run.input);
   json["program"] = {{"version", run.provenance.version}, {"commit", run.provenance.commit}};
   json["verdict"] = run.verdict;
   json["models"] = ordered_json::array();

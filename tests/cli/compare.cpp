@@ -125,6 +125,34 @@ TEST_F(Compare, ResumeKeepsFinishedRuns) {
   EXPECT_EQ(folder.json("out/compare.json").at("cases").size(), 2U);
 }
 
+TEST_F(Compare, ResumeComputesAgainOnceAFileThatTheCaseNamesHasChanged) {
+  const auto distance = [&](double curvature) {
+    std::string lines;
+    for (int j = -5; j <= 5; ++j)
+      for (int i = -5; i <= 5; ++i)
+        lines += std::to_string(2 * i) + ',' + std::to_string(2 * j) + ',' +
+                 std::to_string(curvature * 4 * (i * i + j * j)) + '\n';
+    folder.file("distance.csv", lines);
+  };
+  distance(1e-3);
+  const std::string file = folder.file("one.toml",
+                                       "[load]\nnormal_force = 5e4\n[friction]\ncoefficient = 0.3\n"
+                                       "[undeformed_distance]\nfile = \"distance.csv\"\n"
+                                       "[contact_grid]\nelements_across = 8\n");
+  const std::vector<std::string> call{"compare",     file, "--model", "halfspace",
+                                      "--no-report", "-o", "out"};
+  const auto pressure = [&] {
+    return folder.json("out/one/summary.json")["models"][0]["points"][0]["max_pressure"]
+        .get<double>();
+  };
+  done(call);
+  const double before = pressure();
+  EXPECT_TRUE(says(done(joined(call, {"--resume"})).err, "compare: one was already done"));
+  distance(2e-3);
+  done(joined(call, {"--resume"}));
+  EXPECT_GT(pressure(), 1.2 * before);
+}
+
 TEST_F(Compare, RefusesWhatMakesNoSense) {
   const std::string one = folder.file("one.toml", quick_pair);
   refuses({"compare"}, "no case file is named");

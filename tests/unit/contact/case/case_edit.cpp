@@ -129,3 +129,32 @@ TEST(TextInFolder, PathsLeadFromThere) {
   EXPECT_TRUE(
       says(text_in_folder(pair, folder.path("out")), "\"S1002\"", "\"../mine/worn/rail.csv\""));
 }
+
+TEST(FilesReadBy, ACaseAreThoseOfItsKeysAndOfListsAmongThem) {
+  const TemporaryFolder folder;
+  // A list that names itself, and one that names another list, end too.
+  folder.file("rail.sections",
+              "0 a.csv 1.0 -  # comment\n100, 'deep/b.csv' 2 3\n200 rail.sections\n");
+  folder.file("deep/wheel.slcw", "0 1\n2\n0 0 0\n1\n0 'c.prw'\n90 missing.prw\n");
+  for (const char* file : {"a.csv", "deep/b.csv", "deep/c.prw", "wheel.msh", "rail.csv", "s.csv"})
+    folder.file(file, "1 2\n");
+  Case input;
+  input.file = folder.path("case.toml");
+  input.wheel.profile.name = "deep/wheel.slcw";
+  input.rail.profile.name = "rail.sections";
+  input.wheel.mesh = "wheel.msh";
+  input.wheel.plasticity.emplace().residual.file = "s.csv";
+  input.undeformed_distance.values.emplace().file = "rail.csv";
+  input.rolling.extra_slip_values.emplace().file = "deep/../a.csv";
+  std::vector<std::string> expected;
+  for (const char* file : {"deep/wheel.slcw", "deep/c.prw", "wheel.msh", "rail.sections", "a.csv",
+                           "deep/b.csv", "s.csv", "rail.csv"})
+    expected.push_back(folder.path(file));
+  std::vector<std::string> found = files_read_by(input);
+  std::sort(found.begin(), found.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(found, expected);
+  input.wheel.profile.name = "S1002";
+  input.rail.profile.name = "missing.csv";
+  EXPECT_EQ(files_read_by(input).size(), 4U);
+}

@@ -86,7 +86,8 @@ TEST_F(ResultFolderTest, MakesMissingParentsAndTakesEmptyFolders) {
 TEST_F(ResultFolderTest, ReplacesAnEarlierResultButKeepsFilesOfOthers) {
   write_results(target(), synthetic_run());
   fs::create_directory(fs::path(target()) / "figures");
-  for (const char* name : {"notes.txt", "figures/old.svg", "figures/mine.png", "fields/my.txt"})
+  for (const char* name : {"notes.txt", "figures/old.svg", "figures/mine.png", "fields/my.txt",
+                           "pass_work.csv", "wheelset_rigid.csv"})
     std::ofstream(fs::path(target()) / name) << name;
   RunRecord second = synthetic_run();
   second.input.title = "second";
@@ -95,9 +96,19 @@ TEST_F(ResultFolderTest, ReplacesAnEarlierResultButKeepsFilesOfOthers) {
   EXPECT_TRUE(says(contents(fs::path(target()) / "summary.json"), "second"));
   EXPECT_FALSE(fs::exists(fs::path(target()) / "path_y.csv"));
   EXPECT_FALSE(fs::exists(fs::path(target()) / "figures/old.svg"));
+  for (const char* name : {"pass_work.csv", "wheelset_rigid.csv"})
+    EXPECT_NE(contents(fs::path(target()) / name), name);
   for (const char* name : {"notes.txt", "figures/mine.png", "fields/my.txt"})
     EXPECT_EQ(contents(fs::path(target()) / name), name);
   EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(ResultFolderTest, WritesOnlyFilesThatAnotherResultReplaces) {
+  ResultFolder folder(target());
+  for (const char* name :
+       {"later.csv", "figures/later.png", "fields/later.csv", "other/path_x.csv"})
+    EXPECT_THROW(folder.write(name, "text"), std::logic_error) << name;
+  EXPECT_NO_THROW(folder.write("pass_work.csv", "text"));
 }
 
 TEST_F(ResultFolderTest, RefusesAFolderWithOtherFilesAndAFileAndTheCurrentFolder) {
