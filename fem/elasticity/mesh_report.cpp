@@ -2,6 +2,7 @@
 #include "fem/elasticity/mesh_report.hpp"
 
 #include "fem/discretisation/case_bodies.hpp"
+#include "fem/linear/solver_choice.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "meshes/cell_quality.hpp"
@@ -105,8 +106,9 @@ MeshedBody report(const Body& body, const std::string& name) {
 }  // namespace
 
 std::vector<MeshedBody> mesh_case(const contact::Scene& scene) {
-  const CaseBodies bodies =
-      make_bodies(scene, run_layout(scene, default_cell_size(scene)).bodies, MPI_COMM_WORLD);
+  const double cell = default_cell_size(scene);
+  refuse_beyond_memory(scene, cell);
+  const CaseBodies bodies = make_bodies(scene, run_layout(scene, cell).bodies, MPI_COMM_WORLD);
   std::vector<MeshedBody> reports;
   for (std::size_t k = 0; k < 2; ++k)
     if (const Body* body = bodies.both()[k]) reports.push_back(report(*body, body_names[k]));

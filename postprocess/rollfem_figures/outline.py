@@ -222,7 +222,7 @@ def filled(panel, right, up, values):
     low, high = float(values.min()), float(values.max())
     step = nice_step(max(high - low, 1e-6 * max(abs(high), 1e-9)), len(VIRIDIS) - 1)
     first = math.floor(low / step + 1e-9)
-    levels = [step * n for n in range(first, first + len(VIRIDIS)) if step * n < high]
+    levels = [step * n for n in range(first, first + len(VIRIDIS)) if step * n < high or n == first]
     rows, columns = values.shape
     # A ring beyond the border closes the lines; the border clips it.
     x, y = np.arange(-1, columns + 1.0), np.arange(-1, rows + 1.0)

@@ -326,7 +326,7 @@ LOOKS = [("`([^`]*)`", r"<code>\1</code>"), (r"\bmu\b", "μ"), (r"\bp0\b", "p<su
 def verdict(text):
     """The verdict of a comparison or study, with the model labels of figures and tables."""
     text = escape(text)
-    for pattern, look in LOOKS + [(rf"(?<![\w.-]){name}(?![\w-])", label)
+    for pattern, look in LOOKS + [(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", escape(label).replace("\\", r"\\"))
                                   for name, label in styles.LABELS.items()]:
         text = re.sub(pattern, look, text)
     return f"<p class=say>{text}</p>" if text else ""

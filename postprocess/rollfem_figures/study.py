@@ -166,7 +166,7 @@ def _heading(place, key):
 
 def _noted(html, note):
     """A cell with a note under it."""
-    return f"{html}<br><span class=d>{note}</span>"
+    return f"{html}<br><span class=d>{escape(note)}</span>"
 
 
 def _value_cell(place, series, level, key):

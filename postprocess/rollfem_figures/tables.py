@@ -99,7 +99,7 @@ def table(head, rows, kind="", frame="", name=""):
 
 def unit(quantity):
     """" [mm²]"; empty if there is none."""
-    return "" if quantity.unit == "-" else f" [{quantity.unit.replace('^2', '²')}]"
+    return "" if quantity.unit == "-" else f" [{escape(quantity.unit).replace('^2', '²')}]"
 
 
 def heading(quantity):
