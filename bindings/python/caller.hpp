@@ -8,9 +8,38 @@
 
 #include <atomic>
 #include <optional>
+#include <unistd.h>
 #include <utility>
 
 namespace rollfem::python {
+
+/// Made with the GIL. A daemon thread that takes the GIL again while the interpreter ends would be
+/// ended within frames that must not be unwound; it waits for the end of the process instead.
+class Returning {
+ public:
+  void wait_if_too_late() const {
+    while (!ending_ && _Py_IsFinalizing() != 0) ::pause();
+  }
+
+ private:
+  bool ending_ = _Py_IsFinalizing() != 0;  ///< by this thread
+};
+
+/// The GIL is free while this object lives.
+class FreeGil {
+ public:
+  FreeGil() : state_(PyEval_SaveThread()) {}
+  ~FreeGil() {
+    returning_.wait_if_too_late();
+    PyEval_RestoreThread(state_);
+  }
+  FreeGil(const FreeGil&) = delete;
+  FreeGil& operator=(const FreeGil&) = delete;
+
+ private:
+  Returning returning_;
+  PyThreadState* state_;
+};
 
 /// A Python exception on its way through the solver: no std::exception, which some model might take
 /// for one of its own.
@@ -31,6 +60,7 @@ class Caller {
 
  private:
   void tell(const ProgressEvent& event) {
+    returning_.wait_if_too_late();
     const py::gil_scoped_acquire gil;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -42,6 +72,7 @@ class Caller {
   }
 
   py::object callback_;
+  Returning returning_;
   std::optional<py::error_already_set> raised_;
 };
 
@@ -69,7 +100,7 @@ template <class Work>
 auto without_gil(py::object callback, const Work& work) {
   Caller caller(std::move(callback));
   try {
-    const py::gil_scoped_release free;
+    const FreeGil free;
     const OneBlasThread one_thread;
     const contact::Threads threads(wanted_threads());
     return work(caller.progress());

@@ -83,7 +83,7 @@ void write_files(const std::string& folder, const std::map<std::string, std::str
 
 /// Figures and page of what rollfem has written; why they were not drawn, empty where they were.
 std::string draw(const std::string& path) {
-  const py::gil_scoped_release free;
+  const FreeGil free;
   return postprocess::make_report(path, figures_directory());
 }
 

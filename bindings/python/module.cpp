@@ -36,7 +36,7 @@ py::tuple solved(const Case& input, const std::vector<std::string>& models, py::
 /// Python's Ctrl-C handler may not interrupt here; writing is complete or does not happen in any
 /// case.
 std::string written(const Result& result, const std::string& folder, bool report) {
-  const py::gil_scoped_release free;
+  const FreeGil free;
   return write(folder, result, report);
 }
 

@@ -28,7 +28,7 @@ auto over_rows(TableForces (*ask)(const CreepTableReader&, Number...)) {
   return [ask](const CreepTableReader& reader, const std::vector<Number>&... columns) {
     const std::size_t count = std::min({columns.size()...});
     std::vector<Column> found(6, Column(count));
-    const py::gil_scoped_release free;
+    const FreeGil free;
     for (std::size_t k = 0; k < count; ++k) {
       const TableForces forces = ask(reader, columns[k]...);
       for (std::size_t q = 0; q < 3; ++q) found[q][k] = forces.forces[q];

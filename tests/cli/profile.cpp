@@ -67,6 +67,10 @@ TEST_F(Profile, FeaturesAreFoundWhereAListGivesNone) {
   EXPECT_TRUE(says(outcome.out, "5 found, bends and kinks", "  from 0 to 20\n"));
   EXPECT_TRUE(says(folder.text("out/sections.svg"), "lines: features"));
   EXPECT_TRUE(says(folder.text("out/sections.csv"), "-20,1,,\n"));
+  // Equal sections have one height everywhere along the way.
+  const std::string equal = folder.file("equal.sections", "0 wing.csv\n1 wing.csv\n");
+  done({"profile", equal, "-o", "equal"});
+  EXPECT_TRUE(folder.holds("equal/sections.svg"));
   EXPECT_TRUE(says(done({"profile", file, "--json"}).out, "null", "\"features\": 5"));
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command study: levels, orders, references and refusals.
+#include "postprocess/files/seal.hpp"
+
 #include "support/case_examples.hpp"
 #include "support/csv_rows.hpp"
 #include "support/program.hpp"
@@ -39,6 +41,18 @@ TEST_F(Study, ShowsTheOrderOfTheHalfSpacePressure) {
   const std::string sealed = folder.text("results/quick_study/study.json");
   folder.file("work/results/quick_study/study.json", sealed.substr(0, sealed.rfind(',')) + "\n}\n");
   EXPECT_TRUE(says(call({"report", "results/quick_study"}).err, "its checksum"));
+  // No text of the file becomes a part of the page.
+  nlohmann::json forged = nlohmann::json::parse(sealed);
+  const std::string script = "<script>";
+  forged.erase("checksum");
+  forged["labels"]["halfspace"] = script;
+  for (auto& quantity : forged["quantities"]) quantity["unit"] = script;
+  for (auto& reference : forged["places"][0]["series"][0]["references"]) reference["kind"] = script;
+  folder.file("work/results/quick_study/study.json", postprocess::sealed_json(forged.dump(1)));
+  done({"report", "results/quick_study"});
+  const std::string page = folder.text("results/quick_study/study.html");
+  EXPECT_TRUE(says(page, "&lt;script&gt;"));
+  EXPECT_FALSE(says(page, script));
 }
 
 /// For a small force on a circle with nu = 0.25: Kalker's C11 = 4.12 (1967, table of the thesis),

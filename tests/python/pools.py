@@ -6,6 +6,7 @@ import multiprocessing
 import os
 import pathlib
 import pickle
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -59,6 +60,15 @@ class Threads(unittest.TestCase):
             rollfem.solve(case, model="halfspace", progress=stop)
         with self.assertRaisesRegex(rollfem.InputError, "allowed: 1 to 1024"):
             rollfem.threads(0)
+
+    def test_the_interpreter_ends_in_silence_while_a_daemon_thread_solves(self):
+        script = ("import rollfem, threading, time\n"
+                  f"case = rollfem.Case({SMALL!r}).with_(elements_across=60)\n"
+                  "threading.Thread(target=lambda: [rollfem.solve(case) for _ in range(1000)], daemon=True).start()\n"
+                  "time.sleep(0.5)\n").replace("inf", "float('inf')")
+        for _ in range(4):
+            ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+            self.assertEqual((ended.returncode, ended.stderr), (0, ""))
 
     def test_results_are_written_read_and_evaluated(self):
         result = rollfem.solve(SMALL, model="halfspace")

@@ -24,7 +24,7 @@ TEST(SummaryJson, HasTheDocumentedKeysAndNoOthers) {
     for (const auto& item : object.items()) names += item.key() + " ";
     return names;
   };
-  EXPECT_EQ(keys(json), "format title case_file program verdict models checksum ");
+  EXPECT_EQ(keys(json), "format title case_file case_checksum program verdict models checksum ");
   EXPECT_EQ(json["format"], 2);
   EXPECT_EQ(keys(json["program"]), "version commit ");
   const auto& model = json["models"][1];
