@@ -21,8 +21,8 @@ def whole(path):
 
 
 def write_whole(path, text):
-    """Writes a text completely or not at all."""
-    with whole(path) as part, open(part, "w", encoding="utf-8") as file:
+    """Writes a text completely or not at all; bytes of file names that are not UTF-8 become ?."""
+    with whole(path) as part, open(part, "w", encoding="utf-8", errors="replace") as file:
         file.write(text)
 
 

@@ -50,6 +50,24 @@ TEST_F(Run, LeavesResultsAndSaysWhere) {
   EXPECT_TRUE(says(outcome.out, text));
 }
 
+TEST_F(Run, LeavesNoFileOfAnEarlierRunInItsFolder) {
+  const std::string file = folder.file("quick.toml", quick_run);
+  const auto run = [&](const std::string& directory, const std::string& friction) {
+    done(
+        {"run", file, "--no-report", "-o", directory, "--set", "friction.coefficient=" + friction});
+  };
+  run("fresh", "0.1");
+  run("again", "0.5");
+  run("again", "0.1");
+  for (const char* name : {"/pass_work.csv", "/path_x.csv", "/path_y.csv"})
+    EXPECT_EQ(folder.text(std::string("again") + name), folder.text(std::string("fresh") + name));
+}
+
+TEST_F(Run, AReportIsDrawnOfAFileWhoseNameIsNotUtf8) {
+  done({"run", folder.file("latin\xe9.toml", quick_run), "-o", "out"});
+  EXPECT_TRUE(folder.holds("out/report.html"));
+}
+
 TEST_F(Run, SaysWhichProblemIsSolved) {
   const std::string grid = "[contact_grid]\nelements_across = 10\n";
   struct Row {
