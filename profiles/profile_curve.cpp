@@ -2,9 +2,12 @@
 #include "profiles/profile_curve.hpp"
 
 #include "contact/base/count.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/base/knots.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -179,8 +182,12 @@ std::vector<double> dense_parameters(const ProfileCurve& curve, double step, dou
 
 contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter) {
   const double middle = std::clamp(parameter, curve.first(), curve.last());
-  if (!usable(curve.at(middle)))
-    throw std::invalid_argument("the profile is too steep here to be a height over y");
+  if (const ProfilePoint here = curve.at(middle); !usable(here))
+    throw contact::SolveError(fmt::format(
+        "the profile is steeper than 85 degrees at y = {:.4g} mm, where the bodies would "
+        "touch; allowed: contact on parts that are heights over y; do: correct the "
+        "profile, its rotation or mirror, or move the wheel",
+        here.y));
   const auto& knots = curve.knots().parameter;
   // Knots of the usable part, searched outwards from the requested parameter.
   std::vector<double> places{middle};

@@ -83,7 +83,7 @@ std::vector<double> dense_parameters(const ProfileCurve& curve, double step, dou
 inline constexpr double steepest = 12.0;
 
 /// Height z over y of the part of the curve about `parameter` that is single valued and not steeper
-/// than `steepest`. Throws std::invalid_argument when it is steeper at `parameter` itself.
+/// than `steepest`. Throws contact::SolveError when it is steeper at `parameter` itself.
 contact::HeightCurve height_over_y(const ProfileCurve& curve, double parameter);
 
 // Features of a profile: ends, length, extreme points, radii, joints of its curvature.

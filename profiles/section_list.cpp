@@ -15,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -158,13 +159,22 @@ std::vector<double> at_lengths(const ProfileCurve& curve, const std::vector<doub
 }
 
 void check_list(const SectionList& list, const std::string& name) {
-  if (list.sections.size() < 2)
-    fail(name, 1, fmt::format("{} sections", list.sections.size()), "at least two",
-         "list position and file of each, a line for each");
-  for (std::size_t k = 1; k < list.sections.size(); ++k) {
-    const Listed& before = list.sections[k - 1];
+  constexpr std::size_t most_sections = 10'000, most_features = 1000;
+  if (list.sections.size() < 2 || list.sections.size() > most_sections)
+    fail(name, 1, fmt::format("{} sections", list.sections.size()),
+         fmt::format("2 to {}", most_sections), "list position and file of each, a line for each");
+  for (std::size_t k = 0; k < list.sections.size(); ++k) {
     const Listed& here = list.sections[k];
-    if (!(here.position > before.position))
+    const Listed& before = list.sections[k > 0 ? k - 1 : 0];
+    contact::ProfileSource section;
+    section.name = here.file;
+    if (section.lists_sections())
+      fail(name, here.line, fmt::format("{} is a list of sections", contact::printable(here.file)),
+           "files with one profile", "list its sections here");
+    if (here.features.size() > most_features)
+      fail(name, here.line, fmt::format("{} features", here.features.size()),
+           fmt::format("up to {}", most_features), "give fewer");
+    if (k > 0 && !(here.position > before.position))
       fail(name, here.line, fmt::format("position {:g} after {:g}", here.position, before.position),
            "increasing positions", "sort the sections");
     if (here.features.size() != before.features.size())
@@ -172,6 +182,36 @@ void check_list(const SectionList& list, const std::string& name) {
            fmt::format("{}, as many for each section", before.features.size()),
            "give the same features for each section, - for one that it lacks");
   }
+}
+
+/// Whether a wheel's list describes a full turn, after which it repeats. If less than about a step
+/// is missing, the first section comes again at the end.
+bool close_turn(SectionList& list, const std::string& name) {
+  constexpr double turn = 2.0 * contact::pi, largest_rounding = 5e-3;  // rad
+  std::vector<Listed>& all = list.sections;
+  const double way = all.back().position - all.front().position, rest = turn - way;
+  const double step = std::max(all[1].position - all[0].position,
+                               all.back().position - all[all.size() - 2].position);
+  const double rounding = std::min(largest_rounding, 0.25 * step);
+  if (rest < -rounding)
+    fail(name, all.back().line, fmt::format("angles over {:g} rad", way),
+         "at most a turn, 2 pi = 6.283185",
+         "give angles in rad, and every place of the wheel once");
+  if (rest > 1.5 * step) return false;
+  if (rest > rounding) all.push_back(all.front());
+  all.back().position = all.front().position + turn;
+  return true;
+}
+
+/// Whether both have the same points, to the digits of a file.
+bool alike(const PlacedSection& a, const PlacedSection& b) {
+  constexpr double digits = 1e-6;  // mm
+  const auto near = [](const std::vector<double>& x, const std::vector<double>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [](double p, double q) { return std::abs(p - q) < digits; });
+  };
+  return near(a.curve.knots().y, b.curve.knots().y) && near(a.curve.knots().z, b.curve.knots().z) &&
+         near(a.features, b.features);
 }
 
 }  // namespace
@@ -182,26 +222,34 @@ ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
   constexpr std::size_t largest = 10'000'000;
   const std::string text = contact::text_of_file(path.string(), source.name, largest);
   const bool plain = std::filesystem::path(source.name).extension() == ".sections";
-  const SectionList list = plain ? read_rows(text, source.name) : read_slices(text, source.name);
+  SectionList list = plain ? read_rows(text, source.name) : read_slices(text, source.name);
   check_list(list, source.name);
-  ListedSections read{{}, list.spline, false, list.sections.front().features.empty()};
+  ListedSections read{{},
+                      list.spline,
+                      wheel && close_turn(list, source.name),
+                      list.sections.front().features.empty()};
+  std::map<std::string, ProfileCurve> curves;
   for (const Listed& listed : list.sections) {
     contact::ProfileSource one = source;
     one.name = (std::filesystem::path(source.name).parent_path() / listed.file).string();
-    PlacedSection section{listed.position, make_profile(one, wheel, case_file), {}};
+    const auto [curve, first_time] = curves.try_emplace(one.name);
+    if (first_time) curve->second = make_profile(one, wheel, case_file);
+    PlacedSection section{listed.position, curve->second, {}};
     section.features = at_lengths(section.curve, listed.features);
     if (section.features.size() != listed.features.size())
       fail(source.name, listed.line, "a feature beyond the end of its section",
            "arc lengths from the start of the section, mm", "correct it");
     read.sections.push_back(std::move(section));
   }
+  if (read.around && !alike(read.sections.front(), read.sections.back()))
+    fail(source.name, list.sections.back().line, "a full turn ends with another section",
+         "the section of the first line, because the wheel repeats there",
+         "leave this line out, or name the first section");
   if (read.found) try {
       find_features(read.sections);
     } catch (const std::invalid_argument& error) {
       throw InputError(fmt::format("{}: {}", source.name, error.what()));
     }
-  const double way = read.sections.back().position - read.sections.front().position;
-  read.around = wheel && std::abs(way - 2.0 * contact::pi) < 1e-3;
   return read;
 }
 
@@ -209,10 +257,9 @@ std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource
                                                     bool wheel, const std::string& case_file) {
   if (!source.lists_sections()) return {};
   ListedSections read = read_sections(source, wheel, case_file);
-  const double way = read.sections.back().position - read.sections.front().position;
   try {
     return std::make_shared<const SectionSurface>(std::move(read.sections), read.spline,
-                                                  read.around ? way : 0.0);
+                                                  wheel ? 2.0 * contact::pi : 0.0);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}; do: correct the list of sections (docs/profiles.md)",
                                  source.name, error.what()));

@@ -15,7 +15,7 @@ std::vector<double> ends_of_parts(const PlacedSection& section);
 struct ListedSections {
   std::vector<PlacedSection> sections;
   SectionSpline spline = SectionSpline::through;
-  bool around = false;  ///< a wheel described over a full turn
+  bool around = false;  ///< a wheel described over a full turn; the last section is the first
   bool found = false;   ///< the features, which the list does not give
 };
 

@@ -172,11 +172,13 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
     : count_(sections.size()), turn_(turn) {
   if (sections.size() < 2) throw std::invalid_argument("a surface needs at least two sections");
   given_ = {sections.front().position, sections.back().position};
+  constexpr double digits = 1e-9;
+  const bool around = turn > 0.0 && given_[1] - given_[0] > (1.0 - digits) * turn;
   for (const PlacedSection& section : sections)
     for (const double feature : section.features)
-      if (turn > 0.0 && std::isnan(feature))
+      if (around && std::isnan(feature))
         throw std::invalid_argument("around a wheel every section needs all features");
-  if (turn > 0.0) sections = continued(sections, turn);
+  if (around) sections = continued(sections, turn);
   std::vector<std::vector<double>> bounds;
   for (const PlacedSection& section : sections) {
     if (!way_.empty() && !(section.position > way_.back()))
@@ -263,16 +265,24 @@ void SectionSurface::run_along_way(SectionSpline spline,
 bool SectionSurface::exists(double way, double parameter) const {
   if (presence_.empty()) return true;
   const auto [from, to] = presence_[contact::piece_of(parameter_, parameter).first];
-  return way >= from && way <= to;
+  const double within = within_turn(way);
+  return within >= from && within <= to;
+}
+
+/// The same place of a wheel, at most half a turn from the middle of the given sections.
+double SectionSurface::within_turn(double way) const {
+  if (turn_ == 0.0) return way;
+  return way - turn_ * std::round((way - 0.5 * (given_[0] + given_[1])) / turn_);
 }
 
 double SectionSurface::known_way(double way) const {
-  if (turn_ > 0.0) return way - turn_ * std::floor((way - given_[0]) / turn_);
-  return std::clamp(way, given_[0], given_[1]);
+  const double within = within_turn(way);
+  return closed() ? within : std::clamp(within, given_[0], given_[1]);
 }
 
 SurfacePoint SectionSurface::at(double way, double parameter) const {
   const double known = known_way(way);
+  const bool beyond = known != within_turn(way);
   const auto along = contact::piece_of(way_, known),
              across = contact::piece_of(parameter_, parameter);
   const std::size_t step = parameter_.size();
@@ -291,11 +301,10 @@ SurfacePoint SectionSurface::at(double way, double parameter) const {
                          slopes[0].value, slopes[1].value);
     value = here.value;
     by_parameter = here.slope;
-    by_way = known != way && turn_ == 0.0
-                 ? 0.0
-                 : contact::hermite(across.length, across.part, heights[0].slope, heights[1].slope,
-                                    slopes[0].slope, slopes[1].slope)
-                       .value;
+    by_way = beyond ? 0.0
+                    : contact::hermite(across.length, across.part, heights[0].slope,
+                                       heights[1].slope, slopes[0].slope, slopes[1].slope)
+                          .value;
   };
   SurfacePoint point;
   coordinate(y_, point.y, point.y_way, point.y_across);

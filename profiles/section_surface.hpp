@@ -49,8 +49,9 @@ struct SurfaceHeight {
 
 class SectionSurface {
  public:
-  /// At least two sections with increasing positions. `turn`: the way after which the sections
-  /// repeat (2 pi of a wheel described all around), otherwise 0. Throws std::invalid_argument.
+  /// At least two sections with increasing positions. `turn`: the way after which a wheel repeats,
+  /// 2 pi, otherwise 0; sections over all of it end with the first one. Throws
+  /// std::invalid_argument.
   SectionSurface(std::vector<PlacedSection> sections, SectionSpline spline, double turn = 0.0);
 
   SurfacePoint at(double way, double parameter) const;
@@ -81,6 +82,8 @@ class SectionSurface {
   /// `having`: the first and the last section that have each node.
   void run_along_way(SectionSpline spline, const std::vector<std::array<std::size_t, 2>>& having,
                      Nodes& nodes) const;
+  bool closed() const { return way_.front() < given_[0]; }  ///< a wheel described all around
+  double within_turn(double way) const;
   double known_way(double way) const;
 
   std::vector<double> way_, parameter_;

@@ -37,7 +37,9 @@ std::string sections_text(const ListedSections& family, const std::string& title
   line("sections", fmt::format("{}", sections.size()));
   line(wheel ? "angles about the axle, rad" : "positions along the track, mm",
        fmt::format("{:g} to {:g}, {} apart{}", first.position, last.position, steps_of(sections),
-                   family.around ? "; a full turn, which repeats" : ""));
+                   family.around ? "; a full turn, which repeats"
+                   : wheel       ? "; beyond these angles the wheel is round"
+                                 : ""));
   line("between sections", family.spline == profiles::SectionSpline::through
                                ? "every point follows a cubic spline through them"
                                : "every point follows a spline that rounds kinks");

@@ -193,7 +193,8 @@ void ChartedGeometry::undeformed_distance(const ContactGrid& grid, Field& distan
     grid.sample_into(distance, [&](double x, double y) {
       const double at = lateral_place(y);
       if (!is_this_contact(at)) return beyond_the_wheel;
-      return std::min(contact::undeformed_distance(geometry_.surface, x, at), beyond_the_wheel);
+      // Not a number where a body has no surface.
+      return std::fmin(contact::undeformed_distance(geometry_.surface, x, at), beyond_the_wheel);
     });
     return add_averaging(grid, distance);
   }

@@ -179,7 +179,8 @@ Box next_box(const Found& found) {
 /// of the search jump from one position to the next; this lattice moves with the bodies.
 ContactGrid lattice_over(const Found& found) {
   const Box box = next_box(found);
-  const double dx = found.patch.carrying_length / elements_of_lattice;
+  const double dx = std::max(found.patch.carrying_length / elements_of_lattice,
+                             (box.x_upper - box.x_lower) / most_rows);
   const double dy = std::max(found.patch.carrying_width / elements_of_lattice,
                              (box.y_upper - box.y_lower) / most_rows);
   const double i = std::floor(box.x_lower / dx), j = std::floor(box.y_lower / dy);

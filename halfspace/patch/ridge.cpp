@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "halfspace/patch/ridge.hpp"
 
+#include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 
 #include <algorithm>
@@ -109,6 +110,12 @@ Ridge::Ridge(const contact::PatchGeometry& patch) {
     points_.push_back(ridge_point(patch, y));
     angle_.push_back(std::atan(patch.rail().at(y).slope));
   }
+  if (!std::isfinite(least_distance()))
+    throw contact::SolveError(
+        "wheel and rail do not face each other in the plane of this contact: its reference point "
+        "is where one of them ends or is steeper than 45 degrees against the plane; allowed: "
+        "contacts on surfaces that go on to both sides; do: check the profiles and radii, or move "
+        "the wheel");
   if (patch.varies()) look_along(patch);
 }
 
@@ -123,10 +130,9 @@ void Ridge::look_along(const contact::PatchGeometry& patch) {
 }
 
 double Ridge::least_distance() const {
-  return std::min_element(
-             points_.begin(), points_.end(),
-             [](const RidgePoint& a, const RidgePoint& b) { return a.distance < b.distance; })
-      ->distance;
+  double least = infinity;
+  for (const RidgePoint& point : points_) least = std::min(least, point.distance);
+  return least;
 }
 
 Overlap Ridge::overlap(double level) const {

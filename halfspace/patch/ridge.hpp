@@ -44,6 +44,7 @@ struct Overlap {
 /// (PatchGeometry::limits).
 class Ridge {
  public:
+  /// Throws contact::SolveError where there is none at the reference point.
   explicit Ridge(const contact::PatchGeometry& patch);
 
   Overlap overlap(double level) const;

@@ -62,14 +62,9 @@ Vector3 slip_at(const WheelRailContact& contact, const Motion& motion, const Vec
   at = sum(at, contact.across, place[1]);
   at = sum(at, contact.normal, place[2]);
   Vector3 slip = velocity(contact, motion, at);
-  // Vertical speed that keeps the bodies together; z points down, the normal up. Rotation about the
-  // axle moves the wheel along its own surface and does not separate the bodies.
-  const Vector3 arm = sum(contact.origin, contact.axle.point, -1.0);
-  const Vector3 turning{motion.roll_velocity, 0.0, motion.yaw_velocity};
-  const Vector3 aside =
-      sum(sum({0.0, motion.lateral_velocity, 0.0}, cross(turning, arm)), contact.own_velocity);
-  // A surface that changes along its way parts or presses by rolling too.
-  const double parting = dot(contact.geometry.varies() ? slip : aside, contact.normal);
+  // Vertical speed that keeps the bodies together at the reference point; z points down, the normal
+  // up. The plane there is not quite tangent to the wheel, so rolling parts or presses them too.
+  const double parting = dot(velocity(contact, motion, contact.origin), contact.normal);
   slip[2] += motion.vertical_velocity.value_or(-parting / contact.normal[2]);
   return {dot(slip, contact.along), dot(slip, contact.across), dot(slip, contact.normal)};
 }

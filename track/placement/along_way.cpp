@@ -116,6 +116,13 @@ contact::HeightCurve seen_from_above(const ProfileCurve& section) {
 struct BodiesAlongWay::Rail {
   std::shared_ptr<const SectionSurface> surface;
   double way = 0.0;
+  double rolling_radius = contact::infinity;  ///< of a roller
+  Axle axle;
+  /// A point with its derivatives by the way and by the parameter.
+  struct Point {
+    Vector3 place, by_way, by_parameter;
+  };
+  Point at(double along, double parameter) const;
   /// Rail at one x: what of it is seen from above, as z (down) and as the parameter over y.
   struct Row {
     double x = 0.0;
@@ -132,6 +139,28 @@ struct BodiesAlongWay::Rail {
   SlopedHeight height_in(const SurfaceFrame& frame, double x, double y) const;
   SlopedHeight height_from(const Row& row, const SurfaceFrame& frame, double x, double y) const;
 };
+
+/// On a roller the section at `along` is turned about the axle from the plane x = 0.
+BodiesAlongWay::Rail::Point BodiesAlongWay::Rail::at(double along, double parameter) const {
+  const profiles::SurfacePoint at = surface->at(way + along, parameter);
+  if (std::isinf(rolling_radius))
+    return {{along, at.y, at.z}, {1.0, at.y_way, at.z_way}, {0.0, at.y_across, at.z_across}};
+  const Vector3 &e = axle.direction, down{0.0, -e[2], e[1]};
+  const double sine = std::sin(along / rolling_radius), cosine = std::cos(along / rolling_radius);
+  const auto turned = [&](double y, double z) {
+    const double axial = y * e[1] + z * e[2], radial = y * down[1] + z * down[2];
+    return Vector3{-sine * radial, axial * e[1] + cosine * radial * down[1],
+                   axial * e[2] + cosine * radial * down[2]};
+  };
+  const Vector3 arm = turned(at.y - axle.point[1], at.z - axle.point[2]);
+  const Vector3 around = contact::cross(arm, e);
+  Point point{arm, turned(at.y_way, at.z_way), turned(at.y_across, at.z_across)};
+  for (int d = 0; d < 3; ++d) {
+    point.place[d] += axle.point[d];
+    point.by_way[d] += around[d] / rolling_radius;
+  }
+  return point;
+}
 
 SlopedHeight BodiesAlongWay::Rail::height_in(const SurfaceFrame& frame, double x, double y) const {
   const double along = frame.origin[0] + x * frame.x[0] + y * frame.y[0];
@@ -153,15 +182,16 @@ SlopedHeight BodiesAlongWay::Rail::height_from(const Row& row, const SurfaceFram
   const double aside = std::clamp(at_plane(1), row.parameter.first(), row.parameter.last());
   double parameter = row.parameter.at(aside).value;
   for (int step = 0; step < 30; ++step) {
-    const profiles::SurfacePoint at = surface->at(way + along, parameter);
-    const Vector3 by_way{1.0, at.y_way, at.z_way}, by_parameter{0.0, at.y_across, at.z_across};
-    const Vector3 arm{along - frame.origin[0], at.y - frame.origin[1], at.z - frame.origin[2]};
+    auto [arm, by_way, by_parameter] = this->at(along, parameter);
+    for (int d = 0; d < 3; ++d) arm[d] -= frame.origin[d];
     const double defect_x = x - dot(arm, frame.x), defect_y = y - dot(arm, frame.y);
     const double a = dot(by_way, frame.x), b = dot(by_parameter, frame.x);
     const double c = dot(by_way, frame.y), d = dot(by_parameter, frame.y);
     const double determinant = a * d - b * c;
     const double up = dot(by_way, frame.z), up_across = dot(by_parameter, frame.z);
-    if (!(std::abs(determinant) * profiles::steepest > std::abs(up_across))) break;
+    // Seen from above; a roller has a lower side too.
+    const double facing = dot(contact::cross(by_parameter, by_way), frame.z);
+    if (!(facing * profiles::steepest > std::abs(up_across))) break;
     const double change = (d * defect_x - b * defect_y) / determinant;
     const double across = (a * defect_y - c * defect_x) / determinant;
     if (std::abs(change) + std::abs(across) < 1e-11) {
@@ -187,6 +217,8 @@ BodiesAlongWay::BodiesAlongWay(Sections sections, const ProfileCurve& rail,
   auto all = std::make_shared<Rail>();
   all->surface = sections_.rail;
   all->way = sections_.rail_way;
+  all->rolling_radius = sections_.rail_rolling_radius;
+  all->axle = sections_.rail_axle;
   const double step = farthest_row * rolling_radius / rows_to_side;
   for (int k = -rows_to_side; k <= rows_to_side; ++k) {
     const double x = axle.point[0] + k * step;
@@ -207,29 +239,25 @@ contact::RailSurface BodiesAlongWay::rail_in(const SurfaceFrame& frame) const {
 }
 
 ProfileCurve BodiesAlongWay::rail_section(const AlongRail& along) const {
-  const SectionSurface& surface = *sections_.rail;
-  const ProfileCurve at = surface.section(sections_.rail_way + along.x);
+  const ProfileCurve at = sections_.rail->section(sections_.rail_way + along.x);
   profiles::ProfileKnots section = at.knots();
-  const Vector3 ahead = along.direction_from_top({1.0, 0.0, 0.0});
   for (std::size_t k = 0; k < section.parameter.size(); ++k) {
-    double x = along.x;
-    profiles::SurfacePoint point;
+    double way = along.x;
+    Vector3 place{}, by_way{}, by_parameter{};
     for (int step = 0; step < 20; ++step) {
-      point = surface.at(sections_.rail_way + x, section.parameter[k]);
-      const double off = along.place_to_top({x, point.y, point.z})[0];
-      const double change = off / (ahead[0] + ahead[2] * point.z_way);
-      x -= change;
-      if (std::abs(change) < 1e-12 * (1.0 + std::abs(x))) break;
+      const Rail::Point point = rail_->at(way, section.parameter[k]);
+      place = along.place_to_top(point.place);
+      by_way = along.direction_to_top(point.by_way);
+      by_parameter = along.direction_to_top(point.by_parameter);
+      const double change = place[0] / by_way[0];
+      way -= change;
+      if (std::abs(change) < 1e-12 * (1.0 + std::abs(way))) break;
     }
-    const Vector3 place = along.place_to_top({x, point.y, point.z});
-    const double turn =
-        -ahead[2] * point.z_across / (ahead[0] + ahead[2] * point.z_way);  // dx by the parameter
-    const Vector3 tangent = along.direction_to_top(
-        {turn, point.y_across + turn * point.y_way, point.z_across + turn * point.z_way});
+    const double turn = -by_parameter[0] / by_way[0];  // of the way by the parameter
     section.y[k] = place[1];
     section.z[k] = place[2];
-    section.dy[k] = tangent[1];
-    section.dz[k] = tangent[2];
+    section.dy[k] = by_parameter[1] + turn * by_way[1];
+    section.dz[k] = by_parameter[2] + turn * by_way[2];
   }
   return ProfileCurve(std::move(section));
 }
@@ -244,18 +272,19 @@ ProfileCurve BodiesAlongWay::wheel_section(double angle) const {
   return sections_.wheel->section(sections_.wheel_angle + angle);
 }
 
-contact::WheelSurface BodiesAlongWay::wheel_around(double angle_here, double angle_there) const {
+contact::WheelSurface BodiesAlongWay::wheel_around(double angle_here, double angle_there,
+                                                   double sign_y) const {
   if (!wheel_changes()) return {};
   const double offset = sections_.wheel_angle + angle_here - angle_there;
   const OverY part = part_about(wheel_section(angle_here), tread_y_);
-  return [surface = sections_.wheel, offset, radius = rolling_radius_,
+  return [surface = sections_.wheel, offset, sign_y, radius = rolling_radius_,
           parameters = part.parameters()](double axial, double angle) {
-    const double start =
-        parameters.at(std::clamp(axial, parameters.first(), parameters.last())).value;
+    const double y = sign_y * axial;
+    const double start = parameters.at(std::clamp(y, parameters.first(), parameters.last())).value;
     profiles::SurfaceHeight found;
-    if (!surface->height(offset + angle, axial, start, found))
+    if (!surface->height(offset + angle, y, start, found))
       return contact::RadiusAround{contact::infinity, 0.0, 0.0};
-    return contact::RadiusAround{radius + found.z, found.by_y, found.by_way};
+    return contact::RadiusAround{radius + found.z, sign_y * found.by_y, found.by_way};
   };
 }
 
@@ -283,7 +312,7 @@ BodiesAlongWay::Level BodiesAlongWay::level() const {
                   in_frame(axle_, level.frame),
                   std::min(level.first, -1.0),
                   std::max(level.last, 1.0)};
-  level.bodies.set_surfaces(rail_in(level.frame), wheel_around(0.0, 0.0));
+  level.bodies.set_surfaces(rail_in(level.frame), wheel_around(0.0, 0.0, 1.0));
   for (const double y : head.knots()) level.pieces.push_back(y - tread[1]);
   for (std::size_t k = 0; k < part.y.size(); ++k)
     level.pieces.push_back(axle_.point[1] + part.y[k] * axle_.direction[1] + radii[k] * down[1] -

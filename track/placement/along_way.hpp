@@ -52,6 +52,9 @@ class BodiesAlongWay {
     std::shared_ptr<const profiles::SectionSurface> wheel;  ///< profile coordinates
     double rail_way = 0.0;     ///< mm, position of the rail's section under the wheel's centre
     double wheel_angle = 0.0;  ///< rad, of the wheel's section that points down
+    /// Of a roller, whose sections follow each other along its circle of this radius, mm: its axle.
+    double rail_rolling_radius = contact::infinity;
+    contact::Axle rail_axle{};
   };
   /// `rail`, `wheel`: of a body that does not change; `axle`: at height 0 (place_axle).
   BodiesAlongWay(Sections sections, const profiles::ProfileCurve& rail,
@@ -72,9 +75,9 @@ class BodiesAlongWay {
   /// The section of the rail in the plane x = 0 of a frame that is turned about y, near a place of
   /// the side frame, as a curve of y and of z down from the side frame's z = 0.
   profiles::ProfileCurve rail_section(const AlongRail& along) const;
-  /// The radius of the wheel; angles are `angle_there` where the wheel's section has angle_here;
-  /// empty where it does not change.
-  contact::WheelSurface wheel_around(double angle_here, double angle_there) const;
+  /// The radius of the wheel; angles are `angle_there` where the wheel's section has angle_here,
+  /// and `sign_y` times the axial coordinate is the profile's y; empty where it does not change.
+  contact::WheelSurface wheel_around(double angle_here, double angle_there, double sign_y) const;
   /// The angle about the axle of a place of the side frame, from the direction down.
   double angle_of(const contact::Vector3& place) const;
   /// The wheel's profile at that angle.

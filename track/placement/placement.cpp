@@ -228,6 +228,13 @@ AlongRail AlongRail::sloping(double x, double z, double slope) {
   return along;
 }
 
+double AlongRail::height_at_top(const contact::Vector3& place, double rail_rolling_radius) {
+  if (std::isinf(rail_rolling_radius)) return place[2];
+  const double up = rail_rolling_radius - place[2], x = place[0];
+  const double radial = std::copysign(std::hypot(up, x), up);
+  return place[2] - x * x / (radial + up);
+}
+
 contact::Vector3 AlongRail::place_from_top(const contact::Vector3& place) const {
   const contact::Vector3 turned =
       direction_from_top({place[0] - to[0], place[1], place[2] - to[1]});

@@ -80,6 +80,8 @@ struct AlongRail {
   AlongRail(double x, double z, double rail_rolling_radius);
   /// To a place of a rail whose height changes by this slope dz/dx there.
   static AlongRail sloping(double x, double z, double slope);
+  /// z of a place when it has been turned about a roller's axle to the plane x = 0.
+  static double height_at_top(const contact::Vector3& place, double rail_rolling_radius);
   double slope() const { return sine / cosine; }  ///< dz/dx
   contact::Vector3 place_from_top(const contact::Vector3& place) const;
   contact::Vector3 place_to_top(const contact::Vector3& place) const;

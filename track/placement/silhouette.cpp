@@ -104,9 +104,8 @@ std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius
   double down = normal[2];
   if (!straight) {
     const double up = rail_radius - result.place[2], x = result.place[0];
-    const double radial = std::copysign(std::hypot(up, x), up);
-    down = (normal[2] * up - normal[0] * x) / radial;
-    result.place[2] -= x * x / (radial + up);
+    result.place[2] = AlongRail::height_at_top(result.place, rail_radius);
+    down = (normal[2] * up - normal[0] * x) / (rail_radius - result.place[2]);
   }
   if (!(down > 0.0)) return {};
   result.slope = -normal[1] / down;
@@ -251,7 +250,7 @@ OutlinePoint Silhouette::at(double y) const {
   const Vector3 arm{place[0] - axle_.point[0], y - axle_.point[1], place[2] - axle_.point[2]};
   const Vector3 across = contact::cross(arm, axle_.direction);
   point.radius = std::sqrt(contact::dot(across, across));
-  point.relative_radius = point.radius;
+  point.relative_radius = 1.0 / (1.0 / point.radius + 1.0 / (rail_rolling_radius_ - point.z));
   return point;
 }
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
 
 namespace rollfem::track {
@@ -28,8 +27,12 @@ double GapMinimum::angle() const {
 
 contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail) {
   const auto& knots = rail.knots();
-  const auto top = std::min_element(knots.z.begin(), knots.z.end()) - knots.z.begin();
-  return profiles::height_over_y(rail, knots.parameter[static_cast<std::size_t>(top)]);
+  std::size_t top = 0;
+  double least = contact::infinity;
+  for (std::size_t k = 0; k < knots.z.size(); ++k)
+    if (knots.dy[k] * profiles::steepest >= std::abs(knots.dz[k]) && knots.z[k] < least)
+      least = knots.z[k], top = k;
+  return profiles::height_over_y(rail, knots.parameter[top]);
 }
 
 contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
@@ -40,7 +43,7 @@ contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
     contact::HeightCurve part;
     try {
       part = profiles::height_over_y(rail, place);
-    } catch (const std::invalid_argument&) {
+    } catch (const contact::SolveError&) {
       continue;  // a groove without a floor
     }
     // A part that reaches several of the places comes again unchanged.
@@ -143,7 +146,9 @@ void VerticalGap::find_minima() {
                                         places_[k + 1], y_tolerance, "smallest gap");
     minimum.gap = at(minimum.y).value;
     minimum.slope = bodies_ ? with_surface(minimum.y).slope : rail_.at(minimum.y).slope;
-    if (bodies_) minimum.along = wheel_.at(minimum.y).along.slope();
+    minimum.along = wheel_.at(minimum.y).along.slope();
+    // On a roller the other slope is that in the plane which is turned to the top.
+    if (!bodies_) minimum.along *= std::hypot(1.0, minimum.slope);
     minima_.push_back(minimum);
   }
 }

@@ -28,7 +28,7 @@ struct OutlinePoint {
   double z = 0.0;          ///< mm, over a roller radial
   double profile_y = 0.0;  ///< mm, wheel profile coordinate
   double radius = 0.0;     ///< mm, of its circle
-  /// mm, of the undeformed distance along x (LocusPoint); that of the circle on a straight rail.
+  /// mm, of the undeformed distance along x (LocusPoint): that of both circles.
   double relative_radius = 0.0;
 };
 
@@ -72,7 +72,7 @@ struct GapMinimum {
   double y = 0.0;                  ///< mm, side frame
   double gap = contact::infinity;  ///< mm, vertical
   double slope = 0.0;  ///< dz/dy of both tangents, < 0 where they fall towards the middle
-  double along = 0.0;  ///< dz/dx of both, where the rail changes along the track
+  double along = 0.0;  ///< dz/dx of both: on a roller, or where the rail changes along the track
   /// Of the normal against the vertical.
   double cosine() const { return 1.0 / std::sqrt(1.0 + slope * slope + along * along); }
   /// Contact angle, rad: positive where the surfaces fall towards the middle of the track.

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace rollfem::track {
@@ -74,7 +73,9 @@ std::shared_ptr<const BodiesAlongWay> bodies_along_way(const Case& input, const 
   const auto at = [k](const std::vector<double>& list) { return list.empty() ? 0.0 : list.at(k); };
   return std::make_shared<const BodiesAlongWay>(
       BodiesAlongWay::Sections{scene.rail(left).surface, scene.profiles.wheel_sections,
-                               at(wheelset.track_position), at(wheelset.wheel_angle)},
+                               at(wheelset.track_position), at(wheelset.wheel_angle),
+                               input.rail.rolling_radius,
+                               roller_axle(scene.rail(left).place, input.rail.rolling_radius)},
       scene.rail(left).curve, scene.profiles.wheel, input.wheel.rolling_radius, axle,
       scene.tread_y);
 }
@@ -211,9 +212,10 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
       if (const auto& sections = scene.profiles.rail_sections)
         rail.surface = std::make_shared<const profiles::SectionSurface>(
             sections->moved(rail.place.angle, rail.place.shift_y, rail.place.shift_z));
-      if (std::isfinite(input.rail.rolling_radius))
-        rail.upright = rail.curve.moved(0.0, -rail.place.shift_y, -rail.place.shift_z)
-                           .moved(-rail.place.roll, 0.0, 0.0);
+      else if (scene.profiles.wheel_sections && std::isfinite(input.rail.rolling_radius))
+        rail.surface = std::make_shared<const profiles::SectionSurface>(
+            std::vector<profiles::PlacedSection>{{0.0, rail.curve, {}}, {1.0, rail.curve, {}}},
+            profiles::SectionSpline::through);
     }
   };
   const RailPlace found = rail_place(scene.profiles.rail, track, [&](const RailPlace& place) {
@@ -226,7 +228,7 @@ SearchScene make_search_scene(const Case& input, ProfilePair profiles) {
   const profiles::ProfileCurve& wheel = scene.profiles.wheel;
   try {
     scene.wheel_tread = profiles::height_over_y(wheel, parameter_near(wheel, scene.tread_y, 0.0));
-  } catch (const std::invalid_argument&) {
+  } catch (const contact::SolveError&) {
     scene.wheel_tread = {};
   }
   return scene;

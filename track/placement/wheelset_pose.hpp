@@ -24,9 +24,8 @@ struct SearchScene {
     RailPlace place;
     profiles::ProfileCurve curve;
     contact::HeightCurve head;  ///< the same as a height over y
-    /// Of a roller: turned back until its axle is level, over the axial coordinate.
-    profiles::ProfileCurve upright;
-    std::shared_ptr<const profiles::SectionSurface> surface;  ///< if it changes along the track
+    /// If it changes along the track, or is a roller under a wheel that is not round.
+    std::shared_ptr<const profiles::SectionSurface> surface;
   };
   std::array<Rail, 2> rails;  ///< left, right
   const Rail& rail(bool left) const { return rails[left ? 0 : 1]; }

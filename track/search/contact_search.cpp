@@ -167,15 +167,17 @@ class WheelSearch {
     place.yaw = sign * pose_.yaw;
     place.roll = sign * pose_.roll;
     place.height = pose_.height;
-    place.y_track = side_sign(left_) * axes.y0;
-    place.z_track = axes.z0;
-    place.y_rail = profile_coordinates(scene_.rail(left_).place, axes.y0, axes.z0)[0];
+    const Vector3 at = contact_place(axes, touch);
+    const double z_at_top = AlongRail::height_at_top(at, input_.rail.rolling_radius);
+    place.x_track = at[0];
+    place.y_track = side_sign(left_) * at[1];
+    place.z_track = at[2];
+    place.y_rail = profile_coordinates(scene_.rail(left_).place, at[1], z_at_top)[0];
     place.rail_turn = scene_.rail(left_).place.angle;
     place.y_wheel = touch.profile_y;
     place.contact_angle = std::atan2(axes.sine, axes.cosine);
     place.rolling_radius = touch.radius;
-    if (gap_.bodies()) place.climb = -std::asin(touch.along.sine);
-    place.x_track = contact_place(axes, touch)[0];
+    place.climb = 0.0 - std::asin(touch.along.sine);
     place.way_across = way_across(axes.y0);
     place.separation = stretch.deepest.gap * axes.cosine;
   }

@@ -60,19 +60,22 @@ Axle in_patch(const PatchAxes& axes, double sign_y, const Axle& axle) {
            sign_y * (-axes.sine * d[1] - axes.cosine * d[2])}};
 }
 
-/// The part of a roller's surface about its contact.
-void turn_rail(double roller, const SearchScene::Rail& rail, const PatchAxes& axes, double sign_y,
-               double at_touch, double reach, contact::PatchGeometry& geometry) {
+/// The part of a roller's surface about its contact, from its section there.
+void turn_rail(double roller, const RailPlace& place, const profiles::ProfileCurve& section,
+               const AlongRail& along, const PatchAxes& axes, double sign_y, double at_touch,
+               double reach, contact::PatchGeometry& geometry) {
   if (std::isinf(roller)) return;
-  const RailPlace& place = rail.place;
-  const Axle axle = roller_axle(place, roller);
+  const Axle level = roller_axle(place, roller);
+  const Axle axle{along.place_to_top(level.point), along.direction_to_top(level.direction)};
   const double axial = contact::axle_place(axle, {0.0, axes.y0, axes.z0}).axial;
-  const profiles::ProfileCurve upright = rail.upright.part(at_touch - reach, at_touch + reach);
+  const profiles::ProfileCurve from_axle =
+      section.part(at_touch - reach, at_touch + reach)
+          .moved(0.0, -axle.point[1], -axle.point[2])
+          .moved(-std::atan2(axle.direction[2], axle.direction[1]), 0.0, 0.0);
   const double outwards = roller > 0.0 ? 1.0 : -1.0;
-  const double radius_at_origin = outwards * (roller - place.upright_z);
   geometry.set_roller(roller,
-                      changed(profiles::height_over_y(upright, at_touch),
-                              {sign_y, -outwards, radius_at_origin, axial - reach, axial + reach}),
+                      changed(profiles::height_over_y(from_axle, at_touch),
+                              {sign_y, -outwards, 0.0, axial - reach, axial + reach}),
                       in_patch(axes, sign_y, axle));
 }
 
@@ -98,7 +101,7 @@ void set_surfaces(const BodiesAlongWay& bodies, const PatchAxes& axes, double si
   const double angle_there = contact::angle_about(geometry.axle(), here.across);
   geometry.set_surfaces(
       bodies.rail_in(frame),
-      bodies.wheel_around(bodies.angle_of({along.x, touch.y, touch.z}), angle_there));
+      bodies.wheel_around(bodies.angle_of({along.x, touch.y, touch.z}), angle_there, sign_y));
 }
 
 std::vector<contact::FreeEnd> free_ends(const Case& input, const SearchScene& scene,
@@ -167,7 +170,8 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
   const Axle axle = lowered_axle(axes, sign_y, axle_of_side, touch, sink, bodies != nullptr);
   const double section = std::min(section_reach, reach);
   contact::PatchGeometry geometry{std::move(heights), std::move(radius), axle, -section, section};
-  turn_rail(input.rail.rolling_radius, scene.rail(left), axes, sign_y, at_touch, reach, geometry);
+  turn_rail(input.rail.rolling_radius, scene.rail(left).place, whole_rail, touch.along, axes,
+            sign_y, at_touch, reach, geometry);
   if (bodies != nullptr) set_surfaces(*bodies, axes, sign_y, touch, geometry);
   geometry.set_free_ends(free_ends(input, scene, axes, axle, left));
   return geometry;
