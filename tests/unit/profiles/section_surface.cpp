@@ -141,12 +141,13 @@ class SectionList : public ::testing::Test {
       folder_.file("sections/" + std::to_string(k) + ".txt", rows);
     }
   }
-  std::shared_ptr<const SectionSurface> read(const std::string& name, const std::string& text) {
+  std::shared_ptr<const SectionSurface> read(const std::string& name, const std::string& text,
+                                             bool wheel = false) {
     folder_.file(name, text);
     contact::ProfileSource source;
     source.name = name;
     source.for_track = false;
-    return profiles::make_sections(source, false, folder_.path("case.toml"));
+    return profiles::make_sections(source, wheel, folder_.path("case.toml"));
   }
   TemporaryFolder folder_;
 };
@@ -179,6 +180,76 @@ TEST_F(SectionList, SaysWhatIsWrong) {
   EXPECT_TRUE(says(refused("0 sections/1.txt 500\n1 sections/2.txt 10\n"),
                    "a.sections:1:", "beyond the end"));
   EXPECT_TRUE(says(refused("0 sections/1.txt\n1 sections/9.txt\n"), "sections/9.txt"));
+}
+
+TEST_F(SectionList, IsNotASectionOfAList) {
+  folder_.file("b.slcs", "0 1\n2\n0 0 0\n2\n0 a.sections\n1 a.sections\n");
+  for (const std::string name : {"a.sections", "b.slcs"})
+    EXPECT_TRUE(says(refusal<contact::InputError>(
+                         [&] { read("a.sections", "0 sections/1.txt\n1 " + name + "\n"); }),
+                     "a.sections:2: " + name + " is a list", "files with one profile"));
+}
+
+TEST_F(SectionList, IsRefusedForItsLengthBeforeAnyProfileIsRead) {
+  std::string rows, lengths = "0 none.txt";
+  for (int k = 0; k < 10001; ++k) rows += std::to_string(k) + " none.txt\n";
+  for (int k = 1; k <= 1001; ++k) lengths += " " + std::to_string(0.01 * k);
+  const auto refused = [&](const std::string& text) {
+    return refusal<contact::InputError>([&] { read("a.sections", text); });
+  };
+  EXPECT_TRUE(says(refused(rows), "10001 sections; allowed: 2 to 10000"));
+  EXPECT_TRUE(says(refused(lengths + "\n1" + lengths.substr(1)), "1001 features", "up to 1000"));
+}
+
+/// A wheel of 8 sections, of which every second one is 0.5 mm lower.
+std::string octagon(double step = 0.25 * contact::pi) {
+  std::string rows;
+  for (int k = 0; k < 8; ++k)
+    rows += std::to_string(k * step) + " sections/" + std::to_string(1 + k % 2) + ".txt\n";
+  return rows;
+}
+
+TEST_F(SectionList, OfAWheelClosesIfOnlyAStepIsMissing) {
+  const auto open = read("open.sections", octagon(), true);
+  EXPECT_EQ(open->sections(), 9u);
+  // The end as a user may round it.
+  for (const std::string end : {"6.28318531", "6.2832", "6.28"}) {
+    const auto closed = read("closed.sections", octagon() + end + " sections/1.txt\n", true);
+    EXPECT_EQ(closed->sections(), 9u);
+    for (const double angle : {-0.3, 0.0, 0.1, 5.7, 6.1, 6.28, 13.0}) {
+      const SurfaceHeight here = height_at(*open, angle, 3.0);
+      EXPECT_NEAR(height_at(*closed, angle, 3.0).z, here.z, 1e-12);
+      EXPECT_NEAR(height_at(*open, angle - 2.0 * contact::pi, 3.0).z, here.z, 1e-9);
+      EXPECT_NEAR(height_at(*open, -angle, 3.0).z, here.z, 1e-4);  // six digits of the angles
+    }
+    EXPECT_GT(std::abs(height_at(*open, -0.3, 3.0).by_way), 0.1);
+  }
+}
+
+TEST_F(SectionList, OfPartOfAWheelIsRoundBeyondAndRepeatsAfterATurn) {
+  const auto flat =
+      read("flat.sections", "-0.1 sections/2.txt\n0 sections/1.txt\n0.1 sections/2.txt\n", true);
+  const double round = height_at(*flat, 0.1, 3.0).z;
+  for (const double angle : {-0.2, 0.2, 3.1, -3.1, 6.0}) {
+    EXPECT_NEAR(height_at(*flat, angle, 3.0).z, round, 1e-12) << angle;
+    EXPECT_EQ(height_at(*flat, angle, 3.0).by_way, 0.0);
+  }
+  for (const double angle : {-0.05, 0.0, 0.07})
+    for (const double turns : {-1.0, 1.0, 2.0})
+      EXPECT_NEAR(height_at(*flat, angle + 2.0 * contact::pi * turns, 3.0).z,
+                  height_at(*flat, angle, 3.0).z, 1e-12);
+  EXPECT_GT(height_at(*flat, 0.0, 3.0).z, round + 0.4);
+}
+
+TEST_F(SectionList, OfAWheelEndsAsItBeganAndNotBeyondATurn) {
+  const auto refused = [&](const std::string& text) {
+    return refusal<contact::InputError>([&] { read("a.sections", text, true); });
+  };
+  EXPECT_TRUE(says(refused(octagon() + "6.2832 sections/2.txt\n"),
+                   "a.sections:9: a full turn ends with another section", "leave this line out"));
+  EXPECT_TRUE(says(refused(octagon() + "6.29 sections/1.txt\n"), "a.sections:9: angles over 6.29",
+                   "2 pi = 6.283185"));
+  EXPECT_TRUE(says(refused(octagon(45.0)), "angles over 315", "angles in rad"));
 }
 
 }  // namespace

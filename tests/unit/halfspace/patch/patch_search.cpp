@@ -13,6 +13,7 @@
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/patch_case.hpp"
+#include "support/places.hpp"
 #include "support/profile_patches.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"
@@ -190,6 +191,46 @@ TEST(ExpectedPatch, WhatCarriesTheLoadChangesSteadily) {
     (patch.loaded.size() > 1 ? two : one) = true;
   }
   EXPECT_TRUE(one && two);
+}
+
+/// S1002 over a concave rail of arcs that ends here.
+contact::Case in_a_trough(const std::string& ends) {
+  return contact::parse_case(
+      "[load]\nvertical_force = 80e3\n[friction]\ncoefficient = 0.3\n[wheel]\n"
+      "rolling_radius = 460.0\nprofile = \"S1002\"\n[rail]\nprofile = \"arcs\"\n"
+      "[rail_profile]\nradii = [-20.0]\n" +
+          ends + "[placement]\nlateral_position = 0.0\n",
+      "case");
+}
+
+TEST(ExpectedPatch, OnTheEdgeOfABodyIsRefused) {
+  const contact::Case input = in_a_trough("ends = [-15.0, 15.0]\nfree_ends = true\n");
+  const contact::Scene scene = track::make_scenes(input).at(0).scene;
+  EXPECT_TRUE(says(refusal<contact::SolveError>([&] { PatchSearch(scene).patch(); }),
+                   "do not face each other", "do: check the profiles"));
+}
+
+TEST(ExpectedPatch, RailsThatAreTooSteepAtTheTopEndThere) {
+  // Up to 85 degrees, where the arc is at y = 20 sin(atan(12)).
+  EXPECT_TRUE(says(refusal<contact::InputError>(
+                       [&] { track::make_scenes(in_a_trough("ends = [-5.0, 20.0]\n")); }),
+                   "field-side end of the rail profile, 19.93 mm"));
+}
+
+TEST(ExpectedPatch, CoarseElementsMayReachWhereThereIsNoSurface) {
+  // Beside the edge of a head, on a curved surface; the pressure is that of fine elements.
+  contact::Case input = contact::parse_case(
+      "[load]\nvertical_force = 80e3\n[friction]\ncoefficient = 0.3\n[wheel]\n"
+      "rolling_radius = 460.0\nprofile = \"S1002\"\n[rail]\n"
+      "profile = \"profiles/crossing.sections\"\n[placement]\nside = \"right\"\n"
+      "lateral_position = 34.0919\ntrack_position = 102.4\n",
+      std::string(ROLLFEM_SOURCE_DIR) + "/cases/case");
+  const auto pressure = [&](int across) {
+    input.contact_grid.elements_across = across;
+    const contact::Scene scene = track::make_scenes(input).at(0).scene;
+    return halfspace::run_halfspace(scene, {}).points.at(0).max_pressure;
+  };
+  EXPECT_NEAR(pressure(6), pressure(16), 0.03 * pressure(16));
 }
 
 TEST(ExpectedPatch, BodiesAreLaidOutAroundNearMissesToo) {

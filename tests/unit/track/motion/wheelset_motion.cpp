@@ -51,6 +51,24 @@ TEST(Slip, YawMakesLateralCreepageToTheOtherSide) {
   }
 }
 
+TEST(Slip, YawedFlangeSlipsInItsPlaneUnderLoad) {
+  // Rolling moves the wheel across by yaw times its height below the axle, and no part of that
+  // along the normal, which the plane of a loaded patch has from both bodies.
+  constexpr double yaw = 0.005, radius = 460.0;
+  for (const bool left : {true, false}) {
+    contact::Case input = manchester_case(left ? -7.0 : 7.0, yaw);
+    input.load.vertical_force = 80e3;
+    const auto contact = contact_of(input, left);
+    ASSERT_GT(contact.place.contact_angle, 0.9);
+    const double below = contact.place.z_track - contact.place.height + radius;
+    const auto creepage = track::creepage_on_rail(contact, track::motion_of(input, 0.0));
+    const double expected =
+        std::sin(yaw) * below / (radius * std::cos(contact.place.contact_angle));
+    EXPECT_NEAR(creepage.lateral, expected, 1e-5 * expected);
+    EXPECT_NEAR(track::slip_at(contact, track::motion_of(input, 0.0), {})[2], 0.0, 1e-14);
+  }
+}
+
 TEST(Slip, LateralVelocityToTheRightIsSlipAgainstThePatchesY) {
   contact::Case input = manchester_case(0.0, 0.0);
   for (const bool left : {true, false}) {

@@ -44,11 +44,12 @@ class SphereOnRoller : public ::testing::TestWithParam<std::array<double, 3>> {
   const double lateral_ = GetParam()[0], yaw_ = GetParam()[1], roll_ = GetParam()[2];
   contact::Case input_ = light_case(lateral_, yaw_, roll_);
   const track::SearchScene scene_ = track::make_search_scene(input_, two_spheres());
+  void expect_on_the_line_between_the_centres(const track::SearchScene& scene);
 };
 
-TEST_P(SphereOnRoller, TouchesOnTheLineBetweenTheCentres) {
+void SphereOnRoller::expect_on_the_line_between_the_centres(const track::SearchScene& scene) {
   for (const bool left : {true, false}) {
-    const auto found = contacts_of(input_, scene_, left);
+    const auto found = contacts_of(input_, scene, left);
     ASSERT_EQ(found.size(), 1u);
     const track::WheelRailContact& contact = found[0];
     const double sign = left ? -1.0 : 1.0, middle = 750.0;
@@ -64,7 +65,7 @@ TEST_P(SphereOnRoller, TouchesOnTheLineBetweenTheCentres) {
     EXPECT_NEAR(contact::dot(contact.along, contact.normal), 0.0, 1e-14);
     EXPECT_NEAR(contact.along[1], 0.0, 1e-14);
     const contact::Curvatures curved =
-        contact::relative_curvatures(make_scenes(input_, scene_)[left ? 0 : 1].scene.geometry);
+        contact::relative_curvatures(make_scenes(input_, scene)[left ? 0 : 1].scene.geometry);
     const double expected = 0.5 / wheel_radius + 0.5 / roller_radius;
     EXPECT_NEAR(curved.A, expected, 1e-7 * expected);
     EXPECT_NEAR(curved.B, expected, 1e-5 * expected);
@@ -73,6 +74,27 @@ TEST_P(SphereOnRoller, TouchesOnTheLineBetweenTheCentres) {
     const double gap = wheel_radius - std::sqrt(wheel_radius * wheel_radius - at * at) +
                        roller_radius - std::sqrt(roller_radius * roller_radius - at * at);
     EXPECT_NEAR(contact.geometry.distance(3.0, -2.0), gap, 1e-8);
+  }
+}
+
+TEST_P(SphereOnRoller, TouchesOnTheLineBetweenTheCentres) {
+  expect_on_the_line_between_the_centres(scene_);
+}
+
+TEST_P(SphereOnRoller, OfSectionsTouchesThereToo) {
+  input_.wheelset.track_position = {3.0};
+  input_.wheelset.wheel_angle = {1.0};
+  for (const auto& [rail, wheel] : {std::pair{true, false}, {false, true}, {true, true}}) {
+    SCOPED_TRACE(::testing::Message() << rail << wheel);
+    track::ProfilePair pair = two_spheres();
+    const auto equal = [](const profiles::ProfileCurve& curve) {
+      return std::make_shared<const profiles::SectionSurface>(
+          std::vector<profiles::PlacedSection>{{-2.0, curve, {}}, {2.0, curve, {}}},
+          profiles::SectionSpline::through);
+    };
+    if (rail) pair.rail_sections = equal(pair.rail);
+    if (wheel) pair.wheel_sections = equal(pair.wheel);
+    expect_on_the_line_between_the_centres(track::make_search_scene(input_, pair));
   }
 }
 
