@@ -109,6 +109,7 @@ struct Load {
   std::optional<double> normal_force;    ///< N
   std::optional<double> approach;        ///< mm
   std::optional<double> vertical_force;  ///< N, on each wheel, friction included
+  std::optional<double> max_pressure;    ///< MPa, of Hertz's contact
 };
 
 /// Rigid slip caused by the shape of the contact surface rather than by the creepages.

@@ -3,6 +3,7 @@
 
 #include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/scene/hertz_ellipse.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,12 @@ LoadPoint without_unknowns(LoadPoint point) {
   return point;
 }
 
+/// N, by Hertz.
+double force_of_max_pressure(const Case& input) {
+  return hertz_force(input, combine(input.wheel.material, input.rail.material),
+                     *input.load.max_pressure);
+}
+
 /// Load point k of a case; values missing in a step of a history come from the whole case.
 LoadPoint load_point(const Case& input, std::size_t k) {
   LoadPoint point;
@@ -27,6 +34,7 @@ LoadPoint load_point(const Case& input, std::size_t k) {
   if (k < input.rolling.forces.size()) point.force = input.rolling.forces[k];
   point.load.force = input.load.normal_force;
   point.load.approach = input.load.approach;
+  if (input.load.max_pressure) point.load.force = force_of_max_pressure(input);
   if (k >= input.history.size()) return without_unknowns(point);
   const HistoryStep& step = input.history[k];
   if (step.normal_force || step.approach) {
@@ -135,6 +143,8 @@ std::string derived_values(const Case& input) {
          input.undeformed_distance.quadratic ? "as given"
                                              : "from the transverse radii of wheel and rail");
   }
+  if (input.load.max_pressure)
+    line("F_z", force_of_max_pressure(input), " N", "load.max_pressure by Hertz");
   line("E*", material.contact_modulus, " MPa", "contact modulus of both bodies");
   line("G", material.shear_modulus, " MPa", "combined shear modulus");
   line("nu", material.poisson_ratio, "", "combined Poisson's ratio");

@@ -5,6 +5,7 @@
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
 #include "contact/scene/geometry.hpp"
+#include "contact/scene/hertz_ellipse.hpp"
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
@@ -19,35 +20,6 @@ using boost::math::ellint_rf;
 using contact::pi;
 
 namespace {
-
-// Carlson's symmetric integrals instead of Legendre's K and E: they need no distinction of major
-// and minor axis and lose no digits at the circle. With k = b/a, for any k > 0 [Johnson 1985,
-// eqs. 4.26, 4.27]:
-//   A = p0/E* (b/a^2) R_D(0, k^2, 1)/3,  B = p0/E* (b/a^2) R_D(0, 1, k^2)/3,
-//   approach = p0/E* b R_F(0, k^2, 1).
-struct Shape {
-  double k;   ///< b/a
-  double rd;  ///< R_D(0, k^2, 1)
-  double rf;  ///< R_F(0, k^2, 1)
-};
-
-/// A/B as a function of ln k, which increases from 0 to infinity.
-double log_curvature_ratio(double log_k) {
-  const double k2 = std::exp(2.0 * log_k);
-  return std::log(ellint_rd(0.0, k2, 1.0) / ellint_rd(0.0, 1.0, k2));
-}
-
-Shape shape_of(double A, double B) {
-  const double wanted = std::log(A / B);
-  const auto f = [&](double log_k) { return log_curvature_ratio(log_k) - wanted; };
-  // k = (A/B)^(2/3) is within a factor of 2 up to aspects of 1e4; widen until the root is inside.
-  double low = wanted * 2.0 / 3.0 - 0.5;
-  double high = wanted * 2.0 / 3.0 + 0.5;
-  for (double step = 0.5; f(low) > 0.0; step *= 2.0) low -= step;
-  for (double step = 0.5; f(high) < 0.0; step *= 2.0) high += step;
-  const double k = std::exp(contact::bracketed_root(f, low, high, 0.0, "Hertz's ellipse"));
-  return {k, ellint_rd(0.0, k * k, 1.0), ellint_rf(0.0, k * k, 1.0)};
-}
 
 void check(double A, double B, double contact_modulus) {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
@@ -79,7 +51,7 @@ HertzContact hertz_from_force(double A, double B, double contact_modulus, double
   if (!(normal_force > 0.0))
     throw contact::InputError(
         fmt::format("Hertz: the normal force is {} N, it must be positive", normal_force));
-  const Shape shape = shape_of(A, B);
+  const contact::HertzEllipse shape = contact::hertz_ellipse(A, B);
   HertzContact hertz;
   hertz.normal_force = normal_force;
   hertz.semi_axis_x = std::cbrt(normal_force * shape.rd / (2.0 * pi * contact_modulus * A));
@@ -94,7 +66,7 @@ HertzContact hertz_from_approach(double A, double B, double contact_modulus, dou
   if (!(approach > 0.0))
     throw contact::InputError(
         fmt::format("Hertz: the approach is {} mm, it must be positive", approach));
-  const Shape shape = shape_of(A, B);
+  const contact::HertzEllipse shape = contact::hertz_ellipse(A, B);
   HertzContact hertz;
   hertz.approach = approach;
   hertz.semi_axis_x = std::sqrt(approach * shape.rd / (3.0 * A * shape.rf));
@@ -143,10 +115,13 @@ HertzContact hertz_of_scene(const contact::Scene& scene) {
   const contact::Curvatures curvatures = curvatures_of_scene(scene);
   const contact::NormalLoad load = contact::largest_load(scene);
   if (const auto& line = scene.geometry.line) {
-    const double force = load.force.value_or(0.0);
+    const double radius = 0.5 / curvatures.A, modulus = modulus_of(scene);
     const LineHertz hertz =
-        line_hertz(0.5 / curvatures.A, modulus_of(scene), force / line->width, reference_of(*line));
-    return {hertz.half_width, 0.5 * line->width, hertz.max_pressure, hertz.approach, force};
+        load.force ? line_hertz(radius, modulus, *load.force / line->width, reference_of(*line))
+                   : line_hertz_from_approach(radius, modulus, load.approach.value_or(0.0),
+                                              reference_of(*line));
+    return {hertz.half_width, 0.5 * line->width, hertz.max_pressure, hertz.approach,
+            load.force.value_or(0.5 * pi * hertz.half_width * hertz.max_pressure * line->width)};
   }
   return load.force ? hertz_from_force(curvatures.A, curvatures.B, modulus_of(scene), *load.force)
                     : hertz_from_approach(curvatures.A, curvatures.B, modulus_of(scene),
@@ -190,6 +165,22 @@ LineHertz line_hertz(double radius, double contact_modulus, double force_per_len
   hertz.approach = 2.0 * force_per_length / (pi * contact_modulus) *
                    (std::log(2.0 * reference / hertz.half_width) + 0.5);
   return hertz;
+}
+
+LineHertz line_hertz_from_approach(double radius, double contact_modulus, double approach,
+                                   double reference) {
+  // approach = a^2/(2 R) (ln(2 reference/a) + 1/2), which grows up to a = 2 reference.
+  const double scaled = 2.0 * radius * approach / (reference * reference);
+  if (!(scaled > 0.0 && scaled < 2.0))
+    throw contact::InputError(fmt::format(
+        "Hertz's line contact: approach {:g} mm; allowed: above 0 and below {:g} mm, from which on "
+        "the patch is longer than twice the reference distance, {:g} mm; do: correct the case",
+        approach, reference * reference / radius, reference));
+  const auto excess = [&](double t) { return t * t * (std::log(2.0 / t) + 0.5) - scaled; };
+  const double a =
+      reference * contact::bracketed_root(excess, 1e-12, 2.0, 0.0, "Hertz's line contact");
+  return line_hertz(radius, contact_modulus, 0.25 * pi * contact_modulus * a * a / radius,
+                    reference);
 }
 
 /// Beyond the contact the slope is -(2 p0/E*) (t - sqrt(t^2 - 1)), t = x/a.

@@ -59,6 +59,10 @@ double reference_of(const contact::LineContact& line);
 LineHertz line_hertz(double radius, double contact_modulus, double force_per_length,
                      double reference);
 
+/// `approach` in mm; throws also if it is as large as no patch within twice the reference has.
+LineHertz line_hertz_from_approach(double radius, double contact_modulus, double approach,
+                                   double reference);
+
 /// u_wheel - u_rail in mm, normal component, at x: approach - h in the contact.
 double line_displacement(const LineHertz& contact, double contact_modulus, double x);
 

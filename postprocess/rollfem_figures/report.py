@@ -116,6 +116,7 @@ SHAPES = (("given_max_pressure", "Hertz's pressure of {given_max_pressure} MPa g
            "{wheel_transverse_radius}) on a rail of transverse radius {rail_transverse_radius}"))
 LOADS = (("given_max_pressure", ""), ("vertical_force", "; {vertical_force} N vertically on each wheel"),
          ("normal_force", "; F<sub>z</sub> = {normal_force} N"), ("approach", "; approach {approach} mm"),
+         ("max_pressure", "; largest pressure {max_pressure} MPa by Hertz"),
          ("wheel_profile", "; the height of the wheel is given, its load is a result"))
 PROBLEMS = {"shift": "Load points are steps of a shift without rolling. ", "transient": "Load points are steps of rolling. "}
 

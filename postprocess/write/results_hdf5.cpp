@@ -83,7 +83,8 @@ void write_case(hid_t file, const contact::Case& input) {
                                     {"layer_hardening", layer.hardening},
                                     {"normal_force", input.load.normal_force},
                                     {"vertical_force", input.load.vertical_force},
-                                    {"approach", input.load.approach}})
+                                    {"approach", input.load.approach},
+                                    {"max_pressure", input.load.max_pressure}})
     if (value) write_attribute(group, name, *value);
   write_attribute(group, "problem", std::string(word_of(input.rolling.problem)));
   write_attribute(group, "prescribed_forces", prescribed_forces(input));

@@ -89,9 +89,12 @@ void check_approach(const GivenCase& given, const Case& input) {
   const GivenValue* approach = given.find("load", "approach");
   if (approach == nullptr) return;
   if (replaces_radii(given)) return;
-  const double smallest =
-      std::min({input.wheel.rolling_radius, std::abs(input.rail.rolling_radius),
-                std::abs(input.wheel.transverse_radius), std::abs(input.rail.transverse_radius)});
+  const double along = input.geometry.relative_radius.value_or(
+      std::min(input.wheel.rolling_radius, std::abs(input.rail.rolling_radius)));
+  const double smallest = when::line(given)
+                              ? along
+                              : std::min({along, std::abs(input.wheel.transverse_radius),
+                                          std::abs(input.rail.transverse_radius)});
   if (*input.load.approach < 0.1 * smallest) return;
   fail_at(given, "load.approach", *approach,
           fmt::format("is not small against the smallest radius, {} mm", smallest),

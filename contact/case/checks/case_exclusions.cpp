@@ -10,8 +10,7 @@ constexpr const char* no_extent = "applies to contacts of finite width, but geom
 constexpr const char* is_rigid = "belongs to a rigid body, which is not meshed";
 constexpr const char* elastic = "a body with a finite young_modulus";
 constexpr const char* make_elastic = "remove it, or give a finite young_modulus";
-constexpr const char* rollers =
-    "line contact of rollers under a prescribed force, rolling straight ahead";
+constexpr const char* rollers = "line contact of rollers, rolling straight ahead";
 
 }  // namespace
 
@@ -26,11 +25,6 @@ const std::vector<Exclusion> exclusions{
      no_extent,
      rollers,
      "remove it; the radius of a line contact is geometry.relative_radius"},
-    {when::line,
-     {"*.approach"},
-     "does not determine the force, because half-planes have no finite approach",
-     rollers,
-     "give normal_force, the force in N on geometry.width"},
     {when::line,
      {"rolling.spin", "history.spin_shift"},
      "is a rotation about the normal, which endless rollers do not allow",
@@ -79,6 +73,11 @@ const std::vector<Exclusion> exclusions{
      "is for wheels and rails with profiles, but this case has none",
      "profiles of both bodies, or radii without it",
      "write `normal_force` instead, or give wheel.profile and rail.profile"},
+    {when::profiles || when::has("undeformed_distance", "file"),
+     {"load.max_pressure"},
+     "is that of Hertz's ellipse or line, but the shapes of this case are not circles",
+     "with radii, undeformed_distance.quadratic or geometry.shape = \"line\"",
+     "give a force or an approach instead"},
     {!when::profiles,
      {"track.*", "wheelset.*", "placement.*", "wheel_displacement.*", "rail_displacement.*"},
      "places profiles, but this case has none",
@@ -118,7 +117,8 @@ const std::vector<Exclusion> exclusions{
      "free rolling with the problem steady",
      "remove it"},
     {when::given_pressure,
-     {"load.approach", "load.vertical_force", "history.normal_force", "history.approach"},
+     {"load.approach", "load.vertical_force", "load.max_pressure", "history.normal_force",
+      "history.approach"},
      "does not go together with [given_pressure]",
      "exactly one of load.normal_force and given_pressure.max_pressure",
      "remove one of the two"},

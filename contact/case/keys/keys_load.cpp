@@ -31,7 +31,8 @@ SectionWithKeys general_section() {
 
 SectionWithKeys load_section() {
   const char* one_of = "give exactly one";
-  Keys<Load> keys("load", "Force or approach that presses the bodies together", &Case::load);
+  Keys<Load> keys("load", "Force, approach or largest pressure that presses the bodies together",
+                  &Case::load);
   keys.section().alternatives = true;
   keys.add("normal_force", &Load::normal_force, symbol("F_z"), unit("N"),
            between(1e-6, largest_force), example("50e3"), otherwise(one_of),
@@ -44,6 +45,10 @@ SectionWithKeys load_section() {
            between(1e-6, largest_force), otherwise(one_of),
            "With profiles: vertical force on each wheel, carried by the normal forces and friction "
            "of all its patches together.");
+  keys.add("max_pressure", &Load::max_pressure, symbol("p_0"), unit("MPa"), positive(),
+           otherwise(one_of),
+           "Largest pressure by Hertz's theory of an ellipse or a line, which gives the force; not "
+           "with profiles or a distance from a file.");
   return keys;
 }
 

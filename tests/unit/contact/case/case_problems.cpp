@@ -271,8 +271,30 @@ TEST(LineContact, ContradictionsAreNamed) {
                 "geometry.width, 1 mm"});
   expect_error(line_case(radius, "[halfspace]\nmodel_error = true\n"), {"halfspace.model_error"});
   std::string pressed = line_case(radius);
-  pressed.replace(pressed.find("normal_force = 50e3"), 19, "approach = 0.1");
-  expect_error(pressed, {"load.approach = 0.1: does not determine the force"});
+  pressed.replace(pressed.find("normal_force = 50e3"), 19, "approach = 3.0");
+  expect_error(pressed, {"load.approach = 3.0: is not small against the smallest radius, 25 mm"});
+}
+
+TEST(LargestPressure, IsOfHertzsContactsAlone) {
+  const std::string stated = "max_pressure = 1e3";
+  expect_error(with("[friction]", stated + "\n[friction]"),
+               {"load.max_pressure = 1e3: contradicts load.normal_force = 50e3"});
+  expect_error(pressure + "[load]\n" + stated,
+               {"load.max_pressure = 1e3: does not go together with [given_pressure]"});
+  expect_error("[load]\n" + stated + "\n[undeformed_distance]\nfile = \"h.csv\"\n",
+               {"load.max_pressure = 1e3: is that of Hertz's ellipse or line"});
+  expect_error("[load]\n" + stated + "\n[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n",
+               {"load.max_pressure = 1e3: is that of Hertz's ellipse or line", "give a force"});
+  // 2/3 pi a^2 p0 with a = pi p0 R/(2 E*), R = 100 mm.
+  const Scene circle = parse_case("[load]\n" + stated +
+                                      "\n[friction]\ncoefficient = 0.3\n[undeformed_distance]\n"
+                                      "quadratic = [0.005, 0.005]\n",
+                                  "c.toml");
+  const double a = 0.5 * M_PI * 1e5 / circle.material.contact_modulus;
+  EXPECT_NEAR(*circle.points.front().load.force / (2e3 / 3.0 * M_PI * a * a), 1.0, 1e-12);
+  EXPECT_TRUE(
+      says(contact::derived_values(parse_case(with("normal_force = 50e3", stated), "c.toml")),
+           "load.max_pressure by Hertz"));
 }
 
 TEST(Subsurface, SectionsAreReadInTheOrderOfTheFile) {
