@@ -225,8 +225,9 @@ def _verdicts(result, image):
                            "shakedown limit", "σ<sub>v</sub>/(√3 k)", "surface fatigue index", "verdict"], rows))
     ratio = result.models[0].data["shakedown"][0]["ellipse"]["ratio"]
     return section(f"Shakedown, k = {number(result.yield_shear_stress, 4)} MPa", *html, hint(
-        f"The limit is for an ellipse b/a = {number(ratio, 3)}, like the patch, in full slip: "
-        "there the largest shear on planes parallel to the surface is k. First yield is judged by the largest "
+        f"The limit is for {'a line contact' if ratio is None else f'an ellipse b/a = {number(ratio, 3)}'}, like the patch, "
+        "in full slip: there the largest shear on planes parallel to the surface is k or, below narrow ellipses, the stresses "
+        "of two instants of a passage differ by 2 √3 k (von Mises). First yield is judged by the largest "
         "von Mises stress σ<sub>v</sub> of this contact if known, otherwise by the lower of the elastic "
         "limits of line and circle."), image)
 

@@ -135,8 +135,9 @@ def shakedown_panel(figure, title, bounds, factors):
     at, top = bounds["tangential_coefficient"], max([5.2] + [1.15 * factor for factor in factors])
     panel.x.limits, panel.y.limits = (0.0, max(at)), (0.0, top)
     if "ellipse_shakedown" in bounds:
-        panel.line(at, bounds["ellipse_shakedown"], "ink", 1.8,
-                   name=f"shakedown limit of the ellipse, $b/a$ = {bounds['ellipse_ratio']:.3g}")
+        ratio = bounds["ellipse_ratio"]  # None: a line contact
+        panel.line(at, bounds["ellipse_shakedown"], "ink", 1.8, name="shakedown limit of "
+                   + ("this line contact" if ratio is None else f"the ellipse, $b/a$ = {ratio:.3g}"))
     for kind, dash, name in KINDS:
         panel.line(at, bounds[f"{kind}_shakedown"], "soft", 1.1, dash, name=f"shakedown limit, {name}")
         panel.line(at, bounds[f"{kind}_elastic"], "sky", 1.1, dash, name=f"elastic limit, {name}")

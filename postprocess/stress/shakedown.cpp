@@ -70,6 +70,8 @@ BelowSurface below_surface(double friction) {
           (1.0 - share) * below[k].shear + share * below[k + 1].shear};
 }
 
+constexpr int half = 24;  ///< places to each side of a line along rolling
+
 constexpr std::size_t nodes = 24;
 using Gauss = boost::math::quadrature::gauss<double, static_cast<unsigned>(nodes)>;
 
@@ -82,15 +84,37 @@ void each_gauss_point(double from, double to, const Visit& visit) {
       visit(middle + side * Gauss::abscissa()[k], half * Gauss::weights()[k]);
 }
 
-struct Shear {
-  double of_pressure = 0.0;
-  double of_traction = 0.0;
-};
+Stress sum(const Stress& one, double factor, const Stress& other) {
+  auto values = one.as_array();
+  const auto more = other.as_array();
+  for (std::size_t c = 0; c < values.size(); ++c) values[c] += factor * more[c];
+  return Stress::from_array(values);
+}
 
-/// Shear of an ellipse with semi-axes 1 and `ratio` at (x, 0, z). Integration points are the sinh
+/// Adds the stress that point loads `weight` at (-x, -y) and (-x, y) cause at (0, 0, z), along z
+/// and along x (Boussinesq and Cerruti; Johnson 1985, sections 3.2 and 3.6).
+void add_pair(double x, double y, double z, double weight, std::array<Stress, 2>& sum) {
+  auto& [pressed, rubbed] = sum;
+  constexpr double a = 1.0 - 2.0 * poisson_ratio;
+  const double r = std::sqrt(x * x + y * y + z * z), s = 1.0 / (r + z);
+  const double part = weight / pi, c = 3.0 / (r * r * r * r * r);
+  const double flat = a * (z / (r * r) - s) / r, bent = a * (2.0 * r + z) * s * s / (r * r * r);
+  pressed.xx += part * (flat + x * x * (bent - c * z));
+  pressed.yy += part * (flat + y * y * (bent - c * z));
+  pressed.zz -= part * c * z * z * z;
+  pressed.xz -= part * c * x * z * z;
+  const double even = a / (r * r * r), odd = a * s * s / r;
+  const double curl = odd * (1.0 / (r * r) + 2.0 * s / r);
+  rubbed.xx += part * x * (even - 3.0 * odd + x * x * (curl - c));
+  rubbed.yy += part * x * (even - odd + y * y * (curl - c));
+  rubbed.zz -= part * c * x * z * z;
+  rubbed.xz -= part * c * x * x * z;
+}
+
+/// Stress in an ellipse with semi-axes 1 and `ratio` at (x, 0, z). Integration points are the sinh
 /// of even ones about the field point, to be dense where the point load is steep.
-Shear shear_at(double x, double z, double ratio) {
-  Shear sum;
+std::array<Stress, 2> loaded_at(double x, double z, double ratio) {
+  std::array<Stress, 2> sum;
   each_gauss_point(std::asinh((-1.0 - x) / z), std::asinh((1.0 - x) / z), [&](double s, double ds) {
     const double away = -z * std::sinh(s);  // distance from the load to the field point
     const double place = x - away;
@@ -99,12 +123,7 @@ Shear shear_at(double x, double z, double ratio) {
     each_gauss_point(0.0, end, [&](double t, double dt) {
       const double y = near * std::sinh(t);
       const double pressure = std::sqrt(std::max(0.0, rest - y * y / (ratio * ratio)));
-      const double distance2 = near * near + y * y;
-      // Factor 2 for both sides of y = 0.
-      const double part = 2.0 * ds * z * std::cosh(s) * dt * near * std::cosh(t) * 1.5 / pi *
-                          pressure / (distance2 * distance2 * std::sqrt(distance2));
-      sum.of_pressure += part * away * z * z;
-      sum.of_traction += part * away * away * z;
+      add_pair(away, y, z, ds * z * std::cosh(s) * dt * near * std::cosh(t) * pressure, sum);
     });
   });
   return sum;
@@ -156,21 +175,29 @@ std::string shakedown_region(const ShakedownLimits& limits, double load_factor) 
   return load_factor <= limits.shakedown ? "elastic shakedown" : "beyond shakedown";
 }
 
-EllipseShear::EllipseShear(double ratio) : ratio_(std::clamp(ratio, 0.1, 50.0)) {
-  const double deep = std::min(1.0, ratio_);
-  for (int j = 1; j <= 24; ++j)
-    for (int i = -24; i <= 24; ++i) {
-      const Shear shear = shear_at(0.05 * i, 0.05 * j * deep, ratio_);
-      of_pressure_.push_back(shear.of_pressure);
-      of_traction_.push_back(shear.of_traction);
-    }
+EllipseStress::EllipseStress(double ratio)
+    : ratio_(std::isinf(ratio) ? ratio : std::clamp(ratio, 0.1, 50.0)) {
+  if (is_line()) return;
+  for (int j = 1; j <= half; ++j)
+    for (int i = -half; i <= half; ++i)
+      stress_.push_back(loaded_at(0.05 * i, 0.05 * j * std::min(1.0, ratio_), ratio_));
 }
 
-double EllipseShear::largest(double friction) const {
-  double found = friction;  // on the surface, xz is the traction
-  for (std::size_t k = 0; k < of_pressure_.size(); ++k)
-    found = std::max(found, std::abs(of_pressure_[k] + friction * of_traction_[k]));
-  return found;
+double EllipseStress::shakedown_limit(double friction) const {
+  if (is_line()) return line_contact_limits(friction).shakedown;
+  double shear = friction;  // on the surface, xz is the traction
+  double change = 0.0;
+  for (std::size_t first = 0; first < stress_.size(); first += 2 * half + 1) {
+    std::vector<Stress> instants{Stress{}};  // unloaded
+    for (std::size_t k = first; k < first + 2 * half + 1; ++k) {
+      const Stress now = sum(stress_[k][0], friction, stress_[k][1]);
+      shear = std::max(shear, std::abs(now.xz));
+      for (const Stress& before : instants)
+        change = std::max(change, contact::von_mises(sum(now, -1.0, before)));
+      instants.push_back(now);
+    }
+  }
+  return std::min(1.0 / shear, 2.0 * std::sqrt(3.0) / change);
 }
 
 }  // namespace rollfem::postprocess

@@ -9,15 +9,18 @@
 // - elastic: p0 at which the largest von Mises stress is sqrt(3) k. Without friction 3.11 k for the
 //   line, 2.79 k for the circle.
 // - shakedown: p0 at which the largest |xz| anywhere, the shear on planes parallel to the surface,
-//   is k. Residual stress that is uniform along the rolling direction can balance every component
-//   except xz (for the line, Melan's theorem then gives exactly this value). Without friction 4.00
-//   k (Johnson 1962) and 4.68 k (Ponter, Hearle & Johnson 1985); where the surface decides,
-//   1/(T/N). Below a circle with friction residual stress balances a part of xz too, so that this
-//   boundary is on the safe side (by 20 % at T/N = 0.2, docs/plasticity.md).
+//   is k (narrow ellipses: EllipseStress). Residual stress that is uniform along the rolling
+//   direction can balance every component except xz (for the line, Melan's theorem then gives
+//   exactly this value). Without friction 4.00 k (Johnson 1962) and 4.68 k (Ponter, Hearle &
+//   Johnson 1985); where the surface decides, 1/(T/N). Below a circle with friction residual stress
+//   balances a part of xz too, so that this boundary is on the safe side (by 20 % at T/N = 0.2,
+//   docs/plasticity.md).
 #pragma once
 
 #include "contact/result/stress_measures.hpp"
 
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -52,24 +55,26 @@ double surface_fatigue_index(double traction_coefficient, double load_factor);
 /// "elastic", "elastic shakedown" or "beyond shakedown": where a point lies in the map.
 std::string shakedown_region(const ShakedownLimits& limits, double load_factor);
 
-/// The shakedown limit of an elliptic contact, between those of circle and line: the largest shear
-/// on planes parallel to the surface below a sliding Hertz ellipse, |xz| in the plane y = 0 below
-/// an ellipse under the pressure p0 sqrt(1 - (x/a)^2 - (y/b)^2) and friction times this pressure
-/// along x. Integrates the point loads of Boussinesq and Cerruti (Johnson 1985, sections 3.2
-/// and 3.6), whose xz does not depend on Poisson's ratio.
-class EllipseShear {
+/// The shakedown limit of an elliptic contact from the stress in the plane y = 0 below a sliding
+/// Hertz ellipse, under the pressure p0 sqrt(1 - (x/a)^2 - (y/b)^2) and friction times this
+/// pressure along x. The smaller one of two bounds: that of the largest xz, and Melan's theorem for
+/// two instants of a passage. A fixed residual stress keeps both within the yield surface only if
+/// their elastic stresses differ by at most 2 sqrt(3) k (von Mises); without load the stress is 0.
+/// The second one decides below patches narrower than b/a = 0.65, at y = 0.
+class EllipseStress {
  public:
-  /// `ratio`: b/a, semi-axis across over semi-axis along rolling; clamped to 0.1 to 50.
-  explicit EllipseShear(double ratio);
+  /// `ratio`: b/a, semi-axis across over semi-axis along rolling; clamped to 0.1 to 50. Infinite: a
+  /// line contact.
+  explicit EllipseStress(double ratio);
   double ratio() const { return ratio_; }
-  /// Largest |xz| over p0 including the surface, to 5e-3.
-  double largest(double friction) const;
-  /// p0/k above which the material yields at every passage.
-  double shakedown_limit(double friction) const { return 1.0 / largest(friction); }
+  bool is_line() const { return std::isinf(ratio_); }
+  /// p0/k above which the material yields at every passage, to 5e-3.
+  double shakedown_limit(double friction) const;
 
  private:
   double ratio_;
-  std::vector<double> of_pressure_, of_traction_;  ///< xz at common places
+  /// On lines along rolling, by the pressure and by the same traction along x.
+  std::vector<std::array<contact::Stress, 2>> stress_;
 };
 
 }  // namespace rollfem::postprocess

@@ -116,10 +116,11 @@ std::optional<double> yield_ratio_at(const StressReport& report, const StressOfM
   return yield_ratio(maxima, k);
 }
 
-/// The ellipse that fits the patch of the load point.
-EllipseShear ellipse_of(const StressOfModel& model) {
+/// The ellipse that fits the patch of the load point, or a line.
+EllipseStress ellipse_of(const StressOfModel& model) {
+  if (model.result.grid.is_line()) return EllipseStress(contact::infinity);
   const PointResult& point = model.result.points[model.point];
-  return EllipseShear(point.semi_axis_x > 0.0 ? point.semi_axis_y / point.semi_axis_x : 1.0);
+  return EllipseStress(point.semi_axis_x > 0.0 ? point.semi_axis_y / point.semi_axis_x : 1.0);
 }
 
 /// State of the material: first yield from the computed stress if known, otherwise from the lower
@@ -142,7 +143,7 @@ std::string margin(double load_factor, double shakedown_limit) {
 /// All load points in the map.
 Json shakedown_json(const StressReport& report, const StressOfModel& model, double k) {
   Json list = Json::array();
-  const EllipseShear ellipse = ellipse_of(model);
+  const EllipseStress ellipse = ellipse_of(model);
   for (std::size_t number = 0; number < model.result.points.size(); ++number) {
     const PointResult& point = model.result.points[number];
     const double traction = tangential_coefficient(point);
@@ -166,7 +167,7 @@ Json shakedown_json(const StressReport& report, const StressOfModel& model, doub
 }
 
 /// Boundaries of the map as curves, for drawing.
-Json map_json(const EllipseShear& ellipse) {
+Json map_json(const EllipseStress& ellipse) {
   Json map{{"ellipse_ratio", ellipse.ratio()}};
   for (int step = 0; step <= 60; ++step) {
     const double traction = 0.01 * step;
@@ -212,12 +213,14 @@ std::string row(const std::string& what, const StressMaximum& maximum, const Poi
 
 /// Shakedown table of all load points of a model.
 std::string shakedown_table(const StressReport& report, const StressOfModel& model, double k) {
-  const EllipseShear ellipse = ellipse_of(model);
+  const EllipseStress ellipse = ellipse_of(model);
   std::string text = fmt::format(
-      "\n  shakedown map, k = {:.1f} MPa (yield stress in shear); limit of p0/k of the ellipse "
-      "that "
-      "fits, b/a = {:.2f}\n  {:<6}{:>11}{:>8}{:>8}{:>10}{:>9}{:>8}  {}\n",
-      k, ellipse.ratio(), "point", "xi", "T/F_z", "p0/k", "limit", "FI_surf", "Y-ratio",
+      "\n  shakedown map, k = {:.1f} MPa (yield stress in shear); limit of p0/k of {}\n"
+      "  {:<6}{:>11}{:>8}{:>8}{:>10}{:>9}{:>8}  {}\n",
+      k,
+      ellipse.is_line() ? "the line contact"
+                        : fmt::format("the ellipse that fits, b/a = {:.2f}", ellipse.ratio()),
+      "point", "xi", "T/F_z", "p0/k", "limit", "FI_surf", "Y-ratio",
       "verdict, and margin to the limit");
   for (std::size_t number = 0; number < model.result.points.size(); ++number) {
     const PointResult& point = model.result.points[number];
