@@ -49,16 +49,18 @@ std::array<float, 6> single(const std::array<double, 6>& tensor) {
   return rounded;
 }
 
-/// Largest increase of the accumulated plastic strain, and largest change of plastic strain.
-std::pair<double, double> gained(const std::vector<PlasticState>& before,
-                                 const std::vector<PlasticState>& after) {
-  std::pair<double, double> largest{0.0, 0.0};
+/// Largest increase of the accumulated plastic strain, largest change of plastic strain, and the
+/// increase where this change is.
+std::tuple<double, double, double> gained(const std::vector<PlasticState>& before,
+                                          const std::vector<PlasticState>& after) {
+  double most = 0.0, lasting = 0.0, there = 0.0;
   for (std::size_t k = 0; k < after.size(); ++k) {
-    const Deviator change = sum(after[k].strain, -1.0, before[k].strain);
-    largest.first = std::max(largest.first, after[k].accumulated - before[k].accumulated);
-    largest.second = std::max(largest.second, std::sqrt(2.0 / 3.0) * norm(change));
+    const double change = std::sqrt(2.0 / 3.0) * norm(sum(after[k].strain, -1.0, before[k].strain));
+    const double increase = after[k].accumulated - before[k].accumulated;
+    most = std::max(most, increase);
+    if (change > lasting) std::tie(lasting, there) = std::pair(change, increase);
   }
-  return largest;
+  return {most, lasting, there};
 }
 
 }  // namespace
@@ -88,7 +90,8 @@ YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBo
   section.residual = report.residual;
   section.plastic_work = report.plastic_work * (body_.options().half ? 2.0 : 1.0);
   section.utilisation = report.utilisation;
-  std::tie(section.increment, section.net_increment) = gained(before.leaving, after.leaving);
+  std::tie(section.increment, section.net_increment, std::ignore) =
+      gained(before.leaving, after.leaving);
   for (const PlasticState& out : after.leaving)
     section.plastic_strain = std::max(section.plastic_strain, out.accumulated);
   judge(after, section);
@@ -108,8 +111,9 @@ void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
   constexpr double nothing = 2e-3, closed = 0.05, steady = 0.02;
   const double yield_strain = law_.parameters().yield_stress / (3.0 * law_.shear_modulus());
   const double last_increment = increment_;
+  double increment_there = 0.0;  // where most strain lasts
   if (passes_ < cycle_ || cycle_ended())
-    std::tie(increment_, net_increment_) = gained(cycle_start_, after.leaving);
+    std::tie(increment_, net_increment_, increment_there) = gained(cycle_start_, after.leaving);
   const double change = std::abs(increment_ - last_increment);
   std::string verdict = "settling";
   if (!cycle_ended())
@@ -118,7 +122,7 @@ void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
     verdict = "elastic";
   else if (increment_ <= nothing * yield_strain)
     verdict = "elastic shakedown";
-  else if (net_increment_ <= closed * increment_)
+  else if (net_increment_ <= closed * increment_there)
     verdict = "plastic shakedown";
   else if (passes_ > 2 * cycle_ && change <= steady * increment_)
     verdict = "ratchetting";
@@ -162,9 +166,10 @@ std::string verdict_note(const YieldedSection& section, int passes) {
   if (section.from_pass < passes) text += fmt::format(" since pass {}", section.from_pass);
   const std::string cycle =
       section.cycle == 1 ? "pass" : fmt::format("cycle of {} points", section.cycle);
-  if (section.verdict == "ratchetting")
-    text +=
-        fmt::format(", {:.2g} of lasting plastic strain a {}", section.cycle_net_increment, cycle);
+  if (section.verdict == "ratchetting" || section.verdict == "plastic shakedown")
+    text += fmt::format(", {}{:.2g} of lasting plastic strain a {}",
+                        section.verdict == "ratchetting" ? "" : "at most ",
+                        section.cycle_net_increment, cycle);
   else if (section.verdict == "settling")
     text += fmt::format(
         ", {:.2g} of plastic strain in the last {}, {:.2g} of it lasting: more passes will tell",

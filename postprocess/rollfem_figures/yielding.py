@@ -20,8 +20,9 @@ ACROSS = "$y$ [mm], lateral"
 # Looks of up to four passes, the last one first.
 PASSES = (("red", ()), ("blue", (7.5, 2.3)), ("green", (3, 1.5)), ("amber", (1.5, 1.5)))
 MOST_MARKED = 30  # of more passes, lines without markers
-VERDICTS = {"elastic": "nothing yields", "elastic shakedown": "no more plastic flow", "plastic shakedown":
-            "the same closed cycle in every pass", "ratchetting": "plastic strain grows with every pass",
+VERDICTS = {"elastic": "nothing yields", "elastic shakedown": "no more plastic flow",
+            "plastic shakedown": "the same cycle in every pass, closed but for at most {} of plastic strain",
+            "ratchetting": "plastic strain grows by {} with every pass",
             "settling": "still changes from pass to pass: more passes will tell"}
 
 
@@ -184,8 +185,8 @@ def shakedown_map(result):
 def captions(result):
     """(file name, caption, function that draws it) of the figures of bodies that yield."""
     yield ("yielded_passes.svg", "Plastic strain of every pass, where it is largest: all of it, back and forth, and the part "
-           "that lasts after the pass. Elastic shakedown: both vanish; plastic shakedown: nothing lasts; ratchetting: the same "
-           "part lasts after every pass. Dotted: the yield strain, for comparison.", lambda: passes(result))
+           "that lasts after the pass. Elastic shakedown: both vanish; plastic shakedown: hardly anything lasts; ratchetting: the "
+           "same part lasts after every pass. Dotted: the yield strain, for comparison.", lambda: passes(result))
     yield ("yielded_shakedown_map.svg", "The passes in the shakedown map, which holds for steel that does not harden: hardening "
            "raises its limits. The pressure falls while the bodies conform.", lambda: shakedown_map(result))
     for model, body in bodies(result):
@@ -213,7 +214,8 @@ def passes_table(result):
              "<br>".join(f"{body}: {after['verdict']}" for body, after in p.yielded.items())]
             for p in map(model.at, load_points.shown_keys([model]))]
     last = model.points[-1].yielded
-    said = "".join(f"<p class=say>{escape(styles.label(model))}, {body}: {after['verdict']}; {VERDICTS[after['verdict']]}.</p>"
+    said = "".join(f"<p class=say>{escape(styles.label(model))}, {body}: {after['verdict']}; "
+                   f"{VERDICTS[after['verdict']].format(number(after['cycle_net_increment'], 2))}.</p>"
                    for body, after in last.items())
     return said + table(["pass", *(heading(result.quantities[name]) for name in columns), "verdict"], rows, frame="many") + hint(
         "Largest values of both bodies; residual stress, groove and flow: of the section behind the load.")
