@@ -120,10 +120,7 @@ void set_grid(const ContactCase& given, const Area& area, double sign, Equivalen
     std::sort(rows.begin(), rows.end());
     made.set_list("friction", "lateral_position", rows, "mm, of the rows");
   }
-  if (given.potential.my > 1)
-    fill_stresses(given, area, sign, made);
-  else if (given.digits.S > 0)
-    made.notes.push_back("stresses below a line contact (digit S) are not converted");
+  fill_stresses(given, area, sign, made);
 }
 
 Area stated_area(const PotentialContact& given) {

@@ -22,8 +22,7 @@ contact::ModelRegistry make_models() {
   using contact::Demand;
   contact::ModelInfo model{"halfspace", "half-space",
                            "Kalker's problem for elastic half-spaces, solved on a grid"};
-  model.takes = contact::all_demands_but(
-      {Demand::inertia, Demand::beyond_half_space, Demand::stress_of_line});
+  model.takes = contact::all_demands_but({Demand::inertia, Demand::beyond_half_space});
   model.run = run_with_model_error;
   model.refinements = {contact_grid()};
   model.no_model_error =

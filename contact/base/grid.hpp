@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace rollfem::contact {
 
 /// One value per contact element, index j * nx + i (x runs fastest).
@@ -56,6 +58,8 @@ struct ContactGrid {
   double x(int i) const { return x_first + i * dx; }
   double y(int j) const { return y_first + j * dy; }
   double element_area() const { return dx * dy; }
+  /// Longer side of an element, mm; elements of a line contact have no side across.
+  double longer_side() const { return is_line() ? dx : std::max(dx, dy); }
 
   /// Grid of nx by ny elements whose middle is at (x_middle, y_middle).
   static ContactGrid centred(int nx, int ny, double dx, double dy, double x_middle = 0.0,

@@ -43,6 +43,11 @@ struct RollingLines {
 StressMaximum largest_xz_range(const std::string& body, const RollingLines& lines,
                                const std::vector<double>& xz);
 
+/// The one that sets depths below a patch, mm; a line contact has no other.
+inline double smaller_semi_axis(const ContactGrid& grid, const PointResult& point) {
+  return grid.is_line() ? point.semi_axis_x : std::min(point.semi_axis_x, point.semi_axis_y);
+}
+
 /// Depth of the first layer of rolling lines, mm, and their number, in bodies whose stress is known
 /// everywhere.
 inline double rolling_step(const PointResult& point) {

@@ -38,7 +38,6 @@ enum class Demand {
   extra_slip,              ///< from a file, of bodies with radii
   extra_slip_on_profiles,  ///< from a file, in addition to that of the profiles
   line_contact,            ///< of endless rollers
-  stress_of_line,          ///< below a line contact
   distance_points,         ///< undeformed distance point by point
   distance_quadratic,      ///< undeformed distance without radii
   given_pressure,

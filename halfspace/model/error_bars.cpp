@@ -367,7 +367,7 @@ void set_stress_bars(const ContactGrid& grid, const PointResult& coarse,
                     {value - middle, of_stress.before * (middle - first),
                      0.1 * fine.max_pressure / std::pow(elements_across(grid, fine), 1.5)});
   };
-  const double layer = std::max(grid.dx, grid.dy);
+  const double layer = grid.longer_side();
   for (std::size_t m = 0; m < fine.stress_maxima.size(); ++m) {
     constexpr double below = 1.5, below_coarse = 2.2;
     const contact::StressMaximum& maximum = fine.stress_maxima[m];

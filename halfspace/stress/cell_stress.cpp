@@ -83,6 +83,25 @@ Potentials corner_potentials(double X_given, double Y_given, double z) {
   return p;
 }
 
+Potentials edge_potentials(double X_given, double z, double reference, bool finite) {
+  const double X = snapped(X_given);
+  const double across2 = X * X + z * z;
+  const double logarithm = across2 > 0.0 ? std::log(across2) : 0.0;
+  const double angle = 2.0 * std::atan2(X, z);
+  const double far = 2.0 * X * std::log(reference);
+  Potentials p = Potentials::Zero();
+  p[phi_x] = -logarithm;
+  p[phi_z] = -angle;
+  p[chi_xx] = angle;
+  p[chi_x] = X * angle - z * logarithm;
+  p[phi] = far + 2.0 * X - X * logarithm - z * angle;
+  p[omega_xx] = (finite ? 2.0 * X : 0.0) - p[phi];
+  p[omega_yy] = finite ? -2.0 * X : 0.0;
+  p[z_phi_xx] = -2.0 * X * ratio_or_zero(z, across2);
+  p[z_phi_xz] = -2.0 * z * ratio_or_zero(z, across2);
+  return p;
+}
+
 Potentials point_potentials(double X, double Y, double z) {
   const double r = std::sqrt(X * X + Y * Y + z * z);
   const double s = 1.0 / (r + z);

@@ -63,6 +63,12 @@ using LocalState = std::array<double, component_count>;
 /// traction has none. On the edge the tractions are the mean of both sides.
 Potentials corner_potentials(double X, double Y, double z);
 
+/// Antiderivative in X at an edge of strips without ends, the limit of corner_potentials of strips
+/// from -Y to Y: plane strain under p_x and p_z, antiplane shear under p_y. As in
+/// ContactGrid::line_reference, displacements are relative to the surface at `reference` from a
+/// line load (`finite`: to distant points, in the middle of strips as long as `reference`).
+Potentials edge_potentials(double X, double z, double reference, bool finite);
+
 /// Potentials of a unit point source at offset (X, Y), r > 0.
 Potentials point_potentials(double X, double Y, double z);
 

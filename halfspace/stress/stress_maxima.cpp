@@ -20,11 +20,11 @@ constexpr int layers = 18;
 constexpr double deepest = 1.5;  ///< in smaller semi-axes
 
 std::vector<double> depths_of(const contact::ContactGrid& grid, const contact::PointResult& point) {
-  const double step = deepest / layers * std::min(point.semi_axis_x, point.semi_axis_y);
+  const double step = deepest / layers * contact::smaller_semi_axis(grid, point);
   std::vector<double> depths{0.0};
   for (int k = 1; k <= layers; ++k)
-    if (k * step >= std::max(grid.dx, grid.dy)) depths.push_back(k * step);
-  if (depths.size() < 2) depths.push_back(std::max(grid.dx, grid.dy));  // long elements
+    if (k * step >= grid.longer_side()) depths.push_back(k * step);
+  if (depths.size() < 2) depths.push_back(grid.longer_side());  // long elements
   return depths;
 }
 
@@ -61,7 +61,7 @@ Lattice largest_on_lattice(const LoadedBody& body, const std::vector<double>& de
 
 ValueAt refined(const LoadedBody& body, const contact::StressMeasure& measure, const ValueAt& start,
                 double step, const StateBeyond& beyond) {
-  const double least = std::max(body.grid.dx, body.grid.dy);
+  const double least = body.grid.longer_side();
   const auto values = [&](const std::vector<std::array<double, 3>>& places) {
     std::vector<SubsurfacePoint> points;
     for (const auto& p : places) points.push_back({p[0], p[1], std::max(std::abs(p[2]), least)});
@@ -69,10 +69,11 @@ ValueAt refined(const LoadedBody& body, const contact::StressMeasure& measure, c
     auto states = subsurface_at(body, points);
     if (beyond)
       for (std::size_t k = 0; k < places.size(); ++k) beyond(body.body, points[k], states[k]);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      result.push_back(
-          {std::abs(places[k][2]) < least ? -contact::infinity : measure.value(states[k].stress),
-           places[k]});
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const bool beside = body.grid.is_line() && places[k][1] != start.place[1];
+      const bool out = beside || std::abs(places[k][2]) < least;
+      result.push_back({out ? -contact::infinity : measure.value(states[k].stress), places[k]});
+    }
     return result;
   };
   return contact::local_maximum(values, start, step);
@@ -94,8 +95,7 @@ std::vector<StressMaximum> stress_maxima(const contact::Scene& scene,
     const std::string name = wheel ? "wheel" : "rail";
     const Lattice best = largest_on_lattice(body, depths, beyond);
     for (std::size_t m = 0; m < measures.size(); ++m) {
-      ValueAt at =
-          refined(body, measures[m], best.below[m], 0.5 * std::max(grid.dx, grid.dy), beyond);
+      ValueAt at = refined(body, measures[m], best.below[m], 0.5 * grid.longer_side(), beyond);
       if (!contact::only_below(measures[m]) && best.on_surface[m].value > at.value)
         at = best.on_surface[m];
       maxima.push_back({name, measures[m].name, at.value, at.place});

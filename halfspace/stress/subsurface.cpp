@@ -115,7 +115,7 @@ std::vector<SubsurfaceLayer> subsurface_box(const LoadedBody& body,
   check_spacing(points, "lattice");
   for (const double depth : depths)
     check_half_space(depth, problem.shear_modulus, problem.poisson_ratio);
-  const bool possible = same_spacing(body.grid, points);
+  const bool possible = !body.grid.is_line() && same_spacing(body.grid, points);
   if (summation == Summation::fft && !possible)
     throw contact::InputError(fmt::format(
         "lattice spacing {} by {} mm; allowed for summation by FFT: that of the contact grid, {} "

@@ -5,7 +5,9 @@
 // Output is in the global frame (x rolling, y lateral, z into the wheel) for both bodies: the wheel
 // is z = +depth, the rail z = -depth. Tractions are those on the wheel, as everywhere else; the
 // opposite ones act on the rail. Only the constants of the body itself matter: nu in the stress, nu
-// and G in the displacement, which is that of the half-space, zero at infinity.
+// and G in the displacement, which is that of the half-space, zero at infinity. In a line contact
+// nothing depends on y, and displacements are relative as on the surface
+// (ContactGrid::line_reference).
 #pragma once
 
 #include "contact/base/grid.hpp"

@@ -23,10 +23,6 @@ double unit_of(std::size_t component, double shear_modulus) {
   return component < s_xx ? 1.0 / (4.0 * pi * shear_modulus) : 1.0 / (2.0 * pi);
 }
 
-double longer_side(const contact::ContactGrid& grid) {
-  return std::max(grid.dx, grid.dy);
-}
-
 }  // namespace
 
 DirectSum::DirectSum(const LocalProblem& problem) : problem_(problem) {
@@ -52,10 +48,10 @@ long DirectSum::elements() const {
 }
 
 /// Each corner function is evaluated once; a corner's weight is the mixed difference of the loads
-/// of the (up to) four elements that meet there.
+/// of the (up to) four elements that meet there. In a line contact edges take their place.
 DirectSum::Loads DirectSum::near_sum(double x, double y, double z) const {
   const contact::ContactGrid& grid = problem_.grid;
-  const double length = longer_side(grid);
+  const double length = grid.longer_side();
   Loads sum = Loads::Zero();
   const auto jump = [&](const contact::Field& load, int i, int j) {
     const auto value = [&](int m, int n) {
@@ -64,14 +60,17 @@ DirectSum::Loads DirectSum::near_sum(double x, double y, double z) const {
     };
     return value(i, j) - value(i - 1, j) - value(i, j - 1) + value(i - 1, j - 1);
   };
-  for (int j = j_first_; j <= j_last_ + 1; ++j)
+  const bool line = grid.is_line(), finite = std::isinf(grid.line_reference);
+  const double reference = (finite ? grid.dy : grid.line_reference) / length;
+  for (int j = j_first_; j <= (line ? j_first_ : j_last_ + 1); ++j)
     for (int i = i_first_; i <= i_last_ + 1; ++i) {
       Eigen::Array3d weight;
       for (std::size_t c = 0; c < 3; ++c) weight[c] = jump(problem_.loads[c], i, j);
       if ((weight == 0.0).all()) continue;
-      const Potentials corner =
-          corner_potentials((x - grid.x(i) + 0.5 * grid.dx) / length,
-                            (y - grid.y(j) + 0.5 * grid.dy) / length, z / length);
+      const double X = (x - grid.x(i) + 0.5 * grid.dx) / length;
+      const double Y = (y - grid.y(j) + 0.5 * grid.dy) / length;
+      const Potentials corner = line ? edge_potentials(X, z / length, reference, finite)
+                                     : corner_potentials(X, Y, z / length);
       for (int c = 0; c < 3; ++c) sum.col(c) += weight[c] * corner;
     }
   sum.topRows<first_dimensionless>() *= length;
@@ -96,7 +95,8 @@ LocalState DirectSum::at(double x, double y, double z) const {
   const contact::ContactGrid& grid = problem_.grid;
   const double reach_x = std::max(std::abs(x - grid.x(i_first_)), std::abs(x - grid.x(i_last_)));
   const double reach_y = std::max(std::abs(y - grid.y(j_first_)), std::abs(y - grid.y(j_last_)));
-  const bool near = std::hypot(std::hypot(reach_x, reach_y), z) < corner_range * longer_side(grid);
+  const bool near = grid.is_line() ||
+                    std::hypot(std::hypot(reach_x, reach_y), z) < corner_range * grid.longer_side();
   const Loads sum = near ? near_sum(x, y, z) : far_sum(x, y, z);
   LocalState state = assemble_state(sum.col(0).data(), sum.col(1).data(), sum.col(2).data(),
                                     problem_.poisson_ratio, z);
@@ -118,7 +118,7 @@ LayerConvolution::LayerConvolution(const LocalProblem& problem, const contact::C
 /// by (my + 1) rows, mx = nx of elements + nx of points - 1.
 std::vector<Potentials> LayerConvolution::corners(double z) const {
   const contact::ContactGrid& grid = problem_.grid;
-  const double length = longer_side(grid);
+  const double length = grid.longer_side();
   const int columns = grid.nx + points_.nx;
   const int rows = grid.ny + points_.ny;
   std::vector<Potentials> table(static_cast<std::size_t>(columns) * rows);
@@ -140,7 +140,7 @@ std::vector<Potentials> LayerConvolution::corners(double z) const {
 
 void LayerConvolution::transform_kernels(double z) const {
   const contact::ContactGrid& grid = problem_.grid;
-  const double length = longer_side(grid);
+  const double length = grid.longer_side();
   const std::vector<Potentials> table = corners(z);
   const int columns = grid.nx + points_.nx;
   const int px = kernel_fft_.px();

@@ -100,8 +100,7 @@ contact::ModelInfo hybrid_model() {
   contact::ModelInfo hybrid{"hybrid", "hybrid",
                             "half-space on a fine grid with a correction for curved, finite bodies "
                             "from coarse finite elements"};
-  hybrid.takes = contact::all_demands_but({Demand::sections, Demand::line_contact,
-                                           Demand::stress_of_line, Demand::inertia,
+  hybrid.takes = contact::all_demands_but({Demand::sections, Demand::line_contact, Demand::inertia,
                                            Demand::distance_points, Demand::distance_quadratic,
                                            Demand::given_pressure, Demand::yielding_body});
   hybrid.run = [](const ModelInput& input, const contact::Progress& progress,
@@ -120,8 +119,8 @@ contact::ModelInfo hybrid_model() {
 
 contact::ModelInfo fem_model() {
   contact::ModelInfo fem{"fem", "FEM", "3D finite elements of both bodies"};
-  fem.takes = contact::all_demands_but({Demand::sections, Demand::line_contact,
-                                        Demand::stress_of_line, Demand::stress_in_rigid_body});
+  fem.takes = contact::all_demands_but(
+      {Demand::sections, Demand::line_contact, Demand::stress_in_rigid_body});
   fem.run = [](const ModelInput& input, const contact::Progress& progress,
                contact::Checkpoint* checkpoint) {
     return open_fem_library("model fem").run(input, progress, checkpoint);

@@ -189,8 +189,7 @@ contact::ModelInfo auto_model() {
   contact::ModelInfo choice{
       "auto", "auto",
       "chooses the cheapest of halfspace, hybrid and fem whose total error is within `accuracy`"};
-  choice.takes =
-      contact::all_demands_but({contact::Demand::stress_of_line, contact::Demand::yielding_body});
+  choice.takes = contact::all_demands_but({contact::Demand::yielding_body});
   choice.chooses = choice.in_run = true;
   choice.parallel = ROLLFEM_WITH_FEM;
   return choice;

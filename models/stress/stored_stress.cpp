@@ -196,7 +196,7 @@ std::vector<contact::StressMaximum> largest_at_nodes(const ModelResult& model, s
   std::vector<contact::StressMaximum> maxima;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const contact::BodyField body = model.body_at(point, b);
-    const double near_surface = 0.5 * std::max(model.grid.dx, model.grid.dy);
+    const double near_surface = 0.5 * model.grid.longer_side();
     for (const auto& found :
          postprocess::largest_stresses(body.name, body.points, body.stress, 0.0, near_surface))
       maxima.push_back(found);
@@ -245,7 +245,7 @@ StressOfModel stress_of(const contact::Case& input, ModelResult model, std::size
   if (found.maxima.empty())
     found.maxima = bodies ? largest_at_nodes(model, number)
                           : halfspace::stress_maxima(input, model.grid, point);
-  const double element = std::max(model.grid.dx, model.grid.dy);
+  const double element = model.grid.longer_side();
   add_largest_of_sets(found.sets, bodies ? 0.0 : 0.5 * element, found.maxima);
   found.result = std::move(model);
   return found;

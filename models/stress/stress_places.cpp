@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "contact/result/stress_extremes.hpp"
 #include "halfspace/stress/subsurface.hpp"
 #include "hybrid/stresses.hpp"
 #include "models/fem/fem_models.hpp"
@@ -168,7 +169,7 @@ std::vector<NamedRequest> named_requests(const StressRequest& request) {
 std::vector<NamedRequest> depth_profiles(const ModelResult& model, std::size_t number,
                                          const StressRequest& request) {
   const contact::PointResult& point = model.points.at(number);
-  const double semi_axis = std::min(point.semi_axis_x, point.semi_axis_y);
+  const double semi_axis = contact::smaller_semi_axis(model.grid, point);
   const double depth = request.depth.value_or(profile_depth * semi_axis);
   if (!(depth > 0.0) || !std::isfinite(depth))
     throw InputError(

@@ -2,7 +2,9 @@
 #include "postprocess/read/results_reader.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
+#include "contact/scene/geometry.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/write/output.hpp"
@@ -312,6 +314,10 @@ ModelResult ResultsFile::read(const StoredModel& model) const {
     result.place = model.place;
     result.seconds = read_by_name(group, "seconds");
     result.grid = read_grid(group);
+    if (result.grid.ny == 1 && !input_.text.empty()) {  // perhaps without ends
+      const contact::Geometry geometry(contact::parse_case(input_.text, input_.file));
+      if (geometry.line) result.grid.line_reference = geometry.line->reference;
+    }
     const Handle points = open_group(group, "points");
     for (const std::string& number : members(points))
       result.points.push_back(read_point(open_group(points, number), result.grid));
