@@ -6,6 +6,7 @@ along the edge by a Fourier integral. Needs scipy (python3-scipy). Some ten minu
 
     benchmarks/corner.py                # solves wedges of 80 to 270 degrees, prints coefficients and their errors
     benchmarks/corner.py --block 100    # a right angle that is clamped 100 mm from its edge
+    benchmarks/corner.py --poisson 0.45 # coefficients for another Poisson's ratio than 0.3
 """
 
 import argparse
@@ -170,7 +171,9 @@ def block(size):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--block", type=float, metavar="MM", help="distance of the clamped end from the edge")
+    parser.add_argument("--poisson", type=float, default=NU, metavar="NU", help="Poisson's ratio (default: %(default)s)")
     options = parser.parse_args()
+    NU, G = options.poisson, 0.5 * E / (1.0 + options.poisson)
     if options.block:
         block(options.block)
     else:

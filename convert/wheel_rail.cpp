@@ -106,7 +106,7 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
     made.set("wheelset", "rotation_change", -forward.sign * vpitch * radius / speed - 1.0,
              "-VPITCH NOMRAD / VS - 1");
   else if (digits.F == 1 && vpitch == 0.0)
-    made.set_word("wheelset", "free_rolling", "force");
+    made.set_word("wheelset", "free_rolling", digits.T == 0 ? "none" : "force");
   else
     made.refuse(true, fmt::format("digit F = {}: a prescribed force or moment on the wheel other "
                                   "than zero force",

@@ -2,6 +2,7 @@
 #include "theories/brush.hpp"
 
 #include "contact/base/pi.hpp"
+#include "contact/result/derived.hpp"
 #include "contact/scene/geometry.hpp"
 #include "theories/elliptic_patch.hpp"
 
@@ -204,6 +205,20 @@ void take_adhesion(const BrushStrip& strip, StripTractions& brushes) {
   }
 }
 
+void set_works(double y, const BrushFlexibilities& flexible, const contact::Creepage& creepage,
+               StripTractions& strip) {
+  const double along = flexible.longitudinal / flexible.spin;
+  const double across = flexible.lateral / flexible.spin;
+  const StripElements& elements = strip.elements;
+  for (int k = 0; k < elements.count; ++k) {
+    const double x = elements.x_first - k * elements.step;
+    const double fx = elements.step * strip.traction_x[k], fy = elements.step * strip.traction_y[k];
+    const double rolling = fx * creepage.longitudinal + fy * creepage.lateral;
+    strip.work -= rolling + creepage.spin * (across * x * fy - along * y * fx);
+    strip.power -= rolling + creepage.spin * (x * fy - y * fx);
+  }
+}
+
 }  // namespace
 
 StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& flexibilities,
@@ -242,6 +257,7 @@ StripTractions solve_strip(const BrushStrip& strip, const BrushFlexibilities& fl
     result.traction_y[k] = py;
   }
   if (strip.theory) take_adhesion(strip, result);
+  set_works(strip.y, flexible, creepage, result);
   return result;
 }
 
@@ -278,6 +294,8 @@ void add_strip(const BrushStrip& strip, const StripTractions& tractions, double 
     totals.max_traction = std::max(totals.max_traction, std::hypot(px, py));
     totals.max_traction_x = std::max(totals.max_traction_x, std::abs(px));
   }
+  totals.work += width * tractions.work;
+  totals.power += width * tractions.power;
   totals.contact_area += area * elements.count;
   totals.elements += elements.count;
 }
@@ -304,18 +322,27 @@ void add_strips(const BrushProblem& problem, const StripAt& strip_at,
   }
 }
 
-void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
-                       const StripAt& strip_at, contact::PointResult& point) {
+contact::Field fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
+                                 const StripAt& strip_at, contact::PointResult& point) {
+  contact::Field work = contact::Field::Zero(grid.ny);
   for (int j = 0; j < grid.ny; ++j) {
     const BrushStrip strip = strip_at(grid.y(j));
     if (strip.half_length <= 0.0) continue;
-    fill_row(grid, j, strip, solve_strip(problem, strip, chord_elements(strip, problem.elements)),
-             point.fields);
+    const StripTractions tractions =
+        solve_strip(problem, strip, chord_elements(strip, problem.elements));
+    fill_row(grid, j, strip, tractions, point.fields);
+    work[j] = tractions.work;
   }
+  return work;
 }
 
-void set_totals(const BrushTotals& totals, contact::PointResult& point) {
+void set_totals(const BrushTotals& totals, const contact::ContactGrid& grid,
+                const contact::Field& rows, contact::PointResult& point) {
   set_forces(totals.forces, point);
+  point.frictional_work = totals.work + 0.0;
+  point.creepage_work = totals.power + 0.0;
+  const double sum = grid.dy * rows.sum();
+  contact::set_pass_work(grid, sum > 0.0 ? contact::Field(totals.work / sum * rows) : rows, point);
   if (totals.contact_area > 0.0)
     point.adhesion_area = point.contact_area * totals.adhesion_area / totals.contact_area;
   point.max_traction = totals.max_traction;
@@ -331,6 +358,7 @@ void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int or
   estimate("longitudinal_force", &halfspace::CreepForces::longitudinal);
   estimate("lateral_force", &halfspace::CreepForces::lateral);
   estimate("spin_moment", &halfspace::CreepForces::spin_moment);
+  point.error_estimate["frictional_work"] = std::abs(totals.work - coarse.work) / divisor;
   // Quantities that end at a boundary within an element keep the full change.
   const auto uneven = [&](const char* name, double BrushTotals::*member, double scale) {
     point.error_estimate[name] = scale * std::abs(totals.*member - coarse.*member);

@@ -102,6 +102,7 @@ struct StripTractions {
   std::vector<double> traction_x, traction_y;
   std::vector<double> slip_x, slip_y;
   std::vector<contact::ElementState> state;
+  double work = 0.0, power = 0.0;  ///< N per mm of width and mm rolled, as in BrushTotals
 };
 
 /// Follows the material through a strip whose rigid slip is (xi - phi y, eta + phi x).
@@ -131,6 +132,10 @@ struct BrushTotals {
   double adhesion_area = 0.0;   ///< mm^2
   double max_traction = 0.0;    ///< MPa
   double max_traction_x = 0.0;  ///< MPa
+  /// N, of friction: tractions times the rigid slip that the brushes see, because the work of their
+  /// own displacement vanishes from edge to edge. With three flexibilities the spin that they see
+  /// differs from that of the bodies, which gives the power of the creep forces.
+  double work = 0.0, power = 0.0;
   long elements = 0;
 };
 
@@ -158,15 +163,16 @@ void add_strips(const BrushProblem& problem, const StripAt& strip_at,
                 const ElementsOf& elements_of = {});
 
 /// Tractions, slip, state and (when finite) the bound of the strips of a load point on its contact
-/// grid: every row of elements is a strip.
-void fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
-                       const StripAt& strip_at, contact::PointResult& point);
+/// grid: every row of elements is a strip. Returns the work of the rows, N/mm.
+contact::Field fill_brush_fields(const contact::ContactGrid& grid, const BrushProblem& problem,
+                                 const StripAt& strip_at, contact::PointResult& point);
 
-/// Forces, adhesion area (as a fraction of the contact area) and largest tractions of a load point
-/// from the sum over strips.
-void set_totals(const BrushTotals& totals, contact::PointResult& point);
+/// Forces, works, adhesion area (as a fraction of the contact area) and largest tractions of a load
+/// point from the sum over strips. `rows`: work of the rows of the grid, which are scaled to it.
+void set_totals(const BrushTotals& totals, const contact::ContactGrid& grid,
+                const contact::Field& rows, contact::PointResult& point);
 
-/// Error estimates "longitudinal_force", "lateral_force", "spin_moment" of a load point, by a
+/// Error estimates of forces, moment and work of a load point, by a
 /// method of the given order, with elements twice as large for `coarse`.
 void estimate_error(const BrushTotals& totals, const BrushTotals& coarse, int order,
                     contact::PointResult& point);

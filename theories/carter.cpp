@@ -47,19 +47,24 @@ BrushTotals sum_carter_strips(const EllipticPatch& patch, const contact::Creepag
     const CarterSolution strip = strip_solution(patch, creepage, y);
     totals.forces.longitudinal += width * strip.force();
     totals.forces.spin_moment -= width * y * strip.force();
+    totals.work += width * strip.work();
     totals.max_traction = std::max(totals.max_traction, strip.largest_traction());
     totals.adhesion_area += 2.0 * width * strip.stick_half_width();
     totals.contact_area += 2.0 * width * strip_contact(patch, y).half_width;
   }
   totals.max_traction_x = totals.max_traction;
+  totals.power = totals.work;
   return totals;
 }
 
-void fill_fields(const EllipticPatch& patch, contact::PointResult& point) {
+/// Returns the work of the rows, N/mm.
+contact::Field fill_fields(const EllipticPatch& patch, contact::PointResult& point) {
   const contact::ContactGrid& grid = patch.grid;
   contact::ContactFields& fields = point.fields;
+  contact::Field work(grid.ny);
   for (int j = 0; j < grid.ny; ++j) {
     const CarterSolution strip = strip_solution(patch, point.creepage, grid.y(j));
+    work[j] = strip.work();
     for (int i = 0; i < grid.nx; ++i) {
       const int k = grid.index(i, j);
       if (fields.state[k] == contact::ElementState::exterior) continue;
@@ -70,6 +75,7 @@ void fill_fields(const EllipticPatch& patch, contact::PointResult& point) {
         fields.state[k] = contact::ElementState::slip;
     }
   }
+  return work;
 }
 
 /// Values that depend on no grid or number of strips.
@@ -140,9 +146,9 @@ contact::ModelResult run_carter(const contact::Scene& scene, const contact::Prog
   const int strips = scene.options.carter.strips;
   const EllipticPatch patch = elliptic_patch(scene);
   const auto fill = [&](contact::PointResult& point) {
-    fill_fields(patch, point);
+    const contact::Field rows = fill_fields(patch, point);
     const BrushTotals totals = sum_carter_strips(patch, point.creepage, strips);
-    set_totals(totals, point);
+    set_totals(totals, patch.grid, rows, point);
     if (scene.geometry.line)
       say_closed_form(scene, point);
     else

@@ -26,7 +26,8 @@ class CarterSolution {
   double stick_half_width() const { return stick_; }                    ///< a', mm
   double stick_middle() const { return contact_.half_width - stick_; }  ///< touches x = +a
   double force() const;                                                 ///< F_x, N/mm
-  double traction(double x) const;                                      ///< p_x, MPa
+  double work() const { return -force() * creepage_; }  ///< of friction, N/mm per mm rolled
+  double traction(double x) const;                      ///< p_x, MPa
   double largest_traction() const;  ///< |p_x|, MPa: where slip begins, or in its middle
   double slip(double x) const;      ///< w_x in the contact, 0 in the stick zone
 

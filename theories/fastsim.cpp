@@ -150,9 +150,9 @@ contact::ModelResult run_brushes(bool adhesion_of_strips, const contact::Scene& 
     const BrushFlexibilities flexibilities = fastsim_flexibilities(patch, creepage, options);
     const StripAt strip_at = strips_at(creepage);
     const BrushProblem problem{patch.geometry, creepage, flexibilities, options.strip_elements};
-    fill_brush_fields(patch.grid, problem, strip_at, point);
+    const contact::Field rows = fill_brush_fields(patch.grid, problem, strip_at, point);
     const BrushTotals totals = sum_ellipse(patch, creepage, flexibilities, strip_at, options);
-    set_totals(totals, point);
+    set_totals(totals, patch.grid, rows, point);
     // In FaStrip the tractions begin and end with a root.
     const int order =
         adhesion_of_strips ? 1 : convergence_order(options, creepage, patch.falling != nullptr);

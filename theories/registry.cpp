@@ -99,8 +99,7 @@ contact::Model elliptic(const contact::Model& theory, Leaves leaves = {}) {
 
 /// Numbers from the fields on the contact grid, which no finer one confirms.
 bool is_pass_work(const std::string& quantity) {
-  for (const char* name : {"frictional_work", "max_pass_work", "pass_work_y_wheel",
-                           "pass_work_y_rail", "revolution_work"})
+  for (const char* name : {"max_pass_work", "pass_work_y_wheel", "pass_work_y_rail"})
     if (quantity == name) return true;
   return false;
 }
@@ -109,12 +108,6 @@ bool is_pass_work(const std::string& quantity) {
 contact::Model with_pass_work(const contact::Model& theory) {
   return [=](const Scene& scene, const Progress& progress) {
     ModelResult result = theory(scene, progress);
-    for (PointResult& point : result.points) {
-      const contact::Field work =
-          contact::pass_work(result.grid, point.fields.traction, point.fields.slip);
-      point.frictional_work = result.grid.dy * work.sum();
-      point.max_pass_work = work.maxCoeff();
-    }
     contact::place_pass_work({scene.geometry, contact::Chart::plane}, scene.place, result);
     for (PointResult& point : result.points)
       for (const contact::Quantity& quantity : contact::quantities())
@@ -247,7 +240,9 @@ ModelInfo theory(const char* name, const char* label, const char* sentence, cons
                 Demand::stress_in_rigid_body, Demand::beyond_half_space};
   info.takes.insert(info.takes.end(), more.begin(), more.end());
   info.run = [=](const Scene& c, const Progress& p, contact::Checkpoint*) {
-    ModelResult result = model(c, p);
+    Scene active = c;
+    active.friction_law = c.friction();
+    ModelResult result = model(active, p);
     estimate_model_error(c, kind, p, result);
     return result;
   };

@@ -203,11 +203,13 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
   estimate_normal_errors(normal_part(coarse, grid), normal);
   long unknowns = 0;
   const auto fill = [&](contact::PointResult& point) {
+    contact::Field rows = contact::Field::Zero(grid.ny);
     for (const StripPatch& patch : fine.normal.patches)
-      fill_brush_fields(grid, brush_problem(fine, patch, point.creepage, options.strip_elements),
-                        strips_in(fine, patch), point);
+      rows += fill_brush_fields(grid,
+                                brush_problem(fine, patch, point.creepage, options.strip_elements),
+                                strips_in(fine, patch), point);
     const BrushTotals totals = strip_totals(fine, point.creepage, options.strip_elements);
-    set_totals(totals, point);
+    set_totals(totals, grid, rows, point);
     const int order = point.creepage.spin == 0.0 ? 2 : 1;
     estimate_error(totals, strip_totals(coarse, point.creepage, options.strip_elements / 2), order,
                    point);

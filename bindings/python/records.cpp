@@ -135,7 +135,7 @@ py::dict point_of(const ModelResult& model, const PointResult& point, const Shar
                   "model_error"_a = point.model_error, "richardson"_a = point.richardson,
                   "subsurface"_a = subsurface_of(point, owner),
                   "stress_maxima"_a = maxima_of(point),
-                  "pass_work"_a = column(contact::pass_work(model, point)),
+                  "pass_work"_a = column(contact::pass_work(model.grid, point)),
                   "yielded"_a = yielded_of(point), "bodies"_a = bodies_of(model, point, owner));
 }
 

@@ -57,10 +57,89 @@ Field pass_work(const ContactGrid& grid, const SurfaceField& traction,
   return work;
 }
 
-Field pass_work(const ModelResult& model, const PointResult& point) {
+Field pass_work(const ContactGrid& grid, const PointResult& point) {
+  if (point.fields.work.size() != grid.size()) return {};
+  Field work(grid.ny);
+  for (int j = 0; j < grid.ny; ++j)
+    work[j] = grid.dx * point.fields.work.segment(grid.index(0, j), grid.nx).sum();
+  return work;
+}
+
+Field slope_along(const ContactGrid& grid, const Field& values) {
+  check_sizes(grid, {&values}, "field");
+  Field slope = Field::Zero(grid.size());
+  for (int j = 0; j < grid.ny; ++j)
+    for (int k = grid.index(1, j); k < grid.index(grid.nx - 1, j); ++k)
+      slope[k] = (values[k - 1] - values[k + 1]) / (2.0 * grid.dx);
+  return slope;
+}
+
+void set_pass_work(const ContactGrid& grid, const Field& rows, PointResult& point) {
   const ContactFields& fields = point.fields;
-  if (!point.max_pass_work || fields.slip.x.size() != model.grid.size()) return {};
-  return pass_work(model.grid, fields.traction, fields.slip);
+  const SurfaceField& p = fields.traction;
+  Eigen::ArrayXd work =
+      (0.0 - (p.x.array() * fields.slip.x.array() + p.y.array() * fields.slip.y.array())).max(0.0);
+  const Eigen::ArrayXd size = (p.x.array().square() + p.y.array().square()).sqrt();
+  for (int j = 0; j < grid.ny; ++j) {
+    auto row = work.segment(grid.index(0, j), grid.nx);
+    const auto traction = size.segment(grid.index(0, j), grid.nx);
+    const double missing = rows[j] / grid.dx - row.sum();
+    if (missing < 0.0 && row.sum() > 0.0) {
+      row *= rows[j] / grid.dx / row.sum();
+      continue;
+    }
+    Eigen::ArrayXd share = (row > 0.0).select(traction, 0.0);
+    for (int i = 0; i < grid.nx && share.sum() == 0.0; ++i) share[i] = traction[i];
+    if (share.sum() > 0.0) row += missing / share.sum() * share;
+  }
+  point.fields.work = work.matrix();
+  point.max_pass_work = rows.maxCoeff();
+}
+
+namespace {
+
+/// Work of the rows, where elements have `resolved` of it; 0 outside of the patch.
+Eigen::ArrayXd evened_out(const Field& resolved, Eigen::ArrayXd rows) {
+  const Eigen::ArrayXd lacking =
+      (rows != 0.0).select(((rows - resolved.array()) / rows).abs().min(1.0), 0.0);
+  for (int times = 0; times < 2; ++times) {
+    const Eigen::ArrayXd before = rows;
+    for (Eigen::Index j = 0; j + 1 < rows.size(); ++j) {
+      if (before[j] == 0.0 || before[j + 1] == 0.0) continue;
+      const double moved = 0.125 * (lacking[j] + lacking[j + 1]) * (before[j + 1] - before[j]);
+      rows[j] += moved;
+      rows[j + 1] -= moved;
+    }
+  }
+  const double sum = rows.sum();
+  rows = rows.max(0.0);
+  return sum > 0.0 ? Eigen::ArrayXd(sum / rows.sum() * rows) : rows;
+}
+
+}  // namespace
+
+void set_works(const ContactGrid& grid, const PatchShape& shape, const TangentialField& rigid_slip,
+               const TangentialField& extra_slip, PointResult& point) {
+  const SurfaceField& u = point.fields.displacement;
+  const SurfaceField traction = times_stretch(point.fields.traction, shape);
+  const TangentialField slip{rigid_slip.x + slope_along(grid, u.x),
+                             rigid_slip.y + slope_along(grid, u.y)};
+  Eigen::ArrayXd rows = evened_out(pass_work(grid, traction, point.fields.slip),
+                                   pass_work(grid, traction, slip).array());
+  point.frictional_work = grid.dy * rows.sum();
+  point.creepage_work =
+      power_balance(grid, traction, slip, point.creepage, 1.0, extra_slip).creepage;
+  // Friction moves the pressure of unlike bodies, which then resists rolling.
+  if (point.max_traction > 0.0)
+    *point.creepage_work += grid.element_area() * traction.n.dot(slope_along(grid, u.n));
+  if (shape.stretch.size() != 0)
+    for (int j = 0; j < grid.ny; ++j) rows[j] /= shape.stretch[grid.index(0, j)];
+  set_pass_work(grid, rows.matrix(), point);
+}
+
+double approach_of_ellipsoid(const ContactFields& fields) {
+  const Eigen::ArrayXd weight = fields.traction.n.array().cube();
+  return 7.0 / 6.0 * (weight * fields.displacement.n.array()).sum() / weight.sum();
 }
 
 namespace {
@@ -120,7 +199,7 @@ void place_pass_work(const ChartedGeometry& geometry, const std::optional<Contac
   result.rows = profile_rows(geometry, place, result.grid);
   const double radius = place ? place->rolling_radius : geometry.geometry().surface.rolling_radius;
   for (PointResult& point : result.points) {
-    const Field work = pass_work(result, point);
+    const Field work = pass_work(result.grid, point);
     if (work.size() == 0) continue;
     // Slip of this size is what the iteration leaves.
     constexpr double no_slip = 1e-9;

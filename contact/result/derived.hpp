@@ -26,8 +26,30 @@ SurfaceField times_stretch(const SurfaceField& traction, const PatchShape& shape
 /// rolled. Throws InputError when the fields do not match the grid.
 Field pass_work(const ContactGrid& grid, const SurfaceField& traction, const TangentialField& slip);
 
-/// The same of a load point of a result; empty where there is none.
-Field pass_work(const ModelResult& model, const PointResult& point);
+/// The same of a load point on its grid, from ContactFields::work; empty where there is none.
+Field pass_work(const ContactGrid& grid, const PointResult& point);
+
+/// -d/dx of a field by central differences, 0 at the ends of the rows. With it a symmetric
+/// operator that is the same everywhere, u = A p, has sum p . D u = 0, as in the continuum.
+Field slope_along(const ContactGrid& grid, const Field& values);
+
+/// Sets ContactFields::work and `max_pass_work` of a load point for this work of its rows (N/mm).
+/// In a row, elements have -p_t . w of their own. What is missing belongs to a slip zone that they
+/// do not resolve, at the trailing edge: it is shared by the elements that slip as their traction,
+/// or goes to the last element in contact. A row that has too much is reduced in proportion.
+void set_pass_work(const ContactGrid& grid, const Field& rows, PointResult& point);
+
+/// Sets `frictional_work`, its distribution and `creepage_work` of a solution on elements in steady
+/// rolling. `rigid_slip` is the slip without the slope of the displacement, `extra_slip` that
+/// beyond the creepages. The slope is that of central differences: by the solver's upwind ones
+/// tractions lose what a slip zone releases that no element resolves. What the elements of a row
+/// lack depends on where its edges lie in an element: neighbours even it out.
+void set_works(const ContactGrid& grid, const PatchShape& shape, const TangentialField& rigid_slip,
+               const TangentialField& extra_slip, PointResult& point);
+
+/// Approach of bodies under Hertz's pressure p, mm: 7/6 of the mean of u_n = delta - A x^2 - B y^2
+/// with the weight p^3, which edges hardly reach, because A a^2 + B b^2 = delta.
+double approach_of_ellipsoid(const ContactFields& fields);
 
 /// The rows of a result on the profiles (ModelResult::rows) with its grid in the chart of
 /// `geometry`, and for every load point with work where the largest one lies, and the work per

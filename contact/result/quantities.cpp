@@ -161,11 +161,10 @@ std::vector<Quantity> of_the_solution() {
        "elastic energy of both bodies; half-space only", Scale::value, Use::stored,
        at<&P::elastic_energy>()},
       {"frictional_work", "frictional work", "", "N",
-       "N mm per mm rolled, from tractions and slip at the same points; steady rolling only",
+       "N mm per mm rolled, of tractions on the slip; steady rolling only",
        Scale::value, Use::stored, at<&P::frictional_work>()},
       {"creepage_work", "work of the creepages", "", "N",
-       "N mm per mm rolled, from forces and creepages: equals the frictional work up to the "
-       "discretisation",
+       "N mm per mm rolled, from forces and creepages; equals the frictional work of half-spaces",
        Scale::value, Use::stored, at<&P::creepage_work>()},
       {"max_pass_work", "largest work per pass", "w", "N/mm",
        "largest frictional work per pass and area (N mm/mm^2) on the profiles; the bar holds for "

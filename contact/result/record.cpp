@@ -55,7 +55,7 @@ void Record::value(PointResult& p) {
   }
   values(p.error_estimate, p.no_bar, p.model_error, p.richardson);
   ContactFields& f = p.fields;
-  values(f.traction, f.slip, f.traction_bound, f.gap, f.displacement, f.state);
+  values(f.traction, f.slip, f.traction_bound, f.gap, f.displacement, f.work, f.state);
   values(p.subsurface, p.stress_maxima, p.yielded, p.bodies);
 }
 

@@ -25,6 +25,7 @@ struct ContactFields {
   Field traction_bound;       ///< g = mu p_n, or the yield stress below it, MPa
   Field gap;                  ///< computed h + u_n - approach, mm: >= 0 to the tolerance; or empty
   SurfaceField displacement;  ///< u_wheel - u_rail, mm; empty for theories without it
+  Field work;  ///< of friction, N/mm^2 (N mm per mm^2 and mm rolled); empty unless steadily rolling
   std::vector<ElementState> state;
 };
 
@@ -96,7 +97,7 @@ struct PointResult {
   // Quantities that not every model gives.
   std::optional<double> elastic_energy;   ///< N mm
   std::optional<double> frictional_work;  ///< N mm per mm rolled; steady rolling only
-  std::optional<double> creepage_work;    ///< equal up to the discretisation error
+  std::optional<double> creepage_work;    ///< equal for half-spaces
   /// N/mm, largest of pass_work (contact/result/derived.hpp), and where, y in the coordinates of
   /// the profiles, mm.
   std::optional<double> max_pass_work, pass_work_y_wheel, pass_work_y_rail;

@@ -373,9 +373,10 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   point.fields.displacement = state_.displacement;
   point.fields.state = state_.tangential.state;
   integrate_tractions(result_.grid, point, shape_);
-  add_energies(point);
+  add_energies(motion_->at(k, unknowns).rigid_slip, point);
   place_patch(scene_, result_.grid, point);
-  point.approach = state_.normal.approach;
+  point.approach =
+      scene_.given_pressure ? approach_of_ellipsoid(point.fields) : state_.normal.approach;
   point.iterations = state_.iterations;
   point.residual = state_.residual;
   const ContactResidual left = contact_residual(point.fields);
@@ -383,18 +384,17 @@ PointResult ContactRun::point_result(std::size_t k, const Vector2d& unknowns) {
   return point;
 }
 
-/// Works per mm rolled are the powers at V = 1; shifts and transient steps have no such works.
-void ContactRun::add_energies(PointResult& point) const {
-  const SurfaceField traction = times_stretch(point.fields.traction, shape_);
-  point.elastic_energy = elastic_energy(result_.grid, traction, point.fields.displacement);
+/// Shifts and transient steps have no works per mm rolled.
+void ContactRun::add_energies(TangentialField rigid_slip, PointResult& point) const {
+  point.elastic_energy = elastic_energy(result_.grid, times_stretch(point.fields.traction, shape_),
+                                        point.fields.displacement);
   if (scene_.problem != Problem::steady) return;
-  const PowerBalance balance =
-      power_balance(result_.grid, traction, point.fields.slip, point.creepage, 1.0,
-                    geometry_.extra_slip(point.creepage, result_.grid));
-  point.frictional_work = balance.friction;
-  point.creepage_work = balance.creepage;
-  point.max_pass_work =
-      pass_work(result_.grid, point.fields.traction, point.fields.slip).maxCoeff();
+  if (state_.curvature_slip.x.size() != 0) {
+    rigid_slip.x += state_.curvature_slip.x;
+    rigid_slip.y += state_.curvature_slip.y;
+  }
+  set_works(result_.grid, shape_, rigid_slip, geometry_.extra_slip(point.creepage, result_.grid),
+            point);
 }
 
 }  // namespace rollfem::contact

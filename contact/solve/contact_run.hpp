@@ -138,7 +138,7 @@ class ContactRun {
   ForceSearch search_for(std::size_t k);
   Eigen::Vector2d find_force(std::size_t k);
   PointResult point_result(std::size_t k, const Eigen::Vector2d& unknowns);
-  void add_energies(PointResult& point) const;
+  void add_energies(TangentialField rigid_slip, PointResult& point) const;
   void remember(std::size_t k);
   ProgressEvent event_of(std::size_t k) const;
 

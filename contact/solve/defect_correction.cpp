@@ -231,6 +231,7 @@ ContactState solve_coupled(const Compliance& compliance, const Preconditioner& p
     const SurfaceField traction = tractions(solution);
     const Response response = compliance.respond(traction);
     solution.displacement = response.displacement;
+    solution.curvature_slip = response.curvature_slip;
     solution.defect = defect_of(response, preconditioner, traction, problem.frame);
     solution.iterations = iteration;
     solution.residual =

@@ -81,8 +81,9 @@ struct CoupledProblem : ContactConditions {
 /// The state of a contact: the solution of one problem, and the start of the next one.
 struct ContactState {
   NormalSolution normal;
-  TangentialSolution tangential;  ///< fields of size 0 while frictionless
-  SurfaceField displacement;      ///< wheel minus rail, mm, by all tractions
+  TangentialSolution tangential;     ///< fields of size 0 while frictionless
+  SurfaceField displacement;         ///< wheel minus rail, mm, by all tractions
+  TangentialField curvature_slip{};  ///< Response::curvature_slip; empty for straight streamlines
   Response defect;     ///< difference between the elasticity and the stand-in; may be empty
   int iterations = 0;  ///< Newton steps, or outer iterations
   double residual = 0.0;

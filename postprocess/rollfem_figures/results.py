@@ -51,6 +51,12 @@ class PointRecord:
         angle, tilt = self.place["contact_angle"], 1 if self.place["wheel"] == "left" else -1
         return float(tilt * self.scalars["normal_force"] * math.sin(angle) - self.scalars["lateral_force"] * math.cos(angle))
 
+    @property
+    def tangential_coefficient(self):
+        """T/F_z, of the tangential tractions alone, as in stress.json: the pressure of a curved patch acts across, too."""
+        across = self.scalars["lateral_force"] - self.scalars["lateral_pressure"]
+        return math.hypot(self.scalars["longitudinal_force"], across) / self.scalars["normal_force"]
+
 
 class Point(PointRecord):
     """A load point as figures need it. `number`: of the load point, from 0; `by_number`: what this number counts if it

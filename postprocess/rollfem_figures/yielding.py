@@ -171,8 +171,8 @@ def shakedown_map(result):
     point = found[0][0].points[-1]
     figure = Figure(1)
     ratio = min(50.0, max(0.1, point["semi_axis_y"] / point["semi_axis_x"])) if point["semi_axis_x"] else 1.0
-    curves = [(body, [(p.number + 1, math.hypot(p["longitudinal_force"], p["lateral_force"]) / p["normal_force"],
-                       p["max_pressure"] / k) for p in model.points]) for model, body, k in found]
+    curves = [(body, [(p.number + 1, p.tangential_coefficient, p["max_pressure"] / k) for p in model.points])
+              for model, body, k in found]
     title = "yield stress in shear " + ", ".join(f"$k$ = {k:.4g} MPa ({body})" for _, body, k in found)
     panel = stresses.shakedown_panel(figure, title, _boundaries(ratio), [p[2] for _, curve in curves for p in curve])
     for (body, curve), (colour, marker) in zip(curves, (("red", "s"), ("violet", "o"))):

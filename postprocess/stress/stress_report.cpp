@@ -266,7 +266,9 @@ std::vector<StressMaximum> largest_stresses(const std::string& body,
 
 double tangential_coefficient(const PointResult& point) {
   if (!(point.normal_force > 0.0)) return 0.0;
-  return std::hypot(point.longitudinal_force, point.lateral_force) / point.normal_force;
+  // On a curved patch the pressure, too, acts across.
+  return std::hypot(point.longitudinal_force, point.lateral_force - point.lateral_pressure) /
+         point.normal_force;
 }
 
 std::string stress_csv(const StressReport& report) {

@@ -42,7 +42,7 @@ std::vector<contact::StressMaximum> largest_stresses(
     const std::string& body, const std::vector<std::array<double, 3>>& places,
     const std::vector<std::array<double, 6>>& stress, double least_depth = 0.0, double below = 0.0);
 
-/// Tangential force over normal force, sqrt(Fx^2 + Fy^2)/Fz: the abscissa of the shakedown map.
+/// Force of the tangential tractions over normal force, T/Fz: the abscissa of the shakedown map.
 double tangential_coefficient(const contact::PointResult& point);
 
 /// Text of stress.csv: one row per model, set and place; columns as in subsurface.csv.

@@ -250,7 +250,7 @@ std::string pass_work_csv(const RunRecord& run) {
   std::string text;
   for (const ModelResult& model : run.models)
     for (std::size_t k = 0; k < model.points.size(); ++k) {
-      const Field work = contact::pass_work(model, model.points[k]);
+      const Field work = contact::pass_work(model.grid, model.points[k]);
       const contact::ProfileRows& rows = model.rows;
       for (int j = 0; j < static_cast<int>(work.size()); ++j)
         if (work[j] != 0.0)

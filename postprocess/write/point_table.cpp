@@ -78,6 +78,8 @@ const std::vector<PointField>& point_fields() {
       {"displacement_n", "mm", "normal displacement difference u_n",
        "wheel minus rail, positive when it opens the gap",
        [](F f) -> const Field& { return f.displacement.n; }},
+      {"work", "N/mm^2", "frictional work per area and distance rolled, local T-gamma/A",
+       "its rows times dx are pass_work", [](F f) -> const Field& { return f.work; }},
   };
   return fields;
 }

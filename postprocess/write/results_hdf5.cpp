@@ -299,7 +299,7 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
     write_by_quantity(group, "richardson", "Attributes: values extrapolated to cells of size 0",
                       point.richardson);
   if (with_fields) write_point_fields(group, model.grid, point);
-  if (const contact::Field work = contact::pass_work(model, point); work.size() > 0)
+  if (const contact::Field work = contact::pass_work(model.grid, point); work.size() > 0)
     write_values(group, "pass_work", list_of(work), "N/mm", "frictional work per pass and area");
   write_subsurface(group, point.subsurface);
   write_stress_maxima(group, point.stress_maxima);

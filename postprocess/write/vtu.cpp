@@ -206,7 +206,8 @@ std::string contact_vtu(const contact::ContactGrid& grid, const contact::PointRe
       "<CellData>\n" + scalar_xml("pressure [MPa]", f.traction.n) +
       vector_xml("tangential traction on the wheel [MPa]", f.traction.x, f.traction.y, nullptr) +
       scalar_xml("traction bound [MPa]", f.traction_bound) +
-      vector_xml("slip [-]", f.slip.x, f.slip.y, nullptr) + scalar_xml("gap [mm]", f.gap) +
+      vector_xml("slip [-]", f.slip.x, f.slip.y, nullptr) +
+      scalar_xml("frictional work [N/mm^2]", f.work) + scalar_xml("gap [mm]", f.gap) +
       vector_xml("displacement difference [mm]", f.displacement.x, f.displacement.y,
                  &f.displacement.n);
   if (!f.state.empty()) {

@@ -85,8 +85,7 @@ TEST(BarCoverage, HoldsOnWornProfiles) {
   }
 }
 
-/// Between unlike bodies pressure works as well, so that the works of friction and of the creepages
-/// never agree: that is no error of the grid.
+/// Between unlike bodies pressure works as well: that is no error of the grid.
 TEST(BarCoverage, OfUnlikeMaterialsFallsWithTheGrid) {
   contact::Case input = thesis_case('b');
   input.wheel.material.poisson_ratio = 0.2;
@@ -102,5 +101,5 @@ TEST(BarCoverage, OfUnlikeMaterialsFallsWithTheGrid) {
   EXPECT_GE(bar, error);
   EXPECT_LE(bar, 13.0 * error + 1e-3 * input.friction_coefficient);
   EXPECT_LE(fine.error_estimate.at("traction_coefficient"), 0.3 * bar);
-  EXPECT_GT(std::abs(*fine.frictional_work - *fine.creepage_work), 0.2 * *fine.creepage_work);
+  EXPECT_NEAR(*fine.frictional_work, *fine.creepage_work, 1e-6 * *fine.creepage_work);
 }

@@ -31,7 +31,7 @@ class Sliding:
 
     pressure: np.ndarray  #: MPa
     work: np.ndarray      #: frictional work per area of contact and length rolled, |p_t . s|, N/mm^2: local T-gamma/A
-    slip: np.ndarray      #: sliding velocity over rolling velocity, -
+    slip: np.ndarray      #: sliding velocity over rolling velocity, that of the work: work over |p_t|, -
     speed: float          #: rolling velocity, mm/s; 0: not given
 
 
@@ -133,12 +133,14 @@ def depth_of_pass(model: ModelResult, law: Law, point: int = 0, speed: float = 0
     >>> depth_of_pass(result["halfspace"], WorkInRegimes())
     """
     at = model.points[point]
-    if at.pass_work is None:
+    if at.work is None:
         raise InputError(f"wear of {model.key}: without slip there is no work of friction; do: take halfspace, hybrid, fem, "
                          "carter, fastsim, fastrip or strip, in steady rolling")
-    work = np.abs(at.traction_x * at.slip_x + at.traction_y * at.slip_y)
-    removal = np.asarray(law(Sliding(at.pressure, work, np.hypot(at.slip_x, at.slip_y), speed)))
-    if removal.shape != work.shape or not np.isfinite(removal).all() or (removal < 0.0).any():
+    traction = np.hypot(at.traction_x, at.traction_y)
+    # With the slip of a zone that is thinner than an element, which the field of slip lacks.
+    slip = np.divide(at.work, traction, out=np.zeros_like(traction), where=traction > 0.0)
+    removal = np.asarray(law(Sliding(at.pressure, at.work, slip, speed)))
+    if removal.shape != slip.shape or not np.isfinite(removal).all() or (removal < 0.0).any():
         raise InputError("wear law: allowed: a finite number of 0 or more for every element of the contact")
     depth: np.ndarray = removal.sum(axis=1) * model.dx
     return depth

@@ -186,6 +186,23 @@ TEST(SubsurfaceFields, BelowTheMiddleAreContacts) {
 
 }  // namespace
 
+TEST(Registry, WithoutFrictionNoModelHasTangentialTractions) {
+  Case input = parse_case(plus(curve), "a.toml");
+  input.rolling.problem = contact::Problem::frictionless;
+  input.rolling.creepages = {{2e-3, 1e-3, 2e-4}};
+  for (const std::string& name : half_space_models().names()) {
+    SCOPED_TRACE(name);
+    if (name == "carter" || name == "vermeulen-johnson")
+      input.rolling.creepages = {{2e-3, 0.0, 0.0}};
+    const contact::PointResult point = half_space_models().run(name, input, {}).points.front();
+    EXPECT_EQ(point.max_traction, 0.0);
+    EXPECT_EQ(std::abs(point.longitudinal_force) + std::abs(point.lateral_force), 0.0);
+    EXPECT_EQ(point.spin_moment, 0.0);
+    EXPECT_EQ(point.frictional_work.value_or(0.0), 0.0);
+    EXPECT_NEAR(point.normal_force, 50e3, 50.0);
+  }
+}
+
 TEST(StressMaxima, OfTheCircleAreHertzsInBothBodies) {
   // Johnson (1985) section 3.4, nu = 0.3: largest shear 0.31002 p0 at 0.4809 a on the axis.
   const contact::Case input = contact::parse_case(

@@ -169,6 +169,9 @@ TEST(TrackErrors, OneThingDecidesTheRotation) {
                    "longitudinal_force = -100.0\n",
                {"rolling.longitudinal_force", "contradicts wheelset.free_rolling"});
   parse_case(pair + "[wheelset]\nfree_rolling = \"none\"\nrotation_change = 0.001\n", "c.toml");
+  expect_error(
+      pair + "[wheelset]\nfree_rolling = \"force\"\n[rolling]\nproblem = \"frictionless\"\n",
+      {"wheelset.free_rolling", "has no effect without friction"});
 }
 
 TEST(TrackErrors, TorqueNeedsBothWheels) {
