@@ -339,10 +339,11 @@ contact::Field fill_brush_fields(const contact::ContactGrid& grid, const BrushPr
 void set_totals(const BrushTotals& totals, const contact::ContactGrid& grid,
                 const contact::Field& rows, contact::PointResult& point) {
   set_forces(totals.forces, point);
-  point.frictional_work = totals.work + 0.0;
+  point.frictional_work = std::max(totals.work, 0.0);
   point.creepage_work = totals.power + 0.0;
-  const double sum = grid.dy * rows.sum();
-  contact::set_pass_work(grid, sum > 0.0 ? contact::Field(totals.work / sum * rows) : rows, point);
+  contact::Field work = rows.cwiseMax(0.0);
+  if (work.sum() > 0.0) work *= *point.frictional_work / (grid.dy * work.sum());
+  contact::set_pass_work(grid, work, point);
   if (totals.contact_area > 0.0)
     point.adhesion_area = point.contact_area * totals.adhesion_area / totals.contact_area;
   point.max_traction = totals.max_traction;

@@ -93,7 +93,7 @@ void set_pass_work(const ContactGrid& grid, const Field& rows, PointResult& poin
     if (share.sum() > 0.0) row += missing / share.sum() * share;
   }
   point.fields.work = work.matrix();
-  point.max_pass_work = rows.maxCoeff();
+  point.max_pass_work = pass_work(grid, point).maxCoeff();
 }
 
 namespace {

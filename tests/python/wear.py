@@ -81,6 +81,17 @@ class Depths(unittest.TestCase):
         with self.assertRaisesRegex(rollfem.InputError, "without slip"):
             wear.depth_of_pass(rollfem.solve(WIDE, model="hertz")["hertz"], wear.WorkInRegimes())
 
+    def test_a_slip_zone_within_an_element_wears_by_the_work_of_the_creep_force(self):
+        model = rollfem.solve(WIDE, model="halfspace", longitudinal_creepage=1e-5, elements_across=12)["halfspace"]
+        point = model.points[0]
+        work = -1e-5 * point.longitudinal_force
+        self.assertFalse((point.state == 2).any())
+        depth = wear.depth_of_pass(model, wear.ConstantCoefficient(2e-6))
+        self.assertAlmostEqual(float(depth @ model.width) / (2e-6 * work), 1.0, 9)
+        # Archard's slip does the work under the traction that is there, so it has at least that under the bound.
+        archard = wear.depth_of_pass(model, wear.Archard(hardness=2500.0), speed=1e3)
+        self.assertGreater(float(archard @ model.width), 0.99 * 5.5e-4 / 2500.0 * work / 0.3)
+
     def test_results_that_are_read_and_pickled_have_the_same_work(self):
         import pickle
         result = rollfem.solve(WIDE, model="halfspace", longitudinal_creepage=[0.001, 0.003], elements_across=12)

@@ -35,6 +35,41 @@ TEST(PassWork, IsTheSumAlongRollingOfTractionTimesSlip) {
                contact::InputError);
 }
 
+/// Row 0 slips in its first two elements, row 1 in its last two; then none slips.
+TEST(PassWork, ThatElementsLackBelongsToThoseThatSlipOrToTheLastInContact) {
+  contact::PointResult point;
+  point.fields.traction = traction;
+  point.fields.slip = slip;
+  const Field own = contact::pass_work(small, traction, slip);
+  contact::set_pass_work(small, field({own[0] + 0.3, 0.5 * own[1]}), point);
+  EXPECT_NEAR(point.max_pass_work.value(), own[0] + 0.3, 1e-15);
+  const double sizes[] = {10.0, std::hypot(20.0, 5.0)};
+  EXPECT_NEAR(point.fields.work[0], 10e-3 + 0.6 * sizes[0] / (sizes[0] + sizes[1]), 1e-15);
+  EXPECT_NEAR(point.fields.work[1], 45e-3 + 0.6 * sizes[1] / (sizes[0] + sizes[1]), 1e-15);
+  EXPECT_EQ(point.fields.work[2], 0.0);
+  EXPECT_NEAR(point.fields.work[4], 15e-3, 1e-15);
+  EXPECT_NEAR(point.fields.work[5], 45e-3, 1e-15);
+  point.fields.slip = {Field::Zero(6), Field::Zero(6)};
+  contact::set_pass_work(small, field({0.2, 0.4}), point);
+  EXPECT_NEAR((point.fields.work - field({0.4, 0, 0, 0, 0.8, 0})).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((contact::pass_work(small, point) - field({0.2, 0.4})).norm(), 0.0, 1e-15);
+}
+
+/// Any even kernel: it does no work on its own displacement.
+TEST(PassWork, CentralDifferencesOfASymmetricOperatorGiveNoWork) {
+  const ContactGrid line{12, 1, 0.25, 1.0, 0.0, 0.0};
+  Field pressure = Field::Zero(12), displacement(12);
+  for (int i = 1; i < 11; ++i) pressure[i] = std::sin(0.3 * i) + 0.1 * (i % 3);
+  for (int i = 0; i < 12; ++i) {
+    displacement[i] = 0.0;
+    for (int k = 0; k < 12; ++k) displacement[i] += pressure[k] / (1.0 + std::abs(i - k));
+  }
+  EXPECT_NEAR(pressure.dot(contact::slope_along(line, displacement)), 0.0, 1e-13);
+  const Field slope =
+      contact::slope_along(line, line.sample([](double x, double) { return 2.0 * x; }));
+  EXPECT_NEAR(slope[5], -2.0, 1e-14);
+}
+
 TEST(PassWork, OverTheWidthsIsThePowerOfFrictionOnASurfaceThatClimbsToo) {
   const contact::PatchShape shape{field({1, 1, 1, 1.25, 1.25, 1.25}),
                                   field({0, 0, 0, 0.75, 0.75, 0.75})};
@@ -123,7 +158,8 @@ TEST(PassWork, SaysWhereTheLargestIsAndWhatARevolutionTakes) {
   point.fields.traction = traction;
   point.fields.slip = slip;
   point.frictional_work = 20.0;
-  point.max_pass_work = 0.06;
+  contact::set_pass_work(small, contact::pass_work(small, traction, slip), point);
+  EXPECT_NEAR(point.max_pass_work.value(), 0.06, 1e-15);
   contact::place_pass_work({geometry, contact::Chart::plane}, {}, result);
   EXPECT_NEAR(point.pass_work_y_wheel.value(), 0.1, 1e-15);
   EXPECT_NEAR(point.pass_work_y_rail.value(), 0.1, 1e-15);
