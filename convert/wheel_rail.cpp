@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Module 1: wheel and rail with profiles.
 #include "contact/case/track.hpp"
+
 #include <fmt/format.h>
 
 #include "convert/equivalent.hpp"
@@ -47,12 +48,9 @@ bool on_roller(const Digits& digits) {
 
 /// Numbers of a displacement, left and right alike.
 void fill_displacement(const std::string& section, const std::vector<double>& values,
-                       const std::vector<const char*>& keys, double speed, Equivalent& made) {
-  for (std::size_t k = 0; k < std::min(keys.size(), values.size()); ++k) {
-    if (values[k] == 0.0 || std::string(keys[k]).empty()) continue;
-    const double value = k < keys.size() / 2 ? values[k] : values[k] / speed;
-    made.set_list(section, keys[k], {value, value});
-  }
+                       const std::vector<const char*>& keys, Equivalent& made) {
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (values[k] != 0.0 && *keys[k]) made.set_list(section, keys[k], {values[k], values[k]});
 }
 
 void fill_track(const ContactCase& given, const std::string& profile_folder, Equivalent& made) {
@@ -93,6 +91,12 @@ Forward forward_of(const ContactCase& given, Equivalent& made) {
   return {speed == 0.0 ? 1.0 : std::abs(speed), speed < 0.0 ? -1.0 : 1.0};
 }
 
+/// Rotation of the wheelset by the forward speed, rad/mm.
+double rotation_of(const ContactCase& given, const Forward& forward) {
+  if (given.digits.F != 0) return 1.0 / given.wheel_rail.wheelset[2];
+  return -forward.sign * given.wheel_rail.velocity[5] / forward.speed;
+}
+
 void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& made) {
   const Digits& digits = given.digits;
   const auto& [vs, vy, vz, vroll, vyaw, vpitch] = given.wheel_rail.velocity;
@@ -101,9 +105,9 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
   if (vyaw != 0.0)
     made.set("wheelset", "yaw_velocity", forward.sign * vyaw / speed, "rad/mm, VYAW / VS");
   if (vroll != 0.0) made.set("wheelset", "roll_velocity", vroll / speed, "rad/mm, VROLL / VS");
-  if (vz != 0.0) made.set("wheelset", "vertical_velocity", vz / speed, "VZ / VS");
+  made.set("wheelset", "vertical_velocity", vz / speed, "VZ / VS");
   if (digits.F == 0)
-    made.set("wheelset", "rotation_change", -forward.sign * vpitch * radius / speed - 1.0,
+    made.set("wheelset", "rotation_change", rotation_of(given, forward) * radius - 1.0,
              "-VPITCH NOMRAD / VS - 1");
   else if (digits.F == 1 && vpitch == 0.0)
     made.set_word("wheelset", "free_rolling", digits.T == 0 ? "none" : "force");
@@ -113,22 +117,47 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
                                   digits.F));
 }
 
+/// CONTACT turns a displaced wheel and roller about the axles that they have without displacement,
+/// and pitch of a wheel by itself about the origin of its profile; here they turn about their own
+/// axles. The difference becomes a velocity of the wheel at the origin of its profile.
+void turn_about_own_axles(const ContactCase& given, const Forward& forward,
+                          const std::vector<double>& rail, std::vector<double>& wheel) {
+  const double turning = rotation_of(given, forward), radius = given.wheel_rail.wheelset[2];
+  const double roller = on_roller(given.digits) ? 1.0 / given.wheel_rail.track[3] : 0.0;
+  const double sine = std::sin(wheel[4]), cosine = std::cos(wheel[4]);
+  wheel[6] +=
+      radius * (wheel[11] * cosine - turning * sine * sine) - turning * wheel[2] - roller * rail[1];
+  wheel[7] += radius * sine * (wheel[11] + turning * cosine);
+  // With the slip of every place (digit D) CONTACT leaves DX out.
+  const int D = given.wheel_rail.search;
+  if (D != 3 && D != 4) wheel[8] += turning * wheel[0];
+  wheel[9] -= turning * sine;
+  wheel[10] += turning * std::sin(wheel[3]) + roller * std::sin(rail[2]);
+  wheel[11] -= turning * (1.0 - cosine);
+}
+
 /// Displacements of wheel and rail by themselves.
-void fill_displacements(const WheelRail& pair, const Forward& forward, Equivalent& made) {
-  std::vector<double> wheel = pair.wheel_deviations;
+void fill_displacements(const ContactCase& given, const Forward& forward, Equivalent& made) {
+  std::vector<double> wheel = given.wheel_rail.wheel_deviations,
+                      rail = given.wheel_rail.rail_deviations;
+  wheel.resize(12);
+  rail.resize(6);
   // DX, DYAW, DPITCH, VX, VYAW and VPITCH of the mirror image.
-  for (const std::size_t k : {0, 4, 5, 6, 10, 11})
-    if (k < wheel.size()) wheel[k] *= forward.sign;
-  if (wheel.size() > 11) wheel[11] = -wheel[11];
+  for (const std::size_t k : {0, 4, 5, 6, 10, 11}) wheel[k] *= forward.sign;
+  wheel[11] = -wheel[11];
+  const bool moves = given.digits.T != 0;
+  for (std::size_t k = 6; k < 12; ++k) wheel[k] *= moves ? 1.0 / forward.speed : 0.0;
+  for (std::size_t k = 3; k < 6; ++k) rail[k] *= moves ? 1.0 / forward.speed : 0.0;
+  if (moves) turn_about_own_axles(given, forward, rail, wheel);
   fill_displacement(
       "wheel_displacement", wheel,
       {"longitudinal", "lateral", "vertical", "roll", "yaw", "", "longitudinal_velocity",
        "lateral_velocity", "vertical_velocity", "roll_velocity", "yaw_velocity", "rotation"},
-      forward.speed, made);
+      made);
   fill_displacement(
-      "rail_displacement", pair.rail_deviations,
+      "rail_displacement", rail,
       {"lateral", "vertical", "roll", "lateral_velocity", "vertical_velocity", "roll_velocity"},
-      forward.speed, made);
+      made);
 }
 
 /// Position and motion. CONTACT's track axes are ours: x forward, y to the right, z down.
@@ -149,7 +178,7 @@ void fill_wheelset(const ContactCase& given, Equivalent& made) {
   if (has_sections(pair.wheel)) made.varied["wheelset.wheel_angle"] = -forward.sign * pitch;
   made.varied["wheelset.yaw"] = forward.sign * yaw;
   made.varied["wheelset.roll"] = roll;
-  fill_displacements(pair, forward, made);
+  fill_displacements(given, forward, made);
   if (given.digits.T != 0) fill_motion(given, forward, made);
 }
 

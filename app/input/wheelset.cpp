@@ -115,8 +115,9 @@ void tell(const WheelsetRequest& request, const contact::Case& input,
   const double last = rows.back().lateral_shift;
   std::cout << fmt::format(
       "{}\nrigid wheelset, contacts {:g} mm apart, rolling radius {:g} mm; the other side is the "
-      "mirror image\n\n{}",
+      "mirror image{}\n\n{}",
       input.title, track::contact_distance(input.track), input.wheel.rolling_radius,
+      std::isfinite(input.rail.rolling_radius) ? "; conicity with the radii of the rollers" : "",
       table_of(rows));
   if (last + 0.5 * shift_step < request.reach)
     std::cout << fmt::format("beyond {:.1f} mm a wheel leaves its rail or its profile ends\n",

@@ -84,8 +84,8 @@ enum class FreeRolling {
 
 /// Displacement and velocity of wheels or rails from where wheelset and track put them, left and
 /// right, in the track frame. Both are turned about the origin of their profile, with their axles;
-/// velocities of a wheel are those of its centre. Displacements change where the bodies are, not
-/// how they move.
+/// velocities are those of this origin and about it, rotation is about the wheel's axle. A
+/// displaced body moves as it would without displacement, about its displaced axle.
 struct Displacement {
   using Sides = std::array<double, 2>;
   Sides longitudinal{}, lateral{}, vertical{};  ///< mm; vertical: down

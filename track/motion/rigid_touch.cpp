@@ -25,6 +25,12 @@ RigidWheelset touching(const contact::Case& input, const SearchScene& search, in
     const VerticalGap gap = touching_gap(input, search, lowered, position, left);
     const GapMinimum lowest = gap.lowest();
     const OutlinePoint at = gap.wheel().at(lowest.y);
+    const double roller = input.rail.rolling_radius;
+    const contact::Vector3 place{0.0, lowest.y, gap.rail().at(lowest.y).value};
+    if (std::isfinite(roller))
+      (left ? touch.speed_left : touch.speed_right) =
+          contact::axle_place(roller_axle(search.rail(left).place, roller), place).radius /
+          std::abs(roller);
     (left ? touch.radius_left : touch.radius_right) = at.radius;
     (left ? touch.angle_left : touch.angle_right) = lowest.angle();
     (left ? touch.y_wheel_left : touch.y_wheel_right) = at.profile_y;
@@ -71,7 +77,7 @@ std::optional<RadiusDifference> radii_of(const std::vector<RigidWheelset>& rows)
   for (const RigidWheelset& row : rows) {
     at.push_back(row.lateral_shift);
     // In the middle both wheels are alike.
-    difference.push_back(at.size() == 1 ? 0.0 : row.radius_difference());
+    difference.push_back(at.size() == 1 ? 0.0 : row.rolling_difference());
   }
   if (at.size() < 2) return {};
   return RadiusDifference(std::move(at), std::move(difference));
@@ -90,6 +96,7 @@ RigidWheelset mirrored(RigidWheelset wheelset) {
   wheelset.lateral_shift = 0.0 - wheelset.lateral_shift;
   wheelset.roll = 0.0 - wheelset.roll;
   std::swap(wheelset.radius_left, wheelset.radius_right);
+  std::swap(wheelset.speed_left, wheelset.speed_right);
   std::swap(wheelset.angle_left, wheelset.angle_right);
   std::swap(wheelset.y_wheel_left, wheelset.y_wheel_right);
   std::swap(wheelset.y_track_left, wheelset.y_track_right);

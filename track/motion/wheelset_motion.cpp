@@ -22,29 +22,34 @@ Vector3 sum(const Vector3& a, const Vector3& b, double factor = 1.0) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 
-/// Angular velocity of the wheel in the track frame. The axle's direction points to the right; a
-/// wheel that rolls forward turns from x to z (down), hence the minus sign.
-Vector3 angular_velocity(const WheelRailContact& contact, const Motion& motion) {
-  const Vector3 turning = sum({}, contact.axle.direction, -motion.rotation);
-  return sum(sum(turning, {motion.roll_velocity, 0.0, motion.yaw_velocity}), contact.own_turning);
+/// Of the wheelset without its rotation about the axle, track frame.
+Vector3 carried(const WheelRailContact& contact, const Motion& motion) {
+  return sum({0.0, 0.0, motion.yaw_velocity}, ahead_of(contact.axle.direction),
+             motion.roll_velocity);
 }
 
-/// Of the wheel over the rail, which a roller carries backwards under an axle that stands still.
+/// Angular velocity of the wheel over its rail in the track frame. The axle's direction points to
+/// the right; a wheel that rolls forward turns from x to z (down), hence the minus sign.
+Vector3 angular_velocity(const WheelRailContact& contact, const Motion& motion) {
+  const Vector3 turning = sum(carried(contact, motion), contact.axle.direction, -motion.rotation);
+  return sum(turning, contact.own_turning);
+}
+
+/// Of the wheel over its rail.
 Vector3 velocity(const WheelRailContact& contact, const Motion& motion, const Vector3& place) {
-  const Vector3 arm = sum(place, contact.axle.point, -1.0);
-  const double turning = 1.0 / contact.geometry.rail_rolling_radius();
-  const Vector3 forward{1.0 - turning * place[2], motion.lateral_velocity, turning * place[0]};
-  const Vector3 own_turning =
-      cross(contact.own_turning, sum(contact.origin, contact.axle.point, -1.0));
-  const Vector3 own = sum(contact.own_velocity, own_turning, -1.0);
-  return sum(sum(forward, cross(angular_velocity(contact, motion), arm)), own);
+  const auto about = [&](const Vector3& turning, const Vector3& centre) {
+    return cross(turning, sum(place, centre, -1.0));
+  };
+  Vector3 total = sum(contact.own_velocity, {0.0, motion.lateral_velocity, 0.0});
+  total = sum(total, about(contact.own_turning, contact.origin));
+  total = sum(total, about(carried(contact, motion), contact.middle));
+  return sum(total, about(contact.axle.direction, contact.axle.point), -motion.rotation);
 }
 
 contact::Creepage creepage_at(const WheelRailContact& contact, const Motion& motion,
                               const Vector3& place) {
   const Vector3 slip = slip_at(contact, motion, place);
-  const double of_roller = contact.normal[1] / contact.geometry.rail_rolling_radius();
-  return {slip[0], slip[1], dot(angular_velocity(contact, motion), contact.normal) - of_roller};
+  return {slip[0], slip[1], dot(angular_velocity(contact, motion), contact.normal)};
 }
 
 }  // namespace

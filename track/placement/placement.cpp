@@ -211,10 +211,10 @@ RailPlace displaced(RailPlace place, const contact::Case& input, bool left) {
   return place;
 }
 
-AlongRail::AlongRail(double at_x, double z, double rail_rolling_radius) : x(at_x), from{at_x, 0.0} {
-  if (!std::isfinite(rail_rolling_radius)) return;
-  from = to = {0.0, rail_rolling_radius};
-  sine = x / (rail_rolling_radius - z);
+AlongRail::AlongRail(double at_x, double z, double roller_axle_z) : x(at_x), from{at_x, 0.0} {
+  if (!std::isfinite(roller_axle_z)) return;
+  from = to = {0.0, roller_axle_z};
+  sine = x / (roller_axle_z - z);
   cosine = std::sqrt(1.0 - sine * sine);
 }
 
@@ -228,9 +228,9 @@ AlongRail AlongRail::sloping(double x, double z, double slope) {
   return along;
 }
 
-double AlongRail::height_at_top(const contact::Vector3& place, double rail_rolling_radius) {
-  if (std::isinf(rail_rolling_radius)) return place[2];
-  const double up = rail_rolling_radius - place[2], x = place[0];
+double AlongRail::height_at_top(const contact::Vector3& place, double roller_axle_z) {
+  if (std::isinf(roller_axle_z)) return place[2];
+  const double up = roller_axle_z - place[2], x = place[0];
   const double radial = std::copysign(std::hypot(up, x), up);
   return place[2] - x * x / (radial + up);
 }
@@ -285,6 +285,17 @@ contact::Vector3 axle_direction(double sign, double yaw, double roll) {
 
 }  // namespace
 
+contact::Vector3 ahead_of(const contact::Vector3& axle) {
+  const double level = std::hypot(axle[0], axle[1]);
+  return {axle[1] / level, -axle[0] / level, 0.0};
+}
+
+contact::Vector3 profile_origin(const contact::Axle& axle, double rolling_radius) {
+  contact::Vector3 origin = contact::cross(ahead_of(axle.direction), axle.direction);
+  for (int d = 0; d < 3; ++d) origin[d] = axle.point[d] + rolling_radius * origin[d];
+  return origin;
+}
+
 contact::Axle wheelset_axle(const WheelsetPose& pose, const contact::Case& input) {
   return {{0.0, pose.lateral_shift, pose.height - input.wheel.rolling_radius},
           axle_direction(1.0, pose.yaw, pose.roll)};
@@ -305,10 +316,10 @@ contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, b
                                 pose.height + moved.vertical[side] - input.wheel.rolling_radius};
   for (int d = 0; d < 3; ++d) axle.point[d] = centre[d] + middle * axle.direction[d];
   if (moved.roll[side] != 0.0 || moved.yaw[side] != 0.0) {
-    const double roll = pose.roll + moved.roll[side];
-    axle.direction = axle_direction(sign, pose.yaw + moved.yaw[side], roll);
-    axle.point[1] += sign * input.wheel.rolling_radius * (std::sin(roll) - std::sin(pose.roll));
-    axle.point[2] -= input.wheel.rolling_radius * (std::cos(roll) - std::cos(pose.roll));
+    const contact::Vector3 origin = profile_origin(axle, input.wheel.rolling_radius);
+    axle.direction = axle_direction(sign, pose.yaw + moved.yaw[side], pose.roll + moved.roll[side]);
+    const contact::Vector3 turned = profile_origin(axle, input.wheel.rolling_radius);
+    for (int d = 0; d < 3; ++d) axle.point[d] += origin[d] - turned[d];
   }
   return axle;
 }

@@ -76,12 +76,12 @@ struct AlongRail {
   std::array<double, 2> from{}, to{};
 
   AlongRail() = default;
-  /// To a place with this radial height z (mm); rail_rolling_radius: of Rail.
-  AlongRail(double x, double z, double rail_rolling_radius);
+  /// To a place with this radial height z (mm); roller_axle_z: the z of its axle.
+  AlongRail(double x, double z, double roller_axle_z);
   /// To a place of a rail whose height changes by this slope dz/dx there.
   static AlongRail sloping(double x, double z, double slope);
   /// z of a place when it has been turned about a roller's axle to the plane x = 0.
-  static double height_at_top(const contact::Vector3& place, double rail_rolling_radius);
+  static double height_at_top(const contact::Vector3& place, double roller_axle_z);
   double slope() const { return sine / cosine; }  ///< dz/dx
   contact::Vector3 place_from_top(const contact::Vector3& place) const;
   contact::Vector3 place_to_top(const contact::Vector3& place) const;
@@ -107,8 +107,15 @@ double frame_sign(const contact::Wheelset& wheelset);
 /// the field side.
 contact::Axle place_axle(const WheelsetPose& pose, const contact::Case& input, bool left);
 
-/// Axle of the wheelset in the track frame, whose middle is the centre of a wheel by itself: as
-/// that of its motion. Its direction points to the right.
+/// The level direction forward, across an axle whose direction points to the right (or to the field
+/// side): the wheel rolls to the side about it.
+contact::Vector3 ahead_of(const contact::Vector3& axle_direction);
+/// Origin of the wheel's profile at the lowest place of its running circle, about which roll and
+/// yaw of the case's displacement turn the wheel.
+contact::Vector3 profile_origin(const contact::Axle& axle, double rolling_radius);
+
+/// Axle of the wheelset in the track frame, whose middle is the centre of a wheel by itself:
+/// without the case's displacement. Its direction points to the right.
 contact::Axle wheelset_axle(const WheelsetPose& pose, const contact::Case& input);
 
 }  // namespace rollfem::track

@@ -68,13 +68,13 @@ struct Circle {
 
 /// Where the normal has no component along the roller's circle, n_x (R_r - z) + n_z x = 0: the
 /// angle by Newton's method from that of a straight rail. False: there is none.
-bool face_roller(const Circle& circle, double rail_radius, double& sine, double& cosine) {
+bool face_roller(const Circle& circle, double roller_axle_z, double& sine, double& cosine) {
   double angle = std::atan2(sine, cosine);
   for (int step = 0; step < 30; ++step) {
     const Vector3 across = circle.outward(sine, cosine), turn = circle.outward(cosine, -sine);
     const Vector3 place = circle.place(across), normal = circle.normal(across);
-    const double up = 1.0 - place[2] / rail_radius, x = place[0] / rail_radius;
-    const double moved = circle.radius / rail_radius;
+    const double up = 1.0 - place[2] / roller_axle_z, x = place[0] / roller_axle_z;
+    const double moved = circle.radius / roller_axle_z;
     const double along = normal[0] * up + normal[2] * x;
     const double by_angle = turn[0] * (up + normal[2] * moved) + turn[2] * (x - normal[0] * moved);
     const double change = along / by_angle;
@@ -88,15 +88,15 @@ bool face_roller(const Circle& circle, double rail_radius, double& sine, double&
 }
 
 std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius, const Axle& axle,
-                         const AxleFrame& frame, double rail_radius) {
+                         const AxleFrame& frame, double roller_axle_z) {
   if (!(at.tangent_y > 0.0)) return {};
   const Circle circle{axle, frame, at.y, rolling_radius + at.z, at.tangent_z / at.tangent_y};
   // Along a straight rail n_x = 0.
   double sine = circle.by_axial * frame.tangent_of_yaw;
   if (std::abs(sine) > 0.9) return {};
   double cosine = std::sqrt(1.0 - sine * sine);
-  const bool straight = std::isinf(rail_radius);
-  if (!straight && !face_roller(circle, rail_radius, sine, cosine)) return {};
+  const bool straight = std::isinf(roller_axle_z);
+  if (!straight && !face_roller(circle, roller_axle_z, sine, cosine)) return {};
   const Vector3 across = circle.outward(sine, cosine);
   const Vector3 normal = circle.normal(across);
   Seen result;
@@ -104,8 +104,8 @@ std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius
   double down = normal[2];
   if (!straight) {
     const double up = rail_radius - result.place[2], x = result.place[0];
-    result.place[2] = AlongRail::height_at_top(result.place, rail_radius);
-    down = (normal[2] * up - normal[0] * x) / (rail_radius - result.place[2]);
+    result.place[2] = AlongRail::height_at_top(result.place, roller_axle_z);
+    down = (normal[2] * up - normal[0] * x) / (roller_axle_z - result.place[2]);
   }
   if (!(down > 0.0)) return {};
   result.slope = -normal[1] / down;
@@ -191,8 +191,8 @@ WheelPoints wheel_points(const profiles::ProfileCurve& wheel, double tread_y) {
 }
 
 Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Axle& axle,
-                       double rail_rolling_radius)
-    : axle_(axle), rail_rolling_radius_(rail_rolling_radius) {
+                       double roller_axle_z)
+    : axle_(axle), roller_axle_z_(roller_axle_z) {
   const AxleFrame frame = axle_frame(axle);
   // From the tread both ways, as far as the outline remains a height over y.
   const auto start = static_cast<std::ptrdiff_t>(wheel.start);
@@ -203,7 +203,7 @@ Silhouette::Silhouette(const WheelPoints& wheel, double rolling_radius, const Ax
     for (std::ptrdiff_t k = first; k >= 0 && k < static_cast<std::ptrdiff_t>(wheel.points.size());
          k += step) {
       const auto point = seen(wheel.points[static_cast<std::size_t>(k)], rolling_radius, axle,
-                              frame, rail_rolling_radius);
+                              frame, roller_axle_z);
       if (!point) return;
       if (!part.empty() && step * (point->place[1] - part.back().place[1]) <= 1e-6) return;
       part.push_back(*point);
@@ -244,13 +244,13 @@ OutlinePoint Silhouette::at(double y) const {
   OutlinePoint point;
   point.y = y;
   point.z = curve_.at(y).value;
-  point.along = {value_over_y(curve_.knots(), x_, y), point.z, rail_rolling_radius_};
+  point.along = {value_over_y(curve_.knots(), x_, y), point.z, roller_axle_z_};
   point.profile_y = value_over_y(curve_.knots(), profile_y_, y);
   const Vector3 place = point.along.place_from_top({0.0, y, point.z});
   const Vector3 arm{place[0] - axle_.point[0], y - axle_.point[1], place[2] - axle_.point[2]};
   const Vector3 across = contact::cross(arm, axle_.direction);
   point.radius = std::sqrt(contact::dot(across, across));
-  point.relative_radius = 1.0 / (1.0 / point.radius + 1.0 / (rail_rolling_radius_ - point.z));
+  point.relative_radius = 1.0 / (1.0 / point.radius + 1.0 / (roller_axle_z_ - point.z));
   return point;
 }
 

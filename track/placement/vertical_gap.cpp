@@ -61,8 +61,8 @@ contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
 }
 
 VerticalGap::VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
-                         const contact::HeightCurve& rail, double rail_rolling_radius)
-    : wheel_(wheel, rolling_radius, axle, rail_rolling_radius), rail_(rail) {
+                         const contact::HeightCurve& rail, double roller_axle_z)
+    : wheel_(wheel, rolling_radius, axle, roller_axle_z), rail_(rail) {
   const contact::HeightCurve& outline = wheel_.curve();
   first_ = std::max(outline.first(), rail_.first());
   last_ = std::min(outline.last(), rail_.last());

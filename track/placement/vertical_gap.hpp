@@ -45,7 +45,7 @@ class Silhouette {
   /// `wheel` in profile coordinates; `axle` with axial coordinate = profile y (placement.hpp).
   /// Throws std::invalid_argument when no part of the profile is visible.
   Silhouette(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
-             double rail_rolling_radius);
+             double roller_axle_z);
   /// Of bodies that change along the way: the wheel over its locus.
   Silhouette(const std::vector<LocusPoint>& locus, const contact::Axle& axle);
 
@@ -60,7 +60,7 @@ class Silhouette {
   std::vector<double> profile_y_;  ///< mm, of the wheel's profile
   std::vector<LocusPoint> locus_;  ///< of bodies that change along the way
   contact::Axle axle_;
-  double rail_rolling_radius_;
+  double roller_axle_z_;
 };
 
 // The vertical gap between the outline of a wheel and the rail under it, and its minima. Sinking of
@@ -87,7 +87,7 @@ class VerticalGap {
   /// `rail`: its head in the side frame (rail_heights). Throws contact::SolveError when the wheel
   /// is not above it.
   VerticalGap(const WheelPoints& wheel, double rolling_radius, const contact::Axle& axle,
-              const contact::HeightCurve& rail, double rail_rolling_radius = contact::infinity);
+              const contact::HeightCurve& rail, double roller_axle_z = contact::infinity);
 
   /// Of bodies that change along the way, over their locus.
   explicit VerticalGap(std::shared_ptr<const BodiesAlongWay> bodies);

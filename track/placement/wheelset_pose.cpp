@@ -89,7 +89,7 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
   try {
     if (scene.varies()) return VerticalGap(bodies_along_way(input, scene, axle, position, left));
     return {scene.wheel, input.wheel.rolling_radius, axle, scene.rail(left).head,
-            input.rail.rolling_radius};
+            roller_axle(scene.rail(left).place, input.rail.rolling_radius).point[2]};
   } catch (const contact::SolveError& error) {
     throw contact::SolveError(fmt::format("{}: {}; do: check {}", where(input, position, left),
                                           error.what(), what_places(input)));

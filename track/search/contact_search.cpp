@@ -137,7 +137,7 @@ class WheelSearch {
     contact.normal_force = estimate_force(gap_, group, contact.approach, modulus_);
     fill_place(contact.place, group, axes, touch);
     fill_frames(contact, axes, touch);
-    fill_own_motion(contact);
+    fill_motion(contact);
     if (contact.normal_force > 0.0) check_reach(group, sinking);
     const auto across = [&](double at) { return axes.across(at, gap_.rail().at(at).value); };
     const auto pair = [&](double lower, double upper) {
@@ -168,12 +168,14 @@ class WheelSearch {
     place.roll = sign * pose_.roll;
     place.height = pose_.height;
     const Vector3 at = contact_place(axes, touch);
-    const double z_at_top = AlongRail::height_at_top(at, input_.rail.rolling_radius);
+    const RailPlace& rail = scene_.rail(left_).place;
+    const double roller_axle_z = roller_axle(rail, input_.rail.rolling_radius).point[2];
+    const double z_at_top = AlongRail::height_at_top(at, roller_axle_z);
     place.x_track = at[0];
     place.y_track = side_sign(left_) * at[1];
     place.z_track = at[2];
-    place.y_rail = profile_coordinates(scene_.rail(left_).place, at[1], z_at_top)[0];
-    place.rail_turn = scene_.rail(left_).place.angle;
+    place.y_rail = profile_coordinates(rail, at[1], z_at_top)[0];
+    place.rail_turn = rail.angle;
     place.y_wheel = touch.profile_y;
     place.contact_angle = std::atan2(axes.sine, axes.cosine);
     place.rolling_radius = touch.radius;
@@ -204,7 +206,6 @@ class WheelSearch {
 
   void fill_frames(WheelRailContact& contact, const PatchAxes& axes,
                    const OutlinePoint& touch) const {
-    contact.axle = wheelset_axle(pose_, input_);
     contact.origin = to_track(left_, contact_place(axes, touch));
     contact.along = to_track(left_, touch.along.direction_from_top({1.0, 0.0, 0.0}));
     contact.normal =
@@ -212,24 +213,49 @@ class WheelSearch {
     contact.across = contact::cross(contact.normal, contact.along);
   }
 
-  /// Velocities of this wheel less those of its rail by themselves.
-  void fill_own_motion(WheelRailContact& contact) const {
+  /// What does not depend on the motion of the wheelset (track/motion/wheelset_motion.hpp).
+  void fill_motion(WheelRailContact& contact) const {
     const std::size_t side = left_ ? 0 : 1;
-    const auto add = [&](const contact::Displacement& of, const Vector3& centre, double sign) {
-      const Vector3 turning{of.roll_velocity[side], -of.rotation[side], of.yaw_velocity[side]};
+    const contact::Displacement &wheel = input_.wheel_displacement,
+                                &rail = input_.rail_displacement;
+    const auto of_side = [&](const Axle& axle) {
+      const double sign = side_sign(left_);
+      const Vector3& e = axle.direction;
+      return Axle{to_track(left_, axle.point), {sign * e[0], e[1], sign * e[2]}};
+    };
+    contact.axle = of_side(axle_);
+    const Vector3 middle = wheelset_axle(pose_, input_).point;
+    contact.middle = {middle[0] + wheel.longitudinal[side], middle[1] + wheel.lateral[side],
+                      middle[2] + wheel.vertical[side]};
+    const auto add = [&](double sign, const Vector3& velocity, double rate, const Vector3& turning,
+                         const Vector3& about) {
       Vector3 arm{};
-      for (int d = 0; d < 3; ++d) arm[d] = contact.origin[d] - centre[d];
+      for (int d = 0; d < 3; ++d) arm[d] = contact.origin[d] - about[d];
       const Vector3 by_turning = contact::cross(turning, arm);
-      const Vector3 velocity{of.longitudinal_velocity[side], of.lateral_velocity[side],
-                             of.vertical_velocity[side]};
       for (int d = 0; d < 3; ++d) {
-        contact.own_velocity[d] += sign * (velocity[d] + by_turning[d]);
-        contact.own_turning[d] += sign * turning[d];
+        contact.own_velocity[d] += sign * (velocity[d] + rate * by_turning[d]);
+        contact.own_turning[d] += sign * rate * turning[d];
       }
     };
-    add(input_.wheel_displacement, to_track(left_, axle_.point), 1.0);
-    const RailPlace& rail = scene_.rail(left_).place;
-    add(input_.rail_displacement, to_track(left_, {0.0, rail.shift_y, rail.shift_z}), -1.0);
+    const auto add_own = [&](double sign, const contact::Displacement& of, const Vector3& ahead,
+                             const Vector3& origin) {
+      add(sign,
+          {of.longitudinal_velocity[side], of.lateral_velocity[side], of.vertical_velocity[side]},
+          of.roll_velocity[side], ahead, origin);
+      add(sign, {}, of.yaw_velocity[side], {0.0, 0.0, 1.0}, origin);
+    };
+    const Vector3& e = contact.axle.direction;
+    add_own(1.0, wheel, ahead_of(e), profile_origin(contact.axle, input_.wheel.rolling_radius));
+    add(1.0, {}, -wheel.rotation[side], e, contact.axle.point);
+    const RailPlace& place = scene_.rail(left_).place;
+    add_own(-1.0, rail, {1.0, 0.0, 0.0}, to_track(left_, {0.0, place.shift_y, place.shift_z}));
+    const double radius = input_.rail.rolling_radius;
+    if (std::isinf(radius)) {
+      contact.own_velocity[0] += 1.0;
+    } else {
+      const Axle roller = of_side(roller_axle(place, radius));
+      add(-1.0, {}, 1.0 / radius, roller.direction, roller.point);
+    }
   }
 
   /// Over the ellipse of the overlap, less than half of which is the patch.

@@ -23,9 +23,12 @@ struct WheelRailContact {
   contact::ContactPlace place;
   contact::PatchGeometry geometry;  ///< sunk vertically until this patch touches in one point
   WheelsetPose pose;                ///< at first contact of the wheel
-  contact::Axle axle;               ///< of the motion (wheelset_axle), at first contact
-  /// Track frame: velocity at the origin over the forward speed, and rotation in rad/mm, which
-  /// wheel and rail have by themselves (Displacement).
+  /// Track frame, at first contact: the axle about which the wheel rolls, displaced with it, from
+  /// its centre to the right; and the middle of the wheelset's axle, moved as far as the wheel.
+  contact::Axle axle;
+  contact::Vector3 middle{};
+  /// Track frame: velocity at the origin over the forward speed, and rotation in rad/mm, of the
+  /// wheel carried forward and by itself less those of its rail or roller (Displacement).
   contact::Vector3 own_velocity{}, own_turning{};
   contact::Vector3 origin{};  ///< contact reference point on the rail, track frame
   /// Approach along the normal at which the next hump overlaps, mm; infinite where the load reaches

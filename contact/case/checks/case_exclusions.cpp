@@ -90,6 +90,11 @@ const std::vector<Exclusion> exclusions{
      "[placement] alone, or [track] and [wheelset]",
      "remove it, or [placement]",
      true},
+    {!when::has("wheelset", "vertical_velocity"),
+     {"wheel_displacement.vertical_velocity", "rail_displacement.vertical_velocity"},
+     "has no effect, because the wheel follows its rail at any vertical velocity",
+     "together with wheelset.vertical_velocity, with which it does not",
+     "give the vertical_velocity of the wheelset too, or remove it"},
     {when::profiles && !when::placement && !when::has("track", "rail_position") &&
          !when::has("track", "gauge_face"),
      {"rail_profile.free_ends"},

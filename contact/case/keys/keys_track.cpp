@@ -158,8 +158,9 @@ SectionWithKeys displacement_section(const std::string& body, Displacement Case:
                                      bool is_wheel) {
   Keys<Displacement> keys(body + "_displacement",
                           "Displacement of each " + body +
-                              " by itself, [left, right], in the axes of the track" +
-                              "; it does not change the motion of wheelset and track",
+                              " by itself, [left, right], in the axes of the track. Velocities of "
+                              "wheelset and track are the same at the displaced place, about the "
+                              "displaced axle",
                           part);
   keys.section().of_profiles = true;
   keys.section().on_rail = false;
@@ -178,10 +179,13 @@ SectionWithKeys displacement_section(const std::string& body, Displacement Case:
     add("longitudinal_velocity", &Displacement::longitudinal_velocity, "", 1.0,
         "Along x, over the forward velocity.");
   add("lateral_velocity", &Displacement::lateral_velocity, "", 1.0, "The same to the right.");
-  add("vertical_velocity", &Displacement::vertical_velocity, "", 1.0, "The same down.");
-  add("roll_velocity", &Displacement::roll_velocity, "rad/mm", 1.0, "Change per rolled distance.");
+  add("vertical_velocity", &Displacement::vertical_velocity, "", 1.0,
+      "The same down, only with wheelset.vertical_velocity.");
+  add("roll_velocity", &Displacement::roll_velocity, "rad/mm", 1.0,
+      "Change per rolled distance, about the origin of the profile.");
   if (is_wheel) {
-    add("yaw_velocity", &Displacement::yaw_velocity, "rad/mm", 1.0, "Change per rolled distance.");
+    add("yaw_velocity", &Displacement::yaw_velocity, "rad/mm", 1.0,
+        "Change per rolled distance, about the origin of the profile.");
     add("rotation", &Displacement::rotation, "rad/mm", 1.0,
         "Added to the rotation of the wheelset over the forward velocity, positive forward.");
   }

@@ -2,12 +2,16 @@
 // Wheels of CONTACT without a gauge or a load, on rollers, and displaced by themselves.
 #include "contact/case/case_reader.hpp"
 
+#include <Eigen/Dense>
+
 #include "convert/contact_reader.hpp"
 #include "convert/conversion.hpp"
 #include "support/contact_inputs.hpp"
 #include <cmath>
 
 namespace {
+
+using Eigen::Vector3d;
 
 /// The only case file of the conversion, as read.
 Case converted_alone(const std::string& text) {
@@ -56,6 +60,55 @@ TEST(ConvertedWheel, EachBodyIsDisplacedByItself) {
   EXPECT_NEAR(rail.lateral_velocity[0], 1e-3, 1e-15);
   EXPECT_EQ(wheel.vertical[0], -0.2);
   EXPECT_NEAR(wheel.rotation[0], 1e-4, 1e-15);
+  EXPECT_EQ(made.wheelset.vertical_velocity.value(), 0.0);  // VZ, given
+}
+
+/// Rigid motion in the track frame over the forward speed: velocity of the place `at`, rotation.
+struct Twist {
+  Vector3d at, velocity, turning;
+  Vector3d of(const Vector3d& place) const { return velocity + turning.cross(place - at); }
+};
+
+TEST(ConvertedWheel, MovesAsInContact) {
+  // User guide, velocity of a place Q of the wheel: v_ws + omega_ws x (Q - O_ws) + v_w + omega_w x
+  // (Q - O_w), of the wheelset about its middle and of the wheel about its profile's origin O_w;
+  // here from the keys, about the displaced axle (docs/track.md).
+  std::string text = replaced(left_wheel, " 0022033 ", " 0022035 ");
+  text = replaced(
+      text, "VROLL VYAW VPITCH\n",
+      "VROLL VYAW VPITCH\n 2.0 0.1 -0.2 0.001 0.02 0.0\n 9.0 18.0 -9.0 0.009 0.018 -0.9\n");
+  const Case made = converted_alone(text);
+  const contact::Displacement& wheel = made.wheel_displacement;
+  const double speed = 9000.0, radius = 450.0, turning = 20.02 / speed, middle = -749.0;
+  const Vector3d moved(2.0, 0.1, -0.2), axle(-std::sin(0.02), std::cos(0.02), std::sin(0.001));
+  const Vector3d ahead(std::cos(0.02), std::sin(0.02), 0.0), down = ahead.cross(axle);
+  const Vector3d origin = Vector3d(0.0, middle, radius) + moved;
+  const Twist wheelset{Vector3d::Zero(), Vector3d::UnitX(), -turning * Vector3d::UnitY()};
+  const Twist own{origin, Vector3d(9.0, 18.0, -9.0) / speed, Vector3d(0.009, -0.9, 0.018) / speed};
+  const Twist about_axle{origin - radius * down, Vector3d::UnitX(),
+                         -(turning + wheel.rotation[0]) * axle};
+  const Twist by_keys{
+      origin,
+      {wheel.longitudinal_velocity[0], wheel.lateral_velocity[0], wheel.vertical_velocity[0]},
+      wheel.roll_velocity[0] * ahead + Vector3d(0.0, 0.0, wheel.yaw_velocity[0])};
+  for (const Vector3d& away :
+       {Vector3d(0, 0, 0), Vector3d(5, 0, 0), Vector3d(0, 8, 0), Vector3d(0, 0, -3)}) {
+    const Vector3d place = origin + away;
+    const Vector3d in_contact = wheelset.of(place) + own.of(place);
+    const Vector3d here = about_axle.of(place) + by_keys.of(place);
+    // To second order in the turns and in the velocities by them.
+    EXPECT_LT((here - in_contact).norm(), 5e-5) << away.transpose();
+  }
+}
+
+TEST(ConvertedWheel, DisplacedRollersKeepTheirAxle) {
+  std::string text = replaced(left_wheel, " 0203100 ", " 4203100 ");
+  text = replaced(replaced(text, " 1435.0 0.025 ", " 1435.0 750. "), " 9000. 18. ", " 12. 18. ");
+  text = replaced(text, "\n 0.0 0.0 0.0 0.0 0.0 0.0\n", "\n 0.0 0.3 0.02 0.0 0.0 0.0\n");
+  const contact::Displacement wheel = converted_alone(text).wheel_displacement;
+  // What the roller's surface is slower there (1 - z/R), the wheel is slower here.
+  EXPECT_NEAR(wheel.longitudinal_velocity[0], -0.3 / 750.0, 1e-12);
+  EXPECT_NEAR(wheel.yaw_velocity[0], std::sin(0.02) / 750.0, 1e-12);
 }
 
 TEST(ConvertedWheel, IsNotSmoothedAsByContact) {

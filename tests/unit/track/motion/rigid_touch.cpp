@@ -47,6 +47,51 @@ TEST(RigidTouch, CircularProfilesHaveWickensConicity) {
   }
 }
 
+TEST(RigidTouch, RollersSteerByTheirOwnRadiiToo) {
+  // The same closed form with the height of the contact on the roller, whose profile turns by the
+  // angle between the bodies alone: R' d / (R - R') (l + R d) / (l - r d) r / R_roller more.
+  for (const double roller : {500.0, -2000.0}) {
+    const double wheel = 300.0, rail = 200.0;
+    contact::Case input = circles(wheel, rail);
+    const auto on_rails = track::rigid_touches(input, track::search_scene_of(input), {0.0, 0.1});
+    input.rail.rolling_radius = roller;
+    const auto touches = track::rigid_touches(input, track::search_scene_of(input), {0.0, 0.1});
+    const track::RigidWheelset& middle = touches.at(0);
+    const double slope = std::tan(middle.angle_right), away = middle.y_track_right;
+    const double both = (wheel - rail) * (away - middle.radius_right * slope);
+    // The speed of the roller's surface in the middle, as far below its top as the slope is.
+    const double speed = 1.0 - rail * (1.0 - std::cos(middle.angle_right)) / roller;
+    const double of_wheels = wheel * slope * (away + rail * slope) / both / speed;
+    const double of_rollers = rail * slope * (away + wheel * slope) / both * middle.radius_right /
+                              roller / (speed * speed);
+    EXPECT_NEAR(touches.at(1).rolling_difference() / 0.2 / (of_wheels + of_rollers), 1.0, 5e-4);
+    EXPECT_NEAR(touches[1].radius_difference(), on_rails.at(1).radius_difference(), 1e-6);
+    EXPECT_EQ(on_rails[1].rolling_difference(), on_rails[1].radius_difference());
+    const auto mirrored = track::rigid_touches(input, track::search_scene_of(input), {-0.1});
+    EXPECT_NEAR(mirrored.at(0).rolling_difference(), -touches[1].rolling_difference(), 1e-9);
+  }
+}
+
+TEST(RigidTouch, ConicityOnRollersIsThatOfTheCreepages) {
+  // In pure rolling of points the creepages of both wheels differ by what steers.
+  contact::Case input = circles(300.0, 200.0);
+  input.rail.rolling_radius = 500.0;
+  input.load = {};
+  input.load.approach = 1e-7;
+  input.wheelset.side = contact::WheelSide::both;
+  input.wheelset.lateral_shift = {2.0};
+  const track::SearchScene search = track::search_scene_of(input);
+  const auto scenes = make_scenes(input, search);
+  ASSERT_EQ(scenes.size(), 2u);
+  const auto slip = [&](std::size_t k) {
+    return scenes[k].scene.points[0].creepage.longitudinal /
+           (1.0 - scenes[k].contact.place.z_track / 500.0);
+  };
+  const auto touch = track::rigid_touches(input, search, {2.0}).at(0);
+  EXPECT_NEAR(touch.rolling_difference(), input.wheel.rolling_radius * (slip(0) - slip(1)), 1e-5);
+  EXPECT_GT(touch.rolling_difference(), 1.3 * touch.radius_difference());
+}
+
 TEST(RigidTouch, TheOtherSideIsTheMirrorImage) {
   const contact::Case input = circles(300.0, 200.0);
   const auto touches = track::rigid_touches(input, track::search_scene_of(input), {-1.5, 1.5});
