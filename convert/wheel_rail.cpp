@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Module 1: wheel and rail with profiles.
 #include "contact/case/track.hpp"
-
 #include <fmt/format.h>
 
 #include "convert/equivalent.hpp"
@@ -105,7 +104,9 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
   if (vyaw != 0.0)
     made.set("wheelset", "yaw_velocity", forward.sign * vyaw / speed, "rad/mm, VYAW / VS");
   if (vroll != 0.0) made.set("wheelset", "roll_velocity", vroll / speed, "rad/mm, VROLL / VS");
-  made.set("wheelset", "vertical_velocity", vz / speed, "VZ / VS");
+  // CONTACT's planes do not climb: where the bodies do, the wheel follows them along x.
+  if (vz != 0.0 || !(has_sections(given.wheel_rail.rail) || has_sections(given.wheel_rail.wheel)))
+    made.set("wheelset", "vertical_velocity", vz / speed, "VZ / VS");
   if (digits.F == 0)
     made.set("wheelset", "rotation_change", rotation_of(given, forward) * radius - 1.0,
              "-VPITCH NOMRAD / VS - 1");
@@ -119,21 +120,23 @@ void fill_motion(const ContactCase& given, const Forward& forward, Equivalent& m
 
 /// CONTACT turns a displaced wheel and roller about the axles that they have without displacement,
 /// and pitch of a wheel by itself about the origin of its profile; here they turn about their own
-/// axles. The difference becomes a velocity of the wheel at the origin of its profile.
+/// axles. The difference becomes a velocity of the wheel about the origin of its profile.
 void turn_about_own_axles(const ContactCase& given, const Forward& forward,
                           const std::vector<double>& rail, std::vector<double>& wheel) {
   const double turning = rotation_of(given, forward), radius = given.wheel_rail.wheelset[2];
   const double roller = on_roller(given.digits) ? 1.0 / given.wheel_rail.track[3] : 0.0;
   const double sine = std::sin(wheel[4]), cosine = std::cos(wheel[4]);
-  wheel[6] +=
-      radius * (wheel[11] * cosine - turning * sine * sine) - turning * wheel[2] - roller * rail[1];
-  wheel[7] += radius * sine * (wheel[11] + turning * cosine);
+  const double tilt = roller * (1.0 - std::cos(rail[2]));  // seen from the origin of the rail
+  const double pitch = turning + wheel[11] + tilt;
+  const double rotation = pitch * cosine / std::cos(wheel[3]);  // about its own axle
+  wheel[6] += radius * (rotation * cosine - turning) - turning * wheel[2] - roller * rail[1];
+  if (given.digits.N == 0) wheel[6] -= tilt * given.wheel_rail.position[2];
+  wheel[7] += radius * rotation * sine;
   // With the slip of every place (digit D) CONTACT leaves DX out.
-  const int D = given.wheel_rail.search;
-  if (D != 3 && D != 4) wheel[8] += turning * wheel[0];
-  wheel[9] -= turning * sine;
-  wheel[10] += turning * std::sin(wheel[3]) + roller * std::sin(rail[2]);
-  wheel[11] -= turning * (1.0 - cosine);
+  if (given.wheel_rail.search < 3 || given.wheel_rail.search > 4) wheel[8] += turning * wheel[0];
+  wheel[9] -= pitch * sine;
+  wheel[10] += rotation * std::sin(wheel[3]) + roller * std::sin(rail[2]);
+  wheel[11] = rotation - turning;
 }
 
 /// Displacements of wheel and rail by themselves.

@@ -19,15 +19,10 @@ struct RigidWheelset {
   std::optional<double> conicity_harmonic = {}, conicity_wave = {}, wave_length = {};
   double y_track_left = 0.0, y_track_right = 0.0;  ///< mm, from the middle of the track outward
 
-  /// Speeds of the rails' surfaces over V: 1, on rollers their local radii over
-  /// rail.rolling_radius.
-  double speed_left = 1.0, speed_right = 1.0;
+  /// Of the radii over the speeds (V = 1) of the surfaces on which they roll, which steers, mm.
+  double rolling_difference = 0.0;
 
   double radius_difference() const { return radius_right - radius_left; }  ///< mm
-  /// The same that steers: of the radii over the speeds of the surfaces on which they roll, mm.
-  double rolling_difference() const {
-    return radius_right / speed_right - radius_left / speed_left;
-  }
 };
 
 }  // namespace rollfem::contact

@@ -285,7 +285,7 @@ MUTATIONS = [
              "a displaced wheel turns about the axle that it has left",
              ("unit_displaced_bodies",)),
     Mutation("conicity_without_rollers", "track/motion/rigid_touch.cpp",
-             "row.rolling_difference()", "row.radius_difference()",
+             "row.rolling_difference", "row.radius_difference()",
              "the wave of a free wheelset on rollers is that on rails",
              ("unit_rigid_touch",)),
     Mutation("vertical_force_of_friction", "track/motion/wheelset_motion.cpp",

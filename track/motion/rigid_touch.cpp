@@ -27,10 +27,11 @@ RigidWheelset touching(const contact::Case& input, const SearchScene& search, in
     const OutlinePoint at = gap.wheel().at(lowest.y);
     const double roller = input.rail.rolling_radius;
     const contact::Vector3 place{0.0, lowest.y, gap.rail().at(lowest.y).value};
+    double speed = 1.0;
     if (std::isfinite(roller))
-      (left ? touch.speed_left : touch.speed_right) =
-          contact::axle_place(roller_axle(search.rail(left).place, roller), place).radius /
-          std::abs(roller);
+      speed = contact::axle_place(roller_axle(search.rail(left).place, roller), place).radius /
+              std::abs(roller);
+    touch.rolling_difference += side_sign(left) * at.radius / speed;
     (left ? touch.radius_left : touch.radius_right) = at.radius;
     (left ? touch.angle_left : touch.angle_right) = lowest.angle();
     (left ? touch.y_wheel_left : touch.y_wheel_right) = at.profile_y;
@@ -77,7 +78,7 @@ std::optional<RadiusDifference> radii_of(const std::vector<RigidWheelset>& rows)
   for (const RigidWheelset& row : rows) {
     at.push_back(row.lateral_shift);
     // In the middle both wheels are alike.
-    difference.push_back(at.size() == 1 ? 0.0 : row.rolling_difference());
+    difference.push_back(at.size() == 1 ? 0.0 : row.rolling_difference);
   }
   if (at.size() < 2) return {};
   return RadiusDifference(std::move(at), std::move(difference));
@@ -96,7 +97,7 @@ RigidWheelset mirrored(RigidWheelset wheelset) {
   wheelset.lateral_shift = 0.0 - wheelset.lateral_shift;
   wheelset.roll = 0.0 - wheelset.roll;
   std::swap(wheelset.radius_left, wheelset.radius_right);
-  std::swap(wheelset.speed_left, wheelset.speed_right);
+  wheelset.rolling_difference = 0.0 - wheelset.rolling_difference;
   std::swap(wheelset.angle_left, wheelset.angle_right);
   std::swap(wheelset.y_wheel_left, wheelset.y_wheel_right);
   std::swap(wheelset.y_track_left, wheelset.y_track_right);

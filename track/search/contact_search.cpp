@@ -250,9 +250,8 @@ class WheelSearch {
     const RailPlace& place = scene_.rail(left_).place;
     add_own(-1.0, rail, {1.0, 0.0, 0.0}, to_track(left_, {0.0, place.shift_y, place.shift_z}));
     const double radius = input_.rail.rolling_radius;
-    if (std::isinf(radius)) {
-      contact.own_velocity[0] += 1.0;
-    } else {
+    contact.own_velocity[0] += std::isinf(radius) ? 1.0 : 0.0;
+    if (std::isfinite(radius)) {
       const Axle roller = of_side(roller_axle(place, radius));
       add(-1.0, {}, 1.0 / radius, roller.direction, roller.point);
     }

@@ -156,12 +156,12 @@ SectionWithKeys placement_section() {
 
 SectionWithKeys displacement_section(const std::string& body, Displacement Case::*part,
                                      bool is_wheel) {
-  Keys<Displacement> keys(body + "_displacement",
-                          "Displacement of each " + body +
-                              " by itself, [left, right], in the axes of the track. Velocities of "
-                              "wheelset and track are the same at the displaced place, about the "
-                              "displaced axle",
-                          part);
+  Keys<Displacement> keys(
+      body + "_displacement",
+      "Displacement of each " + body +
+          " by itself, [left, right], in the axes of the track, and its change, about "
+          "the origin of its profile; otherwise it moves as undisplaced",
+      part);
   keys.section().of_profiles = true;
   keys.section().on_rail = false;
   using Member = Displacement::Sides Displacement::*;
@@ -181,11 +181,9 @@ SectionWithKeys displacement_section(const std::string& body, Displacement Case:
   add("lateral_velocity", &Displacement::lateral_velocity, "", 1.0, "The same to the right.");
   add("vertical_velocity", &Displacement::vertical_velocity, "", 1.0,
       "The same down, only with wheelset.vertical_velocity.");
-  add("roll_velocity", &Displacement::roll_velocity, "rad/mm", 1.0,
-      "Change per rolled distance, about the origin of the profile.");
+  add("roll_velocity", &Displacement::roll_velocity, "rad/mm", 1.0, "Change per rolled distance.");
   if (is_wheel) {
-    add("yaw_velocity", &Displacement::yaw_velocity, "rad/mm", 1.0,
-        "Change per rolled distance, about the origin of the profile.");
+    add("yaw_velocity", &Displacement::yaw_velocity, "rad/mm", 1.0, "Change per rolled distance.");
     add("rotation", &Displacement::rotation, "rad/mm", 1.0,
         "Added to the rotation of the wheelset over the forward velocity, positive forward.");
   }

@@ -64,11 +64,11 @@ TEST(RigidTouch, RollersSteerByTheirOwnRadiiToo) {
     const double of_wheels = wheel * slope * (away + rail * slope) / both / speed;
     const double of_rollers = rail * slope * (away + wheel * slope) / both * middle.radius_right /
                               roller / (speed * speed);
-    EXPECT_NEAR(touches.at(1).rolling_difference() / 0.2 / (of_wheels + of_rollers), 1.0, 5e-4);
+    EXPECT_NEAR(touches.at(1).rolling_difference / 0.2 / (of_wheels + of_rollers), 1.0, 5e-4);
     EXPECT_NEAR(touches[1].radius_difference(), on_rails.at(1).radius_difference(), 1e-6);
-    EXPECT_EQ(on_rails[1].rolling_difference(), on_rails[1].radius_difference());
+    EXPECT_EQ(on_rails[1].rolling_difference, on_rails[1].radius_difference());
     const auto mirrored = track::rigid_touches(input, track::search_scene_of(input), {-0.1});
-    EXPECT_NEAR(mirrored.at(0).rolling_difference(), -touches[1].rolling_difference(), 1e-9);
+    EXPECT_NEAR(mirrored.at(0).rolling_difference, -touches[1].rolling_difference, 1e-9);
   }
 }
 
@@ -88,8 +88,8 @@ TEST(RigidTouch, ConicityOnRollersIsThatOfTheCreepages) {
            (1.0 - scenes[k].contact.place.z_track / 500.0);
   };
   const auto touch = track::rigid_touches(input, search, {2.0}).at(0);
-  EXPECT_NEAR(touch.rolling_difference(), input.wheel.rolling_radius * (slip(0) - slip(1)), 1e-5);
-  EXPECT_GT(touch.rolling_difference(), 1.3 * touch.radius_difference());
+  EXPECT_NEAR(touch.rolling_difference, input.wheel.rolling_radius * (slip(0) - slip(1)), 1e-5);
+  EXPECT_GT(touch.rolling_difference, 1.3 * touch.radius_difference());
 }
 
 TEST(RigidTouch, TheOtherSideIsTheMirrorImage) {
