@@ -1,171 +1,188 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Differences between rollfem and CONTACT on CONTACT's own examples: converts, runs and compares.
+"""Differences between rollfem and CONTACT on CONTACT's inputs: converts, runs and compares.
 
-    /usr/bin/python3 benchmarks/contact_agreement.py EXAMPLES --program build/app/rollfem [-o DIR]
+    contact_agreement.py FOLDER... --program build/app/rollfem [--only NAME...] [--count]
 
-EXAMPLES is a folder with NAME.inp and NAME.ref_out from CONTACT's open-source distribution (and the profiles for module
-1). Prints the table of docs/coming_from_contact.md: the largest difference over the cases of each kind. CONTACT prints
-four digits. With -o, case files and results stay there and are reused.
-"""
-
+Each FOLDER holds NAME.inp with NAME.ref_out, the output of CONTACT, beside a folder profiles. Prints the table of
+docs/coming_from_contact.md, the largest difference over the cases of each input in percent (CONTACT prints four digits),
+and why cases were refused. With --count it only converts and checks. tests/python/peers.py uses the same functions."""
 import argparse
+import collections
+import dataclasses
+import itertools
 import json
 import math
 import pathlib
 import re
+import shutil
 import subprocess
+import sys
 import tempfile
 
-import h5py
-import numpy
-
-NAMES = ["cattaneo", "spence35", "catt_to_cart", "fastsim", "tractcurv", "mbench_a22_left",
-         "carter2d", "bentall", "veldep_fric"]
-ADHESION = 1  # in `state` of results.h5; 2 is slip, 0 outside
+COLUMNS = ["F_n", "p0", "approach", "F_x", "F_y", "M_z", "creepage, shift"]
 NUMBER = r"[-+]?[0-9]*\.?[0-9]+(?:[eE][-+]?[0-9]+)?\.?"
+SMALL = 0.1  # part of the force of a wheel below which the pressure of a patch is not compared
 
 
-def numbers(line):
+def values(line):
     return [float(word) for word in re.findall(NUMBER, line)]
 
 
+def numbers(text):
+    """[1, 3, 4, 5] of "1, 3 to 5"."""
+    return [number for first, last in re.findall(r"(\d+)(?: to (\d+))?", text)
+            for number in range(int(first), int(last or first) + 1)]
+
+
 def printed_cases(path):
-    """Case number -> values printed by CONTACT."""
-    text = path.read_text(errors="replace")
+    """Case number -> its patches, from the largest force on, with the values that CONTACT printed."""
+    parts = re.split(r"^ Case +", path.read_text(errors="replace"), flags=re.M)[1:]
+    named = [int(re.match(r"\d+", part)[0]) for part in parts]
+    unique = len(set(named)) == len(named)  # several result elements count anew
     cases = {}
-    for part in re.split(r"^ Case +", text, flags=re.M)[1:]:
-        lines = part.splitlines()
-        found = {}
-        for at, line in enumerate(lines):
+    for k, part in enumerate(parts):
+        lines, patches = part.splitlines(), []
+        for at, line in enumerate(lines[:-1]):
             if re.match(r" +FN +FX +F[YS] +M[ZN]", line):
-                found.update(zip(("fn", "fx", "fy", "mz"), numbers(lines[at + 1])))
-            elif re.match(r" +FN/G ", line):
-                names = re.findall(r"(?:SHIFT|CREEP) [XY]|\S+", line)
-                found.update(zip(names, numbers(lines[at + 1])))
-            elif re.match(r" +NPOT +(MAXC +)?NCON", line):
-                found.update(zip(("npot", "contact", "adhesion"), numbers(lines[at + 1])))
-        cases[int(lines[0])] = found
+                patches.append(dict(zip(("fn", "fx", "fy", "mz"), values(lines[at + 1]))))
+            elif re.match(r" +FN/G ", line) and patches:
+                patches[-1].update(zip(re.findall(r"(?:SHIFT|CREEP) [XY]|\S+", line), values(lines[at + 1])))
+        cases[named[k] if unique else k + 1] = sorted(patches, key=lambda patch: -patch["fn"])
     return cases
 
 
-def run(program, case_file, folder):
-    if not (folder / "summary.json").exists():
-        subprocess.run([program, "run", case_file, "-o", folder, "--no-report",
-                        "--set", "output.grid_fields=\"all\""], check=True,
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    model = json.loads((folder / "summary.json").read_text())["models"][0]
-    points = model.get("points") or [p for patch in model["patches"] for p in patch["points"]]
-    return model, points
+def place(source, folder):
+    """The input in a folder from which it finds its profiles; some name them from the folder above."""
+    work = folder / "inputs" / "x"
+    work.mkdir(parents=True)
+    for found in source.parent.glob("*.pr[rw]"):
+        (work / found.name).symlink_to(found)
+    for target in (work / "profiles", work.parent / "profiles"):
+        target.symlink_to(source.parent / "profiles")
+    return shutil.copy(source, work)
 
 
-def case_numbers(text):
-    """Case numbers in convert's comment: "1, 3 to 5"."""
-    found = []
-    words = re.search(r"^# Made by rollfem convert of .*, cases? (\d+(?:(?:, | to )\d+)*)", text, re.M)
-    for part in words[1].split(", "):
-        first, _, last = part.partition(" to ")
-        found += range(int(first), int(last or first) + 1)
-    return found
+@dataclasses.dataclass
+class Measured:
+    """What became of an input."""
+    cases: int = 0
+    converted: int = 0
+    run: int = 0
+    refused: collections.Counter = dataclasses.field(default_factory=collections.Counter)
+    failed: list = dataclasses.field(default_factory=list)
+    largest: dict = dataclasses.field(default_factory=dict)  # quantity -> percent, case
 
-
-def states(folder, model, point):
-    """Elements in contact and in adhesion, if the model has them."""
-    with h5py.File(folder / "results.h5") as file:
-        state = numpy.array(file[f"models/{model}/points/{point:04d}/state"])
-        return int((state > 0).sum()), int((state == ADHESION).sum())
-
-
-class Largest:
-    """Largest difference of each quantity over the cases of a kind, in percent of its scale."""
-
-    def __init__(self):
-        self.values, self.cases = {}, 0
-
-    def add(self, quantity, ours, printed, scale):
+    def add(self, quantity, case, ours, printed, scale):
         if scale:
             off = 100.0 * abs(ours - printed) / abs(scale)
-            self.values[quantity] = max(off, self.values.get(quantity, 0.0))
+            self.largest[quantity] = max((off, case), self.largest.get(quantity, (0.0, 0)))
 
 
-def compare(largest, point, printed, mu, text, counts):
-    """Adds one load point of the case file `text`."""
-    fn = printed["fn"]
-    bound = mu * fn
+def compare(made, case, ours, printed, text):
+    """Adds the patches of a case, both from the largest force on."""
+    mu = max(values(re.search(r"^coefficient = (.*?)(?:#|$)", text, re.M)[1]))
     on_rail = "[wheelset]" in text  # module 1 states forces on the rail
     turned = "half a turn" in text  # CHI = 180
-    parabolic = 'bound = "parabolic"' in text
-    sign_x = -1.0 if turned or on_rail else 1.0
-    sign_y = -1.0 if turned else 1.0
-    largest.cases += 1
-    if not parabolic:  # there CONTACT prints the bound's peak, 4/3 of Hertz's
-        largest.add("p0", point["max_pressure"], printed["PMAX"], printed["PMAX"])
-    largest.add("approach", point["approach"], printed["APPROACH"], printed["APPROACH"])
-    largest.add("F_n", point["normal_force"], fn, fn)
-    largest.add("F_x", sign_x * point["longitudinal_force"], printed["fx"], bound)
-    largest.add("F_y", sign_y * point["lateral_force"], printed["fy"], bound)
-    radius = math.sqrt(point["contact_area"] / math.pi)
-    largest.add("M_z", point["spin_moment"], printed["mz"], bound * radius)
-    for name, key in (("SHIFT X", "longitudinal_shift"), ("CREEP X", "longitudinal_creepage")):
-        if name in printed and point.get(key):
-            ours = -point[key] if turned else point[key]
-            largest.add("creepage, shift", ours, printed[name], printed[name])
-    if counts and "contact" in printed:
-        largest.add("contact", counts[0], printed["contact"], printed["contact"])
-        largest.add("adhesion", counts[1], printed["adhesion"], printed["contact"])
+    sign_x, sign_y = -1.0 if turned or on_rail else 1.0, -1.0 if turned else 1.0
+    whole = sum(patch["fn"] for patch in printed)
+    bound = mu * whole
+    for got, wanted in itertools.zip_longest(ours, printed, fillvalue={}):
+        of = lambda key, there=got: there.get(key) or 0.0
+        fn = wanted.get("fn", 0.0)
+        made.add("F_n", case, of("normal_force"), fn, whole)
+        made.add("F_x", case, sign_x * of("longitudinal_force"), wanted.get("fx", 0.0), bound)
+        made.add("F_y", case, sign_y * of("lateral_force"), wanted.get("fy", 0.0), bound)
+        if min(fn, of("normal_force")) < SMALL * whole:
+            continue
+        # With a parabolic bound CONTACT prints the peak of the bound, 4/3 of Hertz's.
+        if "PMAX" in wanted and 'bound = "parabolic"' not in text:
+            made.add("p0", case, got["max_pressure"], wanted["PMAX"], wanted["PMAX"])
+        if "APPROACH" in wanted:
+            made.add("approach", case, of("approach"), wanted["APPROACH"], wanted["APPROACH"])
+        if not on_rail:
+            made.add("M_z", case, of("spin_moment"), wanted["mz"], bound * math.sqrt(of("contact_area") / math.pi))
+        for name, key in (("SHIFT X", "longitudinal_shift"), ("CREEP X", "longitudinal_creepage")):
+            if name in wanted and got.get(key):
+                made.add("creepage, shift", case, -got[key] if turned else got[key], wanted[name], wanted[name])
 
 
-def compare_file(program, case_file, folder, printed, results):
-    text = case_file.read_text()
-    mu = float(re.search(r"^coefficient = (\S+)", text, re.M)[1])
-    model, points = run(program, case_file, folder)
-    kind = {"fastsim": "FASTSIM", "fastrip": "FaStrip"}.get(model["name"])
-    if kind is None:
-        kind = "shift" if 'problem = "shift"' in text else (
-            "frictionless" if "frictionless" in text else
-            "transient" if "transient" in text else "steady")
-    for k, (number, point) in enumerate(zip(case_numbers(text), points)):
-        if "fn" not in printed[number]:
-            continue  # CONTACT printed nothing for this case
-        counts = None
-        if model["name"] == "halfspace" and kind != "frictionless":
-            counts = states(folder, "halfspace", k) if "[wheelset]" not in text else None
-        compare(results.setdefault(kind, Largest()), point, printed[number], mu, text, counts)
+def run(program, path, cases, printed, made, folder):
+    """Runs a case file and compares its cases."""
+    done = subprocess.run([program, "run", path, "-o", folder, "--no-report", "--set", "output.fields=false", "--set",
+                           'output.grid_fields="none"'], capture_output=True, text=True, check=False)
+    if done.returncode:
+        made.failed.append(f"cases {cases}: {done.stderr.strip()[-300:]}")
+        return
+    patches = collections.defaultdict(list)
+    for model in json.loads((folder / "summary.json").read_text())["models"]:
+        position = (model.get("contact") or {}).get("position", 1)
+        for k, point in enumerate(model["points"]):
+            patches[k if len(model["points"]) == len(cases) else position - 1].append(point)
+    made.run += len(cases)
+    text = pathlib.Path(path).read_text()
+    for k, case in enumerate(cases):
+        if printed.get(case):  # where CONTACT printed something
+            ours = sorted(patches[k], key=lambda point: -point["normal_force"])
+            compare(made, case, ours, printed[case], text)
 
 
-COLUMNS = ["F_n", "p0", "approach", "F_x", "F_y", "M_z", "creepage, shift", "contact", "adhesion"]
+def measure(program, source, last=math.inf, count=False):
+    """Converts an input and runs the case files with cases up to number `last`; `count`: checks them instead."""
+    made = Measured()
+    printed = {} if count else printed_cases(source.with_suffix(".ref_out"))
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        done = subprocess.run([program, "convert", place(source, folder), "--partial", "-o", folder / "x" / "made"],
+                              capture_output=True, text=True, check=False)
+        seen = set()
+        for line in (done.stdout + done.stderr).splitlines():
+            if found := re.match(r"(\S+\.toml): cases? (.*)$", line):
+                cases = numbers(found[2])
+                made.converted += len(cases)
+                if count:
+                    check = subprocess.run([program, "check", found[1]], capture_output=True, text=True, check=False)
+                    made.failed += [f"cases {cases}: {check.stderr.strip()[-300:]}"] if check.returncode else []
+                elif cases[-1] <= last:
+                    run(program, found[1], cases, printed, made, folder / pathlib.Path(found[1]).stem)
+            elif (found := re.match(r"cases? ([\d, to]+): no equivalent: (.*)", line)) and found[1] not in seen:
+                seen.add(found[1])  # one reason for each case, the first
+                reason = re.sub(r"\S+\.(?:toml|prr|prw|ban|whl|slcs|slcw)\S*", "...", found[2]).split(";")[0]
+                made.refused[reason[:90]] += len(numbers(found[1]))
+        if not made.converted and not made.refused:
+            made.refused[f"not read: {done.stderr.strip()[-90:]}"] += 1
+    made.cases = made.converted + sum(made.refused.values())
+    return made
 
 
-def table(rows):
-    print("| example | cases | " + " | ".join(COLUMNS) + " |")
-    print("|" + "---|" * (len(COLUMNS) + 2))
-    for name, kind, largest in rows:
-        cells = [f"{largest.values[c]:.3f}" if c in largest.values else "" for c in COLUMNS]
-        print(f"| {name}, {kind} | {largest.cases} | " + " | ".join(cells) + " |")
+def row(name, made):
+    cells = [f"{made.largest[c][0]:.3f}" if c in made.largest else "" for c in COLUMNS]
+    return f"| {name} | {made.cases} | {made.converted} | {made.run} | " + " | ".join(cells) + " |"
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("examples", type=pathlib.Path)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", type=pathlib.Path, nargs="+")
     parser.add_argument("--program", required=True, type=pathlib.Path)
-    parser.add_argument("-o", "--output", type=pathlib.Path)
-    parser.add_argument("--only", nargs="*", default=NAMES)
+    parser.add_argument("--only", nargs="*")
+    parser.add_argument("--count", action="store_true", help="convert and check only")
     call = parser.parse_args()
-    output = call.output or pathlib.Path(tempfile.mkdtemp())
-    rows = []
-    for name in call.only:
-        cases = output / f"{name}_cases"
-        if not cases.exists():
-            subprocess.run([call.program.resolve(), "convert", call.examples / f"{name}.inp", "-o",
-                            cases, "--partial"], check=True, stdout=subprocess.DEVNULL)
-        printed = printed_cases(call.examples / f"{name}.ref_out")
-        results = {}
-        for case_file in sorted(cases.glob("*.toml")):
-            compare_file(call.program.resolve(), case_file, output / case_file.stem, printed,
-                         results)
-        rows += [(name, kind, largest) for kind, largest in results.items()]
-    table(rows)
+    whole = Measured()
+    print("| input | cases | converted | run | " + " | ".join(COLUMNS) + " |\n" + "|---" * (len(COLUMNS) + 4) + "|")
+    for source in sorted(path.resolve() for folder in call.folders for path in folder.glob("*.inp")):
+        if (call.only and source.stem not in call.only) or not (call.count or source.with_suffix(".ref_out").exists()):
+            continue
+        made = measure(call.program.resolve(), source, count=call.count)
+        print(row(source.stem, made), flush=True)
+        for text in made.failed:
+            print(f"{source.stem}: {text}", file=sys.stderr)
+        for key in ("cases", "converted", "run", "refused", "failed"):
+            setattr(whole, key, getattr(whole, key) + getattr(made, key))
+    print(row("all", whole) + "\n")
+    for reason, count in whole.refused.most_common():
+        print(f"{count:5} {reason}")
+    return 1 if whole.failed else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -27,6 +27,7 @@ struct Group {
   std::vector<Point> points;
   std::vector<std::string> notes;
   bool starts_steady = false;
+  double place = 0.0;  ///< Equivalent::place of the last case
 };
 
 bool starts_with(const std::string& text, const std::string& start) {
@@ -61,21 +62,54 @@ void keep_what_acts(std::vector<Point>& points) {
   }
 }
 
-/// Turns a shift from rest into the first step of a transient (of any length), so that all steps
-/// are of one kind. `next` is the step that rolls.
-void roll_first_step(Group& group, const Equivalent& next) {
-  Point& point = group.points.front();
-  const double length = point["history.step_length"] = next.varied.at("history.step_length");
+/// Turns a shift into a step of rolling by `length`.
+void roll(Point& point, double length) {
+  point["history.step_length"] = length;
   for (const auto& [shift, creepage] :
        {std::pair("history.longitudinal_shift", "rolling.longitudinal_creepage"),
         {"history.lateral_shift", "rolling.lateral_creepage"},
         {"history.spin_shift", "rolling.spin"}})
     if (auto found = point.extract(shift)) point[creepage] = found.mapped() / length;
+}
+
+/// Turns a shift from rest into the first step of a transient (of any length), so that all steps
+/// are of one kind. `next` is the step that rolls.
+void roll_first_step(Group& group, const Equivalent& next) {
+  roll(group.points.front(), next.varied.at("history.step_length"));
   group.first.problem = "transient";
   group.first.fixed["rolling"] = next.fixed.at("rolling");
   group.notes.push_back(
       "the first step is a shift in CONTACT; from rest it equals a step of rolling under the same "
       "force");
+}
+
+/// Turns a shift of a patch that has moved on along x into a step of rolling in axes that move with
+/// it. The grid is that of the first step.
+void follow_patch(const Group& group, Equivalent& next) {
+  const double length = next.place - group.place;
+  if (!next.continues || next.problem != "shift" || !(length > 0.0) ||
+      next.varied["history.spin_shift"] != 0.0)
+    return;
+  roll(next.varied, length);
+  next.problem = "transient";
+  next.set_word("rolling", "upwind_order", "first");
+  next.fixed["contact_grid"] = group.first.fixed.at("contact_grid");
+  next.notes.push_back(
+      "the patch moves along x in CONTACT's axes: here the axes move with it, and it rolls");
+}
+
+/// The approach of the next step in the first one, whose force leads to it.
+void press_first_step(Group& group, const Equivalent& next) {
+  const auto approach = next.varied.find("history.approach");
+  Point& point = group.points.front();
+  const auto force = point.find("history.normal_force");
+  constexpr double alike = 0.01;
+  if (group.points.size() > 1 || approach == next.varied.end() || force == point.end() ||
+      !(std::abs(group.first.approach - approach->second) < alike * approach->second))
+    return;
+  point.erase(force);
+  point["history.approach"] = approach->second;
+  group.notes.push_back("the first step has the approach of the second, to which its FN leads");
 }
 
 bool joins(const Group& group, const Equivalent& next) {
@@ -122,6 +156,7 @@ bool admits(std::vector<Group>& groups, const Equivalent& next) {
                      group.first.problem == "shift" && group.points.size() == 1;
   if (!onset) return false;
   Group rolled = group;
+  press_first_step(rolled, next);
   roll_first_step(rolled, next);
   if (!joins(rolled, next)) return false;
   group = rolled;
@@ -131,6 +166,7 @@ bool admits(std::vector<Group>& groups, const Equivalent& next) {
 void add(Group& group, int number, const Equivalent& made) {
   group.cases.push_back(number);
   group.points.push_back(made.varied);
+  group.place = made.place;
   if (group.first.stresses.empty()) group.first.stresses = made.stresses;
   for (const std::string& note : made.notes)
     if (std::find(group.notes.begin(), group.notes.end(), note) == group.notes.end())
@@ -238,23 +274,18 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
                          const std::vector<int>& chosen) {
   Conversion conversion;
   std::vector<Group> groups;
-  bool open = false;    // whether the last case is in the last group
-  bool coarse = false;  // the only problem of the cases since rest is too few elements
+  bool open = false;  // whether the last case is in the last group
   bool chosen_before = true;
   for (const ContactCase& given : cases) {
     const bool is_chosen =
         chosen.empty() || std::binary_search(chosen.begin(), chosen.end(), given.number);
     const bool follows_chosen = std::exchange(chosen_before, is_chosen);
     Equivalent made = equivalent_of(given, profile_folder);
-    const bool begins_late = made.continues && coarse;
-    coarse = made.too_coarse && (begins_late || !made.continues);
     open = open && follows_chosen;
     if (!is_chosen) continue;
+    if (open) follow_patch(groups.back(), made);
     const bool joined = made.impossible.empty() && open && admits(groups, made);
-    if (made.impossible.empty() && begins_late)
-      made.notes.push_back(
-          "the history begins here: earlier cases have fewer than 4 elements across the patch");
-    else if (made.impossible.empty() && made.continues && !joined)
+    if (made.impossible.empty() && made.continues && !joined)
       made.impossible.push_back(
           open ? "digit P = 0: the case continues another one but differs from it in "
                  "more than load, creepages and forces"
@@ -264,11 +295,10 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
                             given.number - 1));
     open = made.impossible.empty();
     if (!open) {
-      const bool only_coarse = made.too_coarse && made.impossible.size() == 1;
-      conversion.refused.push_back({given.number, given.line, only_coarse, made.impossible});
+      conversion.refused.push_back({given.number, given.line, made.impossible});
       continue;
     }
-    if (!joined) groups.push_back({made, {}, {}, {}, false});
+    if (!joined) groups.push_back({made, {}, {}, {}, false, 0.0});
     add(groups.back(), given.number, made);
   }
   const std::size_t digits =

@@ -23,7 +23,6 @@ struct CaseFile {
 struct Refusal {
   int number = 0;
   std::size_t line = 0;
-  bool too_coarse = false;  ///< only because its grid has too few elements
   std::vector<std::string> reasons;
 };
 

@@ -25,11 +25,12 @@ struct Equivalent {
   std::map<std::string, std::vector<std::string>> fixed;
   /// Values that may differ between load points, by `section.key`.
   std::map<std::string, double> varied;
-  std::string stresses;  ///< [[subsurface.*]] entries
+  double place = 0.0;     ///< x of the patch in CONTACT's axes where ours move with it, mm
+  double approach = 0.0;  ///< of the load by Hertz, mm; 0: other shapes
+  std::string stresses;   ///< [[subsurface.*]] entries
   std::map<std::string, std::string>
       files;  ///< files beside the case file: name without stem, text
 
-  bool too_coarse = false;              ///< impossible only because the patch has too few elements
   std::vector<std::string> impossible;  ///< physics without an equivalent, one sentence each
   std::vector<std::string>
       notes;  ///< features ignored or treated differently, with the same physics

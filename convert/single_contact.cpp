@@ -74,33 +74,6 @@ bool has_given_pressure(const ContactCase& given) {
   return given.potential.ipotcn < 0 && !is_simplified(given.digits) && given.digits.B == 2;
 }
 
-void fill_motion(const ContactCase& given, double sign, Equivalent& made) {
-  const Digits& digits = given.digits;
-  const auto& k = given.kinematics;
-  const bool shift = made.problem == "shift";
-  const bool by_step = made.history() && !has_given_pressure(given);
-  made.varied[std::string(by_step ? "history." : "load.") +
-              (digits.N == 0 ? "approach" : "normal_force")] = k[0];
-  if (digits.T == 0) return;
-  made.refuse(digits.F > 0 && digits.N == 0,
-              "digits N = 0, F > 0: tangential forces are relative to a normal force that is not "
-              "known in advance");
-  if (!made.impossible.empty()) return;
-  const std::array<std::string, 2> names{"longitudinal", "lateral"};
-  for (std::size_t direction = 0; direction < 2; ++direction) {
-    const double value = sign * k[1 + direction] + 0.0;  // no -0
-    const std::string& name = names[direction];
-    const bool by_force = digits.F > static_cast<int>(direction);
-    // Cases with forces and cases with creepages may share a file.
-    made.varied["rolling." + name + "_force"] =
-        by_force ? value * given.friction.front().fstat * k[0] : std::nan("");
-    made.varied[shift ? "history." + name + "_shift" : "rolling." + name + "_creepage"] =
-        by_force ? 0.0 : value;
-  }
-  made.varied[shift ? "history.spin_shift" : "rolling.spin"] = k[3];
-  if (made.problem == "transient") made.varied["history.step_length"] = given.rolling[1];
-}
-
 using Area = ElementPlaces;
 
 void set_grid(const ContactCase& given, const Area& area, double sign, Equivalent& made) {
@@ -173,15 +146,13 @@ Ellipse ellipse_of(const ContactCase& given, double modulus) {
   return {hertz_of(given, s[0], B, modulus), {s[0], B}};
 }
 
-/// Models refuse results with fewer than four elements across the patch.
-void judge_resolution(const HertzContact& hertz, double dx, double dy, Equivalent& made) {
-  const double along = std::round(2.0 * hertz.semi_axis_x / dx);
-  const double across = std::round(2.0 * hertz.semi_axis_y / dy);
-  if (along >= 4.0 && across >= 4.0) return;
-  made.too_coarse = made.impossible.empty();
-  made.impossible.push_back(fmt::format(
-      "the patch is {:g} by {:g} elements; allowed: at least 4 in each direction; do: raise MX, MY",
-      along, across));
+void note_resolution(const HertzContact& hertz, double dx, double dy, Equivalent& made) {
+  const double along = std::max(1.0, std::round(2.0 * hertz.semi_axis_x / dx));
+  const double across = std::max(1.0, std::round(2.0 * hertz.semi_axis_y / dy));
+  made.note(along < 4.0 || across < 4.0,
+            fmt::format("the patch is only {:g} by {:g} elements: its numbers are those of CONTACT "
+                        "on the same elements, not those of the bodies",
+                        along, across));
 }
 
 void fill_ellipse(const ContactCase& given, double modulus, double sign, Equivalent& made) {
@@ -204,7 +175,7 @@ void fill_ellipse(const ContactCase& given, double modulus, double sign, Equival
   const Area area{-scale * a, -scale * b, 2.0 * scale * a / potential.mx,
                   2.0 * scale * b / potential.my};
   set_grid(given, area, sign, made);
-  judge_resolution(ellipse.hertz, area.dx, area.dy, made);
+  note_resolution(ellipse.hertz, area.dx, area.dy, made);
   if (!simplified) return;
   made.model = given.digits.M == 5 ? "fastrip" : "fastsim";
   made.set_word("fastsim", "bound", given.digits.B == 3 ? "parabolic" : "elliptic");
@@ -294,7 +265,27 @@ void fill_line(const ContactCase& given, Area area, double modulus, double sign,
   made.varied.erase("history.spin_shift");
   const double a =
       halfspace::line_hertz(radius, modulus, given.kinematics[0] / area.dy, area.dy).half_width;
-  judge_resolution({a, 0.5 * area.dy, 0.0, 0.0, 0.0}, area.dx, 0.25 * area.dy, made);
+  note_resolution({a, 0.5 * area.dy, 0.0, 0.0, 0.0}, area.dx, 0.25 * area.dy, made);
+}
+
+/// x of the lowest point of IBASE = 1 in a step of a shift, to CONTACT's digits: the body may roll
+/// over axes that stand still. Otherwise 0.
+double place_of_parabola(const ContactCase& given) {
+  const auto& B = given.distance.values;
+  const Digits& digits = given.digits;
+  if (digits.P != 0 || digits.T != 1 || digits.S > 0 || given.distance.ibase != 1 || !(B[0] > 0.0))
+    return 0.0;
+  return std::round(-0.5e4 * B[3] / B[0]) * 1e-4;
+}
+
+/// h = A (x - place)^2 + B y^2 with positive A and B.
+bool is_parabola(const UndeformedDistance& distance, double place) {
+  const auto& B = distance.values;
+  if (distance.ibase != 1 || B[1] != 0.0 || B[4] != 0.0 || !(B[0] > 0.0) || !(B[2] > 0.0))
+    return false;
+  if (place == 0.0) return B[3] == 0.0 && B[5] == 0.0;
+  constexpr double rounding = 1e-6;  // mm
+  return std::abs(B[5] - B[0] * place * place) <= rounding + 1e-5 * B[5];
 }
 
 void fill_distance(const ContactCase& given, double modulus, double sign, Equivalent& made) {
@@ -308,20 +299,60 @@ void fill_distance(const ContactCase& given, double modulus, double sign, Equiva
   made.refuse(distance.ibase == 3 && (B[6] == 0.0 || B[7] == 0.0),
               "IBASE = 3: B7 and B8 must not be 0");
   if (!made.impossible.empty()) return;
-  const Area area = stated_area(given.potential);
+  Area area = stated_area(given.potential);
   if (area.dx <= 0.0 || area.dy <= 0.0) return refuse("the element size is not positive");
   if (given.potential.my == 1) return fill_line(given, area, modulus, sign, made);
-  const bool plain = distance.ibase == 1 && B[1] == 0.0 && B[3] == 0.0 && B[4] == 0.0 &&
-                     B[5] == 0.0 && B[0] > 0.0 && B[2] > 0.0;
+  const double place = place_of_parabola(given);
+  const bool plain = is_parabola(distance, place);
   if (plain && is_line(B[0], B[2]))
     return refuse("the curvatures differ so much that this is a line contact");
+  if (plain) area.x -= made.place = place;
   set_grid(given, area, sign, made);
   if (plain) {
+    const HertzContact hertz = hertz_of(given, B[0], B[2], modulus);
+    made.approach = hertz.approach;
     made.set_list("undeformed_distance", "quadratic", {B[0], B[2]}, "1/mm, h = A x^2 + B y^2");
-    judge_resolution(hertz_of(given, B[0], B[2], modulus), area.dx, area.dy, made);
-    return;
+    return note_resolution(hertz, area.dx, area.dy, made);
   }
   made.files["distance.csv"] = lattice_text(given, area, sign);
+}
+
+/// Normal force of PEN; 0 where no closed form knows it.
+double force_by_hertz(const ContactCase& given, double modulus) {
+  if (given.potential.ipotcn < 0)
+    return given.potential.ipotcn >= -3 ? ellipse_of(given, modulus).hertz.normal_force : 0.0;
+  if (!is_parabola(given.distance, place_of_parabola(given))) return 0.0;
+  const auto& B = given.distance.values;
+  return hertz_of(given, B[0], B[2], modulus).normal_force;
+}
+
+void fill_motion(const ContactCase& given, double modulus, double sign, Equivalent& made) {
+  const Digits& digits = given.digits;
+  const auto& k = given.kinematics;
+  const bool shift = made.problem == "shift";
+  const bool by_step = made.history() && !has_given_pressure(given);
+  made.varied[std::string(by_step ? "history." : "load.") +
+              (digits.N == 0 ? "approach" : "normal_force")] = k[0];
+  if (digits.T == 0) return;
+  const double normal_force = digits.N == 1 ? k[0] : force_by_hertz(given, modulus);
+  made.refuse(digits.F > 0 && normal_force == 0.0,
+              "digits N = 0, F > 0: tangential forces are relative to a normal force that is known "
+              "only for an ellipse or a parabola");
+  made.note(digits.F > 0 && digits.N == 0,
+            "digits N = 0, F > 0: FX and FY are taken of FSTAT times the force of PEN by Hertz");
+  const std::array<std::string, 2> names{"longitudinal", "lateral"};
+  for (std::size_t direction = 0; direction < 2; ++direction) {
+    const double value = sign * k[1 + direction] + 0.0;  // no -0
+    const std::string& name = names[direction];
+    const bool by_force = digits.F > static_cast<int>(direction);
+    // Cases with forces and cases with creepages may share a file.
+    made.varied["rolling." + name + "_force"] =
+        by_force ? value * given.friction.front().fstat * normal_force : std::nan("");
+    made.varied[shift ? "history." + name + "_shift" : "rolling." + name + "_creepage"] =
+        by_force ? 0.0 : value;
+  }
+  made.varied[shift ? "history.spin_shift" : "rolling.spin"] = k[3];
+  if (made.problem == "transient") made.varied["history.step_length"] = given.rolling[1];
 }
 
 }  // namespace
@@ -332,10 +363,10 @@ void fill_single_contact(const ContactCase& given, Equivalent& made) {
   const auto sign = turn(given, made);
   fill_bodies(given.bodies, {"wheel", "rail"}, made);
   if (!sign) return;
-  fill_motion(given, *sign, made);
-  if (!made.impossible.empty()) return;
   const double modulus =
       contact::combine(material(given.bodies, 0), material(given.bodies, 1)).contact_modulus;
+  fill_motion(given, modulus, *sign, made);
+  if (!made.impossible.empty()) return;
   if (given.potential.ipotcn < 0)
     fill_ellipse(given, modulus, *sign, made);
   else

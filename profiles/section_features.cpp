@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+#include <string>
 
 namespace rollfem::profiles {
 
@@ -99,25 +99,26 @@ std::optional<std::size_t> first_of(const std::vector<Feature>& here,
 
 }  // namespace
 
-void find_features(std::vector<PlacedSection>& sections) {
+std::string find_features(std::vector<PlacedSection>& sections) {
   std::vector<std::vector<Feature>> found;
   for (const PlacedSection& section : sections) found.push_back(features_of(section.curve));
   const auto fullest = std::max_element(
       found.begin(), found.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  if (fullest->empty()) return;
+  if (fullest->empty()) return "";
   const auto count = static_cast<std::ptrdiff_t>(found.size());
   for (const std::ptrdiff_t step : {1, -1}) {
     std::vector<Feature> all = *fullest;
     for (std::ptrdiff_t k = fullest - found.begin(); k >= 0 && k < count; k += step) {
       const auto i = static_cast<std::size_t>(k);
       const auto first = first_of(found[i], all);
-      if (!first)
-        throw std::invalid_argument(fmt::format(
+      if (!first) {
+        for (PlacedSection& section : sections) section.features.clear();
+        return fmt::format(
             "the {} bends and kinks of the section at {:g} do not correspond to the {} of the "
-            "section at {:g}; allowed: the same in each, or those of heads that begin or end; do: "
-            "give the arc lengths of the features in every line, - for one that a section lacks",
+            "section at {:g}; give the arc lengths of features in every line to keep edges sharp",
             found[i].size(), sections[i].position, fullest->size(),
-            sections[static_cast<std::size_t>(fullest - found.begin())].position));
+            sections[static_cast<std::size_t>(fullest - found.begin())].position);
+      }
       sections[i].features.assign(all.size(), std::numeric_limits<double>::quiet_NaN());
       for (std::size_t f = 0; f < found[i].size(); ++f) {
         all[*first + f] = found[i][f];
@@ -125,6 +126,7 @@ void find_features(std::vector<PlacedSection>& sections) {
       }
     }
   }
+  return "";
 }
 
 }  // namespace rollfem::profiles

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files that list the sections of a body: position, file and, if wanted, the arc lengths of
 // features in a line, "-" of one that the section lacks; or CONTACT's slices (.slcs of a rail,
-// .slcw of a wheel; user guide, "Variable profiles").
+// .slcw of a wheel; user guide, "Variable profiles"), where -1 marks such a feature and a length
+// beyond the end, e.g. 999, the end.
 #include "profiles/section_list.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/knots.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/text_fields.hpp"
 #include "profiles/profiles.hpp"
@@ -75,8 +77,9 @@ class Rows {
     return *value;
   }
   /// An arc length, NaN of a feature that is missing.
-  double feature(const std::string& field) const {
-    return field == "-" ? std::numeric_limits<double>::quiet_NaN() : number(field);
+  double feature(const std::string& field, bool slices) const {
+    const bool missing = field == "-" || (slices && contact::number_of(field) == -1.0);
+    return missing ? std::numeric_limits<double>::quiet_NaN() : number(field);
   }
   int count(const std::string& field) const {
     constexpr double most = 1e4;
@@ -106,7 +109,7 @@ SectionList read_rows(std::string_view text, const std::string& name) {
     const auto& fields = rows.take(2, "position and file");
     Listed section{rows.number(fields[0]), fields[1], {}, line};
     for (std::size_t k = 2; k < fields.size(); ++k)
-      section.features.push_back(rows.feature(fields[k]));
+      section.features.push_back(rows.feature(fields[k], false));
     list.sections.push_back(std::move(section));
   }
   return list;
@@ -137,23 +140,33 @@ SectionList read_slices(std::string_view text, const std::string& name) {
     section.line = line;
     // The first and the last are the ends of the section.
     for (int f = 2; f < features; ++f)
-      section.features.push_back(rows.feature(fields[static_cast<std::size_t>(f)]));
+      section.features.push_back(rows.feature(fields[static_cast<std::size_t>(f)], true));
   }
   return list;
 }
 
-/// Parameters of a curve at arc lengths from its start; NaN remains. Stops at one beyond its end.
-std::vector<double> at_lengths(const ProfileCurve& curve, const std::vector<double>& lengths) {
-  std::vector<double> result;
+/// A feature this close to an end of its section (mm) is that end.
+constexpr double at_end = 0.01;
+
+/// Parameters of a curve at arc lengths from its start. NaN where there is none, and at an end of
+/// the section, which stands for a feature that is missing beside it. Beyond the end: with `ends`
+/// the same, otherwise fewer than lengths are returned.
+std::vector<double> at_lengths(const ProfileCurve& curve, const std::vector<double>& lengths,
+                               bool ends) {
   const std::vector<double> places = dense_parameters(curve, 0.05);
-  double way = 0.0;
-  for (std::size_t k = 1; k < places.size() && result.size() < lengths.size(); ++k) {
+  std::vector<double> way{0.0}, result;
+  for (std::size_t k = 1; k < places.size(); ++k) {
     const ProfilePoint a = curve.at(places[k - 1]), b = curve.at(places[k]);
-    const double step = std::hypot(b.y - a.y, b.z - a.z);
-    while (result.size() < lengths.size() && !(way + step <= lengths[result.size()]))
-      result.push_back(places[k - 1] +
-                       (lengths[result.size()] - way) / step * (places[k] - places[k - 1]));
-    way += step;
+    way.push_back(way.back() + std::hypot(b.y - a.y, b.z - a.z));
+  }
+  for (const double length : lengths) {
+    if (!ends && length > way.back() + at_end) break;
+    if (std::isnan(length) || std::abs(length) < at_end || length > way.back() - at_end) {
+      result.push_back(std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    const auto [k, piece, part] = contact::piece_of(way, length);
+    result.push_back(places[k] + part * (places[k + 1] - places[k]));
   }
   return result;
 }
@@ -227,7 +240,8 @@ ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
   ListedSections read{{},
                       list.spline,
                       wheel && close_turn(list, source.name),
-                      list.sections.front().features.empty()};
+                      list.sections.front().features.empty(),
+                      {}};
   std::map<std::string, ProfileCurve> curves;
   for (const Listed& listed : list.sections) {
     contact::ProfileSource one = source;
@@ -235,21 +249,29 @@ ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
     const auto [curve, first_time] = curves.try_emplace(one.name);
     if (first_time) curve->second = make_profile(one, wheel, case_file);
     PlacedSection section{listed.position, curve->second, {}};
-    section.features = at_lengths(section.curve, listed.features);
+    section.features = at_lengths(section.curve, listed.features, !plain);
     if (section.features.size() != listed.features.size())
       fail(source.name, listed.line, "a feature beyond the end of its section",
            "arc lengths from the start of the section, mm", "correct it");
+    try {
+      static_cast<void>(ends_of_parts(section));
+    } catch (const std::invalid_argument& error) {
+      fail(source.name, listed.line, error.what(), "increasing arc lengths from 0 on, mm",
+           "correct them");
+    }
     read.sections.push_back(std::move(section));
   }
   if (read.around && !alike(read.sections.front(), read.sections.back()))
     fail(source.name, list.sections.back().line, "a full turn ends with another section",
          "the section of the first line, because the wheel repeats there",
          "leave this line out, or name the first section");
-  if (read.found) try {
-      find_features(read.sections);
-    } catch (const std::invalid_argument& error) {
-      throw InputError(fmt::format("{}: {}", source.name, error.what()));
-    }
+  // Of a feature at an end of every section nothing is left.
+  for (std::size_t f = list.sections.front().features.size(); f-- > 0;)
+    if (std::all_of(read.sections.begin(), read.sections.end(),
+                    [f](const auto& section) { return std::isnan(section.features[f]); }))
+      for (PlacedSection& section : read.sections)
+        section.features.erase(section.features.begin() + static_cast<std::ptrdiff_t>(f));
+  if (read.found) read.without_features = find_features(read.sections);
   return read;
 }
 

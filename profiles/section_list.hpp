@@ -9,7 +9,8 @@
 
 namespace rollfem::profiles {
 
-/// Parameters at which the parts of a section begin and end, NaN of a part that it lacks.
+/// Parameters at which the parts of a section begin and end, NaN of a part that it lacks. Throws
+/// std::invalid_argument unless they increase.
 std::vector<double> ends_of_parts(const PlacedSection& section);
 
 struct ListedSections {
@@ -17,14 +18,15 @@ struct ListedSections {
   SectionSpline spline = SectionSpline::through;
   bool around = false;  ///< a wheel described over a full turn; the last section is the first
   bool found = false;   ///< the features, which the list does not give
+  std::string without_features;  ///< why those found are not used; empty: they are
 };
 
 /// Finds the features of sections: the middle of every bend from level (up to 30 degrees) to steep
 /// (from 60 degrees) or back, where a head, a flank or the floor of a groove ends, and kinks. Where
 /// sections have different numbers of them, those of the section with most are compared by kind,
-/// order and place from neighbour to neighbour. Throws std::invalid_argument where that is
-/// ambiguous.
-void find_features(std::vector<PlacedSection>& sections);
+/// order and place from neighbour to neighbour. Where that is ambiguous no section has features:
+/// returns why, otherwise an empty text.
+std::string find_features(std::vector<PlacedSection>& sections);
 
 /// The list that the source names, each section read and repaired as the source says. Throws
 /// contact::InputError with file and line.

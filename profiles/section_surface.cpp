@@ -18,16 +18,6 @@ namespace {
 /// Sections repeated beyond each end of a full turn: the spline forgets what is farther away.
 constexpr std::ptrdiff_t sections_beyond = 6;
 
-/// Rejects features that do not lie in a section one after the other.
-void check_ends(const std::vector<double>& ends) {
-  double last = -std::numeric_limits<double>::infinity();
-  for (const double end : ends) {
-    if (end <= last)
-      throw std::invalid_argument("the features of a section must lie within it and increase");
-    if (!std::isnan(end)) last = end;
-  }
-}
-
 /// A part of all sections: the section from which it takes its nodes, that with most knots in it,
 /// where it begins on the surface, and the first and the last section that have it.
 struct Part {
@@ -164,6 +154,12 @@ std::vector<double> ends_of_parts(const PlacedSection& section) {
     std::swap(ends[k - 1], ends[k]);
   for (std::size_t k = ends.size() - 2; k > 0 && std::isnan(ends[k]); --k)
     std::swap(ends[k], ends[k + 1]);
+  double last = -std::numeric_limits<double>::infinity();
+  for (const double end : ends) {
+    if (end <= last)
+      throw std::invalid_argument("the features of a section must lie within it and increase");
+    if (!std::isnan(end)) last = end;
+  }
   return ends;
 }
 
@@ -185,7 +181,6 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
       throw std::invalid_argument("the positions of sections must increase");
     way_.push_back(section.position);
     bounds.push_back(ends_of_parts(section));
-    check_ends(bounds.back());
     if (bounds.back().size() != bounds.front().size())
       throw std::invalid_argument("all sections need equally many features");
   }

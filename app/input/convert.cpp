@@ -268,8 +268,6 @@ void tell(const std::vector<convert::CaseFile>& files, const fs::path& directory
   }
 }
 
-/// Cases with too few elements across the patch are left out; if `partial` is false, throws
-/// contact::SolveError once the others are written.
 void convert(const ConvertRequest& request, const contact::ModelRegistry& models) {
   const fs::path file(request.file);
   const std::string text = contact::text_of_file(request.file, request.file, largest_input);
@@ -277,31 +275,20 @@ void convert(const ConvertRequest& request, const contact::ModelRegistry& models
   const fs::path directory =
       request.directory.empty() ? file.stem().string() + "_cases" : request.directory;
   const convert::Conversion conversion = conversion_of(request, cases, directory);
-  Refused refused, coarse;
-  std::vector<int> left_out;
-  for (const convert::Refusal& refusal : conversion.refused) {
-    add(refusal.too_coarse ? coarse : refused, refusal.reasons, {refusal.number});
-    if (refusal.too_coarse) left_out.push_back(refusal.number);
-  }
-  for (const auto& [reasons, numbers] : coarse)
-    std::cerr << fmt::format("{}: left out: {}\n", case_words(numbers), reasons.front());
+  Refused refused;
+  for (const convert::Refusal& refusal : conversion.refused)
+    add(refused, refusal.reasons, {refusal.number});
   Written written(directory);
   const std::vector<convert::CaseFile> kept =
       written_cases(conversion, directory, models, written, refused);
   for (const auto& [reasons, numbers] : refused)
     for (const std::string& reason : reasons)
       std::cerr << fmt::format("{}: no equivalent: {}\n", case_words(numbers), reason);
-  if (kept.empty()) add(refused, {}, left_out);
   if (!refused.empty() && (kept.empty() || !request.partial))
     refuse(request.file, refused, kept.empty());
   written.keep();
   warn_of_missing_profiles(cases, file);
   tell(kept, directory);
-  if (!left_out.empty() && !request.partial)
-    throw contact::SolveError(
-        fmt::format("convert: {}: the others were written without {}; do: give the grid of CONTACT "
-                    "smaller elements, or accept this with --partial or --cases",
-                    request.file, case_words(left_out)));
 }
 
 }  // namespace

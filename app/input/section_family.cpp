@@ -45,7 +45,8 @@ std::string sections_text(const ListedSections& family, const std::string& title
                                : "every point follows a spline that rounds kinks");
   const std::size_t count = first.features.size();
   line("features",
-       count == 0 ? "none: points correspond by the fraction of the whole arc length"
+       count == 0 ? "none: points correspond by the fraction of the whole arc length" +
+                        (family.without_features.empty() ? "" : "; " + family.without_features)
                   : fmt::format("{} {}; their ways, y, z in mm:", count,
                                 family.found ? "found, bends and kinks" : "given in the list"));
   for (std::size_t k = 0; k < count; ++k) {

@@ -88,7 +88,8 @@ bool has_grid(const ValidatedPoint& at) {
 void check_fineness(const ValidatedPoint& at) {
   const ContactGrid& grid = at.grid;
   const auto [along, across] = elements_across(grid, at.point.fields.traction.n);
-  if ((grid.is_line() ? along : std::min(along, across)) >= fewest_elements_across) return;
+  if (at.given_grid || (grid.is_line() ? along : std::min(along, across)) >= fewest_elements_across)
+    return;
   throw UnfitGrid(
       place_of(at) +
       fmt::format(
@@ -111,7 +112,7 @@ void check_held(const ValidatedPoint& at) {
   // A sampled pressure may fill the grid to its border; a solved one must end before.
   const bool held =
       at.kind.elastic
-          ? !touches_border(grid, point.fields.traction.n)
+          ? at.ends_with_grid || !touches_border(grid, point.fields.traction.n)
           : std::max(beyond(x, point.contact_length, grid.x_first, grid.dx, grid.nx),
                      beyond(y, point.contact_width, grid.y_first, grid.dy, grid.ny)) < 1.0;
   if (!held)
@@ -231,6 +232,18 @@ double smallest_radius(const Scene& scene) {
 
 }  // namespace
 
+bool gives_grid(const Scene& scene) {
+  return scene.contact_grid.cell_size && scene.contact_grid.extent;
+}
+
+bool ends_with_grid(const Scene& scene) {
+  return gives_grid(scene) && scene.geometry.distance_values;
+}
+
+bool holds_patch(const Scene& scene, const ContactGrid& grid, const Field& pressure) {
+  return ends_with_grid(scene) || !touches_border(grid, pressure);
+}
+
 void check_point(const ValidatedPoint& at) {
   check_scalars(at);
   check_fields(at);
@@ -252,7 +265,8 @@ void check_validity(const Scene& scene, const ModelResult& result, const ResultK
     // A given pressure is the load; a model with one result for all load points uses the largest.
     if (!scene.given_pressure)
       load = count == scene.points.size() ? scene.points[k].load : largest_load(scene);
-    check_point({result.grid, result.points[k], load, touching, kind, k, count});
+    check_point({result.grid, result.points[k], load, touching, kind, k, count, gives_grid(scene),
+                 ends_with_grid(scene)});
   }
 }
 
@@ -277,6 +291,31 @@ void warn_of_long_steps(const Scene& scene, const ModelResult& result,
         "warning: the wheel rolls over much of its patch in one step: {} (load point {}), a ratio "
         "of {:.2g} where an element or {:g} is usual; give a smaller history.step_length",
         step.what, step.point, step.part, largest_step_part));
+}
+
+/// Of grids that the case gives.
+void warn_of_grid(const Scene& scene, const ModelResult& result,
+                  std::vector<std::string>& warnings) {
+  const ContactGrid& grid = result.grid;
+  Worst fewest, border;
+  for (std::size_t k = 0; k < result.points.size() && gives_grid(scene); ++k) {
+    const Field& pressure = result.points[k].fields.traction.n;
+    if (grid.size() == 0 || pressure.size() != grid.size()) continue;
+    const auto [along, across] = elements_across(grid, pressure);
+    const auto least = static_cast<double>(grid.is_line() ? along : std::min(along, across));
+    fewest.raise(1.0 / std::max(1.0, least), k, fmt::format("{} by {}", along, across));
+    if (touches_border(grid, pressure)) border.raise(1.0, k, "");
+  }
+  if (fewest.part > 1.0 / fewest_elements_across)
+    warnings.push_back(fmt::format(
+        "warning: the patch has only {} of the elements that the case gives (load point {}), where "
+        "at least {} in each direction are usual: its numbers are those of the elements",
+        fewest.what, fewest.point, fewest_elements_across));
+  if (border.part > 0.0 && ends_with_grid(scene))
+    warnings.push_back(fmt::format(
+        "warning: the patch reaches the border of the contact grid (load point {}), beyond which "
+        "no undeformed distance is given: load that acts there is missing",
+        border.point));
 }
 
 /// With the size of what half-spaces leave out at the ends of bodies; empty without loaded ends.
@@ -331,6 +370,7 @@ std::vector<std::string> validity_warnings(const Scene& scene, const ModelResult
         "rail or wheel steel carries elastically; check load, radii and their units",
         pressure.part, pressure.point, largest_elastic_pressure));
   warn_of_long_steps(scene, result, warnings);
+  warn_of_grid(scene, result, warnings);
   if (kind.half_spaces)
     if (std::string warning = free_end_warning(scene, result); !warning.empty())
       warnings.push_back(std::move(warning));

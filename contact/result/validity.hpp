@@ -28,6 +28,16 @@ inline constexpr double largest_approach_part = 0.02;
 /// yield strength in shear, 300 to 600 MPa.
 inline constexpr double largest_elastic_pressure = 3000.0;
 
+/// Whether the case determines every element.
+bool gives_grid(const Scene& scene);
+
+/// Whether it also gives the undeformed distance by points: nothing is known beyond the grid, where
+/// the patch ends.
+bool ends_with_grid(const Scene& scene);
+
+/// Whether the patch ends before the grid does, or with it.
+bool holds_patch(const Scene& scene, const ContactGrid& grid, const Field& pressure);
+
 /// A load point and the conditions for its check.
 struct ValidatedPoint {
   const ContactGrid& grid;
@@ -36,10 +46,13 @@ struct ValidatedPoint {
   bool touching = true;  ///< the bodies have surfaces that approach each other
   ResultKind kind{};
   std::size_t index = 0, count = 1;  ///< of the load points of the result
+  bool given_grid = false;           ///< gives_grid(): a warning tells of few elements
+  bool ends_with_grid = false;
 };
 
 /// Throws SolveError for a load point that is not converged, has a non-finite number, a patch that
-/// exceeds the grid or has fewer than fewest_elements_across elements along a side, a tensile
+/// exceeds the grid or, on a grid that the case does not give, has fewer than
+/// fewest_elements_across elements along a side, a tensile
 /// pressure, a gap under pressure or an overlap beside it, a traction beyond its bound, a force
 /// different from the load, or a force without positive approach. The text names load point,
 /// figure, limit and remedy.

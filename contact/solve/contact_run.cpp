@@ -152,7 +152,7 @@ bool ContactRun::solve_or_take_up(std::size_t k, bool& taking_up) {
       return true;
     }
   }
-  return !touches_border(result_.grid, state_.normal.pressure);
+  return holds_patch(scene_, result_.grid, state_.normal.pressure);
 }
 
 void ContactRun::prepare() {
@@ -212,7 +212,7 @@ bool ContactRun::press(std::size_t k) {
   if (solved_anew) tell(event, "normal", true);
   if (solved_anew) elasticity_->check_patch(patch_size(result_.grid, normal.pressure));
   result_.normal_seconds += watch.seconds();
-  return !touches_border(result_.grid, normal.pressure);
+  return holds_patch(scene_, result_.grid, normal.pressure);
 }
 
 /// A first guess from the coarser level: its p_t / g times the bound here.
@@ -339,7 +339,7 @@ void ContactRun::solve_point(std::size_t k) {
   state_.tangential.states = problem_->count_states(state_, motion_->at(k, unknowns));
   PointResult point = point_result(k, unknowns);
   remember(k);
-  if (!touches_border(result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);
+  if (holds_patch(scene_, result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);
   point.seconds = watch.seconds();
   if (store_) store_->keep(k, point, state_);
   forget(point);

@@ -163,7 +163,9 @@ RailPlace rail_place(const profiles::ProfileCurve& rail, const contact::Track& t
   place.angle = -std::atan(track.inclination);
   const profiles::ProfileCurve turned = rail.moved(place.angle, 0.0, 0.0);
   std::vector<Head> heads;
-  for (const Samples& samples : heads_of(samples_of(turned), track.gauge_height)) {
+  // In given coordinates nothing is measured, and the wheel may run in a groove.
+  const double least_groove = track.rail_position ? 0.0 : track.gauge_height;
+  for (const Samples& samples : heads_of(samples_of(turned), least_groove)) {
     if (!heads.empty()) place.tops_and_grooves.push_back(samples.at.front());
     heads.push_back(describe_head(turned, samples, track.gauge_height));
     place.tops_and_grooves.push_back(heads.back().top_at);

@@ -324,18 +324,44 @@ TEST(ConvertedCase, PointsBelowTheSurfaceAreLinesAndPoints) {
                    "[[subsurface.point]]\nbody = \"rail\"\nat = [0, 0.25, -0.4]\n"));
 }
 
-TEST(ConvertedCase, HistoryBeginsWhereThePatchHasElementsEnough) {
+TEST(ConvertedCase, FewElementsAreNoted) {
   // 0.02 N: a diameter of 0.20 mm on cells of 0.075 mm.
-  const std::string next = " 3 module\n 001120\n 100000\n 0101341\n 20. -0.6 0. 0.\n 0 module";
-  const Conversion made =
-      converted(replaced(replaced(pushed_ball, "20.0  -0.5", "0.02  0.0 "), " 0 module", next));
-  ASSERT_EQ(made.refused.size(), 1U);
-  EXPECT_EQ(
-      made.refused[0].reasons.at(0),
-      "the patch is 3 by 3 elements; allowed: at least 4 in each direction; do: raise MX, MY");
+  const Conversion made = converted(replaced(pushed_ball, "20.0  -0.5", "0.02  0.0 "));
   ASSERT_EQ(made.files.size(), 1U);
-  EXPECT_EQ(made.files[0].cases, (std::vector<int>{2}));
-  EXPECT_TRUE(says(made.files[0].text, "# note: the history begins here"));
+  EXPECT_TRUE(says(made.files[0].text, "# note: the patch is only 3 by 3 elements"));
+}
+
+TEST(ConvertedCase, ForcesUnderAGivenApproachAreFractionsOfTheForceOfHertz) {
+  // Approach of 20 N by Hertz: E* = G / (1 - nu).
+  const double approach = halfspace::hertz_from_force(0.02, 0.02, 300.0 / 0.75, 20.0).approach;
+  const Case made = only(replaced(replaced(pushed_ball, " 201120 ", " 201020 "), " 20.0  -0.5",
+                                  fmt::format("{:.15g} -0.5", approach)));
+  EXPECT_NEAR(*made.history.at(0).approach, approach, 1e-12);
+  EXPECT_NEAR(*made.rolling.forces[0].longitudinal, -0.5 * 0.3 * 20.0, 1e-9);
+  EXPECT_EQ(refused(replaced(replaced(pushed_ball, " 201120 ", " 201020 "), "0.02 0.0 0.02\n 0.0",
+                             "0.02 0.001 0.02\n 0.0"))
+                .rfind("digits N = 0, F > 0: tangential forces are relative", 0),
+            0u);
+}
+
+TEST(ConvertedCase, APatchThatMovesOverFixedAxesRolls) {
+  // h = 0.02 (x - s)^2 + 0.02 y^2 with s = 0.075 and 0.15 mm, the approach of 20 N.
+  const double approach = halfspace::hertz_from_force(0.02, 0.02, 300.0 / 0.75, 20.0).approach;
+  std::string steps;
+  for (const double s : {0.075, 0.15})
+    steps += fmt::format(
+        " 3\n 001010\n 100020\n 0101341\n {:.5g} -0.6 0. 0.\n 1 1\n 0.02 0. 0.02 {:.7g} 0. {:.7g}\n",
+        approach, -0.04 * s, 0.02 * s * s);
+  const Case made = only(replaced(pushed_ball, " 0 module", steps + " 0 module"));
+  EXPECT_EQ(made.rolling.problem, contact::Problem::transient);
+  ASSERT_EQ(made.history.size(), 3U);
+  for (const contact::HistoryStep& step : made.history) {
+    EXPECT_NEAR(step.step_length, 0.075, 1e-9);
+    EXPECT_NEAR(*step.approach, approach, 1e-5 * approach);
+  }
+  EXPECT_EQ(*made.undeformed_distance.quadratic, (std::array<double, 2>{0.02, 0.02}));
+  EXPECT_NEAR(*made.rolling.forces[2].longitudinal, -0.6 * 0.3 * 20.0, 1e-3);
+  EXPECT_DOUBLE_EQ(made.rolling.creepages[2].lateral, 0.0);
 }
 
 TEST(ConvertedCase, WhatContinuesARefusedCaseIsRefused) {

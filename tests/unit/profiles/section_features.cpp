@@ -128,13 +128,18 @@ TEST(SectionFeatures, AHeadThatBeginsIsComparedByPlace) {
   EXPECT_FALSE(surface.exists(19.9, 10.0) || surface.exists(-5.0, 10.0));
 }
 
-TEST(SectionFeatures, WhatCorrespondsInNoWayIsRefused) {
+TEST(SectionFeatures, WithoutACorrespondenceThereAreNone) {
   const Chain rise = Chain(0.0, 0.0, 0.0).straight(30.0).arc(radius, -flank).straight(12.0);
   std::vector<PlacedSection> sections = placed({head(30.0).curve(), rise.curve()});
-  const std::string wrong =
-      refusal<std::invalid_argument>([&] { profiles::find_features(sections); });
-  EXPECT_TRUE(says(wrong, "the 1 bends and kinks of the section at 10 do not correspond",
-                   "give the arc lengths", "- for one that a section lacks"));
+  EXPECT_TRUE(says(profiles::find_features(sections),
+                   "the 1 bends and kinks of the section at 10 do not correspond",
+                   "give the arc lengths"));
+  // Points correspond by the fraction of the arc length.
+  const SectionSurface surface(sections, SectionSpline::through);
+  const double length = sections[0].curve.last() - sections[0].curve.first();
+  const profiles::ProfilePoint a = sections[0].curve.at(0.3 * length),
+                               b = sections[1].curve.at(0.3 * rise.curve().last());
+  EXPECT_NEAR(surface.at(5.0, 0.3 * length).z, 0.5 * (a.z + b.z), 0.02);
 }
 
 /// z = 1 - 0.02 u on y < 0, which begins at u = 20; 0.01 u beyond it.
@@ -212,6 +217,42 @@ TEST(SectionParts, AHyphenStandsForAFeatureThatASectionLacks) {
   EXPECT_NEAR(found.z, 0.2, 1e-2);
   ASSERT_TRUE(surface->height(15.0, -20.0, 10.0, found));
   EXPECT_NEAR(found.z, 0.8, 1e-6);
+}
+
+/// Slices of CONTACT whose first section begins where the second one has its second feature.
+std::shared_ptr<const SectionSurface> sliced(const std::string& first, const std::string& second) {
+  TemporaryFolder folder;
+  for (const int k : {1, 2}) {
+    std::string rows;
+    for (double y = k == 1 ? 0.0 : -36.0; y <= 36.0; y += 0.5)
+      rows += std::to_string(y) + " 0.0\n";
+    folder.file(std::to_string(k) + ".txt", rows);
+  }
+  folder.file("a.slcs", "0.0 1.0\n 2\n 4 0 0\n 1\n 0.0 '1.txt'\n 10.0 '2.txt'\n 0.0 " + first +
+                            "\n 10.0 " + second + "\n");
+  contact::ProfileSource source;
+  source.name = "a.slcs";
+  source.for_track = false;
+  return profiles::make_sections(source, false, folder.path("case.toml"));
+}
+
+TEST(SectionParts, SlicesMarkWhatIsMissingAndTheEnd) {
+  // Features of the second: its start, y = 0, y = 20 and its end.
+  for (const char* first : {"-1 0.0 20.0 36.0", "-1 0.0 20.0 999.", "-1 -1 20.0 999."}) {
+    const auto surface = sliced(first, "0.0 36.0 56.0 999.");
+    SurfaceHeight found;
+    EXPECT_FALSE(surface->height(5.0, -20.0, 10.0, found)) << first;
+    ASSERT_TRUE(surface->height(5.0, 10.0, 45.0, found)) << first;
+    // The part from y = 0 to 20 is straight along the way.
+    EXPECT_NEAR(surface->at(0.0, 46.0).y, surface->at(10.0, 46.0).y, 1e-6) << first;
+  }
+}
+
+TEST(SectionParts, FeaturesMustIncrease) {
+  for (const char* wrong : {"0.0 20.0 10.0 36.0", "0.0 -3.0 10.0 36.0", "0.0 20.0 20.0 36.0"})
+    EXPECT_TRUE(says(refusal<contact::InputError>([&] { sliced(wrong, "0.0 36.0 56.0 72.0"); }),
+                     "a.slcs:7: the features of a section must lie within it and increase"))
+        << wrong;
 }
 
 }  // namespace

@@ -90,6 +90,29 @@ TEST(Validity, RefusesFewerThanFourElementsAcross) {
   EXPECT_THROW(check_validity(scene(), coarse), UnfitGrid);
 }
 
+TEST(Validity, WarnsOfGridsThatTheCaseGives) {
+  Scene given = scene();
+  given.contact_grid.cell_size = {1.0, 1.0};
+  given.contact_grid.extent = {14.0, 16.0};
+  ModelResult few = result();
+  for (Field* f : {&few.points[1].fields.traction.n, &few.points[1].fields.traction.x,
+                   &few.points[1].fields.traction.y})
+    for (int k = 0; k < few.grid.size(); ++k)
+      if (std::abs(few.grid.x(k % few.grid.nx)) > 1.0) (*f)[k] = 0.0;
+  EXPECT_THROW(check_validity(scene(), few), UnfitGrid);
+  check_validity(given, few);
+  EXPECT_TRUE(says(validity_warnings(given, few).at(0),
+                   "only 2 by 12 of the elements that the case gives (load point 2)"));
+  // The patch may end with the points of its undeformed distance, but not with a grid beside.
+  ModelResult border = result();
+  border.points[1].fields.traction.n[0] = 1.0;
+  EXPECT_THROW(check_validity(given, border), UnfitGrid);
+  given.geometry.distance_values.emplace();
+  check_validity(given, border);
+  EXPECT_TRUE(says(validity_warnings(given, border).at(0),
+                   "the patch reaches the border of the contact grid (load point 2)"));
+}
+
 TEST(Validity, RefusesAPatchThatTheGridDoesNotHold) {
   EXPECT_TRUE(says(refused([](PointResult& p, ModelResult&) {
                      p.fields.traction.n[20] = 0.0;

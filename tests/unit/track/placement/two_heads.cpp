@@ -203,6 +203,20 @@ TEST(TwoHeads, HeightsReachOverSteepWalls) {
   }
 }
 
+TEST(TwoHeads, AGrooveInGivenCoordinatesBelongsToTheSurface) {
+  // A half circle of radius 10 mm, less deep than the gauge height.
+  const auto depth = [](double y) { return std::sqrt(std::max(0.0, 100.0 - y * y)); };
+  const auto rail = profile_of([&](double y) { return depth(y) - 10.0; },
+                               [&](double y) { return depth(y) > 0.0 ? -y / depth(y) : 0.0; }, -20.0,
+                               20.0, 0.125);
+  contact::Track track;
+  track.rail_position = {3.0, 1.0};
+  const auto place = track::rail_place(rail, track);
+  const auto heights = track::rail_heights(track::place_rail(rail, place), place.tops_and_grooves);
+  for (const double y : {-15.0, -5.0, 0.0, 5.0, 15.0})
+    EXPECT_NEAR(heights.at(y + 3.0).value, depth(y) - 9.0, 1e-3) << y;
+}
+
 contact::Case wheel_case(double shift) {
   contact::Case input = manchester_case(shift, 0.0);
   input.track.inclination = 0.0;
