@@ -10,7 +10,6 @@ and why cases were refused. With --count it only converts and checks. tests/pyth
 import argparse
 import collections
 import dataclasses
-import itertools
 import json
 import math
 import pathlib
@@ -44,9 +43,9 @@ def printed_cases(path):
     for k, part in enumerate(parts):
         lines, patches = part.splitlines(), []
         for at, line in enumerate(lines[:-1]):
-            if re.match(r" +FN +FX +F[YS] +M[ZN]", line):
+            if re.match(r" +(?:BAR_)?FN +(?:BAR_)?FX +(?:BAR_)?F[YS] +M[ZN]", line):
                 patches.append(dict(zip(("fn", "fx", "fy", "mz"), values(lines[at + 1]))))
-            elif re.match(r" +FN/G ", line) and patches:
+            elif re.match(r" +(?:FN/G|TILDE_FN) ", line) and patches:
                 patches[-1].update(zip(re.findall(r"(?:SHIFT|CREEP) [XY]|\S+", line), values(lines[at + 1])))
         cases[named[k] if unique else k + 1] = sorted(patches, key=lambda patch: -patch["fn"])
     return cases
@@ -56,7 +55,7 @@ def place(source, folder):
     """The input in a folder from which it finds its profiles; some name them from the folder above."""
     work = folder / "inputs" / "x"
     work.mkdir(parents=True)
-    for found in source.parent.glob("*.pr[rw]"):
+    for found in (*source.parent.glob("*.pr[rw]"), *source.parent.parent.glob("*.pr[rw]")):
         (work / found.name).symlink_to(found)
     for target in (work / "profiles", work.parent / "profiles"):
         target.symlink_to(source.parent / "profiles")
@@ -69,6 +68,7 @@ class Measured:
     cases: int = 0
     converted: int = 0
     run: int = 0
+    apart: int = 0  # run with other numbers of patches
     refused: collections.Counter = dataclasses.field(default_factory=collections.Counter)
     failed: list = dataclasses.field(default_factory=list)
     largest: dict = dataclasses.field(default_factory=dict)  # quantity -> percent, case
@@ -87,12 +87,18 @@ def compare(made, case, ours, printed, text):
     sign_x, sign_y = -1.0 if turned or on_rail else 1.0, -1.0 if turned else 1.0
     whole = sum(patch["fn"] for patch in printed)
     bound = mu * whole
-    for got, wanted in itertools.zip_longest(ours, printed, fillvalue={}):
+    if len(ours) != len(printed):  # other parts: the whole wheel
+        made.apart += 1
+        made.add("F_n", case, sum(patch["normal_force"] for patch in ours), whole, whole)
+        made.add("F_x", case, sign_x * sum(patch["longitudinal_force"] for patch in ours),
+                 sum(patch["fx"] for patch in printed), bound)
+        return
+    for got, wanted in zip(ours, printed):
         of = lambda key, there=got: there.get(key) or 0.0
-        fn = wanted.get("fn", 0.0)
+        fn = wanted["fn"]
         made.add("F_n", case, of("normal_force"), fn, whole)
-        made.add("F_x", case, sign_x * of("longitudinal_force"), wanted.get("fx", 0.0), bound)
-        made.add("F_y", case, sign_y * of("lateral_force"), wanted.get("fy", 0.0), bound)
+        made.add("F_x", case, sign_x * of("longitudinal_force"), wanted["fx"], bound)
+        made.add("F_y", case, sign_y * of("lateral_force"), wanted["fy"], bound)
         if min(fn, of("normal_force")) < SMALL * whole:
             continue
         # With a parabolic bound CONTACT prints the peak of the bound, 4/3 of Hertz's.
@@ -107,16 +113,33 @@ def compare(made, case, ours, printed, text):
                 made.add("creepage, shift", case, -got[key] if turned else got[key], wanted[name], wanted[name])
 
 
-def run(program, path, cases, printed, made, folder):
-    """Runs a case file and compares its cases."""
+def convert(program, source, folder, cases=""):
+    """(case files with their cases, reasons of the cases refused, with their number)."""
+    done = subprocess.run([program, "convert", source, "--partial", "-o", folder] + (["--cases", cases] if cases else []),
+                          capture_output=True, text=True, check=False)
+    files, refused, seen = {}, collections.Counter(), set()
+    for line in (done.stdout + done.stderr).splitlines():
+        if found := re.match(r"(\S+\.toml): cases? (.*)$", line):
+            files[found[1]] = numbers(found[2])
+        elif (found := re.match(r"cases? ([\d, to]+): no equivalent: (.*)", line)) and found[1] not in seen:
+            seen.add(found[1])  # one reason for each case, the first
+            reason = re.sub(r"\S+\.(?:toml|prr|prw|ban|whl|slcs|slcw)\S*", "...", found[2]).split(";")[0]
+            refused[reason[:90]] += len(numbers(found[1]))
+    if not files and not refused:
+        refused[f"not read: {done.stderr.strip()[-90:]}"] += 1
+    return files, refused
+
+
+def run(program, path, cases, printed, made):
+    """Runs a case file and compares its cases; the error of a run that fails."""
+    folder = pathlib.Path(path).with_suffix("")
     done = subprocess.run([program, "run", path, "-o", folder, "--no-report", "--set", "output.fields=false", "--set",
                            'output.grid_fields="none"'], capture_output=True, text=True, check=False)
     if done.returncode:
-        made.failed.append(f"cases {cases}: {done.stderr.strip()[-300:]}")
-        return
+        return done.stderr.strip()[-300:]
     patches = collections.defaultdict(list)
     for model in json.loads((folder / "summary.json").read_text())["models"]:
-        position = (model.get("contact") or {}).get("position", 1)
+        position = int((model.get("place") or {}).get("position", 1))
         for k, point in enumerate(model["points"]):
             patches[k if len(model["points"]) == len(cases) else position - 1].append(point)
     made.run += len(cases)
@@ -125,33 +148,36 @@ def run(program, path, cases, printed, made, folder):
         if printed.get(case):  # where CONTACT printed something
             ours = sorted(patches[k], key=lambda point: -point["normal_force"])
             compare(made, case, ours, printed[case], text)
+    return ""
 
 
-def measure(program, source, last=math.inf, count=False):
-    """Converts an input and runs the case files with cases up to number `last`; `count`: checks them instead."""
+def measure(program, source, last=None, count=False):
+    """Converts an input and runs it, up to case `last`; `count`: checks the case files instead."""
     made = Measured()
-    printed = {} if count else printed_cases(source.with_suffix(".ref_out"))
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        done = subprocess.run([program, "convert", place(source, folder), "--partial", "-o", folder / "x" / "made"],
-                              capture_output=True, text=True, check=False)
-        seen = set()
-        for line in (done.stdout + done.stderr).splitlines():
-            if found := re.match(r"(\S+\.toml): cases? (.*)$", line):
-                cases = numbers(found[2])
-                made.converted += len(cases)
-                if count:
-                    check = subprocess.run([program, "check", found[1]], capture_output=True, text=True, check=False)
-                    made.failed += [f"cases {cases}: {check.stderr.strip()[-300:]}"] if check.returncode else []
-                elif cases[-1] <= last:
-                    run(program, found[1], cases, printed, made, folder / pathlib.Path(found[1]).stem)
-            elif (found := re.match(r"cases? ([\d, to]+): no equivalent: (.*)", line)) and found[1] not in seen:
-                seen.add(found[1])  # one reason for each case, the first
-                reason = re.sub(r"\S+\.(?:toml|prr|prw|ban|whl|slcs|slcw)\S*", "...", found[2]).split(";")[0]
-                made.refused[reason[:90]] += len(numbers(found[1]))
-        if not made.converted and not made.refused:
-            made.refused[f"not read: {done.stderr.strip()[-90:]}"] += 1
-    made.cases = made.converted + sum(made.refused.values())
+        placed = place(source, folder)
+        files, made.refused = convert(program, placed, folder / "all" / "cases")
+        made.converted = sum(map(len, files.values()))
+        made.cases = made.converted + sum(made.refused.values())
+        for path, cases in files.items() if count else ():
+            check = subprocess.run([program, "check", path], capture_output=True, text=True, check=False)
+            made.failed += [f"cases {cases}: {check.stderr.strip()[-300:]}"] if check.returncode else []
+        if count or last == 0:
+            return made
+        output = source.with_suffix(".ref_out")
+        printed = printed_cases(output) if output.exists() else {}
+        if last is not None:
+            files, _ = convert(program, placed, folder / "first" / "cases", f"1-{last}")
+        for path, cases in files.items():
+            if not (wrong := run(program, path, cases, printed, made)):
+                continue
+            if len(cases) == 1:
+                made.failed.append(f"case {cases[0]}: {wrong}")
+            for case in cases if len(cases) > 1 else ():  # those that run by themselves
+                for alone in convert(program, placed, folder / str(case) / "cases", str(case))[0]:
+                    if wrong := run(program, alone, [case], printed, made):
+                        made.failed.append(f"case {case}: {wrong}")
     return made
 
 
@@ -170,7 +196,7 @@ def main():
     whole = Measured()
     print("| input | cases | converted | run | " + " | ".join(COLUMNS) + " |\n" + "|---" * (len(COLUMNS) + 4) + "|")
     for source in sorted(path.resolve() for folder in call.folders for path in folder.glob("*.inp")):
-        if (call.only and source.stem not in call.only) or not (call.count or source.with_suffix(".ref_out").exists()):
+        if call.only and source.stem not in call.only:
             continue
         made = measure(call.program.resolve(), source, count=call.count)
         print(row(source.stem, made), flush=True)

@@ -104,7 +104,7 @@ void press_first_step(Group& group, const Equivalent& next) {
   Point& point = group.points.front();
   const auto force = point.find("history.normal_force");
   constexpr double alike = 0.01;
-  if (group.points.size() > 1 || approach == next.varied.end() || force == point.end() ||
+  if (approach == next.varied.end() || force == point.end() ||
       !(std::abs(group.first.approach - approach->second) < alike * approach->second))
     return;
   point.erase(force);
@@ -152,14 +152,12 @@ bool start_steadily(std::vector<Group>& groups, const Equivalent& next) {
 bool admits(std::vector<Group>& groups, const Equivalent& next) {
   Group& group = groups.back();
   if (joins(group, next) || start_steadily(groups, next)) return true;
-  const bool onset = next.continues && next.problem == "transient" &&
-                     group.first.problem == "shift" && group.points.size() == 1;
-  if (!onset) return false;
-  Group rolled = group;
-  press_first_step(rolled, next);
-  roll_first_step(rolled, next);
-  if (!joins(rolled, next)) return false;
-  group = rolled;
+  if (!next.continues || group.points.size() != 1) return false;
+  Group changed = group;
+  press_first_step(changed, next);
+  if (next.problem == "transient" && group.first.problem == "shift") roll_first_step(changed, next);
+  if (!joins(changed, next)) return false;
+  group = changed;
   return true;
 }
 

@@ -236,12 +236,13 @@ bool gives_grid(const Scene& scene) {
   return scene.contact_grid.cell_size && scene.contact_grid.extent;
 }
 
-bool ends_with_grid(const Scene& scene) {
-  return gives_grid(scene) && scene.geometry.distance_values;
+bool ends_with_grid(const Scene& scene, const ContactGrid& grid) {
+  const bool only_border = !grid.is_line() && std::min(grid.nx, grid.ny) < 3;
+  return gives_grid(scene) && (only_border || scene.geometry.distance_values);
 }
 
 bool holds_patch(const Scene& scene, const ContactGrid& grid, const Field& pressure) {
-  return ends_with_grid(scene) || !touches_border(grid, pressure);
+  return ends_with_grid(scene, grid) || !touches_border(grid, pressure);
 }
 
 void check_point(const ValidatedPoint& at) {
@@ -266,7 +267,7 @@ void check_validity(const Scene& scene, const ModelResult& result, const ResultK
     if (!scene.given_pressure)
       load = count == scene.points.size() ? scene.points[k].load : largest_load(scene);
     check_point({result.grid, result.points[k], load, touching, kind, k, count, gives_grid(scene),
-                 ends_with_grid(scene)});
+                 ends_with_grid(scene, result.grid)});
   }
 }
 
@@ -311,7 +312,7 @@ void warn_of_grid(const Scene& scene, const ModelResult& result,
         "warning: the patch has only {} of the elements that the case gives (load point {}), where "
         "at least {} in each direction are usual: its numbers are those of the elements",
         fewest.what, fewest.point, fewest_elements_across));
-  if (border.part > 0.0 && ends_with_grid(scene))
+  if (border.part > 0.0 && scene.geometry.distance_values)
     warnings.push_back(fmt::format(
         "warning: the patch reaches the border of the contact grid (load point {}), beyond which "
         "no undeformed distance is given: load that acts there is missing",

@@ -31,9 +31,9 @@ inline constexpr double largest_elastic_pressure = 3000.0;
 /// Whether the case determines every element.
 bool gives_grid(const Scene& scene);
 
-/// Whether it also gives the undeformed distance by points: nothing is known beyond the grid, where
-/// the patch ends.
-bool ends_with_grid(const Scene& scene);
+/// Whether it also gives the undeformed distance by points, so that nothing is known beyond the
+/// grid, or so few elements that all are at the border: then the patch ends where the grid does.
+bool ends_with_grid(const Scene& scene, const ContactGrid& grid);
 
 /// Whether the patch ends before the grid does, or with it.
 bool holds_patch(const Scene& scene, const ContactGrid& grid, const Field& pressure);

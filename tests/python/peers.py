@@ -16,7 +16,7 @@ COLUMNS = ["F_n", "p0", "F_x", "F_y"]
 
 
 def expected():
-    """The row of the input: cases, converted, run, the last case to run, and the largest differences in percent."""
+    """The row of the input: cases, converted, those up to which cases are run, how many run; largest differences in %."""
     for line in (ROOT / "tests/python/peers.txt").read_text().splitlines():
         if line.split()[:1] == [NAME]:
             return [float(word) if word != "-" else None for word in line.split()[1:]]
@@ -30,10 +30,10 @@ def main():
     if source is None:
         print(f"SKIPPED: no {NAME}.inp in contact_testbank or contact_examples of {folder}; set ROLLFEM_REFERENCE")
         return 77
-    cases, converted, run, last, *largest = expected()
-    made = contact_agreement.measure(PROGRAM, source.resolve(), last=last)
-    print(contact_agreement.row(NAME, made))
-    wrong = list(made.failed)
+    cases, converted, last, run, *largest = expected()
+    made = contact_agreement.measure(PROGRAM, source.resolve(), last=None if last is None else int(last))
+    print(contact_agreement.row(NAME, made), *made.failed, sep="\n")
+    wrong = []
     for what, wanted in (("cases", cases), ("converted", converted), ("run", run)):
         if getattr(made, what) != wanted:
             wrong.append(f"{getattr(made, what)} {what}, {wanted:g} expected; refused: {dict(made.refused)}")

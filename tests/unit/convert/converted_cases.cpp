@@ -350,14 +350,15 @@ TEST(ConvertedCase, APatchThatMovesOverFixedAxesRolls) {
   std::string steps;
   for (const double s : {0.075, 0.15})
     steps += fmt::format(
-        " 3\n 001010\n 100020\n 0101341\n {:.5g} -0.6 0. 0.\n 1 1\n 0.02 0. 0.02 {:.7g} 0. {:.7g}\n",
+        " 3\n 001010\n 100020\n 0101341\n {:.5g} -0.6 0. 0.\n 1 1\n 0.02 0. 0.02 {:.7g} 0. "
+        "{:.7g}\n",
         approach, -0.04 * s, 0.02 * s * s);
   const Case made = only(replaced(pushed_ball, " 0 module", steps + " 0 module"));
   EXPECT_EQ(made.rolling.problem, contact::Problem::transient);
   ASSERT_EQ(made.history.size(), 3U);
   for (const contact::HistoryStep& step : made.history) {
     EXPECT_NEAR(step.step_length, 0.075, 1e-9);
-    EXPECT_NEAR(*step.approach, approach, 1e-5 * approach);
+    EXPECT_NEAR(*step.approach, approach, 1e-4 * approach);
   }
   EXPECT_EQ(*made.undeformed_distance.quadratic, (std::array<double, 2>{0.02, 0.02}));
   EXPECT_NEAR(*made.rolling.forces[2].longitudinal, -0.6 * 0.3 * 20.0, 1e-3);

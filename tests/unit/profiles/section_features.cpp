@@ -224,8 +224,7 @@ std::shared_ptr<const SectionSurface> sliced(const std::string& first, const std
   TemporaryFolder folder;
   for (const int k : {1, 2}) {
     std::string rows;
-    for (double y = k == 1 ? 0.0 : -36.0; y <= 36.0; y += 0.5)
-      rows += std::to_string(y) + " 0.0\n";
+    for (double y = k == 1 ? 0.0 : -36.0; y <= 36.0; y += 0.5) rows += std::to_string(y) + " 0.0\n";
     folder.file(std::to_string(k) + ".txt", rows);
   }
   folder.file("a.slcs", "0.0 1.0\n 2\n 4 0 0\n 1\n 0.0 '1.txt'\n 10.0 '2.txt'\n 0.0 " + first +

@@ -207,8 +207,8 @@ TEST(TwoHeads, AGrooveInGivenCoordinatesBelongsToTheSurface) {
   // A half circle of radius 10 mm, less deep than the gauge height.
   const auto depth = [](double y) { return std::sqrt(std::max(0.0, 100.0 - y * y)); };
   const auto rail = profile_of([&](double y) { return depth(y) - 10.0; },
-                               [&](double y) { return depth(y) > 0.0 ? -y / depth(y) : 0.0; }, -20.0,
-                               20.0, 0.125);
+                               [&](double y) { return depth(y) > 0.0 ? -y / depth(y) : 0.0; },
+                               -20.0, 20.0, 0.125);
   contact::Track track;
   track.rail_position = {3.0, 1.0};
   const auto place = track::rail_place(rail, track);
