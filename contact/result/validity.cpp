@@ -241,10 +241,6 @@ bool ends_with_grid(const Scene& scene, const ContactGrid& grid) {
   return gives_grid(scene) && (only_border || scene.geometry.distance_values);
 }
 
-bool holds_patch(const Scene& scene, const ContactGrid& grid, const Field& pressure) {
-  return ends_with_grid(scene, grid) || !touches_border(grid, pressure);
-}
-
 void check_point(const ValidatedPoint& at) {
   check_scalars(at);
   check_fields(at);

@@ -3,6 +3,7 @@
 // that hold at every load point in any model, and warnings for the reader.
 #pragma once
 
+#include "contact/result/patch_size.hpp"
 #include "contact/result/result.hpp"
 
 namespace rollfem::contact {
@@ -36,7 +37,9 @@ bool gives_grid(const Scene& scene);
 bool ends_with_grid(const Scene& scene, const ContactGrid& grid);
 
 /// Whether the patch ends before the grid does, or with it.
-bool holds_patch(const Scene& scene, const ContactGrid& grid, const Field& pressure);
+inline bool holds_patch(const Scene& scene, const ContactGrid& grid, const Field& pressure) {
+  return ends_with_grid(scene, grid) || !touches_border(grid, pressure);
+}
 
 /// A load point and the conditions for its check.
 struct ValidatedPoint {

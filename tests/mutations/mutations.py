@@ -309,7 +309,7 @@ MUTATIONS = [
              "a case that rolls along -x keeps CONTACT's axes",
              ("unit_converted_cases",)),
     Mutation("converted_force", "convert/single_contact.cpp",
-             "value * given.friction.front().fstat * k[0]", "value * k[0]",
+             "value * given.friction.front().fstat * normal_force", "value * normal_force",
              "CONTACT's forces are parts of the normal force, not of what friction bears",
              ("unit_converted_cases", "cli_convert")),
     Mutation("converted_bodies", "convert/wheel_rail.cpp",
