@@ -261,16 +261,16 @@ ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
     }
     read.sections.push_back(std::move(section));
   }
-  if (read.around && !alike(read.sections.front(), read.sections.back()))
-    fail(source.name, list.sections.back().line, "a full turn ends with another section",
-         "the section of the first line, because the wheel repeats there",
-         "leave this line out, or name the first section");
   // Of a feature at an end of every section nothing is left.
   for (std::size_t f = list.sections.front().features.size(); f-- > 0;)
     if (std::all_of(read.sections.begin(), read.sections.end(),
                     [f](const auto& section) { return std::isnan(section.features[f]); }))
       for (PlacedSection& section : read.sections)
         section.features.erase(section.features.begin() + static_cast<std::ptrdiff_t>(f));
+  if (read.around && !alike(read.sections.front(), read.sections.back()))
+    fail(source.name, list.sections.back().line, "a full turn ends with another section",
+         "the section of the first line, because the wheel repeats there",
+         "leave this line out, or name the first section");
   if (read.found) read.without_features = find_features(read.sections);
   return read;
 }
