@@ -314,7 +314,7 @@ void Bars::set_tractions() const {
 
 void Bars::set_works() const {
   if (!fine_.frictional_work || !fine_.creepage_work) return;
-  constexpr double of_rows = 0.2, of_largest = 2.5;
+  constexpr double of_rows = 0.28, of_largest = 2.5;
   const Field added = put_right();
   set("max_pass_work", of_pass_work,
       std::hypot(of_rows * (added.size() > 0 ? added.cwiseAbs().maxCoeff() : 0.0),
