@@ -103,7 +103,7 @@ std::optional<Seen> seen(const profiles::ProfilePoint& at, double rolling_radius
   result.place = circle.place(across);
   double down = normal[2];
   if (!straight) {
-    const double up = rail_radius - result.place[2], x = result.place[0];
+    const double up = roller_axle_z - result.place[2], x = result.place[0];
     result.place[2] = AlongRail::height_at_top(result.place, roller_axle_z);
     down = (normal[2] * up - normal[0] * x) / (roller_axle_z - result.place[2]);
   }
