@@ -69,4 +69,19 @@ TEST_F(StressPage, SeveralLoadPointsAreThoseOfSingleCalls) {
   EXPECT_EQ(stored()["models"][0]["point"], 3);
 }
 
+/// Pressure on a curved patch acts across as well, here with 0.9 % of the load.
+TEST_F(StressPage, TangentialForceOfACurvedPatchIsThatOfFrictionAlone) {
+  const std::string text =
+      "models = [\"halfspace\"]\n[load]\nvertical_force = 60e3\n[friction]\ncoefficient = 0.01\n"
+      "[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n[rail]\nprofile = \"UIC60\"\n[track]\n"
+      "gauge = 1435.0\ninclination = \"1:40\"\n[wheelset]\nside = \"left\"\nroll = 0.0\n"
+      "flange_back_distance = 1360.0\nlateral_shift = -5.0\n[contact_grid]\nelements_across = 12\n"
+      "[halfspace]\nsurface = \"curved\"\n";
+  done({"run", folder.file("curved.toml", text), "-o", "curved", "-q", "--no-report"});
+  done({"stress", "curved", "--no-figures", "--yield-strength", "520"});
+  const json found = folder.json("curved_stress/stress.json")["models"][0]["shakedown"];
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_LE(found[0]["tangential_coefficient"].get<double>(), 0.01 * 1.001);
+}
+
 }  // namespace
