@@ -44,8 +44,10 @@ Curvatures curvatures_at_contact_point(const PatchGeometry& patch) {
   const auto radial = [&](std::size_t d) { return at.across[d] / at.radius; };
   const double radius_xx = (1.0 - e[0] * e[0] - radial(0) * radial(0)) / at.radius;
   double z_xx = -(radius_xx - f.second * e[0] * e[0]) / (radial(2) - f.slope * e[2]);
-  if (patch.varies()) z_xx = curvature_along(patch);
-  if (patch.is_roller()) z_xx += patch.rail_axle().direction[1] / patch.local_rail_radius(0.0);
+  if (patch.varies())
+    z_xx = curvature_along(patch);
+  else if (patch.is_roller())
+    z_xx += patch.rail_axle().direction[1] / patch.local_rail_radius(0.0);
   return {0.5 * z_xx, 0.5 * (mean_second(patch.wheel()) - mean_second(patch.rail()))};
 }
 

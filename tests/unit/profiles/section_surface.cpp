@@ -197,7 +197,7 @@ TEST_F(SectionList, IsRefusedForItsLengthBeforeAnyProfileIsRead) {
   const auto refused = [&](const std::string& text) {
     return refusal<contact::InputError>([&] { read("a.sections", text); });
   };
-  EXPECT_TRUE(says(refused(rows), "10001 sections; allowed: 2 to 10000"));
+  EXPECT_TRUE(says(refused(rows), "10001 sections; allowed: at least two, at most 10000"));
   EXPECT_TRUE(says(refused(lengths + "\n1" + lengths.substr(1)), "1001 features", "up to 1000"));
 }
 

@@ -67,7 +67,8 @@ void SphereOnRoller::expect_on_the_line_between_the_centres(const track::SearchS
     const contact::Curvatures curved =
         contact::relative_curvatures(make_scenes(input_, scene)[left ? 0 : 1].scene.geometry);
     const double expected = 0.5 / wheel_radius + 0.5 / roller_radius;
-    EXPECT_NEAR(curved.A, expected, 1e-7 * expected);
+    // Of surfaces it is a difference over 1 mm.
+    EXPECT_NEAR(curved.A, expected, (scene.varies() ? 3e-6 : 1e-7) * expected);
     EXPECT_NEAR(curved.B, expected, 1e-5 * expected);
     // The distance of two spheres along the normal at a place in the tangent plane.
     const double at = std::hypot(3.0, -2.0);
