@@ -175,7 +175,8 @@ void check_list(const SectionList& list, const std::string& name) {
   constexpr std::size_t most_sections = 10'000, most_features = 1000;
   if (list.sections.size() < 2 || list.sections.size() > most_sections)
     fail(name, 1, fmt::format("{} sections", list.sections.size()),
-         fmt::format("at least two, at most {}", most_sections), "list position and file of each, a line for each");
+         fmt::format("at least two, at most {}", most_sections),
+         "list position and file of each, a line for each");
   for (std::size_t k = 0; k < list.sections.size(); ++k) {
     const Listed& here = list.sections[k];
     const Listed& before = list.sections[k > 0 ? k - 1 : 0];

@@ -100,7 +100,7 @@ class EqualSections : public ::testing::TestWithParam<Listed> {
 TEST_P(EqualSections, AreThePlainProfileOnBothSides) {
   for (const double rail_radius : {contact::infinity, 500.0, -2000.0})
     for (const auto& [shift, yaw, roll] :
-         {std::array{0.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}, {1.0, 0.0, 0.01}, {2.0, 0.02, -0.01}}) {
+         {std::array{-3.0, 0.0, 0.0}, {1.0, 0.0, 0.01}, {2.0, 0.02, -0.01}}) {
       SCOPED_TRACE(::testing::Message() << rail_radius << " " << shift << " " << yaw);
       place(shift, yaw, roll, rail_radius);
       Printed left{};
