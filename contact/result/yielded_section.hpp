@@ -50,9 +50,9 @@ inline std::array<std::pair<const char*, double>, 8> scalars_of(const YieldedSec
 }
 
 /// How a body takes the passes, or cycles of several load points: it does not yield; it yields no
-/// more (elastic shakedown); the same closed cycle again and again (plastic shakedown: where most
-/// strain lasts, at most 5 % of that of the cycle); strain grows with every cycle (ratchetting); it
-/// still changes from cycle to cycle.
+/// more (elastic shakedown); the same closed cycle again and again (plastic shakedown: what lasts
+/// falls so fast that all further cycles together leave at most 5 % of the strain of one); strain
+/// grows with every cycle, about as much (ratchetting); it still changes from cycle to cycle.
 inline constexpr std::array<const char*, 5> yield_verdicts{
     "elastic", "elastic shakedown", "plastic shakedown", "ratchetting", "settling"};
 

@@ -49,18 +49,16 @@ std::array<float, 6> single(const std::array<double, 6>& tensor) {
   return rounded;
 }
 
-/// Largest increase of the accumulated plastic strain, largest change of plastic strain, and the
-/// increase where this change is.
-std::tuple<double, double, double> gained(const std::vector<PlasticState>& before,
-                                          const std::vector<PlasticState>& after) {
-  double most = 0.0, lasting = 0.0, there = 0.0;
+/// Largest increase of the accumulated plastic strain, and largest change of plastic strain.
+std::pair<double, double> gained(const std::vector<PlasticState>& before,
+                                 const std::vector<PlasticState>& after) {
+  std::pair<double, double> largest{0.0, 0.0};
   for (std::size_t k = 0; k < after.size(); ++k) {
-    const double change = std::sqrt(2.0 / 3.0) * norm(sum(after[k].strain, -1.0, before[k].strain));
-    const double increase = after[k].accumulated - before[k].accumulated;
-    most = std::max(most, increase);
-    if (change > lasting) std::tie(lasting, there) = std::pair(change, increase);
+    const Deviator change = sum(after[k].strain, -1.0, before[k].strain);
+    largest.first = std::max(largest.first, after[k].accumulated - before[k].accumulated);
+    largest.second = std::max(largest.second, std::sqrt(2.0 / 3.0) * norm(change));
   }
-  return {most, lasting, there};
+  return largest;
 }
 
 }  // namespace
@@ -90,8 +88,7 @@ YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBo
   section.residual = report.residual;
   section.plastic_work = report.plastic_work * (body_.options().half ? 2.0 : 1.0);
   section.utilisation = report.utilisation;
-  std::tie(section.increment, section.net_increment, std::ignore) =
-      gained(before.leaving, after.leaving);
+  std::tie(section.increment, section.net_increment) = gained(before.leaving, after.leaving);
   for (const PlasticState& out : after.leaving)
     section.plastic_strain = std::max(section.plastic_strain, out.accumulated);
   judge(after, section);
@@ -106,15 +103,17 @@ YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBo
 }
 
 void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
-  // Relative to the yield strain; plastic flow of one cycle, of a closed one, and from one cycle to
-  // the next.
-  constexpr double nothing = 2e-3, closed = 0.05, steady = 0.02;
+  // Relative to the yield strain; to the plastic flow of one cycle, what lasts of all further ones
+  // and changes from one cycle to the next; changes of what lasts.
+  constexpr double nothing = 2e-3, closed = 0.05, steady = 0.02, same = 0.1;
   const double yield_strain = law_.parameters().yield_stress / (3.0 * law_.shear_modulus());
-  const double last_increment = increment_;
-  double increment_there = 0.0;  // where most strain lasts
+  const double last_increment = increment_, last_net = net_increment_;
   if (passes_ < cycle_ || cycle_ended())
-    std::tie(increment_, net_increment_, increment_there) = gained(cycle_start_, after.leaving);
-  const double change = std::abs(increment_ - last_increment);
+    std::tie(increment_, net_increment_) = gained(cycle_start_, after.leaving);
+  const double change = std::abs(increment_ - last_increment), fall = last_net - net_increment_;
+  // What lasts, wherever it is most, summed over all further cycles if it falls on as it does.
+  const double still_to_come =
+      passes_ > cycle_ && fall > 0.0 ? net_increment_ * net_increment_ / fall : contact::infinity;
   std::string verdict = "settling";
   if (!cycle_ended())
     verdict = verdict_.empty() ? verdict : verdict_;
@@ -122,9 +121,11 @@ void PassResults::judge(const YieldedBody& after, YieldedSection& section) {
     verdict = "elastic";
   else if (increment_ <= nothing * yield_strain)
     verdict = "elastic shakedown";
-  else if (net_increment_ <= closed * increment_there)
+  else if (net_increment_ <= nothing * yield_strain ||
+           std::max(net_increment_, still_to_come) <= closed * increment_)
     verdict = "plastic shakedown";
-  else if (passes_ > 2 * cycle_ && change <= steady * increment_)
+  else if (passes_ > 2 * cycle_ && change <= steady * increment_ &&
+           std::abs(fall) <= same * net_increment_)
     verdict = "ratchetting";
   if (verdict != verdict_) from_pass_ = passes_;
   verdict_ = section.verdict = verdict;

@@ -14,15 +14,16 @@ using contact::YieldedSection;
 
 constexpr double shear_yield = 300.0;
 
-/// Passes over a slab of linear hardening, whose friction alternates between + and - `friction`;
-/// judged over cycles of these lengths.
+/// Passes over a slab of linear hardening (MPa) at `load` times k, whose friction alternates
+/// between `friction` and `back`; judged over cycles of these lengths.
 std::vector<std::vector<YieldedSection>> judged(double friction, double back, int passes,
-                                                const std::vector<int>& cycles) {
+                                                const std::vector<int>& cycles,
+                                                double hardening = 20e3, double load = 4.6) {
   SlabOptions options;
   options.per_half_width = 3;
   const auto slab = rolled_slab(options);
-  Passes forward(*slab, plain_steel(shear_yield, 20e3), 4.6 * shear_yield, friction),
-      backward(*slab, plain_steel(shear_yield, 20e3), 4.6 * shear_yield, back);
+  Passes forward(*slab, plain_steel(shear_yield, hardening), load * shear_yield, friction),
+      backward(*slab, plain_steel(shear_yield, hardening), load * shear_yield, back);
   const auto fresh = [&](int cycle) {
     return std::make_unique<fem::PassResults>(*slab->body, forward.law, slab->lines, cycle);
   };
@@ -89,6 +90,19 @@ TEST(PassResults, CyclesOfEqualPassesHaveTheVerdictOfEach) {
   EXPECT_EQ(of_one.verdict, "plastic shakedown");
   EXPECT_EQ(of_two.verdict, of_one.verdict);
   EXPECT_NEAR(of_two.cycle_increment / of_one.increment, 2.0, 0.02);
+  // A tenth of the strain of the second pass lasts, and half as much of the third.
+  EXPECT_EQ(sections[1][1].verdict, "settling");
+}
+
+// Steel that does not harden flows on by about the same strain above the limit of shakedown.
+TEST(PassResults, SteadyFlowIsRatchettingAndItsRateIsTold) {
+  const auto passes = judged(0.2, 0.2, 7, {1}, 0.0, 4.0).front();
+  const YieldedSection &before = passes[5], &last = passes[6];
+  EXPECT_EQ(passes[1].verdict, "settling");
+  EXPECT_EQ(last.verdict, "ratchetting");
+  EXPECT_NEAR(last.net_increment / before.net_increment, 1.0, 0.1);
+  EXPECT_TRUE(says(fem::verdict_note(last, 7),
+                   fmt::format("{:.2g} of lasting plastic strain a pass", last.net_increment)));
 }
 
 }  // namespace
