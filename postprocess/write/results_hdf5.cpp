@@ -62,9 +62,8 @@ void write_friction_law(hid_t group, const contact::Case& input) {
 }
 
 void write_case(hid_t file, const contact::Case& input) {
-  const Handle group = create_group(
-      file, "case",
-      "The case: the whole file (text), and its main numbers as attributes in mm, N, MPa");
+  const Handle group =
+      create_group(file, "case", "The whole file (text); main numbers as attributes in mm, N, MPa");
   write_attribute(group, "title", input.title);
   write_attribute(group, "file", input.file);
   write_attribute(group, "friction_coefficient", input.friction_coefficient);
