@@ -142,6 +142,7 @@ bool is_count(const NumberRow& row) {
 ProfilePoints read_columns(std::string_view text, const std::string& name) {
   ProfilePoints points;
   std::optional<std::array<std::size_t, 2>> columns;
+  bool both_sides = false;  // a table of `rollfem profile` has two rows where the curvature jumps
   std::optional<TextLines> heading;
   std::string word;
   std::optional<std::pair<TextLines, double>> announced;
@@ -155,6 +156,7 @@ ProfilePoints read_columns(std::string_view text, const std::string& name) {
       heading = lines;
       word = row.wrong;
       if (const auto named = named_columns(line)) columns = named;
+      both_sides = columns && line.find("curvature") != std::string_view::npos;
       continue;
     }
     if (!begun && !announced && is_count(row)) {
@@ -169,7 +171,10 @@ ProfilePoints read_columns(std::string_view text, const std::string& name) {
           name, lines.number(), row.count));
     const auto use = columns.value_or(std::array<std::size_t, 2>{0, 1});
     if (std::max(use[0], use[1]) >= row.count) too_few_numbers(name, lines);
-    add(points, row.values[use[0]], row.values[use[1]], lines);
+    const double y = row.values[use[0]], z = row.values[use[1]];
+    const bool again =
+        both_sides && begun && y == points.list.back().y && z == points.list.back().z;
+    if (!again) add(points, y, z, lines);
   }
   if (announced && announced->second != static_cast<double>(points.list.size()))
     too_few_numbers(name, announced->first);

@@ -24,6 +24,7 @@ struct ProfilePoints {
   std::vector<ListedPoint> list;
   bool any_direction = false;  ///< the format does not prescribe the direction of the list
   bool own_unit = false;       ///< the file states its unit
+  std::string neglected{};     ///< warning of what the file asks for and is not done
 };
 
 PointRow row_of(const ProfilePoints& points);

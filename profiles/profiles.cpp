@@ -41,6 +41,7 @@ ProfileCurve built_in(const BuiltInProfile& profile, bool wheel, const std::stri
 
 ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool wheel,
                      ProfileReport& report) {
+  report.neglected = points.neglected;
   mend_and_check(points, source, wheel);
   report.points = points.list.size();
   report.smoothing.emplace();
@@ -162,6 +163,19 @@ std::optional<double> flange_tip(const ProfileCurve& curve) {
   const bool ends = std::abs(tip.y - curve.at(curve.first()).y) < 0.5;
   if (ends || tip.z < median(std::move(heights)) + lowest_flange) return {};
   return tip.y;
+}
+
+std::vector<std::string> neglected_in_files(const contact::Case& input) {
+  std::vector<std::string> warnings;
+  for (const bool wheel : {true, false}) {
+    const ProfileSource& source = wheel ? input.wheel.profile : input.rail.profile;
+    ProfileReport report;
+    if (!source.name.empty() && !source.lists_sections() && source.smoothing == 0.0)
+      static_cast<void>(
+          contact::attempt([&] { return make_profile(source, wheel, input.file, &report); }));
+    if (!report.neglected.empty()) warnings.push_back(report.neglected);
+  }
+  return warnings;
 }
 
 std::string scatter_advice(const ProfileReport& report, bool wheel) {

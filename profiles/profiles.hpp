@@ -30,7 +30,11 @@ struct ProfileReport {
   std::string kind;                          ///< "built in", "arcs", "polynomial", "file", "radius"
   std::size_t points = 0;                    ///< of a file, after repairs
   std::optional<SmoothingReport> smoothing;  ///< of a file
+  std::string neglected;                     ///< warning of what a file asks for and is not done
 };
+
+/// What the profile files of a case ask for and is not done, one warning a file.
+std::vector<std::string> neglected_in_files(const contact::Case& input);
 
 /// What to do where measured points scatter and are not smoothed; otherwise empty.
 std::string scatter_advice(const ProfileReport& report, bool wheel);

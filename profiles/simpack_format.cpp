@@ -18,12 +18,12 @@ using contact::TextLines;
 /// Settings of a SIMPACK file: type of its header, and the section `spline`.
 using Settings = std::map<std::string, double>;
 
-const Settings defaults{{"header.type", -1.0}, {"point.dist.min", 0.0}, {"shift.y", 0.0},
-                        {"shift.z", 0.0},      {"rotate", 0.0},         {"bound.y.min", 1.0},
-                        {"bound.y.max", 0.0},  {"bound.z.min", 1.0},    {"bound.z.max", 0.0},
-                        {"mirror.y", 0.0},     {"mirror.z", 0.0},       {"inversion", 0.0},
-                        {"units.len.f", 1.0},   // user unit per m
-                        {"units.ang.f", 1.0}};  // per rad
+const Settings defaults{{"header.type", -1.0},  {"point.dist.min", 0.0}, {"shift.y", 0.0},
+                        {"shift.z", 0.0},       {"rotate", 0.0},         {"bound.y.min", 1.0},
+                        {"bound.y.max", 0.0},   {"bound.z.min", 1.0},    {"bound.z.max", 0.0},
+                        {"mirror.y", 0.0},      {"mirror.z", 0.0},       {"inversion", 0.0},
+                        {"approx.smooth", 0.0}, {"units.len.f", 1.0},  // user unit per m
+                        {"units.ang.f", 1.0}};                         // per rad
 
 /// Applied in SIMPACK's numbered order (comments of the file).
 ProfilePoints processed(const ProfilePoints& listed, const Settings& settings) {
@@ -57,6 +57,7 @@ ProfilePoints read_simpack(std::string_view text, const contact::ProfileSource& 
                            bool wheel) {
   const std::string& name = source.name;
   ProfilePoints listed;
+  std::size_t weighted = 0;
   Settings settings = defaults;
   enum class Place { outside, header, spline, points } place = Place::outside;
   bool seen = false;
@@ -76,6 +77,7 @@ ProfilePoints read_simpack(std::string_view text, const contact::ProfileSource& 
       if (!row.wrong.empty()) not_numbers(name, lines, row.wrong);
       if (row.count < 2) too_few_numbers(name, lines);
       add(listed, row.values[0], row.values[1], lines);
+      if (row.count > 2 && row.values[2] != 1.0) ++weighted;
     } else if (std::string key, value; key_and_value(line, key, value)) {
       const auto known = settings.find(place == Place::header ? "header." + key : key);
       if (known == settings.end()) continue;
@@ -101,7 +103,15 @@ ProfilePoints read_simpack(std::string_view text, const contact::ProfileSource& 
         "{}: is the profile of a {} (header, type = {}), but the case uses it for the {}; allowed: "
         "type = {}; do: name the other file",
         name, wheel ? "rail" : "wheel", type, wheel ? "wheel" : "rail", wheel ? 1 : 0));
-  return processed(listed, settings);
+  ProfilePoints result = processed(listed, settings);
+  const double smooth = settings.at("approx.smooth");
+  if ((smooth != 0.0 || weighted > 0) && source.smoothing == 0.0)
+    result.neglected = fmt::format(
+        "{}: approx.smooth = {:g} and weights other than 1 (of {} points) are not applied; do: "
+        "give "
+        "`smoothing` under [{}_profile] (mm, the scatter of the points), or set them to 0 and 1",
+        name, smooth, weighted, wheel ? "wheel" : "rail");
+  return result;
 }
 
 const KnownFormat simpack(

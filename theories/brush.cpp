@@ -184,17 +184,22 @@ class FallingBound {
 };
 
 /// FaStrip: tractions of strip theory where it adheres, those of brushes brought to the bound where
-/// it does not.
+/// it does not. Strip theory lets every strip adhere at its leading edge, where spin alone reaches
+/// the bound if |P| >= 1. Against lateral creepage its traction then is above the bound from there
+/// until both balance: this part slips, too.
 void take_adhesion(const BrushStrip& strip, StripTractions& brushes) {
   const StripElements& elements = brushes.elements;
   for (int k = 0; k < elements.count; ++k) {
     const double x = elements.x_first - k * elements.step;
     double& px = brushes.traction_x[k];
     double& py = brushes.traction_y[k];
-    const bool adheres = strip.theory->adheres(x);
+    const StripTheory::Traction traction = strip.theory->adheres(x)
+                                               ? strip.theory->traction(x, elements.step)
+                                               : StripTheory::Traction{};
+    const bool adheres =
+        strip.theory->adheres(x) && std::hypot(traction.x, traction.y) <= strip.bound_at(x);
     brushes.state[k] = adheres ? contact::ElementState::adhesion : contact::ElementState::slip;
     if (adheres) {
-      const StripTheory::Traction traction = strip.theory->traction(x, elements.step);
       px = traction.x;
       py = traction.y;
       brushes.slip_x[k] = brushes.slip_y[k] = 0.0;

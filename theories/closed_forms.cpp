@@ -56,9 +56,8 @@ void fill_fields(const EllipticPatch& patch, const VermeulenJohnson& solution,
 VermeulenJohnson vermeulen_johnson(double semi_axis_x, double semi_axis_y, double shear_modulus,
                                    double poisson_ratio, double friction_force,
                                    const contact::Creepage& creepage) {
-  const contact::Creepage without_spin{creepage.longitudinal, creepage.lateral, 0.0};
   const halfspace::CreepForces linear = halfspace::linear_creep_forces(
-      semi_axis_x, semi_axis_y, shear_modulus, poisson_ratio, without_spin);
+      semi_axis_x, semi_axis_y, shear_modulus, poisson_ratio, creepage);
   const double size = std::hypot(linear.longitudinal, linear.lateral);
   VermeulenJohnson solution;
   solution.stick_ratio = 1.0;
@@ -129,22 +128,49 @@ double polach_saturation(double gradient, double adhesion, double slip) {
   return 2.0 / pi * (stuck / (1.0 + stuck * stuck) + std::atan(slip * gradient));
 }
 
+namespace {
+
+/// Force over mu N, with the creepage s_yC that spin enlarges and its lateral force by spin (Polach
+/// 1999). Creepages oppose it, also where the linear theory has C11 and C22 that differ.
+Eigen::Vector2d polach_force(const EllipticPatch& patch, const contact::PolachOptions& options,
+                             const contact::Creepage& creepage, double bound) {
+  const double a = patch.hertz.semi_axis_x;
+  const double b = patch.hertz.semi_axis_y;
+  const double leading = creepage.lateral + creepage.spin * a;
+  const double lateral =
+      std::abs(leading) > std::abs(creepage.lateral) ? leading : creepage.lateral;
+  const double size = std::hypot(creepage.longitudinal, lateral);
+  if (size == 0.0) return {0.0, 0.0};
+  const Eigen::Vector2d rigid{creepage.longitudinal, creepage.lateral};
+  const halfspace::CreepForces linear = patch.linear_forces({rigid.x(), rigid.y(), 0.0});
+  const double slope =
+      rigid.any() ? std::hypot(linear.longitudinal, linear.lateral) / rigid.norm() : 0.0;
+  const double saturation = polach_saturation(polach_gradient(slope * size, bound),
+                                              options.adhesion_reduction, options.slip_reduction);
+  const double scale = 1.0 + 6.3 * (1.0 - std::exp(-a / b));
+  const double c23 = halfspace::kalker_coefficients(a, b, patch.material.poisson_ratio).c23;
+  const double eps = 8.0 / 3.0 * b * std::sqrt(a * b) * patch.material.shear_modulus * c23 *
+                     std::abs(lateral) / (bound * scale);
+  const double delta = (eps * eps - 1.0) / (eps * eps + 1.0);
+  const double k = eps * (delta * delta * delta / 3.0 - delta * delta / 2.0 + 1.0 / 6.0) -
+                   std::pow(1.0 - delta * delta, 1.5) / 3.0;
+  return {-saturation * rigid.x() / size,
+          (-saturation * rigid.y() + 9.0 / 16.0 * k * scale * a * creepage.spin) / size};
+}
+
+}  // namespace
+
 contact::ModelResult run_polach(const contact::Scene& scene, const contact::Progress& progress) {
   const EllipticPatch patch = elliptic_patch(scene);
   const contact::PolachOptions& options = scene.options.polach;
   const auto fill = [&](contact::PointResult& point) {
-    const contact::Creepage creepage{point.creepage.longitudinal, point.creepage.lateral, 0.0};
-    const halfspace::CreepForces linear = patch.linear_forces(creepage);
-    const double size = std::hypot(linear.longitudinal, linear.lateral);
-    if (patch.friction == 0.0 || size == 0.0) return;
-    const double bound = patch.friction_at(creepage) * point.normal_force;
-    const double force =
-        bound * polach_saturation(polach_gradient(size, bound), options.adhesion_reduction,
-                                  options.slip_reduction);
+    if (patch.friction == 0.0) return;
+    const double bound = patch.friction_at(point.creepage) * point.normal_force;
+    const Eigen::Vector2d force = bound * polach_force(patch, options, point.creepage, bound);
     contact::SurfaceField& traction = point.fields.traction;
-    traction.x = force * linear.longitudinal / (size * point.normal_force) * traction.n;
-    traction.y = force * linear.lateral / (size * point.normal_force) * traction.n;
-    set_forces({force * linear.longitudinal / size, force * linear.lateral / size, 0.0}, point);
+    traction.x = force.x() / point.normal_force * traction.n;
+    traction.y = force.y() / point.normal_force * traction.n;
+    set_forces({force.x(), force.y(), 0.0}, point);
     set_largest_tractions(point);
   };
   contact::ModelResult result =

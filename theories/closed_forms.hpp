@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Creep forces on an elliptic patch in closed form: Kalker's linear theory, Vermeulen and Johnson
-// without spin (J. Appl. Mech. 31, 1964), and Polach (1999, Vehicle System Dynamics Supplement 33,
-// 728-739; 2005, Wear 258, 992-1000): the models "linear", "vermeulen-johnson" and "polach".
+// (J. Appl. Mech. 31, 1964), with spin as Shen, Hedrick and Elkins (1983, Proc. 8th IAVSD
+// Symposium, 591-605), and Polach (1999, Vehicle System Dynamics Supplement 33, 728-739; 2005, Wear
+// 258, 992-1000): the models "linear", "vermeulen-johnson" and "polach".
 #pragma once
 
 #include "contact/solve/model.hpp"
@@ -11,7 +12,7 @@ namespace rollfem::theories {
 /// Solution at one pair of creepages. The adhesion area is an ellipse similar to the patch that
 /// touches it at the leading edge.
 struct VermeulenJohnson {
-  double load = 0.0;         ///< tau = G a b sqrt((C11 xi)^2 + (C22 eta)^2) / (mu N)
+  double load = 0.0;         ///< tau = force of the linear theory, with that by spin, over mu N
   double stick_ratio = 0.0;  ///< semi-axes of the adhesion area over those of the patch, 1 - tau/3
   double saturation = 0.0;   ///< F / (mu N) = 1 - (1 - tau/3)^3, 1 from tau = 3
   double direction_x = 0.0;  ///< unit vector of the force on the wheel
@@ -35,7 +36,7 @@ double polach_gradient(double linear_force, double friction_force);
 /// adhesion and k_S of the slip area, 1 for clean surfaces.
 double polach_saturation(double gradient, double adhesion, double slip);
 
-// The models throw contact::InputError for what the theory does not know: spin, extra rigid slip.
+// The models throw contact::InputError for what the theory does not know: extra rigid slip.
 
 /// The forces follow from Kalker's coefficients (halfspace/closed_forms/kalker.hpp), without a
 /// bound; the tractions are those of the simplified theory without slip, which have the same F_x

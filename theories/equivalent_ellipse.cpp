@@ -74,13 +74,6 @@ contact::GridOptions fixed_grid(const ContactGrid& grid, double x, double y) {
   return options;
 }
 
-double largest_spin(const Scene& scene) {
-  double spin = 0.0;
-  for (const contact::LoadPoint& point : scene.points)
-    spin = std::abs(point.creepage.spin) > std::abs(spin) ? point.creepage.spin : spin;
-  return spin;
-}
-
 /// Position in the patches that corresponds to the ellipse's row at `y`: unloaded rows are skipped.
 double loaded_place(const EquivalentEllipse& ellipse, double y) {
   const halfspace::ExpectedPatch& patch = ellipse.patch;
@@ -199,15 +192,10 @@ void return_to_patch_frame(const Scene& scene, const EquivalentEllipse& ellipse,
 }  // namespace
 
 ModelResult run_on_ellipse(const contact::Model& model, const Scene& scene,
-                           const contact::Progress& progress, bool no_spin) {
-  EquivalentEllipse ellipse = equivalent_ellipse(scene);
-  if (no_spin)
-    for (contact::LoadPoint& point : ellipse.scene.points) point.creepage.spin = 0.0;
+                           const contact::Progress& progress) {
+  const EquivalentEllipse ellipse = equivalent_ellipse(scene);
   ModelResult result = model(ellipse.scene, progress);
   return_to_patch_frame(scene, ellipse, result);
-  if (const double spin = largest_spin(scene); no_spin && spin != 0.0)
-    result.notes.push_back(
-        fmt::format("spin of up to {:.4g} rad/mm is neglected by this theory", spin));
   return result;
 }
 

@@ -7,10 +7,9 @@
 
 namespace rollfem::theories {
 
-/// Runs a theory of an elliptic patch on the equivalent ellipse of a case with `patch`. `no_spin`:
-/// the theory has no spin; it is neglected with a note.
+/// Runs a theory of an elliptic patch on the equivalent ellipse of a case with `patch`.
 contact::ModelResult run_on_ellipse(const contact::Model& model, const contact::Scene& scene,
-                                    const contact::Progress& progress, bool no_spin);
+                                    const contact::Progress& progress);
 
 /// Hertz's theory with the relative curvatures at the contact point of the patch. Throws
 /// contact::InputError where they define no ellipse; notes the half-space result.

@@ -62,12 +62,6 @@ Refinement refined_strips() {
 /// Slip below this value changes no force of a theory.
 constexpr double smallest_slip_worth_a_note = 1e-7;
 
-/// Effects that a theory neglects.
-struct Leaves {
-  bool spin = false;
-  bool extra_slip = false;
-};
-
 /// A theory without extra rigid slip neglects the slip of the surface, with a note.
 ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& scene,
                                    const Progress& progress) {
@@ -85,13 +79,13 @@ ModelResult run_without_extra_slip(const contact::Model& theory, const Scene& sc
 }
 
 /// A theory of an elliptic patch, on the equivalent ellipse where the case has true profiles.
-contact::Model elliptic(const contact::Model& theory, Leaves leaves = {}) {
+contact::Model elliptic(const contact::Model& theory, bool leaves_extra_slip = false) {
   const contact::Model on_patch = [=](const Scene& c, const Progress& p) {
-    return c.has_profiles() ? run_on_ellipse(theory, c, p, leaves.spin) : theory(c, p);
+    return c.has_profiles() ? run_on_ellipse(theory, c, p) : theory(c, p);
   };
   const contact::Model model = [=](const Scene& c, const Progress& p) {
     const bool neglects =
-        leaves.extra_slip && c.geometry.extra_slip == contact::ExtraSlip::automatic;
+        leaves_extra_slip && c.geometry.extra_slip == contact::ExtraSlip::automatic;
     return neglects ? run_without_extra_slip(on_patch, c, p) : on_patch(c, p);
   };
   return [=](const Scene& c, const Progress& p) { return run_each_load(model, c, p); };
@@ -265,16 +259,19 @@ void add_closed_forms(contact::ModelRegistry& models) {
   ModelInfo linear = theory(
       "linear", "linear theory", "Kalker's linear theory: creep forces without a friction bound",
       {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin},
-      elliptic(run_linear, {false, true}));
+      elliptic(run_linear, true));
   linear.bounded = false;
-  ModelInfo vermeulen = theory("vermeulen-johnson", "Vermeulen-Johnson",
-                               "Vermeulen and Johnson's creep forces on an ellipse, without spin",
-                               {Demand::profiles, Demand::sections, Demand::lateral_creepage},
-                               elliptic(run_vermeulen_johnson, {true, true}));
-  ModelInfo polach = theory(
-      "polach", "Polach", "Polach's closed form of the creep force, without spin, for comparison",
-      {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::falling_friction},
-      elliptic(run_polach, {true, true}));
+  ModelInfo vermeulen =
+      theory("vermeulen-johnson", "Vermeulen-Johnson",
+             "Vermeulen and Johnson's creep forces on an ellipse; spin by Shen, Hedrick "
+             "and Elkins",
+             {Demand::profiles, Demand::sections, Demand::lateral_creepage, Demand::spin},
+             elliptic(run_vermeulen_johnson, true));
+  ModelInfo polach = theory("polach", "Polach",
+                            "Polach's closed form of the creep force with spin, for comparison",
+                            {Demand::profiles, Demand::sections, Demand::lateral_creepage,
+                             Demand::spin, Demand::falling_friction},
+                            elliptic(run_polach, true));
   for (ModelInfo* model : {&hertz, &linear, &vermeulen, &polach}) {
     model->bars = closed_form;
     models.add(*model);

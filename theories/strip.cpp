@@ -130,10 +130,10 @@ StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw
       std::min(profile.distance.front(), profile.distance.back()) - smallest_distance(profile);
   const auto solve = [&](double g) { return strips_at_penetration(profile, law, g); };
   if (!(available > 0.0) || solve(available).*value < target)
-    throw contact::SolveError(
-        fmt::format("strip model: at a {} of {:g} the patch reaches the end of the profiles; give "
-                    "profiles wider than the contact",
-                    quantity, target));
+    throw contact::SolveError(fmt::format(
+        "strip model: at the {} of {:g} the patch reaches the end of the profiles; give "
+        "profiles wider than the contact",
+        quantity, target));
   // Bisected to the last digit, because the force jumps where two patches merge.
   const StripNormalSolution solution =
       solve(contact::bracketed_root([&](double g) { return solve(g).*value / target - 1.0; }, 0.0,
@@ -141,7 +141,7 @@ StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw
   const double error = std::abs(solution.*value / target - 1.0);
   if (error > 1e-6)
     throw contact::SolveError(
-        fmt::format("strip model: no penetration gives a {} of {:g}, because two patches merge "
+        fmt::format("strip model: no penetration gives the {} of {:g}, because two patches merge "
                     "there (closest: a relative error of {:.2g}); use the model halfspace",
                     quantity, target, error));
   return solution;

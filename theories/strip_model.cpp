@@ -46,10 +46,15 @@ StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
 
 /// Profile of the radii or the patch of a case; with a patch, over the y at which the distance is
 /// below the approach of expected_patch, beyond which there is no contact.
-StripProfile strip_profile(const contact::Scene& scene, int strips) {
+StripProfile strip_profile(const contact::Scene& scene, int strips,
+                           const std::optional<double>& virtual_penetration) {
   if (scene.has_profiles()) return profile_of_patch(scene, strips);
   const contact::Curvatures curvatures = halfspace::curvatures_of_scene(scene);
-  const double half_width = reach * halfspace::hertz_of_scene(scene).semi_axis_y;
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(scene);
+  // The undeformed surfaces may overlap more widely than Hertz's ellipse.
+  const double half_overlap =
+      std::sqrt(virtual_penetration.value_or(0.0) * hertz.approach / curvatures.B);
+  const double half_width = reach * std::max(hertz.semi_axis_y, half_overlap);
   const int count = std::max(4, static_cast<int>(std::lround(reach * strips)));
   StripProfile profile;
   profile.width = 2.0 * half_width / count;
@@ -73,7 +78,7 @@ StripContact strip_contact(const contact::Scene& scene, int strips,
                            const std::optional<double>& virtual_penetration) {
   StripContact contact{scene,
                        contact::ChartedGeometry(scene.geometry, contact::Chart::plane),
-                       strip_profile(scene, strips),
+                       strip_profile(scene, strips, virtual_penetration),
                        {}};
   const StripLaw law{scene.material.contact_modulus, virtual_penetration};
   const contact::NormalLoad load = contact::largest_load(scene);
@@ -155,6 +160,23 @@ BrushProblem brush_problem(const StripContact& contact, const StripPatch& patch,
           elements};
 }
 
+/// The grid of the scene with more elements around it where strips reach beyond it.
+contact::ContactGrid grid_around(const StripContact& contact) {
+  const halfspace::PatchSearch search(contact.scene);
+  const contact::ContactGrid grid = search.grid();
+  double more = 0.0;
+  for (int j = 0; j < contact.profile.size(); ++j) {
+    const double half = contact.normal.half_length[j], y = contact.profile.y(j);
+    const double x = contact.profile.middle.empty() ? 0.0 : contact.profile.middle[j];
+    if (half > 0.0)
+      more = std::max({more, (grid.x_first - x + half) / grid.dx, (grid.y_first - y) / grid.dy,
+                       (x + half - grid.x(grid.nx - 1)) / grid.dx,
+                       (y - grid.y(grid.ny - 1)) / grid.dy});
+  }
+  constexpr int margin = 4;
+  return more > 0.0 ? search.grid(grid.dx, grid.dy, margin + static_cast<int>(more)) : grid;
+}
+
 /// The strips of one patch.
 StripAt strips_in(const StripContact& contact, const StripPatch& patch) {
   return [&](double y) -> BrushStrip {
@@ -198,7 +220,7 @@ contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progr
     throw contact::InputError("the strip model needs at least 8 strips of 4 elements");
   const StripContact fine = strip_contact(scene, options.strips, options.virtual_penetration);
   const StripContact coarse = strip_contact(scene, options.strips / 2, options.virtual_penetration);
-  const contact::ContactGrid grid = halfspace::PatchSearch(scene).grid();
+  const contact::ContactGrid grid = grid_around(fine);
   contact::PointResult normal = normal_part(fine, grid);
   estimate_normal_errors(normal_part(coarse, grid), normal);
   long unknowns = 0;

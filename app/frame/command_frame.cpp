@@ -8,6 +8,7 @@
 #include "models/program/provenance.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
+#include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
 
@@ -252,6 +253,7 @@ void refuse_other_result(const fs::path& directory, const std::string& own) {
 
 void warn_of_doubts(const contact::Case& input) {
   warn(contact::implausible_values(input));
+  warn(profiles::neglected_in_files(input));
 }
 
 bool report_drawn(const ComputingRequest& request, const fs::path& directory) {

@@ -51,6 +51,7 @@ std::vector<std::string> warnings_of(const contact::Case& input) {
     for (const bool wheel : {true, false}) {
       profiles::ProfileReport report;
       static_cast<void>(profiles::profile_of_case(input, wheel, &report));
+      if (!report.neglected.empty()) warnings.push_back(report.neglected);
       const std::string advice = profiles::scatter_advice(report, wheel);
       if (advice.empty()) continue;
       warnings.push_back(fmt::format(

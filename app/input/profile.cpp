@@ -97,6 +97,7 @@ std::string described(const NamedProfile& profile) {
   if (profile.report.smoothing) {
     const profiles::SmoothingReport& smoothing = *profile.report.smoothing;
     line("points", fmt::format("{}", profile.report.points));
+    if (!profile.report.neglected.empty()) warn({profile.report.neglected});
     const std::string advice = profiles::scatter_advice(profile.report, profile.wheel);
     line("scatter of the points, mm",
          fmt::format("{:.2g}{}", smoothing.scatter, advice.empty() ? "" : "; " + advice));

@@ -8,6 +8,7 @@
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "profiles/profiles.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -115,6 +116,7 @@ PYBIND11_MODULE(_core, module) {
            })
       .def_property_readonly("doubts",
                              [](const Case& input) { return contact::implausible_values(input); })
+      .def_property_readonly("neglected", &profiles::neglected_in_files)
       .def("describe", [](const Case& input) { return rollfem::describe(input); })
       .def("text_in_folder", &contact::text_in_folder);
   py::class_<Result, std::shared_ptr<Result>>(module, "Result")

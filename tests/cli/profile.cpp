@@ -2,8 +2,11 @@
 // The command profile: its output, files, figures and refusals.
 #include "contact/base/text_fields.hpp"
 
+#include <fmt/format.h>
+
 #include "support/profile_texts.hpp"
 #include "support/program.hpp"
+#include <cmath>
 #include <regex>
 
 namespace {
@@ -87,15 +90,40 @@ TEST_F(Profile, SectionsThatChangeOverThePatchAreNotForFiniteElements) {
 
 TEST_F(Profile, TheTableIsAProfileAgain) {
   done({"profile", "60E1", "-o", "one"});
-  // Every joint has two rows in the table, one for each side of it.
+  // Every joint has two rows in the table, one for each side of it, which are one point.
+  done({"profile", "one/profile.csv", "--rail", "-o", "again"});
+  done({"profile", "S1002", "-o", "wheel"});
+  done({"profile", "wheel/profile.csv", "--wheel", "-o", "wheel_again"});
   const std::string file = folder.file("60E1.toml", with_s1002(R"(
 profile = "work/one/profile.csv"
-[rail_profile]
-drop_duplicates = true
 )"));
   const Outcome outcome = done({"profile", file, "--rail", "-o", "two"});
   EXPECT_TRUE(tells(outcome, "gauge face 14 mm below the top, mm  y = -35.8712")) << outcome.out;
-  EXPECT_EQ(folder.made().back(), "two/rail.svg");
+  EXPECT_TRUE(folder.holds("two/rail.svg"));
+}
+
+TEST_F(Profile, SmoothingAndWeightsOfASimpackFileAreNamed) {
+  std::string points;
+  for (int k = -70; k <= 70; ++k)
+    points += fmt::format("{} {:.9f} {}\n", 0.5 * k, 300.0 - std::sqrt(9e4 - 0.25 * k * k),
+                          k == 0 ? 0.5 : 1.0);
+  const auto file = [&](const std::string& smooth, const std::string& list) {
+    return "header.begin\ntype = 0\nheader.end\nspline.begin\napprox.smooth = " + smooth +
+           "\nunits.len.f = 1000\npoint.begin\n" + list + "point.end\nspline.end\n";
+  };
+  folder.file("rail.prr", file("0.5", points));
+  const std::string note =
+      "rail.prr: approx.smooth = 0.5 and weights other than 1 (of 1 points) are not applied; "
+      "do: give `smoothing` under [rail_profile]";
+  EXPECT_TRUE(says(done({"profile", "../rail.prr", "-o", "out"}).err, note));
+  const std::string asked = folder.file("c.toml", with_s1002("profile = \"rail.prr\"\n"));
+  EXPECT_TRUE(says(done({"check", asked}).err, note));
+  EXPECT_TRUE(says(done({"run", asked, "--model", "hertz", "--no-report", "-o", "r"}).err, note));
+  const std::string smoothed = folder.file(
+      "s.toml", with_s1002("profile = \"rail.prr\"\n[rail_profile]\nsmoothing = 0.001\n"));
+  EXPECT_FALSE(says(done({"check", smoothed}).err, "not applied"));
+  folder.file("plain.prr", file("0", std::regex_replace(points, std::regex(" 0.5\n"), " 1\n")));
+  EXPECT_EQ(done({"profile", "../plain.prr", "-o", "plain"}).err, "");
 }
 
 TEST_F(Profile, OfACaseShowsBothBodiesAndMayBeAskedForAgain) {

@@ -163,8 +163,22 @@ class Updates(unittest.TestCase):
             for smoothing in (0.0, 1.0, 4.0):
                 area = bump(profile, middle, 6.0, 0.02)
                 new = profile.worn(area, smoothing=smoothing)
-                self.assertAlmostEqual(profile.area_to(new) / area.sum(), 1.0, delta=1e-8)
+                self.assertAlmostEqual(profile.area_to(new) / area.sum(), 1.0, delta=1e-9)
+                # The polygon between both curves, by its corners.
+                y, z = np.concatenate([profile.y, new.y[::-1]]), np.concatenate([profile.z, new.z[::-1]])
+                polygon = 0.5 * abs(float(np.sum(y * np.roll(z, -1) - np.roll(y, -1) * z)))
+                self.assertAlmostEqual(polygon / area.sum(), 1.0, delta=1e-8)
                 self.assertLess(np.diff(new.along).std(), 1e-3)
+
+    def test_removed_area_is_the_laws_for_single_passes_too(self):
+        profile = wear.WornProfile.of(rollfem.Profile("S1002"))
+        shape = bump(profile, -10.0, 6.0, 1.0)
+        for total in (1e-6, 3e-5, 1e-4):
+            for smoothing in (0.0, 2.0):
+                new = profile.worn(shape / shape.sum() * total, smoothing=smoothing)
+                self.assertAlmostEqual(profile.area_to(new) / total, 1.0, delta=1e-9)
+        tiny = profile.worn(shape / shape.sum() * 1e-9)
+        self.assertAlmostEqual(profile.area_to(tiny), 1e-9, delta=1e-16)
 
     def test_smoothing_conserves_spreads_and_makes_no_hollow(self):
         profile = wear.WornProfile.of(rollfem.Profile("S1002"))
@@ -208,6 +222,31 @@ class Updates(unittest.TestCase):
         with self.assertRaisesRegex(rollfem.InputError, "for each of the"):
             profile.worn(np.zeros(3))
         self.assertIs(profile.worn(np.zeros(len(profile.y))), profile)
+
+    def test_arguments_are_finite_and_in_their_range(self):
+        rail = rollfem.Profile("60E1")
+        profile = wear.WornProfile.of(rail)
+        area = bump(profile, 0.0, 5.0, 0.01)
+        depth_of = lambda speed: wear.depth_of_pass(None, wear.WorkInRegimes(), speed=speed)
+        calls = [("smoothing", lambda value: profile.worn(area, smoothing=value), (-1.0, math.nan, math.inf, 1e4)),
+                 ("smoothing", lambda value: profile.smoothed(area, value), (-1.0, math.nan, math.inf)),
+                 ("largest", lambda value: profile.worn(area, largest=value), (0.0, -1.0, math.nan, math.inf)),
+                 ("step", lambda value: wear.WornProfile.of(rail, value), (0.0, -1.0, 5.0, 1e3, math.nan, math.inf, "1")),
+                 ("passes", lambda value: profile.area_of([], wear.WorkInRegimes(), value), (-1.0, math.nan, math.inf)),
+                 ("speed", depth_of, (-1.0, math.nan, math.inf)),
+                 ("distance", lambda value: wear.passes_of_wheel(value, 460.0), (-1, math.nan, math.inf)),
+                 ("radius", lambda value: wear.passes_of_wheel(1.0, value), (0, -1, math.nan, math.inf)),
+                 ("hardness", wear.Archard, (0.0, -1.0, math.nan, math.inf)),
+                 ("factor", lambda value: wear.WorkInRegimes(factor=value), (-1.0, math.nan, math.inf)),
+                 ("upper_limit", lambda value: wear.WorkInRegimes(limits=(77.2, value)), (10.4, math.nan, math.inf)),
+                 ("upper_velocity", lambda value: wear.Archard(2500.0, velocities=(200.0, value)), (100.0, math.nan)),
+                 ("coefficient", wear.ConstantCoefficient, (-1.0, math.nan, math.inf))]
+        for name, call, wrong in calls:
+            for value in wrong:
+                with self.subTest(name=name, value=value), \
+                        self.assertRaisesRegex(rollfem.InputError, f"wear: {name} = .*; allowed: a finite number .*; do: "):
+                    call(value)
+        self.assertEqual(wear.passes_of_wheel(0.0, 460.0), 0.0)
 
     def test_the_program_reads_what_is_written(self):
         profile = wear.WornProfile.of(rollfem.Profile("S1002"))

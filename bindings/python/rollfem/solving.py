@@ -42,7 +42,7 @@ def names_of(model: str | None, models: Models) -> list[str]:
 def checked(case: CaseLike | None, sections: dict[str, Any] | None = None, call: str = "") -> Case:
     """A Case of what a call was given, with warnings about its values."""
     made = case if isinstance(case, Case) and not sections else Case.for_call(call, case, sections or {})
-    for doubt in made.core.doubts:
+    for doubt in [*made.core.doubts, *made.core.neglected]:
         warnings.warn(doubt, UnitWarning, stacklevel=3)
     return made
 

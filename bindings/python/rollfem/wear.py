@@ -38,6 +38,16 @@ class Sliding:
 Law = Callable[[Sliding], np.ndarray]
 
 
+def _require(least: float = 0.0, most: float = math.inf, above: bool = False, **given: float) -> None:
+    """Raises InputError where a number is none, not finite, or outside of `least` to `most`; `above`: least is too small."""
+    for name, value in given.items():
+        if not (isinstance(value, (int, float, np.number)) and math.isfinite(value) and least <= value <= most
+                and not (above and value == least)):
+            upper = f", at most {most:g}" if math.isfinite(most) else ""
+            raise InputError(f"wear: {name} = {value}; allowed: a finite number "
+                             f"{f'above {least:g}' if above else f'of {least:g} or more'}{upper}; do: correct it")
+
+
 def _warn_beyond(what: str, largest: float, limit: float, unit: str) -> None:
     if largest > limit:
         warnings.warn(f"wear law: {what} of {largest:.4g} {unit} is beyond {limit:g} {unit}, the range of its tests",
@@ -62,6 +72,12 @@ class WorkInRegimes:
     density: float = 7.8e3         #: micrograms/mm^3 (kg/m^3)
     factor: float = 1.0            #: of lubrication, water, another steel: yours
     largest: float = 121.0         #: N/mm^2
+
+    def __post_init__(self) -> None:
+        lower, upper = self.limits
+        _require(mild=self.mild, severe=self.severe, catastrophic=self.catastrophic, lower_limit=lower, factor=self.factor)
+        _require(density=self.density, largest=self.largest, above=True)
+        _require(lower, upper_limit=upper)
 
     def per_metre(self, work: np.ndarray) -> np.ndarray:
         """Micrograms per metre rolled and mm^2 of contact, over the work per area in N/mm^2."""
@@ -92,6 +108,12 @@ class Archard:
     factor: float = 1.0            #: of lubrication, water: yours
     fastest: float = 1000.0        #: mm/s
 
+    def __post_init__(self) -> None:
+        slow, fast = self.velocities
+        _require(mild=self.mild, severe=self.severe, seizure=self.seizure, lower_velocity=slow, factor=self.factor)
+        _require(hardness=self.hardness, pressure=self.pressure, fastest=self.fastest, above=True)
+        _require(slow, upper_velocity=fast)
+
     def coefficient(self, pressure: np.ndarray, velocity: np.ndarray) -> np.ndarray:
         """k over the pressure, MPa, and the sliding velocity, mm/s."""
         slow, fast = self.velocities
@@ -113,6 +135,9 @@ class ConstantCoefficient:
 
     coefficient: float = 5.3e-3 / 7.8e3  #: mm^3/(N mm)
 
+    def __post_init__(self) -> None:
+        _require(coefficient=self.coefficient)
+
     def __call__(self, at: Sliding) -> np.ndarray:
         return self.coefficient * at.work
 
@@ -128,10 +153,11 @@ def depth_of_pass(model: ModelResult, law: Law, point: int = 0, speed: float = 0
     Returns:
         [ny], mm, over model.y_wheel and model.y_rail. A wheel is passed once per revolution, a rail by every wheel.
     Raises:
-        InputError: The model has no slip.
+        InputError: The model has no slip, or `speed` is negative or not finite.
 
     >>> depth_of_pass(result["halfspace"], WorkInRegimes())
     """
+    _require(speed=speed)
     at = model.points[point]
     if at.work is None:
         raise InputError(f"wear of {model.key}: without slip there is no work of friction; do: take halfspace, hybrid, fem, "
@@ -158,7 +184,10 @@ class WornProfile:
     y: np.ndarray
     z: np.ndarray
     body: str         #: "wheel" or "rail"
-    step: float = 0.2  #: mm between points
+    step: float = 0.2  #: mm between points, 0.001 to 1: arcs of 12 mm need that
+
+    def __post_init__(self) -> None:
+        _require(1e-3, 1.0, step=self.step)
 
     @classmethod
     def of(cls, profile: Profile, step: float = 0.2) -> "WornProfile":
@@ -206,6 +235,7 @@ class WornProfile:
     def area_of(self, models: Iterable[ModelResult], law: Law, passes: float = 1.0, speed: float = 0.0,
                 point: int = 0) -> np.ndarray:
         """The same of a number of passes, summed over patches: all that models hold. mm^2."""
+        _require(passes=passes)
         area = np.zeros(len(self.y))
         for model in models:
             area += passes * self.area_of_pass(model, depth_of_pass(model, law, point, speed))
@@ -213,6 +243,9 @@ class WornProfile:
 
     def smoothed(self, area: np.ndarray, length: float) -> np.ndarray:
         """Areas smoothed along the profile by nearly a Gaussian of this standard deviation (mm); their sum remains."""
+        if np.shape(area) != self.y.shape or not np.isfinite(area).all() or (np.asarray(area) < 0.0).any():
+            raise InputError(f"wear: area: allowed: an area of 0 or more for each of the {len(self.y)} points of this profile")
+        _require(0.0, float(self.along[-1]), smoothing=length)
         widths, diffusion = self.widths, length * length / 6.0 / np.diff(self.along)
         for _ in range(3):  # three implicit steps of diffusion: no new extremes
             area = widths * _solve_diffusion(widths, diffusion, area)
@@ -224,19 +257,19 @@ class WornProfile:
         Args:
             area: mm^2, as of `area_of`.
             smoothing: Length over which wear is spread, mm, standard deviation; 0: none.
-            largest: Depth of one step, mm.
+            largest: Depth of one step, mm, above 0.
         Returns:
             WornProfile: Points moved along the normals, and again in equal steps. The area between the curves is the given
-            one to 1e-9.
+            one to 1e-9, below 1e-7 mm^2 to the rounding of coordinates, 1e-16 mm^2.
         Raises:
-            InputError: The step is deeper than `largest`, or leaves kinks that the program would reject.
+            InputError: An argument is negative or not finite, the step is deeper than `largest`, or leaves kinks that the program would reject.
         """
-        if area.shape != self.y.shape or not np.isfinite(area).all() or (area < 0.0).any():
-            raise InputError(f"worn(area): allowed: an area of 0 or more for each of the {len(self.y)} points of this profile")
+        _require(largest=largest, above=True)
+        area = self.smoothed(area, smoothing)
         target = float(area.sum())
         if target == 0.0:
             return self
-        depth = (self.smoothed(area, smoothing) if smoothing > 0.0 else area) / self.widths
+        depth = area / self.widths
         if depth.max() > largest:
             raise InputError(f"wear: {depth.max():.3g} mm in one step is more than {largest:g} mm; do: take shorter steps")
         factor = 1.0
@@ -251,6 +284,11 @@ class WornProfile:
 
     def area_to(self, other: "WornProfile") -> float:
         """The area between this profile and one with the same ends, mm^2, positive where that one is worn."""
+        if len(self.y) == len(other.y):  # of the quadrilaterals between them, without the rounding of large areas
+            y, z = np.diff(self.y), np.diff(self.z)
+            by, bz = other.y - self.y, other.z - self.z
+            parts = y * (bz[1:] + bz[:-1]) - z * (by[1:] + by[:-1]) + by[1:] * bz[:-1] - bz[1:] * by[:-1]
+            return self._inwards * 0.5 * math.fsum(parts)
         y, z = np.concatenate([self.y, other.y[::-1]]), np.concatenate([self.z, other.z[::-1]])
         y, z = y - y[0], z - z[0]
         return self._inwards * 0.5 * float(np.sum(y * np.roll(z, -1) - np.roll(y, -1) * z))
@@ -318,5 +356,7 @@ def _solve_diffusion(widths: np.ndarray, diffusion: np.ndarray, right: np.ndarra
 
 
 def passes_of_wheel(distance: float, radius: float) -> float:
-    """Revolutions over a distance (mm) of a wheel with this rolling radius (mm)."""
+    """Revolutions over a distance (mm, 0 or more) of a wheel with this rolling radius (mm, above 0)."""
+    _require(distance=distance)
+    _require(radius=radius, above=True)
     return distance / (2.0 * math.pi * radius)

@@ -77,10 +77,10 @@ TEST(ProgramModels, FeelInertiaWhereItIsAskedForAndOnlyAsFiniteElements) {
 
 TEST(ProgramModels, RefuseCreepagesThatTheirTheoryLeavesOut) {
   const std::string spin = plus("[rolling]\nspin = 1e-4\n");
-  expect_refusal(spin, "vermeulen-johnson",
-                 "rolling.spin: it cannot handle spin; allowed: hertz, linear, fastsim, "
-                 "fastrip, strip, halfspace, hybrid, fem; do: run with --model halfspace");
-  expect_refusal(spin, "carter", "rolling.spin");
+  expect_refusal(spin, "carter",
+                 "rolling.spin: it cannot handle spin; allowed: hertz, linear, "
+                 "vermeulen-johnson, polach, fastsim, fastrip, strip, halfspace, hybrid, fem; do: "
+                 "run with --model halfspace");
   EXPECT_EQ(refused(spin, "linear"), "");
   expect_refusal(
       plus("[rolling]\nlateral_creepage = 1e-4\n"), "carter",

@@ -82,6 +82,33 @@ TEST(Fastrip, CombinedCreepageAndSpin) {
   EXPECT_NEAR(point.lateral_force, -7060.0, 0.03 * friction_force);
 }
 
+/// Where |P| >= 1 the leading edge slips under spin alone. Half-space of 80 kN on a circle of 5 mm:
+/// 0.14120 +- 0.00018.
+TEST(Fastrip, SpinAgainstLateralCreepageStaysWithinFriction) {
+  const std::string circle =
+      "[load]\nnormal_force = 80e3\n[friction]\ncoefficient = 0.3\n"
+      "[given_pressure]\nsemi_axis_x = 5.0\nsemi_axis_y = 5.0\n"
+      "[rolling]\nlateral_creepage = -0.001\nspin = 0.002\n";
+  const auto point =
+      half_space_models().run("fastrip", contact::parse_case(circle, "circle.toml"), {}).points[0];
+  EXPECT_NEAR(std::abs(point.lateral_force) / 80e3, 0.1412, 0.05 * 0.3);
+  for (const auto& [a, b] : {std::pair{3.0, 9.0}, {5.0, 5.0}, {9.0, 4.0}})
+    for (const double xi : {0.0, 1e-3, 1e-2})
+      for (const double eta : {-3e-3, -1e-3, 1e-3})
+        for (const double spin : {-3e-3, 1e-3, 2e-3, 3e-3}) {
+          const std::string rolling = fmt::format(
+              "longitudinal_creepage = {:e}\nlateral_creepage = {:e}\nspin = {:e}", xi, eta, spin);
+          contact::PointResult all;
+          ASSERT_NO_THROW(all = point_of("fastrip", a, b, rolling)) << a << '\n' << rolling;
+          const auto& traction = all.fields.traction;
+          const auto size = (traction.x.array().square() + traction.y.array().square()).sqrt();
+          EXPECT_LE((size - all.fields.traction_bound.array()).maxCoeff(), 1e-9 * all.max_pressure)
+              << a << '\n'
+              << rolling;
+          EXPECT_LT(std::hypot(all.longitudinal_force, all.lateral_force), friction_force);
+        }
+}
+
 TEST(TheoriesOfStrips, FindTheCreepageOfAForce) {
   for (const char* model : {"fastsim", "fastrip", "strip"}) {
     const auto given = point_of(

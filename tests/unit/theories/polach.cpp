@@ -3,8 +3,11 @@
 #include "contact/case/case_reader.hpp"
 #include "theories/closed_forms.hpp"
 
+#include <fmt/format.h>
+
 #include "support/case_examples.hpp"
 #include "support/half_space_models.hpp"
+#include <array>
 #include <cmath>
 
 namespace {
@@ -23,8 +26,7 @@ TEST(Polach, ClosedFormHasItsLimits) {
 }
 
 TEST(Polach, SmallCreepagesHaveKalkersForces) {
-  for (const char* rolling : {"longitudinal_creepage = 1e-8", "lateral_creepage = -1e-8",
-                              "longitudinal_creepage = 1e-8\nlateral_creepage = 2e-8"}) {
+  for (const char* rolling : {"longitudinal_creepage = 1e-8", "lateral_creepage = -1e-8"}) {
     const std::string text = std::string("[rolling]\n") + rolling;
     const auto linear = point_of("linear", text);
     const auto polach = point_of("polach", text);
@@ -33,6 +35,51 @@ TEST(Polach, SmallCreepagesHaveKalkersForces) {
     const auto reduced =
         point_of("polach", text + "\n[polach]\nadhesion_reduction = 0.6\nslip_reduction = 0.2");
     EXPECT_NEAR(reduced.longitudinal_force, 0.4 * linear.longitudinal_force, 1e-4) << rolling;
+  }
+}
+
+TEST(Polach, TheForceIsAgainstTheCreepage) {
+  for (const char* rolling : {"longitudinal_creepage = 1e-4\nlateral_creepage = 1e-4",
+                              "longitudinal_creepage = 0.02\nlateral_creepage = 0.02"}) {
+    const auto point = point_of("polach", std::string("[rolling]\n") + rolling);
+    EXPECT_NEAR(point.longitudinal_force / point.lateral_force, 1.0, 1e-12) << rolling;
+  }
+}
+
+TEST(Polach, SmallSpinHasKalkersLateralForce) {
+  const std::string spin = "[rolling]\nspin = 1e-9";
+  const auto linear = point_of("linear", spin);
+  EXPECT_NEAR(point_of("polach", spin).lateral_force / linear.lateral_force, 1.0, 1e-4);
+  EXPECT_EQ(point_of("polach", spin).longitudinal_force, 0.0);
+}
+
+/// Polach (1999) written out, with K_M and the modified creepage s_yC.
+TEST(Polach, SpinIsThatOfThePaper) {
+  const auto hertz = point_of("hertz", "[rolling]\nlongitudinal_creepage = 0.0");
+  const double a = hertz.semi_axis_x, b = hertz.semi_axis_y, bound = 0.55 * 50e3;
+  for (const auto& [x, y, spin] :
+       {std::array{1e-3, 5e-4, 2e-4}, {1e-3, -2e-3, 2e-4}, {0.0, 1e-3, -3e-4}, {2e-3, 0.0, 1e-3}}) {
+    const std::string rolling =
+        fmt::format("[rolling]\nlongitudinal_creepage = {:e}\nlateral_creepage = {:e}\n", x, y);
+    const double lateral = std::abs(y + spin * a) > std::abs(y) ? y + spin * a : y;
+    const double rigid = std::hypot(x, y), modified = std::hypot(x, lateral);
+    const auto linear = point_of("linear", rolling);
+    const double eps = M_PI / 4.0 * std::hypot(linear.longitudinal_force, linear.lateral_force) *
+                       modified / rigid / bound;
+    const double force = 2.0 / M_PI * bound * (eps / (1.0 + eps * eps) + std::atan(eps));
+    // (ab)^(3/2) G C23 from the linear theory's force by spin.
+    const double by_spin =
+        std::abs(point_of("linear", "[rolling]\nspin = 1e-9").lateral_force) / 1e-9;
+    const double scale = 1.0 + 6.3 * (1.0 - std::exp(-a / b));
+    const double of_spin = 8.0 / 3.0 * by_spin / a * std::abs(lateral) / (bound * scale);
+    const double delta = (of_spin * of_spin - 1.0) / (of_spin * of_spin + 1.0);
+    const double k = of_spin * (std::pow(delta, 3) / 3.0 - delta * delta / 2.0 + 1.0 / 6.0) -
+                     std::pow(1.0 - delta * delta, 1.5) / 3.0;
+    const double more = 9.0 / 16.0 * a * bound * k * scale * spin / modified;
+    const auto polach = point_of("polach", rolling + fmt::format("spin = {:e}\n", spin));
+    EXPECT_NEAR(polach.longitudinal_force, -force * x / modified, 1e-6 * bound);
+    EXPECT_NEAR(polach.lateral_force, -force * y / modified + more, 1e-4 * bound);
+    EXPECT_EQ(polach.spin_moment, 0.0);
   }
 }
 

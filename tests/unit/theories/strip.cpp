@@ -3,7 +3,10 @@
 #include "theories/strip.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/case/case_reader.hpp"
 #include "theories/closed_forms.hpp"
+
+#include <fmt/format.h>
 
 #include "support/contact_laws.hpp"
 #include "support/thesis_cases.hpp"
@@ -97,6 +100,36 @@ TEST(StripNormal, VirtualPenetrationOfItsOwnShareIsHertz) {
 
 double flank_on_one_side(double y) {
   return y > 0.0 ? 3.5e-3 * y * y : std::min(3.5e-3 * y * y, 0.03 + 5.5e-3 * (-y - 2.93));
+}
+
+/// Radii: an ellipse of Hertz's ratio as wide as the undeformed overlap, whose pressure gives the
+/// approach at its middle; on patches up to six times as long as wide too.
+TEST(StripNormal, VirtualPenetrationOfRadiiNeedsNoProfiles) {
+  for (const double radius : {300.0, 80.0, 30.0, 13.0})
+    for (const std::string& given : {"approach = 0.0181818", "normal_force = 5e3"}) {
+      SCOPED_TRACE(fmt::format("{} mm, {}", radius, given));
+      const contact::Scene scene = contact::parse_case(
+          fmt::format("[load]\n{}\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = "
+                      "460.0\ntransverse_radius = inf\n[rail]\ntransverse_radius = {:e}\n"
+                      "[strip]\nvirtual_penetration = 0.55\n",
+                      given, radius),
+          "a.toml");
+      const contact::ModelResult result = run_strip(scene, {});
+      const contact::PointResult& point = result.points[0];
+      const HertzContact unit =
+          hertz_from_force(0.5 / 460.0, 0.5 / radius, scene.material.contact_modulus, 1.0);
+      const double b = std::sqrt(0.55 * point.approach * 2.0 * radius);
+      const double scale = b / unit.semi_axis_y;
+      const double pressure = unit.max_pressure * point.approach / (unit.approach * scale);
+      EXPECT_NEAR(point.semi_axis_y / b, 1.0, 2e-3);
+      EXPECT_NEAR(point.semi_axis_x / (scale * unit.semi_axis_x), 1.0, 1e-2);
+      EXPECT_NEAR(point.max_pressure / pressure, 1.0, 1e-2);
+      EXPECT_NEAR(point.normal_force /
+                      (2.0 / 3.0 * M_PI * point.semi_axis_x * point.semi_axis_y * pressure),
+                  1.0, 1e-2);
+      EXPECT_GT(result.grid.nx * result.grid.dx, point.contact_length);
+      EXPECT_GT(result.grid.ny * result.grid.dy, point.contact_width);
+    }
 }
 
 /// A flank that the profiles nearly share touches first in the virtual penetration.

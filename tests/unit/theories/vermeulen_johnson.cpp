@@ -44,8 +44,18 @@ TEST(VermeulenJohnson, ModelForcesAndMomentAreThoseOfItsTractions) {
   EXPECT_NEAR(result.points[3].traction_coefficient, 0.55, 1e-12);
 }
 
-TEST(VermeulenJohnson, ModelRefusesSpin) {
-  contact::Case input = thesis_case('b', 40, {{1e-3, 0, 1e-5}});
-  EXPECT_THROW(run_vermeulen_johnson(input, {}), contact::InputError);
+/// Shen, Hedrick and Elkins: the cubic of the linear force, with its part by spin.
+TEST(VermeulenJohnson, SpinIsPartOfTheLinearForce) {
+  for (const contact::Creepage& creepage : {contact::Creepage{1e-3, 5e-4, 1e-4}, {0, 0, 3e-4}}) {
+    contact::Case input = thesis_case('b', 40, {creepage});
+    const contact::PointResult point = run_vermeulen_johnson(input, {}).points[0];
+    const contact::PointResult linear = run_linear(input, {}).points[0];
+    const double size = std::hypot(linear.longitudinal_force, linear.lateral_force);
+    const double tau = size / 27500.0;
+    ASSERT_LT(tau, 3.0);
+    const double force = 27500.0 * (tau - tau * tau / 3.0 + tau * tau * tau / 27.0);
+    EXPECT_NEAR(point.longitudinal_force, force * linear.longitudinal_force / size, 1e-6 * force);
+    EXPECT_NEAR(point.lateral_force, force * linear.lateral_force / size, 1e-6 * force);
+  }
 }
 }  // namespace rollfem::theories
