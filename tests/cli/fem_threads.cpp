@@ -11,6 +11,10 @@ struct Solver {
   std::vector<std::string> changes;
 };
 
+void PrintTo(const Solver& of, std::ostream* stream) {
+  *stream << of.name;
+}
+
 class SameBitsOfFiniteElements : public ProgramTest,
                                  public ::testing::WithParamInterface<Solver> {};
 

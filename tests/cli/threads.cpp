@@ -10,6 +10,10 @@ struct Kind {
   std::string text;
 };
 
+void PrintTo(const Kind& of, std::ostream* stream) {
+  *stream << of.name;
+}
+
 const std::string creep_curve = "rolling.longitudinal_creepage=[0.0, 0.0005, 0.001, 0.004]";
 
 const std::string roller_at_heights =

@@ -17,6 +17,10 @@ struct Position {
   double y_track, angle, y_wheel, height, approach, eta, spin;
 };
 
+void PrintTo(const Position& of, std::ostream* stream) {
+  *stream << of.shift << " mm";
+}
+
 // y_ws, yaw, ycp_tr, deltcp, -ycp_wheel (positive to the field), z_ws, approach, ceta, cphi.
 const Position positions[] = {
     {0.0, 0.0, -751.8726, 0.0290, 1.8726, 0.1981, 1.596e-2, 0.0, -6.302e-5},

@@ -15,6 +15,10 @@ struct Text {
   std::string text;
 };
 
+void PrintTo(const Text& of, std::ostream* stream) {
+  *stream << of.name;
+}
+
 class ValidText : public ::testing::TestWithParam<Text> {};
 
 /// None of them is a case file: refused for an unknown or a missing key.

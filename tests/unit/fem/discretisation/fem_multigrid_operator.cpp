@@ -21,6 +21,10 @@ struct Variant {
   double speed = 0;  ///< mm/s, slantwise
 };
 
+void PrintTo(const Variant& of, std::ostream* stream) {
+  *stream << "degree " << of.degree << ", nu " << of.poisson_ratio << ", speed " << of.speed;
+}
+
 class Stiffness : public ::testing::TestWithParam<Variant> {
  protected:
   Stiffness()

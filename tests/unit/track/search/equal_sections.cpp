@@ -25,6 +25,10 @@ struct Listed {
   bool rail, wheel;
 };
 
+void PrintTo(const Listed& of, std::ostream* stream) {
+  *stream << of.name;
+}
+
 /// What a run prints of one wheel; signs as on the left.
 struct Printed {
   double height, x, y_rail, y_wheel, angle, climb, eta, normal, longitudinal, lateral, pressure,
