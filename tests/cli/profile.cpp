@@ -105,7 +105,7 @@ profile = "work/one/profile.csv"
 TEST_F(Profile, SmoothingAndWeightsOfASimpackFileAreNamed) {
   std::string points;
   for (int k = -70; k <= 70; ++k)
-    points += fmt::format("{} {:.9f} {}\n", 0.5 * k, 300.0 - std::sqrt(9e4 - 0.25 * k * k),
+    points += fmt::format("{} {:.9f} {}\n", 0.5 * k, 40.0 - std::sqrt(1600.0 - 0.25 * k * k),
                           k == 0 ? 0.5 : 1.0);
   const auto file = [&](const std::string& smooth, const std::string& list) {
     return "header.begin\ntype = 0\nheader.end\nspline.begin\napprox.smooth = " + smooth +
