@@ -21,7 +21,7 @@ using contact::Case;
 
 Eigen::Matrix<double, 6, PatchSum::count> wrenches_of(const track::WheelRailContact& contact) {
   contact::Vector3 arm{};
-  for (std::size_t d = 0; d < 3; ++d) arm[d] = contact.origin[d] - contact.axle.point[d];
+  for (std::size_t d = 0; d < 3; ++d) arm[d] = contact.origin[d] - contact.middle[d];
   const auto vector = [](const contact::Vector3& v) { return Eigen::Vector3d(v[0], v[1], v[2]); };
   const auto force = [&](const contact::Vector3& axis) {
     Wrench wrench;

@@ -119,7 +119,7 @@ Eigen::ArrayXd evened_out(const Field& resolved, Eigen::ArrayXd rows) {
 }  // namespace
 
 void set_works(const ContactGrid& grid, const PatchShape& shape, const TangentialField& rigid_slip,
-               const TangentialField& extra_slip, PointResult& point) {
+               const TangentialField& extra_slip, bool half_spaces, PointResult& point) {
   const SurfaceField& u = point.fields.displacement;
   const SurfaceField traction = times_stretch(point.fields.traction, shape);
   const TangentialField slip{rigid_slip.x + slope_along(grid, u.x),
@@ -129,8 +129,8 @@ void set_works(const ContactGrid& grid, const PatchShape& shape, const Tangentia
   point.frictional_work = grid.dy * rows.sum();
   point.creepage_work =
       power_balance(grid, traction, slip, point.creepage, 1.0, extra_slip).creepage;
-  // Friction moves the pressure of unlike bodies, which then resists rolling.
-  if (point.max_traction > 0.0)
+  // Friction moves the pressure of unlike half-spaces, which then resists rolling.
+  if (half_spaces && point.max_traction > 0.0)
     *point.creepage_work += grid.element_area() * traction.n.dot(slope_along(grid, u.n));
   if (shape.stretch.size() != 0)
     for (int j = 0; j < grid.ny; ++j) rows[j] /= shape.stretch[grid.index(0, j)];

@@ -43,9 +43,11 @@ void set_pass_work(const ContactGrid& grid, const Field& rows, PointResult& poin
 /// rolling. `rigid_slip` is the slip without the slope of the displacement, `extra_slip` that
 /// beyond the creepages. The slope is that of central differences: by the solver's upwind ones
 /// tractions lose what a slip zone releases that no element resolves. What the elements of a row
-/// lack depends on where its edges lie in an element: neighbours even it out.
+/// lack depends on where its edges lie in an element: neighbours even it out. `half_spaces`:
+/// `creepage_work` has the part of the pressure too, with which it equals `frictional_work`; the
+/// pressure of other bodies also moves by their shape.
 void set_works(const ContactGrid& grid, const PatchShape& shape, const TangentialField& rigid_slip,
-               const TangentialField& extra_slip, PointResult& point);
+               const TangentialField& extra_slip, bool half_spaces, PointResult& point);
 
 /// Approach of bodies under Hertz's pressure p, mm: 7/6 of the mean of u_n = delta - A x^2 - B y^2
 /// with the weight p^3, which edges hardly reach, because A a^2 + B b^2 = delta.

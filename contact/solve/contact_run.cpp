@@ -394,7 +394,7 @@ void ContactRun::add_energies(TangentialField rigid_slip, PointResult& point) co
     rigid_slip.y += state_.curvature_slip.y;
   }
   set_works(result_.grid, shape_, rigid_slip, geometry_.extra_slip(point.creepage, result_.grid),
-            point);
+            elasticity_->is_halfspace(), point);
 }
 
 }  // namespace rollfem::contact

@@ -55,8 +55,7 @@ Works works(double friction, double creepage, double cell) {
            point.plastic_work.value(), stored_energy(point.yielded.front(), cell)};
   // The undeformed distance x^2/R shrinks by 2 x/R per mm at a place ahead of the middle: rolling
   // resistance, because the pressure moves forward.
-  // `creepage_work` contains it.
-  for (int j = 0; j < grid.ny && !point.creepage_work; ++j)
+  for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       of.rigid += point.fields.traction.n[grid.index(i, j)] * 2.0 * grid.x(i) / radius *
                   grid.element_area();
