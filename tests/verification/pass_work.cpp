@@ -80,8 +80,9 @@ TEST(PassWork, OfCartersLineContactIsForceTimesCreepage) {
         const Field rows = contact::pass_work(model.grid, model.points[0]);
         EXPECT_NEAR(rows[0] * model.rows.width[0] / work, 1.0, 0.5 / across);
         const auto& bars = model.points[0].error_estimate;
-        if (const auto bar = bars.find("frictional_work"); bar != bars.end())
+        if (const auto bar = bars.find("frictional_work"); bar != bars.end()) {
           EXPECT_NEAR(*model.points[0].frictional_work, work, bar->second);
+        }
         EXPECT_FALSE(model.points[0].revolution_work.has_value());
       }
 }

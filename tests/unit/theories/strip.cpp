@@ -106,7 +106,7 @@ double flank_on_one_side(double y) {
 /// approach at its middle; on patches up to six times as long as wide too.
 TEST(StripNormal, VirtualPenetrationOfRadiiNeedsNoProfiles) {
   for (const double radius : {300.0, 80.0, 30.0, 13.0})
-    for (const std::string& given : {"approach = 0.0181818", "normal_force = 5e3"}) {
+    for (const char* given : {"approach = 0.0181818", "normal_force = 5e3"}) {
       SCOPED_TRACE(fmt::format("{} mm, {}", radius, given));
       const contact::Scene scene = contact::parse_case(
           fmt::format("[load]\n{}\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = "

@@ -157,6 +157,6 @@ INSTANTIATE_TEST_SUITE_P(Lists, EqualSections,
                          ::testing::Values(Listed{"Rail", true, false},
                                            Listed{"Wheel", false, true},
                                            Listed{"Both", true, true}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& list) { return std::string(list.param.name); });
 
 }  // namespace
