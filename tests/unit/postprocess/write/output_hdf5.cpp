@@ -52,7 +52,7 @@ TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
   EXPECT_TRUE(says(printed, "rollfem results 2 1\nTrue MPa\n", "True\nTrue\n", " 1 1.25\n",
                    "['error_estimate', 'model_error', 'no_bar', 'pressure']",
                    "title = \"thesis case a: conforming plane\" | 2000.0", "symmetry plane",
-                   "1 6 (12, 3) (2, 8) mm MPa -102.0\n", "\nxz 90.0 390.0 MPa float32\n",
+                   "2 6 (12, 3) (2, 8) mm MPa -102.0\n", "\nxz 90.0 390.0 MPa float32\n",
                    "\nxz 210.0 510.0 MPa float32\n"));
   EXPECT_FALSE(says(printed, "Error"));
 
