@@ -47,14 +47,14 @@ void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointR
   }
 }
 
-void cut_at_ends(const Scene& scene, PatchSize& size) {
+void cut_at_ends(const Scene& scene, PatchSize& size, double beyond) {
   if (!scene.has_profiles() || scene.geometry.surface.profiles->free_ends().empty()) return;
   const double middle = 0.5 * (size.y_lower + size.y_upper);
   for (const FreeEnd& end : scene.geometry.surface.profiles->free_ends())
-    if (end.y < middle)
-      size.y_lower = std::max(size.y_lower, end.y);
-    else
-      size.y_upper = std::min(size.y_upper, end.y);
+    if (end.y < middle && size.y_lower < end.y + beyond)
+      size.y_lower = end.y;
+    else if (end.y >= middle && size.y_upper > end.y - beyond)
+      size.y_upper = end.y;
   size.width = size.y_upper - size.y_lower;
 }
 
@@ -62,7 +62,7 @@ void place_patch(const Scene& scene, const ContactGrid& grid, PointResult& point
   if (!scene.has_profiles()) return;
   PatchSize size = patch_size(grid, point.fields.traction.n);
   const double width = size.width;
-  cut_at_ends(scene, size);
+  cut_at_ends(scene, size, 0.5 * grid.dy);
   point.patch_x_middle = size.x_middle();
   point.patch_y_middle = size.y_middle();
   if (size.width == width) return;

@@ -22,8 +22,10 @@ LoadedEnds loaded_ends(const Scene& scene, const ContactGrid& grid, const PointR
 /// The pressure and tractions of a point with loaded ends have no limit on finer grids.
 void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointResult& point);
 
-/// Takes back what the size found below the element size, of a smooth outline, has beyond ends.
-void cut_at_ends(const Scene& scene, PatchSize& size);
+/// Takes back what the size found below the element size, of a smooth outline, has beyond ends. An
+/// end up to `beyond` outside of the patch (mm) is its border too: half an element, of which the
+/// last one with its middle on the body reaches less or farther than the body.
+void cut_at_ends(const Scene& scene, PatchSize& size, double beyond = 0.0);
 
 /// The middle of a patch of profiles, and its width between ends.
 void place_patch(const Scene& scene, const ContactGrid& grid, PointResult& point);

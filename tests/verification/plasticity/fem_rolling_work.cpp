@@ -83,8 +83,8 @@ TEST(RollingWork, InFullSlidingIsSharedByFrictionAndFlow) {
   }
 }
 
-// 1.5 % too much on cells of a/2.5.
+// 2.4 % too much on cells of a/2.5, 0.3 % missing on a/3.4, 0.06 % too much on a/4.5.
 TEST(RollingWork, InPartialSlipIsSharedByFrictionAndFlow) {
-  const Works of = works(0.2, 1e-3, 0.8);
-  EXPECT_LT(std::abs(of.missing()), 0.02);
+  const Works of = works(0.2, 1e-3, 0.6);
+  EXPECT_LT(std::abs(of.missing()), 0.01);
 }
