@@ -90,13 +90,7 @@ void check_fineness(const ValidatedPoint& at) {
   const auto [along, across] = elements_across(grid, at.point.fields.traction.n);
   if (at.given_grid || (grid.is_line() ? along : std::min(along, across)) >= fewest_elements_across)
     return;
-  throw UnfitGrid(
-      place_of(at) +
-      fmt::format(
-          "the patch has only {} by {} contact elements of {:.4g} by {:.4g} mm; allowed: at least "
-          "{} in each direction; do: choose smaller elements (contact_grid.elements_across or "
-          "cell_size, with the model fem fem.cell_size), or check load and radii",
-          along, across, grid.dx, grid.dy, fewest_elements_across));
+  throw UnfitGrid(place_of(at) + few_elements_text(along, across, grid));
 }
 
 void check_held(const ValidatedPoint& at) {
@@ -231,6 +225,14 @@ double smallest_radius(const Scene& scene) {
 }
 
 }  // namespace
+
+std::string few_elements_text(long along, long across, const ContactGrid& grid) {
+  return fmt::format(
+      "the patch has only {} by {} contact elements of {:.4g} by {:.4g} mm; allowed: at least {} "
+      "in each direction; do: choose smaller elements (contact_grid.elements_across or cell_size, "
+      "with the model fem fem.cell_size), or check load and radii",
+      along, across, grid.dx, grid.dy, fewest_elements_across);
+}
 
 bool gives_grid(const Scene& scene) {
   return scene.contact_grid.cell_size && scene.contact_grid.extent;

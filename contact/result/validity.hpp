@@ -32,6 +32,9 @@ inline constexpr double largest_elastic_pressure = 3000.0;
 /// Whether the case determines every element.
 bool gives_grid(const Scene& scene);
 
+/// That these are fewer elements than fewest_elements_across, and what to do.
+std::string few_elements_text(long along, long across, const ContactGrid& grid);
+
 /// Whether it also gives the undeformed distance by points, so that nothing is known beyond the
 /// grid, or so few elements that all are at the border: then the patch ends where the grid does.
 bool ends_with_grid(const Scene& scene, const ContactGrid& grid);

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/elasticity/model.hpp"
 
+#include "contact/base/checkpoint.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
 #include "contact/base/threads.hpp"
 #include "contact/result/record.hpp"
 #include "contact/result/refinement.hpp"
+#include "contact/result/validity.hpp"
 #include "fem/elasticity/error_bars.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/first_process.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/mesh/run_layout.hpp"
+#include "fem/plasticity/yielding_bodies.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -152,15 +156,28 @@ class Levels {
   bool beside_half_spaces_ = false;
 };
 
-}  // namespace
+/// Before the bodies are computed: cells with which the patch cannot have enough elements.
+void refuse_coarse_cells(const Scene& scene, double cell) {
+  constexpr double margin = 1.3;  // of the expected patch
+  const contact::ContactGrid grid = run_layout(scene, cell).grid;
+  const PatchBox box = PatchSearch(scene).box();
+  const auto elements = [](double half, double size) { return std::lround(2.0 * half / size); };
+  const double most =
+      1.0 + 2.0 * margin * std::min(box.half_length / grid.dx, box.half_width / grid.dy);
+  if (most < contact::fewest_elements_across && !contact::gives_grid(scene))
+    throw contact::UnfitGrid(scene.patch_prefix() +
+                             contact::few_elements_text(elements(box.half_length, grid.dx),
+                                                        elements(box.half_width, grid.dy), grid));
+}
 
-ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
-                    contact::Checkpoint* checkpoint) {
+ModelResult run_with_streamlines(const Scene& scene, const contact::Progress& progress,
+                                 contact::Checkpoint* checkpoint) {
   const contact::Stopwatch watch;
   const bool to_accuracy = scene.accuracy.relative.has_value();
   const double cell = default_cell_size(scene);
   const bool two_coarser =
       to_accuracy && 4.0 * cell <= coarsest_part * PatchSearch(scene).box().smaller();
+  refuse_coarse_cells(scene, cell);
   refuse_beyond_memory(scene, cell);
   Levels levels(scene, progress, checkpoint);
   levels.start(two_coarser ? std::vector{4.0 * cell, 2.0 * cell, cell}
@@ -170,6 +187,37 @@ ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
   if (!to_accuracy) result.seconds["estimate"] = levels.estimate_seconds();
   result.seconds["total"] = watch.seconds();
   return result;
+}
+
+}  // namespace
+
+ModelResult run_fem(const Scene& scene, const contact::Progress& progress,
+                    contact::Checkpoint* checkpoint) {
+  constexpr double growth = 1.3;
+  constexpr int most_times = 6;
+  Scene grown = scene;
+  std::vector<std::string> notes;
+  for (int times = 0;; ++times) try {
+      contact::CheckpointPart part(checkpoint, std::string(static_cast<std::size_t>(times), 'x'));
+      ModelResult result = run_with_streamlines(grown, progress, &part);
+      result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+      return result;
+    } catch (const YieldsBeyondStreamlines& beyond) {
+      if (times == most_times)
+        throw contact::SolveError(
+            fmt::format("{}; do: give a larger fem.plastic_extent than {:.3g}", beyond.what(),
+                        grown.options.fem.plastic_extent));
+      grown.options.fem.plastic_extent *= growth;
+      notes.assign(1, fmt::format("fem.plastic_extent grew from {:.3g} to {:.3g}, because {}",
+                                  scene.options.fem.plastic_extent,
+                                  grown.options.fem.plastic_extent, beyond.what()));
+      contact::ProgressEvent event;
+      event.model = "fem";
+      event.stage = "plastic flow";
+      event.note = notes.front();
+      event.finished = true;
+      contact::report(progress, event);
+    }
 }
 
 }  // namespace rollfem::fem

@@ -195,7 +195,7 @@ BodyOptions options_of(const Scene& scene, bool is_wheel, const BodyOptions& bot
                         (1.0 - roundness) * depth_of_stress(part, nu, true));
   const double h = options.cell_size, extent = scene.options.fem.plastic_extent;
   const auto extended = [h, extent](double least, double length) {
-    return std::ceil(extent * std::max(least, length) / h - 1e-6) * h;
+    return std::ceil(std::max(least, extent * length) / h - 1e-6) * h;
   };
   options.fine_half_length = extended(options.fine_half_length, patch.half_length + 0.35 * depth);
   options.fine_half_width = extended(options.fine_half_width, patch.half_width + 0.25 * depth);

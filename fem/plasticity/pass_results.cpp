@@ -97,7 +97,7 @@ YieldedSection PassResults::after_pass(const PassReport& report, const YieldedBo
   fields_.displacement = after.displacement;
   fields_.displacement.update_ghost_values();
   fields_.residual = recovery_.recover(after.displacement);
-  subtract(fields_.too_much, fields_.residual);
+  add(-1.0, fields_.too_much, fields_.residual);
   fill_section(after, section);
   return section;
 }

@@ -140,10 +140,9 @@ class YieldingBody {
     const std::size_t width = streamlines_.width(), all = streamlines_.streams();
     const double least = 1e-3 * law_.parameters().yield_stress / law_.shear_modulus();
     const auto refuse = [&](const char* where) {
-      throw contact::SolveError(fmt::format(
-          "the {} yields {} of the streamlines that may yield; do: give a larger "
-          "fem.plastic_extent (now {:.3g} mm along and {:.3g} mm across to both sides, {:.3g} mm "
-          "deep)",
+      throw YieldsBeyondStreamlines(fmt::format(
+          "the {} yielded {} of the streamlines that may yield, {:.3g} mm along and {:.3g} mm "
+          "across to both sides, {:.3g} mm deep",
           body_.shape().is_wheel ? "wheel" : "rail", where, body_.options().fine_half_length,
           body_.options().fine_half_width,
           body_.options().plastic_depth * body_.options().cell_size));

@@ -3,6 +3,7 @@
 // contact and to the stress, and the results of each pass.
 #pragma once
 
+#include "contact/base/errors.hpp"
 #include "contact/result/result.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/solver_choice.hpp"
@@ -17,6 +18,16 @@ namespace rollfem::fem {
 
 class YieldingBody;
 
+/// Plastic flow reaches the border of the streamlines that may yield: a larger fem.plastic_extent
+/// has a solution.
+class YieldsBeyondStreamlines : public contact::SolveError {
+ public:
+  using SolveError::SolveError;
+  std::exception_ptr retold(const std::string& text) const override {
+    return std::make_exception_ptr(YieldsBeyondStreamlines(text));
+  }
+};
+
 class YieldingBodies {
  public:
   /// Bodies of a scene that yields; streamlines may yield in the fine region of the mesh. All
@@ -28,7 +39,7 @@ class YieldingBodies {
   /// is finished. Throws contact::SolveError.
   std::vector<Vector> respond(const std::vector<Vector>& elastic);
   /// The pass under the load of these elastic displacements has passed: fills the results of the
-  /// point, and is the state that the next one meets.
+  /// point, and is the state that the next one meets. Throws YieldsBeyondStreamlines.
   void finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point);
 
   /// Goes on from the memories of a finished pass, in a single process; nothing without them.

@@ -3,6 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
+#include "contact/result/bars.hpp"
 #include "contact/result/stress_extremes.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "fem/stress/body_nodes.hpp"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rollfem::fem {
 
@@ -33,6 +35,9 @@ constexpr std::array<int, 3> shear_mirror{-1, -1, 1};
 /// Where "below the surface" begins, in sizes of a cell: nearer the surface the nodal field is that
 /// of the surface.
 constexpr double least_depth = 0.4;
+
+/// Up to here, in sizes of a cell, the largest stress converges as slowly as on the surface.
+constexpr double near_surface = 0.5;
 
 std::vector<Place> places_of(const SubsurfaceRequest& request, const SurfaceShape& shape) {
   std::vector<Place> places = halfspace::subsurface_points(request);
@@ -67,6 +72,50 @@ std::string section_of(SubsurfaceRequest::Kind kind) {
                           "[[subsurface.surface]]"
                         : "request closer points, or give a larger [fem] extent"));
 }
+
+/// The nodes of a body on the potential contact area, where half of the stress is known: the
+/// recovered one is too far off there to search for the largest.
+class SurfaceNodes {
+ public:
+  SurfaceNodes(const Body& body, const BodyLocator& locator, const StressRecovery& recovery,
+               const contact::ContactGrid& grid, const contact::ContactSurface& surface)
+      : recovery_(recovery), own_(recovery.nodes([&](const Place& p) {
+          const auto chart = body.shape().coordinates({p[0], p[1], p[2]});
+          return std::abs(chart[2]) <= on_surface * body.options().cell_size &&
+                 chart[0] >= grid.x(0) && chart[0] <= grid.x(grid.nx - 1) &&
+                 chart[1] >= grid.y(0) && chart[1] <= grid.y(grid.ny - 1);
+        })) {
+    std::vector<Place> places;
+    for (const auto& node : own_) places.push_back(node.place);
+    const MPI_Comm communicator = body.dofs().get_communicator();
+    const unsigned int me = dealii::Utilities::MPI::this_mpi_process(communicator);
+    std::vector<Place> all;
+    const auto of_processes = dealii::Utilities::MPI::all_gather(communicator, places);
+    for (unsigned int process = 0; process < of_processes.size(); ++process) {
+      if (process == me) first_ = all.size();
+      all.insert(all.end(), of_processes[process].begin(), of_processes[process].end());
+    }
+    points_ = locator.find(all, on_surface * body.options().cell_size);
+    stress_.emplace(body, locator, points_, grid, surface);
+  }
+
+  /// Collective.
+  void correct(const Vector& displacement, const contact::SurfaceField& traction,
+               NodalStress& stress) const {
+    auto known = stress_at(points_, stress);
+    stress_->combine(displacement, traction, known);
+    const auto mine = known.begin() + static_cast<std::ptrdiff_t>(first_);
+    recovery_.replace(own_, {mine, mine + static_cast<std::ptrdiff_t>(own_.size())}, stress);
+  }
+
+ private:
+  static constexpr double on_surface = 1e-3;  ///< in cells
+  const StressRecovery& recovery_;
+  std::vector<StressRecovery::Node> own_;
+  std::size_t first_ = 0;  ///< of own_ among those of all processes
+  BodyPoints points_;      ///< of all processes
+  std::optional<SurfaceStress> stress_;
+};
 
 }  // namespace
 
@@ -106,6 +155,7 @@ struct StressOutput::Implementation {
     std::string name;
     StressRecovery recovery;
     BodyLocator locator;
+    std::optional<SurfaceNodes> skin;
     std::vector<std::size_t> requests;   ///< of the case
     std::vector<BodyPoints> points;      ///< of each
     std::vector<SurfaceStress> surface;  ///< of each
@@ -120,6 +170,8 @@ struct StressOutput::Implementation {
     for (std::size_t b = 0; b < 2; ++b) {
       if (bodies[b] == nullptr) continue;
       parts[b] = std::make_unique<Part>(*bodies[b], body_names[b]);
+      parts[b]->skin.emplace(*bodies[b], parts[b]->locator, parts[b]->recovery, grid,
+                             scene.geometry.surface);
       if (keeps_bodies(last))
         parts[b]->nodes = std::make_unique<BodyNodes>(*bodies[b], body_names[b]);
     }
@@ -147,7 +199,9 @@ struct StressOutput::Implementation {
     Vector total(displacement);
     total += *expansion;
     total.update_ghost_values();
-    return part.nodes->values(total, part.recovery.recover(total));
+    NodalStress sum = part.recovery.recover(*expansion);
+    add(1.0, stress, sum);
+    return part.nodes->values(total, sum);
   }
 
   void fill_part(const Part& part, const Vector& displacement, const Vector* expansion,
@@ -155,7 +209,10 @@ struct StressOutput::Implementation {
     NodalStress stress = part.recovery.recover(displacement);
     point.error_estimate[fmt::format("energy_norm_{}", part.name)] =
         energy_error(part.body, displacement, stress).relative();
-    if (yielded != nullptr) subtract(yielded->too_much, stress);
+    if (yielded != nullptr)
+      add(-1.0, yielded->too_much, stress);
+    else
+      part.skin->correct(displacement, point.fields.traction, stress);
     if (keep) point.bodies.push_back(values(part, displacement, stress, expansion, yielded));
     for (std::size_t k = 0; k < part.requests.size(); ++k) {
       const BodyPoints& points = part.points[k];
@@ -170,8 +227,13 @@ struct StressOutput::Implementation {
     }
     if (!maxima) return;
     const auto starts = largest_at_nodes(part, stress);
-    for (std::size_t m = 0; m < starts.size(); ++m)
-      point.stress_maxima.push_back(refined(part, stress, m, starts[m]));
+    for (std::size_t m = 0; m < starts.size(); ++m) {
+      const StressMaximum found = refined(part, stress, m, starts[m]);
+      if (depth_of(part, found.place) < near_surface * starts[m].size)
+        point.no_bar[fmt::format("max_{}_{}", found.measure, found.body)] =
+            contact::no_bar::near_surface;
+      point.stress_maxima.push_back(found);
+    }
     point.stress_maxima.push_back(contact::largest_surface_shear(part.name, grid, point));
     point.stress_maxima.push_back(xz_range(part, stress, point));
   }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace rollfem::fem {
 
@@ -87,9 +88,9 @@ double energy_density(const contact::Material& material, const Stress6& s) {
 
 }  // namespace
 
-void subtract(const NodalStress& part, NodalStress& stress) {
-  stress.direct -= part.direct;
-  stress.shear -= part.shear;
+void add(double factor, const NodalStress& part, NodalStress& stress) {
+  stress.direct.add(factor, part.direct);
+  stress.shear.add(factor, part.shear);
   stress.direct.update_ghost_values();
   stress.shear.update_ghost_values();
 }
@@ -313,6 +314,36 @@ NodalStress StressRecovery::recover(const Vector& displacement) const {
   Vector ghosted(displacement);
   ghosted.update_ghost_values();
   return implementation_->recover(ghosted);
+}
+
+std::vector<StressRecovery::Node> StressRecovery::nodes(
+    const std::function<bool(const std::array<double, 3>&)>& chosen) const {
+  const dealii::IndexSet& own = implementation_->body.dofs().locally_owned_dofs();
+  std::map<GlobalIndex, Node> found;  // by the first unknown
+  for (const auto& patch : implementation_->patches)
+    for (unsigned int a = 0; a < patch.nodes.size(); ++a) {
+      const std::array<double, 3> place{patch.nodes[a][0], patch.nodes[a][1], patch.nodes[a][2]};
+      const auto unknown = [&](unsigned int c) { return implementation_->dof(patch, a, c); };
+      if (own.is_element(unknown(0)) && chosen(place))
+        found.insert({unknown(0), {place, {unknown(0), unknown(1), unknown(2)}}});
+    }
+  std::vector<Node> result;
+  for (const auto& [unknown, node] : found) result.push_back(node);
+  return result;
+}
+
+void StressRecovery::replace(const std::vector<Node>& nodes, const std::vector<Stress6>& known,
+                             NodalStress& stress) const {
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (unsigned int c = 0; c < 3; ++c) {
+      stress.direct(nodes[k].unknowns[c]) = known[k][c];
+      stress.shear(nodes[k].unknowns[c]) = known[k][3 + c];
+    }
+  for (Vector* field : {&stress.direct, &stress.shear}) {
+    field->zero_out_ghost_values();
+    implementation_->hanging.distribute(*field);
+    field->update_ghost_values();
+  }
 }
 
 void StressRecovery::for_each_node(

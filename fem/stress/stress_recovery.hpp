@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace rollfem::fem {
 
@@ -31,8 +32,8 @@ struct YieldedFields {
   Vector accumulated;    ///< plastic strain, as the first component
 };
 
-/// `stress` less `part`, with ghost values.
-void subtract(const NodalStress& part, NodalStress& stress);
+/// `stress` plus a multiple of `part`, with ghost values.
+void add(double factor, const NodalStress& part, NodalStress& stress);
 
 /// Stores the data that depend only on the mesh, so that every load point costs little.
 class StressRecovery {
@@ -43,6 +44,16 @@ class StressRecovery {
   /// Collective. Displacement of an elastic body in mm, constraints distributed. On a symmetry
   /// plane xy and yz are 0. Continuous over the whole body, also across hanging nodes.
   NodalStress recover(const Vector& displacement) const;
+  /// A node of this process: where it is, and its unknowns.
+  struct Node {
+    std::array<double, 3> place;
+    std::array<dealii::types::global_dof_index, 3> unknowns;
+  };
+  /// The nodes whose unknowns this process owns and whose place `chosen` accepts, each once.
+  std::vector<Node> nodes(const std::function<bool(const std::array<double, 3>&)>& chosen) const;
+  /// Puts known stresses, xx yy zz xy yz xz in MPa, in place of the recovered ones. Collective.
+  void replace(const std::vector<Node>& nodes, const std::vector<std::array<double, 6>>& known,
+               NodalStress& stress) const;
   /// Calls f(point, stress xx yy zz xy yz xz, size of the cell in mm) for the nodes of every cell
   /// of this process; shared nodes occur several times.
   void for_each_node(const NodalStress& stress,

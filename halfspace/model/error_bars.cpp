@@ -371,8 +371,10 @@ void set_stress_bars(const ContactGrid& grid, const PointResult& coarse,
     const contact::StressMaximum& middle = coarse.stress_maxima[m];
     if (maximum.measure == contact::surface_shear) continue;  // the largest traction has a bar
     const std::string name = fmt::format("max_{}_{}", maximum.measure, maximum.body);
-    if (!to_surface && (std::abs(maximum.place[2]) < below * layer ||
-                        std::abs(middle.place[2]) < below_coarse * layer))
+    const auto told = [&](const PointResult& point) { return point.no_bar.count(name) != 0; };
+    if (told(fine) || told(coarse) ||
+        (!to_surface && (std::abs(maximum.place[2]) < below * layer ||
+                         std::abs(middle.place[2]) < below_coarse * layer)))
       fine.no_bar[name] = contact::no_bar::near_surface;
     else
       fine.error_estimate[name] = bar(maximum.value, middle.value,

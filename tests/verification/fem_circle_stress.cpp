@@ -57,6 +57,20 @@ TEST(FemCircle, LargestShearStressIsThatOfHertzAndItsPlace) {
   EXPECT_EQ(found, 2);
 }
 
+TEST(FemCircle, LargestTensionIsBesideTheEdgeAndHasNoBar) {
+  // Johnson (1985) eq. 3.43: (1 - 2 nu)/3 p0 at the edge, where cells of a/8 smooth the kink.
+  const contact::PointResult& point = solution().points.front();
+  for (const contact::StressMaximum& maximum : point.stress_maxima) {
+    if (maximum.measure != "principal_1") continue;
+    const double expected = (1.0 - 2.0 * 0.3) / 3.0 * p0;
+    EXPECT_NEAR(maximum.value / expected, 0.85, 0.07) << maximum.body;
+    EXPECT_NEAR(std::hypot(maximum.place[0], maximum.place[1]) / a, 1.0, 0.125) << maximum.body;
+    EXPECT_EQ(point.no_bar.at("max_principal_1_" + maximum.body), "near surface");
+    EXPECT_EQ(point.no_bar.count("max_tresca_" + maximum.body), 0u);
+    record(maximum.body + "_tension_over_hertz", maximum.value / expected);
+  }
+}
+
 TEST(FemCircle, StressAtTheSurfaceIsThatOfTheTractionsAndOfHertz) {
   // Johnson (1985) eq. 3.42: radial and hoop stress at the surface within the circle.
   const double nu = 0.3;

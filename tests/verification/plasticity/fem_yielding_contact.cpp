@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact of bodies that yield, by the whole model: an elastic limit, equal discs, the pressure
-// that flattens, number of threads.
+// that flattens, number of threads, streamlines that may yield.
 #include "contact/base/threads.hpp"
+#include "fem/elasticity/model.hpp"
 #include "fem/elasticity/run_level.hpp"
 
 #include "support/equal_balls.hpp"
@@ -51,6 +52,35 @@ TEST(FemYieldingContact, OfStrongSteelIsElasticToTheLastDigit) {
   // The mesh is finer than that of an elastic body: alike within the errors of such cells.
   input.rail.plasticity.reset();
   EXPECT_NEAR(solved(input, cell).points.front().max_pressure / elastic.max_pressure, 1.0, 3e-3);
+}
+
+TEST(FemYieldingContact, GrowsWhereSteelYieldsAtTheBorderOfTheStreamlines) {
+  Case input = equal_discs(pressure, 1);
+  input.rail.plasticity = steel(520.0, 20e3);
+  input.fem.cell_size = cell;
+  input.fem.plastic_extent = 0.5;
+  int times = 0;
+  const ModelResult grown = fem::run_fem(
+      input,
+      [&](const contact::ProgressEvent& event) {
+        times += event.note.find("yielded at the") != std::string::npos;
+      },
+      nullptr);
+  EXPECT_GT(times, 0);
+  EXPECT_NE(grown.notes.back().find("fem.plastic_extent grew from 0.5 to"), std::string::npos);
+  input.fem.plastic_extent = 0.5 * std::pow(1.3, times);
+  const PointResult at_once = fem::run_fem(input, {}, nullptr).points.front();
+  EXPECT_EQ(grown.points.front().max_pressure, at_once.max_pressure);
+  EXPECT_EQ(grown.points.front().plastic_strain.value(), at_once.plastic_strain.value());
+}
+
+TEST(FemYieldingContact, CellsThatGiveTooFewElementsAreRefusedBeforeTheBodiesAreMeshed) {
+  Case input = equal_discs(pressure, 1);
+  input.fem.cell_size = 2.2;
+  int events = 0;
+  const auto count = [&](const contact::ProgressEvent&) { ++events; };
+  EXPECT_THROW(fem::run_fem(input, count, nullptr), contact::UnfitGrid);
+  EXPECT_EQ(events, 0);
 }
 
 TEST(FemYieldingContact, OfEqualDiscsYieldsEquallyInBoth) {
