@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Does the model auto meet the accuracy, and at what cost? For the scenes of benchmarks/scene_sets.py at 5, 1 and 0.2
-%: its answer against a fine hybrid; its CPU time against finite elements throughout (as `rollfem check` predicts them)
+%: its answer against a fine hybrid; its CPU time against finite elements throughout (as its own account predicts them)
 and against an oracle, which knows all results and takes the cheapest of several half-space grids and the fine hybrid
 that meets the accuracy.
 
@@ -11,7 +11,6 @@ Existing runs are reused, including those of benchmarks/model_error.py in the sa
 """
 
 import re
-import subprocess
 
 import scene_sets
 from model_error import friction_of, whole_of
@@ -42,12 +41,10 @@ def own_account(result, friction):
                for point in result["models"][0]["points"] for name in QUANTITIES)
 
 
-def seconds_of_elements(options, scene, percent):
-    """Time of finite elements predicted by `rollfem check`; None: they are not expected to suffice."""
-    case = options.output / f"{scene.name}_check.toml"
-    case.write_text(scene.with_keys(accuracy=str(percent / 100), models='["auto"]'), "utf-8")
-    told = subprocess.run([options.program, "check", str(case)], capture_output=True, text=True, check=False).stdout
-    found = re.search(r"finite elements(?: would take|, \d+ across,) about ([\d.e+]+) (s|min|h)", told)
+def seconds_of_elements(result):
+    """Time of finite elements by auto's account of its choice; None: they are not expected to suffice."""
+    told = result["models"][0]["choice"] if "models" in result else ""
+    found = re.search(r"finite elements(?: would take about|, \d+ across,) ([\d.e+]+) (s|min|h)", told)
     return float(found.group(1)) * {"s": 1, "min": 60, "h": 3600}[found.group(2)] if found else None
 
 
@@ -60,6 +57,9 @@ class Runs:
     def run(self, word, model, **keys):
         return scene_sets.run(self.options.program, self.options.output, f"{self.scene.name}_{word}",
                           self.scene.with_keys(**keys), "--model", model)
+
+    def chosen(self, percent):
+        return self.run(f"auto_{percent:g}", "auto", accuracy=str(percent / 100))
 
     def on_grid(self, across):
         word = "hybrid" if across is None else f"half{across}"
@@ -76,12 +76,12 @@ class Runs:
         truth = self.on_grid(None)
         if "failed" in truth:
             return {"failed": truth["failed"]}
-        auto = self.run(f"auto_{percent:g}", "auto", accuracy=str(percent / 100))
+        auto = self.chosen(percent)
         error, where = farthest(auto, truth, self.friction)
         seconds, best = self.oracle(truth, percent / 100)
-        elements = seconds_of_elements(self.options, self.scene, percent)
+        elements = seconds_of_elements(auto)
         if elements is None:
-            coarser = seconds_of_elements(self.options, self.scene, 1)
+            coarser = seconds_of_elements(self.chosen(1))
             elements = None if coarser is None else FINEST_OVER_ONE_PERCENT * coarser
         taken = auto["models"][0]["name"] if "models" in auto else "none"
         return {"scene": self.scene.name, "error": 100 * error, "where": where, "taken": taken, "cpu": auto["cpu"],

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The commands `check`, how a case is read, which models take it, and what they are expected to
-// cost, and `new-case`.
+// The commands `check`, how a case is read and which models take it, and `new-case`.
 #include "app/frame/commands.hpp"
 #include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
@@ -9,8 +8,8 @@
 #include "contact/case/keys/case_keys.hpp"
 #include "contact/scene/scene.hpp"
 #include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
-#include "models/solving/expected_choice.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/json_head.hpp"
 #include "profiles/profiles.hpp"
@@ -21,6 +20,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <type_traits>
 #include <variant>
@@ -31,17 +31,42 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Which models can take the case as it stands: name, and the reason against it or nothing. With
-/// profiles this depends on the scenes, which are known only after the balance of the wheelset.
-std::string taken_by(const contact::Case& input, const contact::ModelRegistry& models) {
-  const contact::Scene scene(input);
+using Scenes = std::vector<contact::Scene>;
+
+/// The first reason against the model in one of the scenes; empty if it takes them all.
+std::string reason_against(const contact::ModelInfo& model, const Scenes& scenes) {
+  for (const contact::Scene& scene : scenes)
+    if (const auto reason = model.cannot(scene)) return *reason;
+  return {};
+}
+
+/// Which models can take the case: name, and the reason against it or nothing.
+std::string taken_by(const Scenes& scenes, const contact::ModelRegistry& models) {
   std::string text = "which models take it\n";
   for (const contact::ModelInfo& model : models.all()) {
-    if (model.chooses) continue;
-    const auto reason = model.cannot(scene);
-    text += fmt::format("  {:<22} {}\n", model.name, reason ? "no: " + *reason : model.sentence);
+    const std::string reason = reason_against(model, scenes);
+    text +=
+        fmt::format("  {:<22} {}\n", model.name, reason.empty() ? model.sentence : "no: " + reason);
   }
   return text;
+}
+
+/// Fills `scenes`, those of a wheelset before its balance, and returns what a run of the case
+/// refuses before it solves anything.
+std::vector<std::string> refusals_of(const contact::Case& input,
+                                     const contact::ModelRegistry& models, Scenes& scenes) {
+  std::vector<std::string> refusals;
+  const auto try_to = [&](const std::function<void()>& step) {
+    const auto done = contact::attempt([&] { return step(), true; });
+    if (!done) refusals.push_back(done.why);
+  };
+  try_to([&] { modelling::check_alone(models, input.models, input.file + ": models"); });
+  try_to([&] { scenes = modelling::unbalanced_scenes(input, modelling::placed_wheels(input)); });
+  for (const std::string& name : input.models)
+    try_to([&] {
+      for (const contact::Scene& scene : scenes) models.check(scene, name);
+    });
+  return refusals;
 }
 
 /// Doubtful values, and reasons to refuse or doubt a result as far as the closed form shows them.
@@ -106,49 +131,17 @@ Json keys_json(const contact::Case& input) {
   return keys;
 }
 
-/// A contact with its forecasts.
-Json contact_json(const modelling::ExpectedContact& contact, double accuracy) {
-  Json json = Json::object();
-  if (contact.place) json["place"] = postprocess::place_json(*contact.place);
-  json["accuracy"] = accuracy;
-  json["models"] = Json::array();
-  for (const modelling::Forecast& forecast : contact.forecasts) {
-    Json levels = Json::array();
-    for (const modelling::Level& level : forecast.levels)
-      levels.push_back({{"elements_across", level.across},
-                        {"discretisation", level.discretisation},
-                        {"seconds", level.seconds}});
-    json["models"].push_back({{"name", forecast.model},
-                              {"cannot", forecast.cannot},
-                              {"model_error", forecast.model_error},
-                              {"levels", levels}});
-  }
-  json["expected"] = contact.sentence;
-  json["seconds"] = contact.seconds;
-  return json;
-}
-
 Json case_json(const contact::Case& input, const std::vector<std::string>& warnings,
-               const contact::ModelRegistry& models) {
+               const Scenes& scenes, const contact::ModelRegistry& models) {
   Json json = result_head("check");
   json["case_file"] = input.file;
   json["keys"] = keys_json(input);
   json["warnings"] = warnings;
-  if (!input.has_profiles()) {
-    const contact::Scene scene(input);
-    for (const contact::ModelInfo& model : models.all())
-      if (!model.chooses) json["cannot"][model.name] = model.cannot(scene).value_or("");
-  }
+  for (const contact::ModelInfo& model : models.all())
+    if (!scenes.empty()) json["cannot"][model.name] = reason_against(model, scenes);
   json["contacts"] = Json::array();
-  const auto choice = contact::attempt([&] { return modelling::expected_choice(input, models); });
-  if (!choice) {
-    json["warnings"].push_back(choice.why);
-    return json;
-  }
-  for (const modelling::ExpectedContact& contact : choice->contacts)
-    json["contacts"].push_back(contact_json(contact, choice->accuracy));
-  json["expected"] = choice->sentence;
-  json["seconds"] = choice->seconds;
+  for (const contact::Scene& scene : scenes)
+    if (scene.place) json["contacts"].push_back({{"place", postprocess::place_json(*scene.place)}});
   return json;
 }
 
@@ -163,17 +156,19 @@ void check_case(const CheckRequest& request) {
   const contact::Case input = request.read();
   std::cout << contact::describe(input, modelling::model_words(models))
             << contact::derived_values(input);
-  const std::vector<std::string> warnings = warnings_of(input);
+  std::vector<std::string> warnings = warnings_of(input);
+  if (input.has_profiles() && !request.json)
+    std::cout << "\nwhere wheel and rail touch\n"
+              << modelling::contacts_text(input, track::search_scene_of(input)) << '\n';
+  Scenes scenes;
+  for (std::string& refusal : refusals_of(input, models, scenes))
+    warnings.push_back(std::move(refusal));
   warn(warnings);
   if (request.json) {
-    print_result(case_json(input, warnings, models).dump(1));
+    print_result(case_json(input, warnings, scenes, models).dump(1));
     return;
   }
-  if (!input.has_profiles()) std::cout << taken_by(input, models);
-  if (input.has_profiles())
-    std::cout << "\nwhere wheel and rail touch\n"
-              << modelling::contacts_text(input, track::search_scene_of(input));
-  std::cout << modelling::expected_choice_text(input, models);
+  if (!scenes.empty()) std::cout << taken_by(scenes, models);
 }
 
 void new_case(const std::string& file, const contact::ModelRegistry& models) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `rollfem bench`: error and run time of each model on this machine in cases with known
-// solutions, and the speed of the machine relative to the one that predictions are based on.
+// solutions.
 #include "app/frame/command_frame.hpp"
 #include "app/frame/screen.hpp"
 #include "app/run/bench_cases.hpp"
@@ -10,18 +10,14 @@
 #include "contact/result/quantities.hpp"
 #include "halfspace/model/model.hpp"
 #include "models/caches/correction_cache.hpp"
-#include "models/caches/machine_speed.hpp"
-#include "models/choice/forecast.hpp"
 #include "models/registry.hpp"
-#include "models/solving/auto_model.hpp"
+#include "models/solving/solving.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -37,25 +33,21 @@ using Json = nlohmann::ordered_json;
 
 struct BenchRequest : ComputingRequest {
   using ComputingRequest::ComputingRequest;
-  double seconds = 30.0;  ///< time limit; runs expected to exceed it are skipped
-  bool json = false;      ///< print JSON, and progress of the models on stderr
-  bool quick = false;     ///< one case on coarse grids, nothing stored
+  bool json = false;   ///< print JSON, and progress of the models on stderr
+  bool quick = false;  ///< one case on coarse grids, without models that mesh bodies
 };
 
-/// Elements across of the half-space; the last grid measures the speed of the machine.
+/// Elements across of the half-space.
 const std::vector<int> grids{24, 40, 80}, quick_grids{24, 40};
 constexpr int grid_of_theories = 40;
 /// Resolution of models that mesh bodies: elements across of the hybrid, cells across of finite
 /// elements.
 constexpr int grid_of_hybrid = 24, cells_of_fem = 16;
-/// The smallest of this many measured times counts, because other programs may be running.
-constexpr int repeats = 3;
 
 /// Result of a model on a case.
 struct Row {
   std::optional<double> pressure_error, force_error;  ///< parts of the whole
   double seconds = 0.0;
-  double own_seconds = 0.0;  ///< CPU time if other programs were running; otherwise the same
 };
 
 Row row_of(const BenchCase& given, const ModelResult& result) {
@@ -81,13 +73,8 @@ std::string percent_of(const std::optional<double>& part) {
 
 class Bench {
  public:
-  Bench(const BenchRequest& request, const modelling::Solving& how, std::filesystem::path keep_in,
-        std::string made)
-      : request_(request),
-        models_(request.call.models),
-        how_(how),
-        keep_in_(std::move(keep_in)),
-        made_(std::move(made)) {
+  Bench(const BenchRequest& request, const modelling::Solving& how)
+      : request_(request), models_(request.call.models), how_(how) {
     how_.go_on = true;
   }
 
@@ -99,19 +86,12 @@ class Bench {
         if (!model.chooses && model.built) solve_by(model, given);
       if (request_.quick) break;
     }
-    if (!left_out_.empty())
-      print(fmt::format("\nskipped, because {:g} s would not suffice: {}; --seconds allows more\n",
-                        request_.seconds, fmt::format("{}", fmt::join(left_out_, ", "))));
     print(
         "\np0: error against Hertz; force: largest difference from the converged half-space,\nin "
         "percent of full sliding; seconds: all load points of the case together\n");
-    tell_speed();
     if (!request_.json || !how_.first) return;
     Json json = result_head("bench");
     json["rows"] = rows_;
-    json["skipped"] = left_out_;
-    if (speed_) json["times_predicted_seconds"] = *speed_;
-    json["other_programs_running"] = busy_;
     print_result(json.dump(1));
   }
 
@@ -121,64 +101,12 @@ class Bench {
   }
 
   void solve_by(const contact::ModelInfo& model, const BenchCase& given) {
-    if (model.name == models_.reference().name) {
-      half_spaces(model, given);
-      return;
-    }
-    if (!model.has_stress) {
-      tell(given, model, grid_of_theories, solved(given, model.name, grid_of_theories));
-      return;
-    }
-    // The remaining models mesh the bodies.
-    if (request_.quick || !given.of_bodies) return;
-    const int across = model.keeps_bodies ? cells_of_fem : grid_of_hybrid;
-    const double expected = predicted(given, model.name, across).value_or(0.0);
-    if (watch_.seconds() + speed_.value_or(1.0) * expected > request_.seconds)
-      left_out_.push_back(model.name);
-    else
-      tell(given, model, across, solved(given, model.name, across));
-  }
-
-  /// The difference between the coarsest and the finest grid measures the speed, because it
-  /// contains no overhead independent of the grid.
-  void half_spaces(const contact::ModelInfo& model, const BenchCase& given) {
-    struct Timed {
-      double measured, expected;
-    };
-    std::vector<Timed> timed;
-    for (const int across : request_.quick ? quick_grids : grids) {
-      const std::optional<Row> row = quickest(given, model.name, across);
-      tell(given, model, across, row);
-      const auto seconds = predicted(given, model.name, across);
-      if (!row || !seconds) return;
-      timed.push_back({row->own_seconds, *seconds});
-      if (given.of_bodies) busy_ = busy_ || row->seconds > 1.5 * row->own_seconds;
-    }
-    if (!given.of_bodies) return;
-    const double measured = timed.back().measured - timed.front().measured;
-    const double expected = timed.back().expected - timed.front().expected;
-    if (measured > 0.0 && expected > 0.0) speed_ = measured / expected;
-  }
-
-  /// The fastest of several runs of a case that measures the speed; a single run of any other case.
-  std::optional<Row> quickest(const BenchCase& given, const std::string& model, int across) {
-    std::optional<Row> row = solved(given, model, across);
-    for (int k = 1; given.of_bodies && row && k < repeats; ++k)
-      if (const auto again = solved(given, model, across)) {
-        row->seconds = std::min(row->seconds, again->seconds);
-        row->own_seconds = std::min(row->own_seconds, again->own_seconds);
-      }
-    return row;
-  }
-
-  /// Predicted seconds from choice/laws.hpp.
-  std::optional<double> predicted(const BenchCase& given, const std::string& model,
-                                  int across) const {
-    const contact::Scene scene(input_of(given, model, across));
-    for (const modelling::Forecast& forecast : modelling::forecasts_of(scene, models_))
-      for (const modelling::Level& level : forecast.levels)
-        if (forecast.model == model && level.across == across) return level.seconds;
-    return {};
+    const bool meshes_bodies = model.has_stress && model.name != models_.reference().name;
+    if (meshes_bodies && (request_.quick || !given.of_bodies)) return;
+    std::vector<int> all{model.keeps_bodies ? cells_of_fem : grid_of_hybrid};
+    if (!model.has_stress) all = {grid_of_theories};
+    if (model.name == models_.reference().name) all = request_.quick ? quick_grids : grids;
+    for (const int across : all) tell(given, model, across, solved(given, model.name, across));
   }
 
   contact::Case input_of(const BenchCase& given, const std::string& model, int across) const {
@@ -201,13 +129,10 @@ class Bench {
     postprocess::RunRecord record;
     record.input = input_of(given, model, across);
     const contact::Stopwatch watch;
-    const std::clock_t begin = std::clock();
     modelling::solve(record, how_);
     if (record.models.empty()) return {};
     Row row = row_of(given, record.models.front());
     row.seconds = watch.seconds();
-    row.own_seconds = std::min(row.seconds, static_cast<double>(std::clock() - begin) /
-                                                static_cast<double>(CLOCKS_PER_SEC));
     return row;
   }
 
@@ -225,34 +150,13 @@ class Bench {
                       percent_of(row->pressure_error), percent_of(row->force_error), row->seconds));
   }
 
-  void tell_speed() const {
-    if (!speed_) return;
-    print(fmt::format(
-        "\nthis machine takes {:.2f} times the predicted seconds (half-space, fastest of {} "
-        "runs){}\n",
-        *speed_, repeats, busy_ ? "; other programs are running, so CPU time counts" : ""));
-    if (request_.quick || !how_.first || keep_in_.empty()) return;
-    modelling::keep_machine_speed(keep_in_, {*speed_, made_});
-    print(fmt::format("stored in {}; rollfem check uses it for its predictions\n",
-                      keep_in_.string()));
-  }
-
   const BenchRequest& request_;
   const contact::ModelRegistry& models_;
   modelling::Solving how_;
-  contact::Stopwatch watch_;
-  std::optional<double> speed_;
-  bool busy_ = false;
-  std::vector<std::string> left_out_;
   std::vector<Json> rows_;  ///< as printed with --json
-  std::filesystem::path keep_in_;
-  std::string made_;
 };
 
 void bench(const BenchRequest& request) {
-  if (!(request.seconds > 0.0))
-    throw contact::InputError(fmt::format(
-        "--seconds {:g}: allowed: above 0; do: give the time limit in seconds", request.seconds));
   std::vector<std::string> names;
   for (const contact::ModelInfo& model : request.call.models.all())
     if (!model.chooses && model.built && !(request.quick && model.parallel))
@@ -265,11 +169,9 @@ void bench(const BenchRequest& request) {
     std::cout << fmt::format(
         "rollfem bench: errors and seconds of the models on this machine, {} processors\n",
         std::thread::hardware_concurrency());
-  const std::filesystem::path keep_in = modelling::machine_speed_file();
   modelling::CorrectionCache::switch_off();
-  frame.compute("rollfem bench", "cases", [&](const modelling::Solving& how) {
-    Bench(request, how, keep_in, frame.provenance().started).run();
-  });
+  frame.compute("rollfem bench", "cases",
+                [&](const modelling::Solving& how) { Bench(request, how).run(); });
 }
 
 }  // namespace
@@ -279,11 +181,7 @@ void add_bench(CLI::App& program, Call& call) {
   CLI::App* bench = program.add_subcommand(
       "bench",
       "measure error and run time of each model on this machine, in cases with known solutions");
-  bench->add_option("--seconds", request->seconds,
-                    "time limit; runs expected to exceed it are skipped (default: 30)");
-  bench->add_flag(
-      "--quick", request->quick,
-      "one case on coarse grids, about a second; does not store the speed of the machine");
+  bench->add_flag("--quick", request->quick, "one case on coarse grids, about a second");
   add_json_flag(*bench, request->json);
   bench->add_flag_callback(
       "-q,--quiet",

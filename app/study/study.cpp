@@ -56,7 +56,7 @@ void study_at_once(const StudyRequest& request) {
                  [&](const std::string& text) { frame.say("study: " + text); }});
     frame.clear_line();
     if (!how.first || frame.ends_part()) return;
-    const std::string failures = study.finish(how);
+    const std::string failures = study.finish();
     write_and_tell(request, study.record());
     if (!failures.empty())
       throw contact::SolveError("the study was written without the levels that failed: " +

@@ -104,7 +104,7 @@ Files study(const Case& input, const StudyOptions& options, const Progress& prog
   const Ready ready = ready_for(named, progress);
   made.solve({ready.how});
   Files found;
-  if (const std::string failures = made.finish(ready.how); !failures.empty())
+  if (const std::string failures = made.finish(); !failures.empty())
     found.warnings.push_back("levels that failed: " + failures);
   found.contents = {{"study.json", postprocess::study_json(made.record())},
                     {"study.csv", postprocess::study_csv(made.record())}};

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Studies, comparisons and stresses as the files that their commands write, and auto's forecast.
+// Studies, comparisons and stresses as the files that their commands write.
 #include "bindings/python/caller.hpp"
 #include "models/registry.hpp"
-#include "models/solving/expected_choice.hpp"
 #include "models/stress/stored_stress.hpp"
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/output.hpp"
@@ -53,29 +52,6 @@ py::tuple stress_of(const modelling::StressRequest& request) {
   }));
 }
 
-py::dict forecast_dict(const modelling::Forecast& forecast) {
-  py::list levels;
-  for (const modelling::Level& level : forecast.levels)
-    levels.append(py::dict("elements_across"_a = level.across,
-                           "discretisation"_a = level.discretisation, "seconds"_a = level.seconds));
-  return py::dict("model"_a = forecast.model, "cannot"_a = forecast.cannot,
-                  "model_error"_a = forecast.model_error, "levels"_a = levels);
-}
-
-/// Of every contact of the case: (place, accuracy, sentence, forecasts of the models).
-py::list forecast_of(const Case& input) {
-  const modelling::ExpectedChoice choice = modelling::expected_choice(input, known_models());
-  py::list found;
-  for (const modelling::ExpectedContact& contact : choice.contacts) {
-    py::list models;
-    for (const modelling::Forecast& forecast : contact.forecasts)
-      models.append(forecast_dict(forecast));
-    found.append(
-        py::make_tuple(place_of(contact.place), choice.accuracy, contact.sentence, models));
-  }
-  return found;
-}
-
 /// Files of one folder, whole or not at all; those of other commands stay.
 void write_files(const std::string& folder, const std::map<std::string, std::string>& contents) {
   postprocess::write_together(folder, contents);
@@ -114,7 +90,6 @@ void define_commands(py::module_& module) {
                                  yield_shear_stress,
                                  yield_strength});
              });
-  module.def("forecast", &forecast_of);
   module.def("compared_models", [] {
     return modelling::built_of(known_models(),
                                known_models().names(&contact::ModelInfo::in_compare));

@@ -31,6 +31,31 @@ struct Attempt {
   ModelResult result;
 };
 
+/// "0.3 s", "4 min", "2 h".
+std::string duration(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.0f} h", seconds / 3600.0);
+}
+
+/// "hybrid would take about 4 min", without time for a half-space, or why it would not suffice.
+std::string not_taken(const Contacts& contacts, std::size_t model, double accuracy) {
+  const std::string& label = contacts.front()[model].label;
+  const Forecast* most = &contacts.front()[model];
+  for (const std::vector<Forecast>& models : contacts) {
+    if (!models[model].cannot.empty()) return fmt::format("{}: {}", label, models[model].cannot);
+    if (models[model].model_error > most->model_error) most = &models[model];
+  }
+  if (const auto plan = plan_of(contacts, model, accuracy); plan && plan->error <= accuracy)
+    return label + (most->on_one_thread ? " on finer grids"
+                                        : " would take about " + duration(plan->seconds));
+  if (most->model_error > accuracy)
+    return fmt::format("{} {} {}", label,
+                       most->model_error_found ? "neglects" : "is expected to neglect about",
+                       percent(most->model_error));
+  return fmt::format("{} would probably not suffice", label);
+}
+
 class Choice {
  public:
   Choice(std::vector<Subject> subjects, const Wanted& wanted)
@@ -43,10 +68,8 @@ class Choice {
   }
 
   Chosen run() {
-    const ExpectedRun expected = expected_run(forecasts_, accuracy_, wanted_.seconds);
-    if (!expected.plans.empty()) tell(time_text(expected));
     while (const auto plan = next_plan(forecasts_, accuracy_, wanted_.seconds - predicted_)) {
-      if (predicted_ > 0.0) announce(*plan);
+      announce(*plan);
       if (!solve(*plan)) break;
     }
     return finished();
@@ -55,22 +78,16 @@ class Choice {
  private:
   const std::string& label(std::size_t m) const { return forecasts_.front()[m].label; }
 
-  void tell(const std::string& note) const {
+  /// Not the half-space: its seconds cannot be predicted within a factor of 3 (docs/counts.md).
+  void announce(const Plan& plan) const {
+    if (forecasts_.front()[plan.model].on_one_thread) return;
     contact::ProgressEvent event;
     event.model = "auto";
     event.stage = "expected";
     event.finished = true;  // keep its line on the terminal
-    event.note = note;
+    event.note = fmt::format("{} for {} contact{}, about {}", label(plan.model), plan.unsolved,
+                             plan.unsolved == 1 ? "" : "s", duration(plan.seconds));
     contact::report(wanted_.progress, event);
-  }
-
-  void announce(const Plan& plan) const {
-    tell(fmt::format("{} for {}, about {} more", label(plan.model), contacts(plan.unsolved),
-                     duration(plan.seconds)));
-  }
-
-  static std::string contacts(std::size_t count) {
-    return count == 1 ? "1 contact" : fmt::format("{} contacts", count);
   }
 
   /// What a model found on one contact; neither result nor error: not tried.
@@ -244,9 +261,8 @@ class Choice {
     Chosen chosen;
     if (limited && worst(*best).reached.together() > accuracy_)
       if (const auto plan = cheapest(forecasts_, accuracy_))
-        chosen.advice =
-            fmt::format("`--set accuracy={:g}` allows more time: {} would take about {}.",
-                        accuracy_, label(plan->model), duration(plan->seconds));
+        chosen.advice = fmt::format("`--set accuracy={:g}` allows more time: {}.", accuracy_,
+                                    not_taken(forecasts_, plan->model, accuracy_));
     const std::string note =
         fmt::format("auto, for {}: {}{}", percent(accuracy_), all_text(*best), others);
     for (std::size_t c = 0; c < subjects_.size(); ++c) {
@@ -276,58 +292,8 @@ class Choice {
 
 }  // namespace
 
-std::string duration(double seconds) {
-  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
-  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.0f} h", seconds / 3600.0);
-}
-
 Chosen choose(std::vector<Subject> contacts, const Wanted& wanted) {
   return Choice(std::move(contacts), wanted).run();
-}
-
-std::string grid_text(const Forecast& forecast, const Level& level) {
-  return fmt::format("{}, {} across, {}{}: discretisation {}, model {}", forecast.label,
-                     level.across, level.solved ? "" : "about ", duration(level.seconds),
-                     percent(level.discretisation), percent(forecast.model_error));
-}
-
-std::string verdict(const std::vector<Forecast>& forecasts, double accuracy) {
-  const std::optional<Plan> plan = cheapest({forecasts}, accuracy);
-  std::string text = "nothing is expected to suffice";
-  if (plan)
-    text = grid_text(forecasts[plan->model], forecasts[plan->model].levels[plan->levels.front()]);
-  for (std::size_t m = 0; m < forecasts.size(); ++m)
-    if (!plan || m != plan->model) text += "; " + not_taken({forecasts}, m, accuracy);
-  return text;
-}
-
-std::string time_text(const ExpectedRun& run) {
-  std::vector<std::string> labels;
-  for (const Plan& plan : run.plans)
-    if (const std::string& label = run.contacts.front()[plan.model].label;
-        labels.empty() || labels.back() != label)
-      labels.push_back(label);
-  std::string text;
-  for (const std::string& label : labels) text += (text.empty() ? "" : ", then ") + label;
-  return fmt::format("{}: about {} for {} contact{}", text, duration(run.seconds),
-                     run.contacts.size(), run.contacts.size() == 1 ? "" : "s");
-}
-
-std::string not_taken(const Contacts& contacts, std::size_t model, double accuracy) {
-  const std::string& label = contacts.front()[model].label;
-  const Forecast* most = &contacts.front()[model];
-  for (const std::vector<Forecast>& models : contacts) {
-    if (!models[model].cannot.empty()) return fmt::format("{}: {}", label, models[model].cannot);
-    if (models[model].model_error > most->model_error) most = &models[model];
-  }
-  if (const auto plan = plan_of(contacts, model, accuracy); plan && plan->error <= accuracy)
-    return fmt::format("{} would take about {}", label, duration(plan->seconds));
-  if (most->model_error > accuracy)
-    return fmt::format("{} {} {}", label,
-                       most->model_error_found ? "neglects" : "is expected to neglect about",
-                       percent(most->model_error));
-  return fmt::format("{} would probably not suffice", label);
 }
 
 }  // namespace rollfem::modelling

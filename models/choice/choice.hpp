@@ -37,7 +37,7 @@ struct Wanted {
   double seconds = std::numeric_limits<double>::infinity();
   /// True: a model that fails is left out. False: its exception ends the choice.
   bool go_on = true;
-  /// Receives the models to be solved and their expected time beforehand. May be empty.
+  /// Receives the expected time of a model that uses all threads before it begins. May be empty.
   contact::Progress progress = {};
   /// Collective: returns the text of the first process on every process. May be empty.
   std::function<std::string(const std::string&)> agree = {};
@@ -53,21 +53,5 @@ struct Chosen {
 
 /// Throws contact::InputError if no candidate can take all contacts, otherwise the first failure.
 Chosen choose(std::vector<Subject> contacts, const Wanted& wanted);
-
-/// "0.3 s", "4 min", "2 h".
-std::string duration(double seconds);
-
-/// "half-space with 24 across, about 0.3 s: discretisation 0.6 %, model 0.2 %": a grid of a model.
-std::string grid_text(const Forecast& forecast, const Level& level);
-
-/// The same for the cheapest grid of one contact, or a sentence that no model is expected to
-/// suffice; and the models not chosen, with reasons.
-std::string verdict(const std::vector<Forecast>& forecasts, double accuracy);
-
-/// "half-space, then hybrid: about 4 min for 42 contacts"
-std::string time_text(const ExpectedRun& run);
-
-/// "hybrid would take about 4 min", or why it would not suffice.
-std::string not_taken(const Contacts& contacts, std::size_t model, double accuracy);
 
 }  // namespace rollfem::modelling

@@ -126,27 +126,6 @@ std::optional<Plan> next_plan(const Contacts& contacts, double accuracy, double 
   return best;
 }
 
-ExpectedRun expected_run(Contacts contacts, double accuracy, double seconds) {
-  ExpectedRun run;
-  while (const std::optional<Plan> plan = next_plan(contacts, accuracy, seconds - run.seconds)) {
-    run.plans.push_back(*plan);
-    run.seconds += plan->seconds;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      Forecast& forecast = contacts[c][plan->model];
-      Level& level = forecast.levels[plan->levels[c]];
-      if (level.reached) continue;
-      level.reached = forecast.error(level);
-      forecast.model_error_found = true;
-      learn(forecast, plan->levels[c], level.discretisation, level.seconds);
-      level.solved = false;
-      for (Forecast& other : contacts[c])
-        if (&other != &forecast) learn_from(other, forecast, plan->levels[c]);
-    }
-  }
-  run.contacts = std::move(contacts);
-  return run;
-}
-
 void learn(Forecast& forecast, std::size_t at, double discretisation, double seconds) {
   Level& level = forecast.levels.at(at);
   level.discretisation = discretisation;

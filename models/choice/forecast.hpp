@@ -90,14 +90,6 @@ std::optional<std::size_t> answer(const Contacts& contacts);
 /// Without limit, so does a model that is only expected to come closer.
 std::optional<Plan> next_plan(const Contacts& contacts, double accuracy, double seconds);
 
-/// A run as expected before anything is solved.
-struct ExpectedRun {
-  std::vector<Plan> plans;  ///< one after the other
-  Contacts contacts;        ///< afterwards: Level::reached of the grids of the plans is expected
-  double seconds = 0.0;     ///< of all plans
-};
-ExpectedRun expected_run(Contacts contacts, double accuracy, double seconds);
-
 /// Records that level `at` was solved: updates the expected errors of unsolved levels and removes
 /// the one-time cost from them.
 void learn(Forecast& forecast, std::size_t at, double discretisation, double seconds);

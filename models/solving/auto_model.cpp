@@ -7,7 +7,6 @@
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/true_sections.hpp"
-#include "models/caches/machine_speed.hpp"
 #include "models/choice/laws.hpp"
 #include "models/fem/fem_models.hpp"
 #include "models/program/provenance.hpp"
@@ -96,7 +95,8 @@ ContactSize size_of(const Scene& scene) {
   size.true_sections = halfspace::has_true_sections(scene);
   size.steep = halfspace::is_steep(scene);
   // No look-up with several processes, which might disagree.
-  if (size.bodies_known && processes().count == 1) size.correction_kept = correction_is_kept(scene);
+  if (size.bodies_known && !scene.given_pressure && processes().count == 1)
+    size.correction_kept = correction_is_kept(scene);
   return size;
 }
 
@@ -116,9 +116,34 @@ std::string out_of_question(const contact::ModelInfo& model, const Scene& scene)
 }
 
 Forecast forecast_as(Choosable kind, const ContactSize& size) {
-  if (kind == Choosable::finite_bodies) return modelling::fem_forecast(size);
-  return kind == Choosable::corrected_half_spaces ? modelling::hybrid_forecast(size)
-                                                  : modelling::halfspace_forecast(size);
+  if (kind == Choosable::finite_bodies) return fem_forecast(size);
+  return kind == Choosable::corrected_half_spaces ? hybrid_forecast(size)
+                                                  : halfspace_forecast(size);
+}
+
+/// Forecasts for the models of a scene before anything is solved. Throws contact::InputError, and
+/// contact::SolveError if the scene has no patch.
+std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& models) {
+  const ContactSize size = size_of(scene);
+  std::vector<Forecast> all;
+  std::string half_spaces;
+  for (const contact::ModelInfo& model : models.all()) {
+    if (model.choosable == Choosable::never) continue;
+    Forecast& forecast = all.emplace_back(forecast_as(model.choosable, size));
+    forecast.model = model.name;
+    forecast.on_one_thread = !model.parallel;
+    if (model.choosable == Choosable::half_spaces) {
+      half_spaces = model.name;
+      forecast.estimates_model_error = bodies_known(scene);
+      if (!bodies_known(scene))
+        forecast.no_model_error =
+            scene.geometry.line ? "the model error of half-planes in line contact is not estimated"
+                                : "only the undeformed distance of the bodies is known";
+    }
+    if (model.choosable == Choosable::corrected_half_spaces) forecast.corrects = half_spaces;
+    if (const std::string why = out_of_question(model, scene); !why.empty()) forecast.cannot = why;
+  }
+  return all;
 }
 
 /// The scene with a grid set by the choice, for half-space and hybrid.
@@ -221,65 +246,21 @@ void refuse_choice(const ModelRegistry& models, const std::vector<std::string>& 
                   command, contact::listed(others)));
 }
 
-std::vector<Forecast> forecasts_of(const Scene& scene, const ModelRegistry& models) {
-  const ContactSize size = size_of(scene);
-  std::vector<Forecast> all;
-  std::string half_spaces;
-  for (const contact::ModelInfo& model : models.all()) {
-    if (model.choosable == Choosable::never) continue;
-    Forecast& forecast = all.emplace_back(forecast_as(model.choosable, size));
-    forecast.model = model.name;
-    forecast.on_one_thread = !model.parallel;
-    if (model.choosable == Choosable::half_spaces) {
-      half_spaces = model.name;
-      forecast.estimates_model_error = bodies_known(scene);
-      if (!bodies_known(scene))
-        forecast.no_model_error =
-            scene.geometry.line ? "the model error of half-planes in line contact is not estimated"
-                                : "only the undeformed distance of the bodies is known";
-    }
-    if (model.choosable == Choosable::corrected_half_spaces) forecast.corrects = half_spaces;
-    if (const std::string why = out_of_question(model, scene); !why.empty()) forecast.cannot = why;
-  }
-  return all;
-}
-
-Contacts forecasts_here(const std::vector<Scene>& scenes, const ModelRegistry& models) {
-  const std::optional<MachineSpeed> speed = machine_speed();
-  Contacts contacts(scenes.size());
-  contact::for_each_index(scenes.size(), [&](std::size_t c) {
-    contacts[c] = forecasts_of(scenes[c], models);
-    for (Forecast& forecast : contacts[c]) {
-      forecast.once *= speed ? speed->times : 1.0;
-      for (Level& level : forecast.levels) level.seconds *= speed ? speed->times : 1.0;
-    }
-  });
-  return contacts;
-}
-
-double accuracy_of(const contact::AccuracyRequest& asked) {
-  return asked.relative.value_or(contact::default_accuracy);
-}
-
-double seconds_for(const contact::AccuracyRequest& asked) {
-  return asked.relative ? contact::infinity : modelling::seconds_by_default;
-}
-
 Chosen solve_by_choice(const std::vector<Scene>& scenes, const Solving& how) {
-  Contacts forecasts = forecasts_here(scenes, *how.models);
-  std::vector<Subject> subjects;
-  for (std::size_t c = 0; c < scenes.size(); ++c)
-    subjects.push_back(subject_of(scenes[c], std::move(forecasts[c]), how));
+  std::vector<Subject> subjects(scenes.size());
+  contact::for_each_index(scenes.size(), [&](std::size_t c) {
+    subjects[c] = subject_of(scenes[c], forecasts_of(scenes[c], *how.models), how);
+  });
   Wanted wanted;
   wanted.accuracy = scenes.front().accuracy;  // the same for all scenes of a case
-  wanted.accuracy.relative = accuracy_of(wanted.accuracy);
   // A part of a run has its part of the time.
-  wanted.seconds = seconds_for(scenes.front().accuracy) / how.share.of;
+  if (!wanted.accuracy.relative) wanted.seconds = seconds_by_default / how.share.of;
+  wanted.accuracy.relative = wanted.accuracy.relative.value_or(contact::default_accuracy);
   wanted.progress = how.progress;
   wanted.go_on = how.together;
   if (!how.together && how.session != nullptr)
     wanted.agree = [&](const std::string& text) { return how.session->from_first(text); };
-  return modelling::choose(std::move(subjects), wanted);
+  return choose(std::move(subjects), wanted);
 }
 
 }  // namespace rollfem::modelling

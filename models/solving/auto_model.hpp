@@ -26,21 +26,6 @@ void check_alone(const contact::ModelRegistry& models, const std::vector<std::st
 void refuse_choice(const contact::ModelRegistry& models, const std::vector<std::string>& names,
                    const std::string& command);
 
-/// Forecasts for the models of a scene before anything is solved, in seconds of the reference
-/// machine. Throws contact::InputError, and contact::SolveError if the scene has no patch.
-std::vector<Forecast> forecasts_of(const contact::Scene& scene,
-                                   const contact::ModelRegistry& models);
-
-/// In seconds of this machine, as far as `rollfem bench` has measured it.
-Contacts forecasts_here(const std::vector<contact::Scene>& scenes,
-                        const contact::ModelRegistry& models);
-
-/// The accuracy that auto aims for: requested, or 1 %.
-double accuracy_of(const contact::AccuracyRequest& asked);
-
-/// Time limit of the choice, s; infinity if an accuracy is requested.
-double seconds_for(const contact::AccuracyRequest& asked);
-
 /// The results of the chosen model, in the order of the scenes, with its name. Collective in a
 /// parallel run.
 Chosen solve_by_choice(const std::vector<contact::Scene>& scenes, const Solving& how);

@@ -89,9 +89,9 @@ class Study {
   /// Adds the series of all models. Levels that fail are part of their series. Every process of a
   /// parallel run calls it.
   void solve(const StudyRun& run);
-  /// Adds what `auto` would choose, and drops places without series. Returns the failures of all
-  /// series in one text; throws contact::SolveError when no level at all was solved.
-  std::string finish(const Solving& how);
+  /// Drops places without series. Returns the failures of all series in one text; throws
+  /// contact::SolveError when no level at all was solved.
+  std::string finish();
 
   const postprocess::StudyRecord& record() const { return record_; }
 

@@ -4,7 +4,6 @@
 #include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
-#include "models/solving/expected_choice.hpp"
 #include "models/study/study.hpp"
 #include "theories/registry.hpp"
 
@@ -286,19 +285,17 @@ void Study::solve(const StudyRun& run) {
     run_place(wishes_, models_, scenes_.list[k], scenes_.notes, record_.places[k], run);
 }
 
-std::string Study::finish(const Solving& how) {
+std::string Study::finish() {
   std::string failures;
   bool any = false;
   std::vector<StudyPlace> places;
-  for (std::size_t k = 0; k < record_.places.size(); ++k) {
-    StudyPlace& place = record_.places[k];
+  for (StudyPlace& place : record_.places) {
     for (const StudySeries& series : place.series) {
       any = any || !series.levels.empty();
       if (!series.failure.empty()) failures += (failures.empty() ? "" : "; ") + series.failure;
     }
-    if (place.series.empty()) continue;  // all models were left out: the place has no results
-    add_choice(scenes_.list[k], how, record_.friction, place);
-    places.push_back(std::move(place));
+    // Without series, all models were left out: the place has no results.
+    if (!place.series.empty()) places.push_back(std::move(place));
   }
   record_.places = std::move(places);
   if (!any) throw contact::SolveError(failures);

@@ -65,8 +65,6 @@ struct StudyPlace {
   StudyValues exact;                           ///< Hertz's values, if they are valid
   StudyValues given;                           ///< given by the user; take precedence
   std::vector<StudySeries> series;
-  /// Accuracy in percent, and a sentence on the model and grid that reach it.
-  std::vector<std::pair<double, std::string>> choice;
 };
 
 struct StudyRecord {

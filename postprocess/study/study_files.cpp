@@ -82,8 +82,6 @@ ordered_json place_json(const StudyRecord& record, const StudyPlace& place) {
                               {"spin", creepage.spin}});
   json["reference"] = base.model;
   json["references"] = references_json(references(place, base, record.rule));
-  for (const auto& [accuracy, text] : place.choice)
-    json["choice"].push_back({{"percent", accuracy}, {"text", text}});
   json["series"] = ordered_json::array();
   for (const StudySeries& series : place.series)
     json["series"].push_back(series_json(record, place, series));

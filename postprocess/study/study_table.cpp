@@ -194,13 +194,7 @@ std::string study_table(const StudyRecord& record) {
       }
     }
   }
-  text += '\n' + study_verdict(record) + '\n';
-  for (const StudyPlace& place : record.places) {
-    const std::string name = place_name(place);
-    for (const auto& [accuracy, choice] : place.choice)
-      text += fmt::format("{}{}for {:g} %: {}\n", name, name.empty() ? "" : ": ", accuracy, choice);
-  }
-  return text;
+  return text + '\n' + study_verdict(record) + '\n';
 }
 
 }  // namespace rollfem::postprocess

@@ -86,36 +86,6 @@ TEST_F(Auto, GoesOnToTheHybridWhereTheHalfSpaceLeavesOutTooMuch) {
 #endif
 }
 
-/// The number after `words`, in seconds.
-double seconds_after(const std::string& text, const std::string& words) {
-  const std::size_t at = text.find(words);
-  EXPECT_NE(at, std::string::npos) << words << text;
-  return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
-}
-
-TEST_F(Auto, CheckExpectsTheSumOfItsContactsAndRunTheSame) {
-  const std::string file = folder.file("case.toml", two_positions);
-  const nlohmann::json found = nlohmann::json::parse(done({"check", "--json", file}).out);
-  double sum = 0.0;
-  ASSERT_EQ(found["contacts"].size(), 4U);
-  for (const nlohmann::json& contact : found["contacts"]) sum += contact["seconds"].get<double>();
-  EXPECT_NEAR(found["seconds"].get<double>(), sum, 1e-12);
-  EXPECT_GT(sum, 0.0);
-  const std::string text = done({"check", file}).out;
-  double printed = 0.0;
-  for (const char* contact :
-       {"left, position 1: ", "right, position 1: ", "left, position 2: ", "right, position 2: "}) {
-    const std::size_t at = text.find(contact);
-    ASSERT_NE(at, std::string::npos) << text;
-    printed += seconds_after(text.substr(at), " across, about ");
-  }
-  const double total = seconds_after(text, "for 1 %: half-space: about ");
-  EXPECT_NEAR(printed, total, 0.05 * total + 0.05);  // two digits each
-  const Outcome run = done({"run", file, "--no-report"});
-  EXPECT_NEAR(seconds_after(run.err, "half-space: about "), total,
-              0.1 * total);  // after the balance
-}
-
 TEST_F(Auto, TellsLastWhatMissesTheAccuracyAndHasOneModelInAllContacts) {
   // In 60 s, no other model solves six contacts.
   const Outcome run =
@@ -166,16 +136,39 @@ TEST_F(Auto, StandsAloneAndIsNothingToCompare) {
   refuses({"run", both}, "both.toml: models: auto cannot be combined");
 }
 
-TEST_F(Auto, CheckPrintsTheForecastAndStudyTheSufficientModel) {
-  const std::string file = folder.file("case.toml", quick);
-  const Outcome check = call({"check", file});
-  EXPECT_TRUE(says(check.out, "  half-space, ", "  for 1 %: half-space: about "));
-  const Outcome study = done({"study", file, "--levels", "3", "-o", "s", "--no-report"});
-  // 0.2 % is beyond any half-space.
-  EXPECT_TRUE(says(study.out, "\nfor 5 %: half-space, ", "\nfor 1 %: half-space, ",
-                   "; half-space neglects 0."));
-  const auto json = folder.json("s/study.json");
-  EXPECT_EQ(json["places"][0]["choice"].size(), 3U);
+TEST_F(Auto, CheckWarnsWithTheSentenceOfTheRunThatRefuses) {
+  const std::string yields =
+      folder.file("yields.toml", quick + "[rail_plasticity]\nyield_stress = 400.0\n");
+  const std::string both = folder.file("both.toml", "models = [\"auto\", \"hertz\"]\n" + quick);
+  const std::string profiles =
+      std::string(ROLLFEM_SOURCE_DIR) + "/cases/verification/twin_disc_ends.toml";
+  for (const auto& [words, sentence] :
+       std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{yields}, "model auto: wheel_plasticity or rail_plasticity: it cannot handle bodies"},
+           {{both}, "models: auto cannot be combined"},
+           {{profiles, "--set", "models=[\"carter\"]"}, "model carter: "}}) {
+    const Outcome run = call(joined({"run", "--no-report"}, words));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(says(run.err, sentence));
+    const std::string refusal = run.err.substr(std::string("rollfem: ").size());
+    const Outcome check = done(joined({"check"}, words));
+    EXPECT_TRUE(says(check.err, "warning: " + refusal));
+    const auto json = nlohmann::json::parse(done(joined({"check", "--json"}, words)).out);
+    EXPECT_EQ(json["warnings"].back().get<std::string>() + "\n", refusal);
+  }
+  EXPECT_TRUE(says(done({"check", yields}).out, "  auto                   no: wheel_plasticity"));
+  EXPECT_TRUE(says(done({"check", profiles}).out, "\n  carter                 no: "));
+}
+
+TEST_F(Auto, TakesAGivenPressureOfBodiesWithoutRadii) {
+  const nlohmann::json model =
+      model_of(folder,
+               "[load]\nnormal_force = 82e3\n[friction]\ncoefficient = 0.3\n[wheel]\n[rail]\n"
+               "[given_pressure]\nsemi_axis_x = 6.0\nsemi_axis_y = 6.0\n[rolling]\nspin = 1e-4\n");
+  EXPECT_EQ(model["name"], "halfspace");
+  // p0 = 3 F / (2 pi a b)
+  EXPECT_NEAR(model["points"][0]["max_pressure"].get<double>(), 1.5 * 82e3 / (3.14159265 * 36.0),
+              10.0);
 }
 
 TEST_F(Auto, TakesUpWhatAnInterruptedRunHasSolved) {

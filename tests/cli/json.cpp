@@ -13,7 +13,7 @@ std::string case_of(const std::string& name) {
 
 using Json = ProgramTest;
 
-TEST_F(Json, OfCheckHasKeysDefaultsAndForecasts) {
+TEST_F(Json, OfCheckHasKeysDefaultsAndModels) {
   const Outcome outcome = done({"check", "--json", folder.file("case.toml", small_case), "--set",
                                 "friction.coefficient=0.25"});
   const json found = json::parse(outcome.out);
@@ -22,9 +22,7 @@ TEST_F(Json, OfCheckHasKeysDefaultsAndForecasts) {
   EXPECT_EQ(found["keys"]["wheel.transverse_radius"], "inf");
   EXPECT_EQ(found["keys"]["table.check_points"], 200);  // a default
   EXPECT_EQ(found["cannot"]["hertz"], "");
-  const json& contact = found["contacts"].at(0);
-  EXPECT_EQ(contact["models"].at(0)["name"], "halfspace");
-  EXPECT_GT(contact["models"].at(0)["levels"].at(0)["seconds"].get<double>(), 0.0);
+  EXPECT_TRUE(found["contacts"].empty());  // those of true profiles
   EXPECT_EQ(outcome.err, "");
   EXPECT_TRUE(folder.made().empty());
 }
@@ -78,7 +76,6 @@ TEST_F(Json, OfBenchHasRowsAndKeepsProgressOffStandardOutput) {
       EXPECT_LT(std::abs(row["force_error"].get<double>()), 0.006) << row;
     }
   EXPECT_EQ(half_spaces, 2);
-  EXPECT_GT(found["times_predicted_seconds"].get<double>(), 0.0);
   EXPECT_TRUE(says(outcome.err, "halfspace"));
 }
 

@@ -317,13 +317,6 @@ class Files(unittest.TestCase):
             raise KeyError(event.stage)
         self.assertRaises(KeyError, rollfem.table, case, progress=stop)
 
-    def test_the_forecast_is_what_check_prints(self):
-        text = run("check", CASES / "thesis_a.toml")
-        found = rollfem.forecast(CASES / "thesis_a.toml")
-        self.assertEqual(len(found), 1)
-        self.assertIn(found[0].sentence, text)
-        self.assertTrue(any(model["levels"] for model in found[0].models))
-
 
 class Shown(unittest.TestCase):
     def test_figures_are_those_of_the_report(self):

@@ -18,7 +18,7 @@ from .model import ModelResult
 from .point import FIELDS, QUANTITIES, Point, stress_measures
 from .reading import read
 from .result import Result
-from .solving import AccuracyWarning, Forecast, UnitWarning, forecast, solve, threads
+from .solving import AccuracyWarning, UnitWarning, solve, threads
 from .studies import Comparison, Stress, Study, compare, stress, study
 from .sweeping import Sweep, sweep
 from .tables import Table, TableForces, table
@@ -26,7 +26,7 @@ from .track import Profile, Wheelset, contact_points, wheelset
 
 __version__ = _version()
 models = _models
-__all__ = ["AccuracyWarning", "Case", "Comparison", "FIELDS", "FileError", "Forecast", "InputError", "ModelResult", "Point",
+__all__ = ["AccuracyWarning", "Case", "Comparison", "FIELDS", "FileError", "InputError", "ModelResult", "Point",
            "Profile", "Progress", "QUANTITIES", "Result", "SolveError", "Stress", "Study", "Sweep", "Table", "TableForces",
-           "UnitWarning", "Wheelset", "compare", "contact_points", "forecast", "models", "read", "solve", "stress",
+           "UnitWarning", "Wheelset", "compare", "contact_points", "models", "read", "solve", "stress",
            "stress_measures", "study", "sweep", "table", "threads", "wear", "wheelset"]

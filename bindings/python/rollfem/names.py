@@ -15,7 +15,7 @@ CREEPAGES = ("longitudinal_creepage", "lateral_creepage", "spin")
 _SOLVING = tuple(SECTIONS - {"load", "wheel", "rail", "wheel_profile", "rail_profile", "track", "wheelset"})
 #: Sections and keys of a case that a call does not use.
 UNUSED: dict[str, tuple[str, ...]] = {
-    "solve": ("table",), "sweep": ("table",), "forecast": ("table",), "contact_points": _SOLVING,
+    "solve": ("table",), "sweep": ("table",), "contact_points": _SOLVING,
     "wheelset": (*_SOLVING, "wheelset.lateral_shift"),
     "table": ("history", "output", "subsurface", *(f"rolling.{name}" for name in CREEPAGES),
               *(f"wheelset.{name}" for name in ("lateral_shift", "free_rolling", "rotation_change", "lateral_velocity",

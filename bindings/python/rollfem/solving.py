@@ -2,12 +2,10 @@
 """Solving a case."""
 import warnings
 from collections.abc import Callable, Collection
-from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Any
 
 from . import _core
 from .case import Case, CaseLike
-from .frames import documented
 from .result import Result
 
 
@@ -95,31 +93,3 @@ def solve(case: CaseLike | None = None, /, *, model: str | None = None, models: 
         short = [f"model {each.name}: {each.shortfall}" for each in result.models if each.shortfall]
         warnings.warn(" ".join([result.verdict, *short[:1]]), AccuracyWarning, stacklevel=2)
     return result
-
-
-@documented
-@dataclass(frozen=True)
-class Forecast:
-    """What the model `auto` expects of a contact of the case before anything is solved."""
-
-    place: Annotated[dict[str, Any] | None, "of the patch, with true profiles"]
-    accuracy: Annotated[float, "that `auto` looks for"]
-    sentence: Annotated[str, "grid, time and errors of the model that it would choose for the whole case"]
-    models: Annotated[list[dict[str, Any]], "model, cannot (why it is out of the question; empty: it is not), model_error, and "
-                      "levels: dicts of elements_across, discretisation (both errors as parts of the whole), seconds"]
-
-
-def forecast(case: CaseLike | None = None, /, **sections: Any) -> list[Forecast]:
-    """What the model `auto` would choose, and the time it takes, from the size of the contact alone.
-
-    Args:
-        case: As of `solve`.
-        **sections: As of `solve`.
-    Returns:
-        One for each contact of the case.
-    Raises:
-        InputError, SolveError: As `solve`; nothing is solved but where true profiles touch.
-
-    >>> print(rollfem.forecast("cases/thesis_a.toml")[0].sentence)
-    """
-    return [Forecast(*each) for each in _core.forecast(checked(case, sections, "forecast").core)]

@@ -206,16 +206,21 @@ TEST(Choice, SolvesTheQuickestWhereTheLimitHoldsNone) {
   EXPECT_EQ(chosen.advice, "`--set accuracy=0.01` allows more time: plain would take about 4 s.");
 }
 
-TEST(Choice, ForecastsTheModelsAndTheirTime) {
+TEST(Choice, AnnouncesTheTimeOfModelsThatUseAllThreads) {
   Toys toys;
   toys.plain.model_error = 0.03;
   auto all = candidates(toys);
+  all[0].forecast.on_one_thread = true;
   std::vector<std::string> told;
   Wanted what = wanted(0.01);
   what.progress = [&](const contact::ProgressEvent& event) { told.push_back(event.note); };
   choose_all({all, all}, what);
-  EXPECT_EQ(told, (std::vector<std::string>{"plain: about 8 s for 2 contacts",
-                                            "corrected for 2 contacts, about 5 min more"}));
+  EXPECT_EQ(told, (std::vector<std::string>{"corrected for 2 contacts, about 5 min"}));
+  // No time is promised for the other kind.
+  what.seconds = 0.5;
+  toys.plain.model_error = 0.0;
+  EXPECT_EQ(choose_all({all}, what).advice,
+            "`--set accuracy=0.01` allows more time: plain on finer grids.");
 }
 
 TEST(Choice, OneContactThatNeedsAnotherModelChangesTheModelOfAll) {
@@ -306,19 +311,6 @@ TEST(Choice, AgreesWithTheFirstProcess) {
   };
   EXPECT_EQ(choose(candidates(toys), what).name, "corrected");
   EXPECT_EQ(asked, 2);
-}
-
-TEST(Verdict, NamesWhatDoesAndWhatTheOthersCost) {
-  Toys toys;
-  std::vector<Forecast> all;
-  for (const Candidate& candidate : candidates(toys)) all.push_back(candidate.forecast);
-  all[0].model_error = 0.015;
-  EXPECT_EQ(verdict(all, 0.05),
-            "plain, 16 across, about 1 s: discretisation 2 %, model 1.5 %; corrected would take "
-            "about 10 s; full would take about 2 min");
-  EXPECT_EQ(verdict(all, 1e-5),
-            "nothing is expected to suffice; plain is expected to neglect about 1.5 %; corrected "
-            "would probably not suffice; full would probably not suffice");
 }
 
 }  // namespace

@@ -169,18 +169,4 @@ TEST(NextPlan, AContactThatAModelCannotTakeLeavesItOut) {
   EXPECT_FALSE(next_plan(contacts, 0.01, 60.0));
 }
 
-TEST(ExpectedRun, IsTheSumOfItsPlansAndOfItsContacts) {
-  const ExpectedRun run = expected_run(run_of({0.0, 0.0, 0.1}, 20.0), 0.01, no_limit);
-  ASSERT_EQ(run.plans.size(), 2U);
-  EXPECT_EQ(run.plans[1].model, 1U);
-  EXPECT_DOUBLE_EQ(run.seconds, 3.0 + 60.0);
-  double sum = 0.0;
-  for (const std::vector<Forecast>& models : run.contacts)
-    for (const Forecast& forecast : models)
-      for (const Level& level : forecast.levels) sum += level.reached ? level.seconds : 0.0;
-  EXPECT_DOUBLE_EQ(sum, run.seconds);
-  EXPECT_DOUBLE_EQ(expected_run(run_of({0.0, 0.0, 0.1}, 20.0), 0.01, 60.0).seconds, 3.0)
-      << "what does not fit is not counted";
-}
-
 }  // namespace
