@@ -176,39 +176,54 @@ ProfileCurve polynomial_profile_curve(const ProfileSource& source, const std::st
 
 namespace {
 
-/// Radii of the rail head, and the sine of the angle of its side, 1:20 off the vertical.
-constexpr double top_radius = 300.0, middle_radius = 80.0, corner_radius = 13.0;  // mm
+/// Sine of the angle of the side of a rail head, 1:20 off the vertical.
 const double side_sine = std::sin(std::atan(20.0));
 
-/// Symmetric head of tangent arcs and the side down to 37.5 mm below the crown; `ends`: y of the
-/// ends of the arcs.
-ProfileCurve uic_head(const std::array<double, 3>& ends) {
-  constexpr double deepest = 37.5;  // mm
+/// Symmetric head of tangent arcs: radii from the middle outwards, and the widths at which all but
+/// the last end, as drawings give them; then the side down to `deepest` below the crown (mm).
+struct RailHead {
+  std::vector<double> radii, widths;
+  double deepest;
+};
+
+ProfileCurve curve_of(const RailHead& rail) {
   ProfileSource head;
   head.symmetric = true;
-  head.radii = {top_radius, middle_radius, corner_radius, HUGE_VAL};
-  head.ends.assign(ends.begin(), ends.end());
+  head.radii = rail.radii;
   Station at;
-  for (std::size_t k = 0; k < ends.size(); ++k) at = along(at, 1.0 / head.radii[k], ends[k]);
-  head.ends.push_back(at.y + (deepest - at.z) / 20.0);
+  for (std::size_t k = 0; k < rail.radii.size(); ++k) {
+    const double end = k < rail.widths.size() ? 0.5 * rail.widths[k]
+                                              : at.y + rail.radii[k] * (side_sine - at.sine);
+    at = along(at, 1.0 / rail.radii[k], end);
+    head.ends.push_back(end);
+  }
+  head.radii.push_back(HUGE_VAL);
+  head.ends.push_back(at.y + (rail.deepest - at.z) / 20.0);
   return arc_profile_curve(head, false, "rail");
 }
 
-/// Widths 20.456 and 52.053 of the bands of the radii 300 and 80 (Gensys, create_UIC60).
+// EN 13674-1:2017, annex A; docs/profiles.md says how these numbers were checked. The sides end
+// where they meet the underside of the head.
+ProfileCurve rail_54e1() {
+  return curve_of({{300.0, 80.0, 13.0}, {20.024, 49.727}, 36.2});
+}
+ProfileCurve rail_56e1() {
+  return curve_of({{305.0, 80.0, 12.7}, {11.787, 51.235}, 36.1});
+}
 ProfileCurve rail_60e1() {
-  const double top = 0.5 * 20.456, middle = 0.5 * 52.053;
-  const double sine = along(along({}, 1.0 / top_radius, top), 1.0 / middle_radius, middle).sine;
-  return uic_head({top, middle, middle + corner_radius * (side_sine - sine)});
+  return curve_of({{300.0, 80.0, 13.0}, {20.456, 52.053}, 37.5});
+}
+ProfileCurve rail_60e2() {
+  return curve_of({{200.0, 70.0, 16.0, 8.0}, {23.778, 48.913, 70.774}, 37.5});
 }
 
 /// A 21 mm band at the top and a head 72 mm wide where the side begins fit the benchmark's list of
 /// points within 4.4e-5 mm.
 ProfileCurve rail_uic60_manchester() {
-  const double top = 0.5 * 21.0, side = 0.5 * 72.0, sine = top / top_radius;
+  const double top = 0.5 * 21.0, side = 0.5 * 72.0, sine = top / 300.0;
   // Both joints at the sides of the middle arc are tangent.
-  const double joint = (side - top + middle_radius * sine - corner_radius * side_sine) /
-                       (middle_radius - corner_radius);
-  return uic_head({top, top + middle_radius * (joint - sine), side});
+  const double joint = (side - top + 80.0 * sine - 13.0 * side_sine) / (80.0 - 13.0);
+  return curve_of({{300.0, 80.0, 13.0}, {2.0 * top, 2.0 * (top + 80.0 * (joint - sine))}, 37.5});
 }
 
 }  // namespace
@@ -222,6 +237,11 @@ const std::vector<BuiltInProfile>& built_in_profiles() {
       {"UIC60", false, "the same as 60E1", &rail_60e1},
       {"UIC60-manchester", false, "rail head of the Manchester contact benchmark, not inclined",
        &rail_uic60_manchester},
+      {"60E2", false, "rail head of EN 13674-1, not inclined", &rail_60e2},
+      {"54E1", false, "rail head of EN 13674-1, not inclined", &rail_54e1},
+      {"UIC54", false, "the same as 54E1", &rail_54e1},
+      {"56E1", false, "rail head of EN 13674-1, not inclined", &rail_56e1},
+      {"BS113A", false, "the same as 56E1 (BS 113 lb, BR variant)", &rail_56e1},
   };
   return profiles;
 }

@@ -21,8 +21,8 @@ ProfileCurve arc_profile_curve(const contact::ProfileSource& source, bool wheel,
 ProfileCurve polynomial_profile_curve(const contact::ProfileSource& source,
                                       const std::string& name);
 
-// Standard profiles from their analytic definitions: wheel S1002 (EN 13715, UIC 510-2), rail 60E1
-// (EN 13674-1) and the profiles of the Manchester contact benchmark.
+// Standard profiles from their analytic definitions: wheel S1002 (EN 13715, UIC 510-2), rails of EN
+// 13674-1 and the profiles of the Manchester contact benchmark.
 
 struct BuiltInProfile {
   std::string name;

@@ -36,7 +36,7 @@ struct ProfileSource {
   bool for_track =
       true;  ///< a wheel with a flange or a rail with a head, which show where z points
   LengthUnit unit = LengthUnit::mm;
-  std::string section;           ///< of a MiniProf file with several profiles
+  std::string section;           ///< of a file with several profiles
   bool flip = false;             ///< z -> -z: the file's z is upward
   bool reverse = false;          ///< the file's last point first
   bool sort = false;             ///< by increasing y

@@ -68,7 +68,9 @@ SectionWithKeys rail_section() {
              "Radius of the rail's head: positive convex, negative concave, inf flat; not with "
              "`profile`.");
   add_material(keys);
-  add_shape_from_files(keys, "`60E1` (the same as `UIC60`) or `UIC60-manchester`");
+  add_shape_from_files(keys,
+                       "`60E1` (the same as `UIC60`), `60E2`, `54E1` (`UIC54`), `56E1` (`BS113A`) "
+                       "or `UIC60-manchester`");
   return keys;
 }
 
@@ -220,9 +222,9 @@ void add_mending(ProfileKeys& keys) {
   keys.add("unit", &Profile::unit,
            {{"mm", LengthUnit::mm}, {"m", LengthUnit::m}, {"inch", LengthUnit::inch}},
            "Unit of the lengths in the file; some formats state their own.");
-  keys.add("section", &Profile::section,
-           otherwise("required by a MiniProf file with several profiles"),
-           "Section of the points in a MiniProf file: `Profile1Points`.");
+  keys.add("section", &Profile::section, otherwise("required by a file with several profiles"),
+           "One of the profiles of a file: the section of a MiniProf file (`Profile1Points`), "
+           "`left` or `right` of a VAMPIRE file.");
   keys.add("flip", &Profile::flip, "The file's z points upward: z becomes -z.");
   keys.add("reverse", &Profile::reverse, "Reverse the order of the points.");
   keys.add("sort", &Profile::sort, "Sort the points by y.");

@@ -63,7 +63,7 @@ constexpr double list_tolerance_wheel = 2e-6;
 constexpr double list_tolerance_rail = 5e-5;
 
 TEST(BuiltInProfile, MirroredHasEveryHeightAndTheOppositeSlopeOnTheOtherSide) {
-  for (const char* name : {"S1002", "60E1"}) {
+  for (const char* name : {"S1002", "60E1", "60E2", "54E1", "56E1"}) {
     SCOPED_TRACE(name);
     const bool wheel = std::string(name) == "S1002";
     contact::ProfileSource source;
