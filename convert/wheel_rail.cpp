@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Module 1: wheel and rail with profiles.
 #include "contact/case/track.hpp"
+
 #include <fmt/format.h>
 
 #include "convert/equivalent.hpp"
@@ -137,6 +138,11 @@ void turn_about_own_axles(const ContactCase& given, const Forward& forward,
   wheel[9] -= pitch * sine;
   wheel[10] += rotation * std::sin(wheel[3]) + roller * std::sin(rail[2]);
   wheel[11] = rotation - turning;
+  // The velocities of CONTACT are along the axes of the yawed wheelset.
+  const double yaw = forward.sign * given.wheel_rail.position[4];
+  const double ahead = wheel[6];
+  wheel[6] = std::cos(yaw) * ahead - std::sin(yaw) * wheel[7];
+  wheel[7] = std::sin(yaw) * ahead + std::cos(yaw) * wheel[7];
 }
 
 /// Displacements of wheel and rail by themselves.

@@ -164,6 +164,24 @@ void check_head(const ProfilePoints& points) {
                    "give it as the profile of the wheel"};
 }
 
+/// The head of a rail falls on both sides to its ends; a wheel has a tip of its flange, and a tread
+/// that ends at about its height or lies between flanges farther apart.
+void check_wheel(const ProfilePoints& points) {
+  constexpr double widest_head = 90.0;  // mm
+  const auto [left, right] = range(points, &ListedPoint::y);
+  const auto [top, lowest] = range(points, &ListedPoint::z);
+  const double shallow = std::min(points.list.front().z, points.list.back().z);
+  const double ends = std::max(points.list.front().z, points.list.back().z);
+  if (right - left > widest_head || shallow - top < least_flange || lowest > ends + same_point)
+    return;
+  throw PointFault{0,
+                   fmt::format("seems to be the head of a rail, which falls by {:.4g} mm to both "
+                               "its ends",
+                               shallow - top),
+                   "the profile of a wheel: a flange, and beside it a tread",
+                   "give it as the profile of the rail"};
+}
+
 /// The flange, or one of two, is at small y.
 void check_side(const ProfilePoints& points, const ProfileSource& source) {
   const auto [lowest, highest] = range(points, &ListedPoint::z);
@@ -298,6 +316,7 @@ void mend(ProfilePoints& points, const ProfileSource& source, bool wheel, bool a
   check_size(points, source.unit);
   if (source.for_track) {
     check_upward(points, source, wheel);
+    if (wheel) check_wheel(points);
     wheel ? check_side(points, source) : check_head(points);
   }
   if (source.reverse) reverse(points);

@@ -284,8 +284,9 @@ std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource
     return std::make_shared<const SectionSurface>(std::move(read.sections), read.spline,
                                                   wheel ? 2.0 * contact::pi : 0.0);
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}; do: correct the list of sections (docs/profiles.md)",
-                                 source.name, error.what()));
+    const std::string text = error.what();
+    const char* remedy = "; do: correct the list of sections (docs/profiles.md)";
+    throw InputError(source.name + ": " + text + (text.find("; do: ") < text.size() ? "" : remedy));
   }
 }
 

@@ -4,6 +4,8 @@
 #include "contact/base/knots.hpp"
 #include "profiles/section_list.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -206,7 +208,10 @@ SectionSurface::SectionSurface(std::vector<PlacedSection> sections, SectionSplin
       y_.across.push_back(pace * at.y.slope);
       z_.across.push_back(pace * at.z.slope);
     }
-  for (Nodes* coordinate : {&y_, &z_}) run_along_way(spline, having, *coordinate);
+  for (Nodes* coordinate : {&y_, &z_}) {
+    run_along_way(spline, having, *coordinate);
+    check_way(having, *coordinate);
+  }
   for (std::size_t i = 1; i < sections.size(); ++i)
     if (std::none_of(having.begin(), having.end(),
                      [i](const auto& node) { return node[0] < i && node[1] >= i; }))
@@ -255,6 +260,32 @@ void SectionSurface::run_along_way(SectionSpline spline,
   };
   run(nodes.value, nodes.value_way);
   run(nodes.across, nodes.across_way);
+}
+
+void SectionSurface::check_way(const std::vector<std::array<std::size_t, 2>>& having,
+                               const Nodes& nodes) const {
+  const double steepest = turn_ > 0.0 ? 5000.0 : 10.0;  // mm/rad, mm/mm
+  constexpr double least_swing = 1.0;                   // mm
+  const auto step = static_cast<std::ptrdiff_t>(parameter_.size());
+  for (std::size_t k = 0; k < nodes.value.size(); ++k) {
+    const auto [first, last] = having[k % parameter_.size()];
+    const std::size_t i = k / parameter_.size();
+    if (i < first || i >= last) continue;
+    const double *value = &nodes.value[k], *slope = &nodes.value_way[k];
+    const double length = way_[i + 1] - way_[i], chord = (value[step] - value[0]) / length;
+    double change = std::abs(value[step] - value[0]);
+    if (i > first) change = std::max(change, std::abs(value[0] - value[-step]));
+    if (i + 1 < last) change = std::max(change, std::abs(value[2 * step] - value[step]));
+    // The largest distance of a cubic from its chord where one end has another slope.
+    const double turned = std::max(std::abs(slope[0] - chord), std::abs(slope[step] - chord));
+    const double swing = 4.0 / 27.0 * length * turned;
+    if (std::abs(chord) <= steepest && swing <= std::max(least_swing, 2.0 * change)) continue;
+    throw std::invalid_argument(fmt::format(
+        "from {:g} to {:g} points move by up to {:.3g} mm from section to section, and a smooth "
+        "curve swings {:.3g} mm beyond; allowed: differences that the distance of the sections "
+        "resolves; do: leave out one of the sections near there, or put them farther apart",
+        way_[i], way_[i + 1], change, swing));
+  }
 }
 
 bool SectionSurface::exists(double way, double parameter) const {

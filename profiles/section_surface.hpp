@@ -82,6 +82,8 @@ class SectionSurface {
   /// `having`: the first and the last section that have each node.
   void run_along_way(SectionSpline spline, const std::vector<std::array<std::size_t, 2>>& having,
                      Nodes& nodes) const;
+  /// Throws std::invalid_argument where the way is too short for the change between two sections.
+  void check_way(const std::vector<std::array<std::size_t, 2>>& having, const Nodes& nodes) const;
   bool closed() const { return way_.front() < given_[0]; }  ///< a wheel described all around
   double within_turn(double way) const;
   double known_way(double way) const;

@@ -193,11 +193,10 @@ void take_adhesion(const BrushStrip& strip, StripTractions& brushes) {
     const double x = elements.x_first - k * elements.step;
     double& px = brushes.traction_x[k];
     double& py = brushes.traction_y[k];
-    const StripTheory::Traction traction = strip.theory->adheres(x)
-                                               ? strip.theory->traction(x, elements.step)
-                                               : StripTheory::Traction{};
-    const bool adheres =
-        strip.theory->adheres(x) && std::hypot(traction.x, traction.y) <= strip.bound_at(x);
+    bool adheres = strip.theory->adheres(x);
+    StripTheory::Traction traction;
+    if (adheres) traction = strip.theory->traction(x, elements.step);
+    adheres = adheres && std::hypot(traction.x, traction.y) <= strip.bound_at(x);
     brushes.state[k] = adheres ? contact::ElementState::adhesion : contact::ElementState::slip;
     if (adheres) {
       px = traction.x;

@@ -55,6 +55,16 @@ class UnfitGrid : public SolveError {
   }
 };
 
+/// Contacts of a wheel, each solved in its own plane, touch or overlap: one conformal contact,
+/// which only the common surface of the bodies represents (halfspace.surface = "curved").
+class ConformalContact : public SolveError {
+ public:
+  using SolveError::SolveError;
+  std::exception_ptr retold(const std::string& text) const override {
+    return std::make_exception_ptr(ConformalContact(text));
+  }
+};
+
 /// A file that is missing, cannot be read or written, is damaged or of another kind: callers may
 /// tell it from wrong values.
 class FileError : public InputError {
@@ -68,13 +78,15 @@ class OutputError : public FileError {
   using FileError::FileError;
 };
 
-/// Calls `work`; the text of its failure then begins with `where`.
+/// Calls `work`; the text of its failure then begins with `where`, once.
 template <class Work>
 auto at_place(const std::string& where, const Work& work) {
   try {
     return work();
   } catch (const Failure& failure) {
-    std::rethrow_exception(failure.retold(where + failure.what()));
+    const std::string text = failure.what();
+    if (text.compare(0, where.size(), where) == 0) throw;
+    std::rethrow_exception(failure.retold(where + text));
   }
 }
 

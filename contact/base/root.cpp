@@ -18,12 +18,18 @@ namespace {
 
 using Function = std::function<double(double)>;
 
+/// Searches whose end depends on the case have messages of their own.
+constexpr const char* remedy =
+    "check the units of lengths, loads and materials; if they are right, please report the case as "
+    "a defect of the program";
+
 /// The same function, whose values have to be finite.
 Function finite(const Function& f, const char* what) {
   return [&f, what](double at) {
     const double found = f(at);
     if (!std::isfinite(found))
-      throw SolveError(fmt::format("{}: the function is {} at {:.9g}", what, found, at));
+      throw SolveError(
+          fmt::format("{}: the function is {} at {:.9g}; do: {}", what, found, at, remedy));
     return found;
   };
 }
@@ -55,8 +61,9 @@ double bracketed_root(const Function& f, double a, double b, double tolerance, c
   const double at_b = value(b);
   if (at_b == 0.0) return b;
   if ((at_a < 0.0) == (at_b < 0.0))
-    throw SolveError(fmt::format("{}: no change of sign between {:.9g} and {:.9g}: {:.3g}, {:.3g}",
-                                 what, a, b, at_a, at_b));
+    throw SolveError(
+        fmt::format("{}: no change of sign between {:.9g} and {:.9g}: {:.3g}, {:.3g}; do: {}", what,
+                    a, b, at_a, at_b, remedy));
   return root_between(value, a, at_a, b, at_b, tolerance, what);
 }
 

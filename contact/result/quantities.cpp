@@ -190,6 +190,13 @@ std::vector<Quantity> of_the_solution() {
       {"vertical_force", "vertical force", "", "N",
        "force along the vertical of the track, friction included; with profiles", Scale::value,
        Use::stored, at<&P::vertical_force>()},
+      {"lateral_force_track", "lateral force on the track", "Y", "N",
+       "force along y of the track (to the right) on the wheel, of pressure and friction; with "
+       "profiles",
+       Scale::force, Use::stored, at<&P::lateral_force_track>()},
+      {"loaded_height", "height under load", "", "mm",
+       "`height` of the place plus the sinking of this wheel under its load, z down; with profiles",
+       Scale::none, Use::stored, at<&P::loaded_height>()},
   };
 }
 

@@ -105,7 +105,10 @@ struct PointResult {
   /// mm, middle of the extents of the patch, with profiles, where it differs from the origin.
   std::optional<double> patch_x_middle;
   std::optional<double> patch_y_middle;
-  std::optional<double> vertical_force;  ///< N, with profiles: on the track, friction included
+  // With profiles, in the track frame.
+  std::optional<double> vertical_force;       ///< N, on the wheel, up, friction included
+  std::optional<double> lateral_force_track;  ///< N, on the wheel, to the right
+  std::optional<double> loaded_height;        ///< mm, of the axle's middle, as ContactPlace::height
   // After a pass over bodies that yield, of the body with the largest.
   std::optional<double> plastic_strain, plastic_increment, net_plastic_increment;
   std::optional<double> residual_stress;  ///< MPa, largest compression along rolling

@@ -25,14 +25,17 @@ constexpr double sliding = 1.0 - 1e-8;
 
 std::string described(const PrescribedForce& wanted) {
   std::string text;
-  if (wanted.longitudinal) text += fmt::format("F_x = {:.6g} N", *wanted.longitudinal);
+  if (wanted.longitudinal)
+    text += fmt::format("longitudinal_force = {:.6g} N", *wanted.longitudinal);
   if (wanted.longitudinal && wanted.lateral) text += ", ";
-  if (wanted.lateral) text += fmt::format("F_y = {:.6g} N", *wanted.lateral);
+  if (wanted.lateral) text += fmt::format("lateral_force = {:.6g} N", *wanted.lateral);
   return text;
 }
 
 [[noreturn]] void fail(const PrescribedForce& wanted, const std::string& why) {
-  throw SolveError(fmt::format("prescribed force {}: {}", described(wanted), why));
+  const char* remedy = "; do: prescribe a smaller force, or the creepage (shift) instead";
+  throw SolveError(fmt::format("prescribed force, rolling.{}: {}{}", described(wanted), why,
+                               why.find("; do: ") < why.size() ? "" : remedy));
 }
 
 class Counted {
@@ -60,7 +63,7 @@ class Counted {
     const auto& [creepage, transmitted, evaluations] = largest_;
     return fmt::format(
         "; the most in its direction was F_x = {:.6g} N, F_y = {:.6g} N at creepage {:.6g}, "
-        "{:.6g}; where friction falls with the slip velocity forces have a peak and may jump: "
+        "{:.6g}; where friction falls with the slip velocity forces have a peak and may jump; do: "
         "prescribe the creepage there",
         transmitted.force.x(), transmitted.force.y(), creepage.x(), creepage.y());
   }

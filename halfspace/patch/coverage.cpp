@@ -23,7 +23,7 @@ namespace {
 /// Overlaps below this fraction of the approach are due to the point loads, not to the bodies.
 constexpr double least_overlap = 1e-3;
 
-/// Throws contact::SolveError where pressure reaches a limit of the contact
+/// Throws contact::ConformalContact where pressure reaches a limit of the contact
 /// (PatchGeometry::limits).
 void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& geometry,
                   const ContactGrid& grid, const contact::Field& pressure) {
@@ -33,7 +33,7 @@ void check_limits(const contact::Scene& scene, const contact::ChartedGeometry& g
     const double y = geometry.lateral_place(grid.y(j));
     if (profiles.within_limits(y - grid.dy) && profiles.within_limits(y + grid.dy)) continue;
     if (!(pressure.segment(grid.index(0, j), grid.nx).maxCoeff() > 0.0)) continue;
-    throw contact::SolveError(
+    throw contact::ConformalContact(
         fmt::format("{}the patch reaches y = {:.2f} mm, where another contact of the same wheel "
                     "begins: both are one conformal contact, which a plane cannot represent; do: "
                     "run with halfspace.surface = \"curved\"",

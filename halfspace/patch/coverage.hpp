@@ -27,7 +27,7 @@ std::optional<std::array<double, 2>> touched_beyond(const contact::Scene& scene,
 
 /// The grid, extended by rows where the bodies would overlap beyond it under one of the scene's
 /// load points, solved as `points`. Throws
-/// contact::SolveError if another contact takes part in the patch.
+/// contact::ConformalContact if another contact takes part in the patch.
 contact::ContactGrid grid_of_all_patches(const contact::Scene& scene,
                                          const contact::ChartedGeometry& geometry,
                                          const PatchSearch& area, const contact::ContactGrid& grid,

@@ -71,6 +71,11 @@ Placed placed_wheels(const Case& input) {
   return std::make_shared<const track::PlacedWheels>(track::place_for_balance(input));
 }
 
+Case on_common_surface(Case input) {
+  input.halfspace.surface = contact::SurfaceForm::curved;
+  return input;
+}
+
 Scenes scenes_of(const Case& input, const Placed& placed, const contact::Progress& progress,
                  contact::Checkpoint* kept, contact::Share share) {
   if (!placed) return {{contact::Scene(input)}, {}, {}};

@@ -28,6 +28,10 @@ struct Scenes {
 using Placed = std::shared_ptr<const track::PlacedWheels>;
 Placed placed_wheels(const contact::Case& input);
 
+/// The same case with contacts of a wheel joined on their common surface, not in planes of their
+/// own (halfspace.surface = "curved").
+contact::Case on_common_surface(contact::Case input);
+
 /// The scenes of a case; with profiles only those at positions in `share`. Balances are stored in
 /// and resumed from `kept`, which may be null. Throws contact::InputError and contact::SolveError.
 Scenes scenes_of(const contact::Case& input, const Placed& placed,

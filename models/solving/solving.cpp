@@ -17,6 +17,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -30,6 +31,28 @@ using postprocess::MissingModel;
 struct Solved {
   std::vector<contact::ModelResult> results;
   std::vector<MissingModel> missing;
+  std::exception_ptr conformal;  ///< the contact::ConformalContact for which a model is missing
+};
+
+/// What a call finds at the positions of its share.
+struct Part {
+  Scenes scenes;
+  Solved solved;
+  std::string advice;
+
+  void append(Part&& other) {
+    const auto move_to = [](auto& from, auto& to) {
+      std::move(from.begin(), from.end(), std::back_inserter(to));
+    };
+    move_to(other.scenes.list, scenes.list);
+    move_to(other.scenes.pairs, scenes.pairs);
+    move_to(other.solved.results, solved.results);
+    for (MissingModel& model : other.solved.missing)
+      if (std::none_of(solved.missing.begin(), solved.missing.end(),
+                       [&](const MissingModel& known) { return known.model == model.model; }))
+        solved.missing.push_back(std::move(model));
+    if (advice.empty()) advice = std::move(other.advice);
+  }
 };
 
 /// Adds model and patch to progress events, because a model may run another one.
@@ -79,24 +102,35 @@ std::string normals_note(const contact::Scene& scene, const contact::ModelResult
       largest - least, along_y);
 }
 
-/// Adds the vertical force with the bar that follows from the bars of the two forces. A given or
-/// exact value has no bar, nor has a share found by the wheelset's balance.
-void add_vertical_force(const contact::ContactPlace& place, contact::PointResult& point) {
-  point.vertical_force = track::vertical_force(point.normal_force, point.lateral_force, place);
+/// Adds forces and height in the track frame with the bars that follow from those in the frame of
+/// the patch. A given or exact value has no bar, nor has a share found by the wheelset's balance.
+void add_on_track(const contact::ContactPlace& place, contact::PointResult& point) {
   const auto bar = [&](const char* name) {
     const auto found = point.error_estimate.find(name);
     return found == point.error_estimate.end() ? 0.0 : found->second;
   };
-  if (place.patches > 1)
-    point.no_bar["vertical_force"] = contact::no_bar::balance;
-  else if (point.error_estimate.count("normal_force") +
-               point.error_estimate.count("lateral_force") >
-           0)
-    point.error_estimate["vertical_force"] =
-        std::abs(track::vertical_force(bar("normal_force"), 0.0, place)) +
-        std::abs(track::vertical_force(0.0, bar("lateral_force"), place));
+  const auto add_force = [&](const char* name, std::optional<double> contact::PointResult::*member,
+                             const auto& turned) {
+    point.*member = turned(point.normal_force, point.lateral_force, place);
+    if (place.patches > 1)
+      point.no_bar[name] = contact::no_bar::balance;
+    else if (point.error_estimate.count("normal_force") +
+                 point.error_estimate.count("lateral_force") >
+             0)
+      point.error_estimate[name] = std::abs(turned(bar("normal_force"), 0.0, place)) +
+                                   std::abs(turned(0.0, bar("lateral_force"), place));
+    else
+      point.no_bar[name] = point.no_bar["lateral_force"];
+  };
+  add_force("vertical_force", &contact::PointResult::vertical_force, track::vertical_force);
+  add_force("lateral_force_track", &contact::PointResult::lateral_force_track,
+            track::lateral_force);
+  const double level = std::cos(place.contact_angle);
+  point.loaded_height = place.height + (point.approach + place.separation) / level;
+  if (point.error_estimate.count("approach") > 0)
+    point.error_estimate["loaded_height"] = bar("approach") / level;
   else
-    point.no_bar["vertical_force"] = point.no_bar["lateral_force"];
+    point.no_bar["loaded_height"] = point.no_bar["approach"];
 }
 
 /// Adds to the result of a patch what the model does not know.
@@ -119,7 +153,7 @@ void finish(const contact::Scene& scene, const std::vector<std::string>& notes,
     if (!joins_planes) text += "; this model neglects the mutual displacement of the contacts";
     result.notes.push_back(std::move(text));
   }
-  for (contact::PointResult& point : result.points) add_vertical_force(*scene.place, point);
+  for (contact::PointResult& point : result.points) add_on_track(*scene.place, point);
 }
 
 /// The models that can take every scene. For the others: a sentence, or the registry's exception.
@@ -141,6 +175,8 @@ void miss(const std::string& name, const contact::Failure& error, const Solving&
           Solved& solved) {
   const bool together = !how.models->at(name).parallel || how.together;
   if (!how.go_on || !together) throw;
+  if (dynamic_cast<const contact::ConformalContact*>(&error) != nullptr)
+    solved.conformal = std::current_exception();
   solved.missing.push_back({name, error.what(), error.cause() != contact::Failure::Cause::input});
 }
 
@@ -268,17 +304,65 @@ postprocess::ComparisonRecord begin_comparison(const contact::ModelRegistry& kno
   return record;
 }
 
-std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& how) {
-  Solved solved;
-  const Placed wheels = how.placed ? how.placed : placed_wheels(record.input);
-  Scenes scenes = scenes_of(record.input, wheels, how.progress, how.checkpoint, how.share);
-  std::vector<std::string> able = able_models(record.input, scenes, how, solved.missing);
-  std::string advice;
+namespace {
+
+Part solve_part(const contact::Case& input, const Placed& wheels, const Solving& how) {
+  Part part;
+  part.scenes = scenes_of(input, wheels, how.progress, how.checkpoint, how.share);
+  const auto able = able_models(input, part.scenes, how, part.solved.missing);
   if (any_choice(*how.models, able))
-    advice = solve_chosen(able.front(), scenes, how, solved);
+    part.advice = solve_chosen(able.front(), part.scenes, how, part.solved);
   else
-    solve_named(able, scenes, how, solved);
-  track::check_results(record.input, solved.results);
+    solve_named(able, part.scenes, how, part.solved);
+  track::check_results(input, part.solved.results);
+  return part;
+}
+
+/// One position whose contacts are too close for planes of their own.
+Part solve_on_common_surface(const contact::Case& input, const Placed& wheels, Solving how) {
+  contact::CheckpointPart kept(how.checkpoint, "curved-");
+  Solving curved = how;
+  if (how.checkpoint != nullptr) curved.checkpoint = &kept;
+  const contact::Case on_surface = on_common_surface(input);
+  auto part =
+      contact::attempt([&] { return solve_part(on_surface, placed_wheels(on_surface), curved); });
+  if (!part || part->solved.conformal) return solve_part(input, wheels, how);
+  for (contact::ModelResult& result : part->solved.results)
+    result.notes.emplace_back(
+        "in planes of their own the contacts of a wheel grow into each other at this position: "
+        "halfspace.surface = \"auto\" took their common surface (\"curved\")");
+  return *std::move(part);
+}
+
+/// With the surface chosen where the case leaves it open: position by position as soon as one of
+/// them needs the common surface; finished load points of the others are in the checkpoint.
+Part solve_on_fitting_surface(const contact::Case& input, const Placed& wheels,
+                              const Solving& how) {
+  const std::size_t positions = input.wheelset.positions();
+  if (!wheels || input.halfspace.surface != contact::SurfaceForm::automatic || !how.together)
+    return solve_part(input, wheels, how);
+  try {
+    Part part = solve_part(input, wheels, how);
+    if (!part.solved.conformal) return part;
+  } catch (const contact::ConformalContact&) {
+  }
+  if (static_cast<std::size_t>(how.share.of) >= positions)
+    return solve_on_common_surface(input, wheels, how);
+  Part all;
+  for (std::size_t k = 0; k < positions; ++k) {
+    if (!how.share.holds(k)) continue;
+    Solving here = how;
+    here.share = {static_cast<int>(k), static_cast<int>(positions)};
+    all.append(solve_on_fitting_surface(input, wheels, here));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<MissingModel> solve(postprocess::RunRecord& record, const Solving& how) {
+  const Placed wheels = how.placed ? how.placed : placed_wheels(record.input);
+  auto [scenes, solved, advice] = solve_on_fitting_surface(record.input, wheels, how);
   record.models = std::move(solved.results);
   record.pairs = std::move(scenes.pairs);
   std::vector<std::string> said;

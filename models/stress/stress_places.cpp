@@ -135,8 +135,14 @@ bool is_rigid(const ModelResult& model, const std::string& body) {
 /// The scene of the result's patch.
 contact::Scene scene_of(const contact::Case& input, const ModelResult& model) {
   if (!model.place) return input;
-  for (const contact::Scene& scene : scenes_of(input, placed_wheels(input)).list)
-    if (scene.place && scene.place->same_patch(*model.place)) return scene;
+  for (const contact::Case& how : {input, on_common_surface(input)}) {
+    const auto scenes = contact::attempt([&] { return scenes_of(how, placed_wheels(how)).list; });
+    if (!scenes) continue;
+    for (const contact::Scene& scene : *scenes)
+      if (scene.place && scene.place->same_patch(*model.place) &&
+          scene.place->patches == model.place->patches)
+        return scene;
+  }
   throw InputError(fmt::format(
       "{}: patch {} of the result is no longer found in its case; do: run the case again",
       input.file, model.place->label()));

@@ -84,7 +84,7 @@ PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_r
           ("longitudinal creepage $\\xi$", "[%]", 0.02, _at("longitudinal_creepage", 100)),
           ("spin $\\varphi$", "[rad/m]", 0.02, _at("spin", 1e3)),
           (FORCES[0], "[kN]", 0.2, _at("longitudinal_force", 1e-3)),
-          (FORCES[1], "[kN]", 0.2, lambda model: model.points[0].lateral_force_track / 1e3))
+          (FORCES[1], "[kN]", 0.2, _at("lateral_force_track", 1e-3)))
 
 
 WAYS = (("track_position", 1.0), ("wheel_angle", 1.0))  # members of a place where bodies change along the way

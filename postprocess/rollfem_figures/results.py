@@ -43,15 +43,6 @@ class PointRecord:
         self.x, self.y, self.place = x, y, place
 
     @property
-    def lateral_force_track(self):
-        """Lateral force on the wheel in the track frame (to the right), N, where lateral_force lies in the plane of the
-        patch (docs/track.md); None without a track."""
-        if self.place is None:
-            return None
-        angle, tilt = self.place["contact_angle"], 1 if self.place["wheel"] == "left" else -1
-        return float(tilt * self.scalars["normal_force"] * math.sin(angle) - self.scalars["lateral_force"] * math.cos(angle))
-
-    @property
     def tangential_coefficient(self):
         """T/F_z, of the tangential tractions alone, as in stress.json: the pressure of a curved patch acts across, too."""
         across = self.scalars["lateral_force"] - self.scalars["lateral_pressure"]

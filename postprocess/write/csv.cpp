@@ -192,16 +192,17 @@ std::string subsurface_csv(const RunRecord& run) {
 std::string contacts_csv(const RunRecord& run) {
   if (!has_places(run)) return {};
   static const char* const main_results[] = {
-      "longitudinal_creepage", "lateral_creepage", "spin",          "normal_force",
-      "longitudinal_force",    "lateral_force",    "max_pressure",  "contact_length",
-      "contact_width",         "approach",         "vertical_force"};
+      "longitudinal_creepage", "lateral_creepage", "spin",           "normal_force",
+      "longitudinal_force",    "lateral_force",    "max_pressure",   "contact_length",
+      "contact_width",         "approach",         "vertical_force", "lateral_force_track",
+      "loaded_height"};
   std::string text = "wheel";
   for (const PlaceScalar& scalar : place_scalars()) text += header(scalar.name, scalar.unit);
   const std::vector<WayScalar> ways = ways_of(run.input);
   for (const WayScalar& way : ways) text += header(way.name, way.unit);
   text += ",model,point";
   for (const char* name : main_results) text += header(name, contact::quantity_named(name).unit);
-  text += ",lateral_force_track [N],contact_elements [-]";
+  text += ",contact_elements [-]";
   for (const char* name : main_results)
     text += header(std::string("error_estimate ") + name, contact::quantity_named(name).unit);
   text += '\n';
@@ -216,10 +217,7 @@ std::string contacts_csv(const RunRecord& run) {
       text += fmt::format("{},{},{}", place, model.name, k + 1);
       for (const char* name : main_results)
         text += ',' + csv_cell(contact::quantity_named(name).value(model.points[k]));
-      const PointResult& point = model.points[k];
-      text += fmt::format(
-          ",{},{}", lateral_force_track(*model.place, point.normal_force, point.lateral_force),
-          model.contact_elements);
+      text += fmt::format(",{}", model.contact_elements);
       for (const char* name : main_results) text += bar_cell(model.points[k], name);
       text += '\n';
     }

@@ -6,7 +6,6 @@
 #include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/wheelset_rows.hpp"
 #include "postprocess/write/yielded_hdf5.hpp"
 
 #include <fmt/core.h>
@@ -283,9 +282,6 @@ void write_point(hid_t points, std::size_t number, const ModelResult& model, boo
                   point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin));
   for (const contact::Quantity& quantity : contact::quantities())
     write_quantity(group, quantity, point);
-  if (model.place)
-    write_attribute(group, "lateral_force_track",
-                    lateral_force_track(*model.place, point.normal_force, point.lateral_force));
   write_by_quantity(group, "error_estimate", "Attributes: estimated error by quantity, in its unit",
                     point.error_estimate);
   const Handle words = create_group(

@@ -7,7 +7,6 @@
 #include "postprocess/write/json_head.hpp"
 #include "postprocess/write/output.hpp"
 #include "postprocess/write/point_table.hpp"
-#include "postprocess/write/wheelset_rows.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -46,9 +45,6 @@ ordered_json point_json(const contact::ModelResult& model, const contact::PointR
         break;
     }
   }
-  if (model.place)
-    json["lateral_force_track"] =
-        lateral_force_track(*model.place, point.normal_force, point.lateral_force);
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, error] : point.error_estimate)
     json["error_estimate"][quantity] = error;

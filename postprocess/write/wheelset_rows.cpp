@@ -41,12 +41,13 @@ std::string rigid_text(const std::optional<RigidWheelset>& rigid) {
 }
 
 std::string wheel_cells(const WheelAt& wheel, std::size_t k) {
-  if (!wheel.main) return ",,,,,,,,,,";
+  if (!wheel.main) return ",,,,,,,,,,,";
   const contact::PointResult& point = wheel.main->points[k];
-  return fmt::format(",{},{},{},{},{},{},{},{},{},{}", wheel.patches,
+  return fmt::format(",{},{},{},{},{},{},{},{},{},{},{}", wheel.patches,
                      wheel.main->place->rolling_radius, wheel.main->place->contact_angle,
                      point.contact_length, point.contact_width, wheel.area, wheel.max_pressure,
-                     wheel.vertical_force, wheel.longitudinal_force, wheel.lateral_force_track);
+                     wheel.vertical_force, wheel.longitudinal_force, wheel.lateral_force_track,
+                     csv_cell(point.loaded_height));
 }
 
 std::string head(const std::vector<WayScalar>& ways) {
@@ -57,7 +58,7 @@ std::string head(const std::vector<WayScalar>& ways) {
     for (const char* what :
          {"patches [-]", "rolling_radius [mm]", "contact_angle [rad]", "contact_length [mm]",
           "contact_width [mm]", "contact_area [mm2]", "max_pressure [MPa]", "vertical_force [N]",
-          "longitudinal_force [N]", "lateral_force_track [N]"})
+          "longitudinal_force [N]", "lateral_force_track [N]", "loaded_height [mm]"})
       text += fmt::format(",{} {}", wheel, what);
   return text +
          ",radius_difference [mm],rigid_radius_difference [mm],conicity_harmonic [-],conicity_wave "
@@ -71,11 +72,6 @@ std::string conicity_cells(const RigidWheelset& rigid) {
 
 }  // namespace
 
-double lateral_force_track(const contact::ContactPlace& place, double normal, double lateral) {
-  const double tilt = place.left ? 1.0 : -1.0;
-  return tilt * normal * std::sin(place.contact_angle) - lateral * std::cos(place.contact_angle);
-}
-
 WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int position,
                  std::size_t point) {
   WheelAt wheel;
@@ -85,10 +81,9 @@ WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int 
       continue;
     const PointResult& found = patch.points[point];
     ++wheel.patches;
-    wheel.vertical_force += contact::quantity_named("vertical_force").value(found).value_or(0.0);
+    wheel.vertical_force += found.vertical_force.value_or(0.0);
     wheel.longitudinal_force += found.longitudinal_force;
-    wheel.lateral_force_track +=
-        lateral_force_track(*patch.place, found.normal_force, found.lateral_force);
+    wheel.lateral_force_track += found.lateral_force_track.value_or(0.0);
     wheel.area += found.contact_area;
     wheel.max_pressure = std::max(wheel.max_pressure, found.max_pressure);
     if (!wheel.main || found.normal_force > wheel.main->points[point].normal_force)

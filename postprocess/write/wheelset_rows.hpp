@@ -11,10 +11,6 @@
 
 namespace rollfem::postprocess {
 
-/// Force on the wheel along y of the track, N, to the right, from the forces in the patch frame,
-/// whose y and normal are tilted by the contact angle (docs/track.md).
-double lateral_force_track(const contact::ContactPlace& place, double normal, double lateral);
-
 /// A wheel at one position and load point, with the sums over its patches.
 struct WheelAt {
   const contact::ModelResult* main = nullptr;  ///< the most loaded patch

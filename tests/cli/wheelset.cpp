@@ -88,6 +88,68 @@ TEST_F(Wheelset, RunSolvesEveryPatchAndRowHasOneLineAPositionWithBothWheels) {
   EXPECT_NEAR(number(2, "radius_difference [mm]"), number(2, "rigid_radius_difference [mm]"), 0.2);
 }
 
+TEST_F(Wheelset, StandsLowerUnderLoadByTheApproach) {
+  // A cylinder on a rail of radius 300 mm: the approach by Hertz, vertically.
+  const std::string cylinder =
+      "models = [\"hertz\", \"halfspace\"]\n[load]\nvertical_force = 80e3\n[friction]\n"
+      "coefficient = 0.0\n[wheel]\nrolling_radius = 460.0\nprofile = \"arcs\"\n[wheel_profile]\n"
+      "radii = [inf]\nends = [-60.0, 60.0]\n[rail]\nprofile = \"arcs\"\n[rail_profile]\n"
+      "radii = [300.0]\nends = [36.0]\nsymmetric = true\n[placement]\n[rolling]\n"
+      "problem = \"frictionless\"\n[contact_grid]\nelements_across = 40\n";
+  for (const std::string side : {"left", "right"}) {
+    done({"run", folder.file("a.toml", edited(cylinder, {"placement.side=" + side})), "-o", "a",
+          "--no-report"});
+    const auto models = folder.json("a/summary.json")["models"];
+    const auto& hertz = models[0]["points"][0];
+    const auto& solved = models[1]["points"][0];
+    EXPECT_NEAR(hertz["loaded_height"].get<double>(),
+                models[0]["place"]["height"].get<double>() + hertz["approach"].get<double>(),
+                1e-12);
+    const double bar = solved["error_estimate"]["loaded_height"].get<double>();
+    EXPECT_EQ(bar, solved["error_estimate"]["approach"].get<double>());
+    EXPECT_LT(bar, 1e-3 * hertz["approach"].get<double>());
+    EXPECT_NEAR(solved["loaded_height"].get<double>(), hertz["loaded_height"].get<double>(),
+                std::max(bar, 1e-4 * hertz["approach"].get<double>()));
+    EXPECT_EQ(solved["error_estimate"]["lateral_force_track"],
+              solved["error_estimate"]["lateral_force"]);
+  }
+}
+
+TEST_F(Wheelset, AtItsLoadedHeightCarriesItsLoad) {
+  // The load is a result where the height is given: on the root of S1002, left and right.
+  for (const std::string side : {"left", "right"}) {
+    const std::string shift = side == "left" ? "-5.0" : "5.0";
+    const std::string at =
+        edited(wheel_on_rail, {"wheelset.side=" + side, "wheelset.lateral_shift=" + shift,
+                               "wheelset.roll=0.0", "friction.coefficient=0.0",
+                               "rolling.problem=frictionless", "contact_grid.elements_across=12"});
+    done({"run", folder.file("a.toml", at), "-o", "a", "-m", "halfspace", "--no-report"});
+    const auto contacts = csv_records(folder.text("a/contacts.csv"));
+    ASSERT_EQ(contacts.size(), 1U);
+    const std::string height = contacts[0].at("loaded_height");
+    EXPECT_GT(std::stod(contacts[0].at("contact_angle")), 0.05);
+    EXPECT_GT(std::stod(height), std::stod(contacts[0].at("height")));
+    std::string pressed = at;
+    pressed.erase(pressed.find("vertical_force"), std::string("vertical_force = 100e3").size());
+    done({"run", folder.file("b.toml", edited(pressed, {"wheelset.height=" + height})), "-o", "b",
+          "-m", "halfspace", "--no-report"});
+    const auto point = folder.json("b/summary.json")["models"][0]["points"][0];
+    EXPECT_NEAR(point["vertical_force"].get<double>(), 100e3, 1e2) << side;
+    EXPECT_NEAR(point["loaded_height"].get<double>(), std::stod(height), 1e-4);
+    EXPECT_EQ(point["no_bar"]["loaded_height"], "given");
+  }
+}
+
+TEST_F(Wheelset, WithoutAFreeRotationTheKeyIsNamed) {
+  const std::string in_metres =
+      edited(wheel_on_rail, {"wheel.rolling_radius=0.46", "wheelset.free_rolling=torque"});
+  const Outcome outcome =
+      folder.call({"run", folder.file("case.toml", in_metres), "-o", "out", "-m", "halfspace"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(says(outcome.err, "case.toml: wheelset.free_rolling = \"torque\": no rotation_change",
+                   "do: check wheel.rolling_radius = 0.46 mm"));
+}
+
 TEST_F(Wheelset, AWheelAboveItsRailCarriesNothing) {
   const std::string given =
       "models = [\"halfspace\"]\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 460.0\n"

@@ -101,8 +101,9 @@ std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
   }
   constexpr auto worth_keeping = std::chrono::milliseconds(50);
   const auto begin = std::chrono::steady_clock::now();
-  scenes =
-      contact::at_place(where(input, position), [&] { return balanced_position(input, here); });
+  const std::string file = (input.file.empty() ? "case" : input.file) + ": ";
+  scenes = contact::at_place(file + where(input, position),
+                             [&] { return balanced_position(input, here); });
   if (kept != nullptr && std::chrono::steady_clock::now() - begin > worth_keeping) {
     Record record;
     exchange(record, here, scenes);
@@ -213,9 +214,10 @@ namespace {
 /// rounding.
 constexpr double sum_tolerance = 1e-5;
 
+template <class Error = contact::SolveError>
 [[noreturn]] void refuse(const contact::Case& input, const ModelResult& result,
                          const std::string& what) {
-  throw contact::SolveError(fmt::format(
+  throw Error(fmt::format(
       "{}: {}: model {}: {}: this is not a valid result; do: please report the case as a defect of "
       "the program",
       input.file.empty() ? "case" : input.file, result.place->label(), result.name, what));
@@ -279,7 +281,7 @@ void check_wheel(const contact::Case& input, const std::vector<const ModelResult
         const auto a = across_track(*contacts[i], contacts[i]->points[k]);
         const auto b = across_track(*contacts[j], contacts[j]->points[k]);
         if (std::max(a[0], b[0]) < std::min(a[1], b[1]))
-          refuse(
+          refuse<contact::ConformalContact>(
               input, *contacts[j],
               fmt::format("it overlaps {}: both have pressure between {:.3f} and {:.3f} mm from "
                           "the middle of the track",

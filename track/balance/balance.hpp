@@ -62,7 +62,8 @@ std::vector<std::string> untouched_wheels(const contact::Case& input, const Plac
 // reference point, with positive approaches and shares that add up to the load.
 
 /// `results`: of one model, all contacts of all wheels at all positions; results without a position
-/// are skipped. Throws contact::SolveError naming the defect.
+/// are skipped. Throws contact::SolveError naming the defect, contact::ConformalContact where
+/// contacts of a wheel overlap.
 void check_results(const contact::Case& input, const std::vector<contact::ModelResult>& results);
 
 // What the sharing of a wheel's load between contacts leaves out: a flange bends away from the rail

@@ -318,9 +318,10 @@ class Position {
     const double small =
         torque_tolerance * input_.friction_coefficient * load_scale() * input_.wheel.rolling_radius;
     for (std::size_t k = 0; k < rotation_.size(); ++k) {
+      double sum = 0.0;
       const auto torque_at = [&](double rotation) {
         rotation_[k] = rotation;
-        double sum = 0.0;
+        sum = 0.0;
         for (std::size_t w = from; w < to; ++w) turn(wheels_[w]);
         solve(from, to, &k);
         for (std::size_t w = from; w < to; ++w) sum += torque(wheels_[w], k);
@@ -330,12 +331,20 @@ class Position {
       const auto found = contact::root_from(torque_at, start, at_start,
                                             at_start > 0.0 ? start + step : start - step, largest,
                                             tolerance, "free rotation");
-      if (!found)
-        throw contact::SolveError(fmt::format(
-            "free rotation: no change of sign between {:g} and {:g}", -largest, largest));
+      if (!found) refuse_rotation(largest, sum);
       rotation_[k] = *found;
     }
     for (std::size_t w = from; w < to; ++w) turn(wheels_[w]);
+  }
+
+  [[noreturn]] void refuse_rotation(double largest, double left) const {
+    throw contact::SolveError(fmt::format(
+        "wheelset.free_rolling = \"{}\": no rotation_change from {:g} to {:g} is free rolling; at "
+        "the last one {:.4g} N mm are left; allowed: wheels that roll near their rolling_radius; "
+        "do: check wheel.rolling_radius = {:g} mm and the units of the profiles, or give "
+        "rotation_change instead",
+        free_ == FreeRolling::force ? "force" : "torque", -largest, largest, left,
+        input_.wheel.rolling_radius));
   }
 
   double load_scale() const {

@@ -121,6 +121,11 @@ double vertical_force(double normal, double lateral, const contact::ContactPlace
   return normal * along_normal + lateral * across;
 }
 
+double lateral_force(double normal, double lateral, const contact::ContactPlace& place) {
+  return -side_sign(place.left) * normal * std::sin(place.contact_angle) -
+         lateral * std::cos(place.contact_angle);
+}
+
 namespace {
 
 /// Points over a quarter wave, whose integrand is smooth except for the jumps of the radii.

@@ -71,6 +71,9 @@ std::array<double, 2> upwards(const contact::ContactPlace& place);
 /// Upward force on the wheel, N.
 double vertical_force(double normal, double lateral, const contact::ContactPlace& place);
 
+/// Force on the wheel along y of the track (to the right), N.
+double lateral_force(double normal, double lateral, const contact::ContactPlace& place);
+
 // Equivalent conicity of a wheelset from the difference of its rolling radii over the lateral
 // shift: the angle of the cones that would have the same lateral motion.
 

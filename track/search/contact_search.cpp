@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "track/search/contact_search.hpp"
 
+#include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
 #include "profiles/profiles.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace rollfem::track {
@@ -314,7 +316,9 @@ std::vector<WheelRailContact> find_contacts(const Case& input, const SearchScene
     SearchOptions here = options;
     if (!input.wheelset.height.empty() && !options.height)
       here.height = input.wheelset.height.at(static_cast<std::size_t>(position - 1));
-    for (WheelRailContact& contact : find_contacts(input, scene, pose, position, left, here))
+    const std::string file = (input.file.empty() ? "case" : input.file) + ": ";
+    for (WheelRailContact& contact : contact::at_place(
+             file, [&] { return find_contacts(input, scene, pose, position, left, here); }))
       all.push_back(std::move(contact));
   }
   return all;

@@ -5,6 +5,8 @@
 #include "halfspace/elasticity/influence.hpp"
 #include "track/search/patch_groups.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -153,7 +155,11 @@ double estimate_sinking(const VerticalGap& gap, const std::vector<Stretch>& stre
   constexpr double first_step = 0.01, deepest = 1e7;  // mm
   const auto found = contact::root_from(excess, 0.0, -vertical, first_step, deepest, tolerance,
                                         "estimate of the sinking");
-  if (!found) throw contact::SolveError("estimate of the sinking: no sinking carries the load");
+  if (!found)
+    throw contact::SolveError(fmt::format(
+        "no sinking of the wheel carries {:g} N vertically; allowed: loads that the surfaces can "
+        "carry; do: check the load, the materials and the units of the profiles",
+        vertical));
   return least + *found;
 }
 

@@ -6,8 +6,8 @@ from typing import Any
 from .point import Point
 
 #: Of a wheel with several patches: sums, and those that have no sum as each patch has a frame of its own.
-SUMS = ("normal_force", "longitudinal_force", "vertical_force", "contact_area", "adhesion_area", "patch_count",
-        "elastic_energy", "frictional_work", "creepage_work", "revolution_work", "iterations", "seconds")
+SUMS = ("normal_force", "longitudinal_force", "vertical_force", "lateral_force_track", "contact_area", "adhesion_area",
+        "patch_count", "elastic_energy", "frictional_work", "creepage_work", "revolution_work", "iterations", "seconds")
 #: Of the patch with the largest work.
 PLACES = ("pass_work_y_wheel", "pass_work_y_rail")
 OWN_FRAME = ("lateral_force", "lateral_pressure", "spin_moment")

@@ -54,7 +54,6 @@ class Point(PointRecord):
     pass_work: Annotated[np.ndarray | None, "frictional work per pass and area of the rows [ny] of the grid, N/mm; its bar "
                          "is that of max_pass_work"]
     place: Annotated[dict[str, Any] | None, "of the patch, as of its ModelResult"]
-    lateral_force_track: float | None
 
     if TYPE_CHECKING:
         def __getattr__(self, name: str) -> Any: ...

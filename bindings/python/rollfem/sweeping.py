@@ -17,7 +17,6 @@ from .point import QUANTITIES, Point, columns_of
 from .result import Result
 from .solving import Models, Told, names_of, solve
 
-NAMES = ("lateral_force_track", *QUANTITIES)
 MOST_POINTS = 1000  # of a list in a case
 Index = tuple[int, ...]
 
@@ -90,7 +89,7 @@ class Sweep(OverAxes):
         """A quantity over the grid.
 
         Args:
-            name: One of rollfem.QUANTITIES, or "lateral_force_track": on the wheel along y of the track (to the right), N.
+            name: One of rollfem.QUANTITIES.
             model: As of `patches`.
         Returns:
             In the unit of the quantity; nan where there is none.
@@ -99,9 +98,7 @@ class Sweep(OverAxes):
 
         >>> sweep.values("longitudinal_force", model="fastsim")
         """
-        if known(name, NAMES) == "lateral_force_track":
-            return self._map(model, lambda patches: sum(p.lateral_force_track for p in patches)
-                             if patches and patches[0].place else None)
+        known(name, QUANTITIES)
         return self._map(model, lambda patches: whole(name, patches, lambda point, what: point.scalars.get(what)))
 
     def bars(self, name: str, model: str | None = None) -> np.ndarray:
@@ -116,8 +113,8 @@ class Sweep(OverAxes):
 
         >>> sweep.bars("longitudinal_force")
         """
-        known(name, NAMES)
-        return self._map(model, lambda patches: bar_of(name, patches) if name in QUANTITIES else None)
+        known(name, QUANTITIES)
+        return self._map(model, lambda patches: bar_of(name, patches))
 
     def _map(self, model: str | None, get: Callable[[list[Point]], Any], kind: type = float) -> np.ndarray:
         patches = self.patches(model)
@@ -129,7 +126,7 @@ class Sweep(OverAxes):
         return found
 
     def __getattr__(self, name: str) -> np.ndarray:
-        if name in NAMES:
+        if name in QUANTITIES:
             return self.values(name)
         raise AttributeError(f"a sweep has no {name}")
 

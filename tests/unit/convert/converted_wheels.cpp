@@ -76,15 +76,21 @@ TEST(ConvertedWheel, MovesAsInContact) {
   std::string text = replaced(left_wheel, " 0022033 ", " 0022035 ");
   text = replaced(
       text, "VROLL VYAW VPITCH\n",
-      "VROLL VYAW VPITCH\n 2.0 0.1 -0.2 0.001 0.02 0.0\n 9.0 18.0 -9.0 0.009 0.018 -0.9\n");
+      "VROLL VYAW VPITCH\n 2.0 0.1 -0.2 0.001 0.02 0.0\n 90.0 180.0 -9.0 0.009 0.018 -0.9\n");
+  // All of it in the axes of the wheelset, yawed by 30 mrad.
+  text = replaced(text, " 0.003 0.0 S Y", " 0.03 0.0 S Y");
   const Case made = converted_alone(text);
   const contact::Displacement& wheel = made.wheel_displacement;
   const double speed = 9000.0, radius = 450.0, turning = 20.02 / speed, middle = -749.0;
-  const Vector3d moved(2.0, 0.1, -0.2), axle(-std::sin(0.02), std::cos(0.02), std::sin(0.001));
-  const Vector3d ahead(std::cos(0.02), std::sin(0.02), 0.0), down = ahead.cross(axle);
-  const Vector3d origin = Vector3d(0.0, middle, radius) + moved;
-  const Twist wheelset{Vector3d::Zero(), Vector3d::UnitX(), -turning * Vector3d::UnitY()};
-  const Twist own{origin, Vector3d(9.0, 18.0, -9.0) / speed, Vector3d(0.009, -0.9, 0.018) / speed};
+  const Eigen::Matrix3d yawed = Eigen::AngleAxisd(0.03, Vector3d::UnitZ()).toRotationMatrix();
+  const Vector3d moved(2.0, 0.1, -0.2);
+  const Vector3d axle = yawed * Vector3d(-std::sin(0.02), std::cos(0.02), std::sin(0.001));
+  const Vector3d ahead = yawed * Vector3d(std::cos(0.02), std::sin(0.02), 0.0);
+  const Vector3d down = ahead.cross(axle);
+  const Vector3d origin = yawed * (Vector3d(0.0, middle, radius) + moved);
+  const Twist wheelset{Vector3d::Zero(), Vector3d::UnitX(), -turning * yawed * Vector3d::UnitY()};
+  const Twist own{origin, yawed * Vector3d(90.0, 180.0, -9.0) / speed,
+                  yawed * Vector3d(0.009, -0.9, 0.018) / speed};
   const Twist about_axle{origin - radius * down, Vector3d::UnitX(),
                          -(turning + wheel.rotation[0]) * axle};
   const Twist by_keys{

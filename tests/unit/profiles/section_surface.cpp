@@ -182,6 +182,24 @@ TEST_F(SectionList, SaysWhatIsWrong) {
   EXPECT_TRUE(says(refused("0 sections/1.txt\n1 sections/9.txt\n"), "sections/9.txt"));
 }
 
+TEST_F(SectionList, SectionsTooNearForTheirDifferenceAreRefused) {
+  const auto refused = [&](const std::string& text) {
+    return refusal<contact::InputError>([&] { read("a.sections", text); });
+  };
+  // 0.5 mm within 0.01 mm: a wall.
+  EXPECT_TRUE(says(refused("0 sections/1.txt\n0.01 sections/2.txt\n"), "a.sections: from 0 to 0.01",
+                   "0.5 mm", "farther apart"));
+  // Measured twice within 0.2 mm, 0.5 mm apart: a natural spline bends by 2.5 mm/mm beside it.
+  EXPECT_TRUE(says(refused("0 sections/1.txt\n50 sections/1.txt\n50.2 sections/2.txt\n"
+                           "100 sections/2.txt\n"),
+                   "from 0 to 50", "mm beyond"));
+  // Equal ones may be as near as wanted, and a step within its own length is a step.
+  EXPECT_TRUE(read("a.sections", "0 sections/1.txt\n0.001 sections/1.txt\n50 sections/1.txt\n"));
+  EXPECT_TRUE(read("a.sections",
+                   "0 sections/1.txt\n2 sections/1.txt\n4 sections/2.txt\n"
+                   "6 sections/2.txt\n"));
+}
+
 TEST_F(SectionList, IsNotASectionOfAList) {
   folder_.file("b.slcs", "0 1\n2\n0 0 0\n2\n0 a.sections\n1 a.sections\n");
   for (const std::string name : {"a.sections", "b.slcs"})
