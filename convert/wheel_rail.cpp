@@ -130,19 +130,18 @@ void turn_about_own_axles(const ContactCase& given, const Forward& forward,
   const double tilt = roller * (1.0 - std::cos(rail[2]));  // seen from the origin of the rail
   const double pitch = turning + wheel[11] + tilt;
   const double rotation = pitch * cosine / std::cos(wheel[3]);  // about its own axle
-  wheel[6] += radius * (rotation * cosine - turning) - turning * wheel[2] - roller * rail[1];
+  // The velocities of CONTACT are along the axes of the yawed wheelset.
+  const double yaw = forward.sign * given.wheel_rail.position[4];
+  const double ahead = wheel[6] + radius * (rotation * cosine - turning) - turning * wheel[2];
+  const double across = wheel[7] + radius * rotation * sine;
+  wheel[6] = std::cos(yaw) * ahead - std::sin(yaw) * across - roller * rail[1];
   if (given.digits.N == 0) wheel[6] -= tilt * given.wheel_rail.position[2];
-  wheel[7] += radius * rotation * sine;
+  wheel[7] = std::sin(yaw) * ahead + std::cos(yaw) * across;
   // With the slip of every place (digit D) CONTACT leaves DX out.
   if (given.wheel_rail.search < 3 || given.wheel_rail.search > 4) wheel[8] += turning * wheel[0];
   wheel[9] -= pitch * sine;
   wheel[10] += rotation * std::sin(wheel[3]) + roller * std::sin(rail[2]);
   wheel[11] = rotation - turning;
-  // The velocities of CONTACT are along the axes of the yawed wheelset.
-  const double yaw = forward.sign * given.wheel_rail.position[4];
-  const double ahead = wheel[6];
-  wheel[6] = std::cos(yaw) * ahead - std::sin(yaw) * wheel[7];
-  wheel[7] = std::sin(yaw) * ahead + std::cos(yaw) * wheel[7];
 }
 
 /// Displacements of wheel and rail by themselves.

@@ -23,10 +23,18 @@ using contact::Creepage;
 
 namespace {
 
+/// Along the normal of the contact's plane, mm: at a given height, or as estimated.
+double approach_of(const Case& input, const WheelRailContact& contact) {
+  const contact::ContactPlace& place = contact.place;
+  if (input.wheelset.height.empty()) return contact.approach;
+  const double height = input.wheelset.height.at(static_cast<std::size_t>(place.position) - 1);
+  return (height - contact.pose.height) * std::cos(place.contact_angle) - place.separation;
+}
+
 /// The case's approach applies to the first patch; the others have the same sinking.
 contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) {
   const contact::Load& load = input.load;
-  if (input.sinks()) return {{}, contact.approach};
+  if (input.sinks()) return {{}, approach_of(input, contact)};
   if (contact.place.patches > 1 && !load.vertical_force)
     throw contact::InputError(fmt::format(
         "{}: load.normal_force: the {} wheel at position {} touches in {} patches, among which a "
@@ -86,7 +94,7 @@ std::vector<double> approaches(const contact::Case& input, const std::vector<Pla
   std::vector<double> found;
   if (wheel.size() == 1 || !input.load.vertical_force) {
     for (const PlacedScene& placed : wheel)
-      found.push_back(input.sinks() ? placed.contact.approach
+      found.push_back(input.sinks() ? approach_of(input, placed.contact)
                                     : halfspace::PatchSearch(placed.scene).patch().approach);
     return found;
   }

