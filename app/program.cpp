@@ -133,11 +133,12 @@ std::vector<std::string> arguments(int argc, char** argv) {
 
 /// Processes of mpirun on one machine share its cores, unless each is bound to some of them.
 void share_cores(Call& call) {
+  const int allowed = contact::allowed_threads();
   const int together = modelling::processes().on_machine;
   if (together == 1 || std::getenv("OMP_NUM_THREADS") != nullptr) return;
   const int cores = std::min(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)),
                              contact::allowed_cores("/proc", "/sys/fs/cgroup"));
-  call.threads.emplace(std::min(contact::allowed_threads(), std::max(1, cores / together)));
+  call.threads.emplace(std::min(allowed, std::max(1, cores / together)));
 }
 
 int execute(int argc, char** argv, const contact::ModelRegistry& models) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "convert/contact_reader.hpp"
 
+#include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
+
 #include <fmt/format.h>
 
 #include "convert/input_lines.hpp"
@@ -340,6 +343,12 @@ void check_first(const InputLines& lines, const ContactCase& first) {
 
 std::vector<ContactCase> read_contact_file(std::string_view text, const std::string& name) {
   InputLines lines(text, name);
+  // Never quote the contents of other files.
+  if (!lines.at_end() && !contact::looks_like_table(text, "%"))
+    throw contact::InputError(
+        name +
+        ": is not an input file of CONTACT: most of its lines do not begin with a number; "
+        "do: name an input file of modules 1 or 3 (.inp)");
   std::vector<ContactCase> cases;
   std::map<std::pair<double, double>, ContactCase> kept;  // by module and result element
   std::vector<double> which{0.0};

@@ -129,6 +129,7 @@ ModelResult run_hybrid(const Scene& scene, const contact::Progress& progress,
   refuse_free_ends(scene);
   Scene curved = scene;
   curved.follows_surface = 1.0;
+  halfspace::check_grid(curved);
   const halfspace::SmoothParts parts = find(curved, progress);
   const double seconds = watch.seconds();
   halfspace::GridElasticity elasticity = elasticity_of(parts);

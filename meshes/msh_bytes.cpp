@@ -23,17 +23,10 @@ bool is_blank(char c) {
 }  // namespace
 
 MshBytes::MshBytes(const std::string& path, std::string name) : name_(std::move(name)) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status))
-    fail_file("there is no such mesh file", "check the path, which is relative to the case file");
-  if (!fs::is_regular_file(status))
-    fail_file("is not a regular file", "name a gmsh mesh file (.msh)");
-  std::ifstream file(path, std::ios::binary);
-  bytes_.resize(static_cast<std::size_t>(fs::file_size(path, error)));
-  if (error || !file.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size())))
-    fail_file("cannot be read", "check the permissions of the file");
+  constexpr std::size_t largest_file = 20'000'000'000;
+  bytes_ =
+      contact::text_of_file(path, name_, largest_file,
+                            "name a gmsh mesh file (.msh), its path relative to the case file");
 }
 
 void MshBytes::fail_file(const std::string& wrong, const std::string& action) const {

@@ -59,7 +59,7 @@ ProfileCurve from_file(const ProfileSource& source, bool wheel, const std::strin
                        ProfileReport& report) {
   const std::filesystem::path path = std::filesystem::path(case_file).parent_path() / source.name;
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
+  if (!std::filesystem::exists(path, error))
     throw contact::FileError(fmt::format(
         "{}: profile = \"{}\" is neither a known profile nor an existing file; allowed: {}, arcs, "
         "polynomial or a file path relative to the case file; do: correct the name",

@@ -173,6 +173,7 @@ std::vector<double> at_lengths(const ProfileCurve& curve, const std::vector<doub
 
 void check_list(const SectionList& list, const std::string& name) {
   constexpr std::size_t most_sections = 10'000, most_features = 1000;
+  constexpr double farthest = 1e9;
   if (list.sections.size() < 2 || list.sections.size() > most_sections)
     fail(name, 1, fmt::format("{} sections", list.sections.size()),
          fmt::format("at least two, at most {}", most_sections),
@@ -188,6 +189,9 @@ void check_list(const SectionList& list, const std::string& name) {
     if (here.features.size() > most_features)
       fail(name, here.line, fmt::format("{} features", here.features.size()),
            fmt::format("up to {}", most_features), "give fewer");
+    if (std::abs(here.position) > farthest)
+      fail(name, here.line, fmt::format("position {:g}", here.position),
+           fmt::format("up to {:g} of either sign, mm or rad", farthest), "correct it");
     if (k > 0 && !(here.position > before.position))
       fail(name, here.line, fmt::format("position {:g} after {:g}", here.position, before.position),
            "increasing positions", "sort the sections");
@@ -236,6 +240,10 @@ ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
   constexpr std::size_t largest = 10'000'000;
   const std::string text = contact::text_of_file(path.string(), source.name, largest);
   const bool plain = std::filesystem::path(source.name).extension() == ".sections";
+  // Never quote the contents of other files.
+  if (!contact::looks_like_table(text, plain ? "#" : "%!"))
+    fail(source.name, 1, "is not a list of sections, most of its lines do not begin with a number",
+         "lines of position and file", "check the path");
   SectionList list = plain ? read_rows(text, source.name) : read_slices(text, source.name);
   check_list(list, source.name);
   ListedSections read{{},

@@ -243,7 +243,7 @@ void store_results(const std::string& directory, const postprocess::RunRecord& r
 }
 
 void refuse_other_result(const fs::path& directory, const std::string& own) {
-  for (const char* other : {"summary.json", "compare.json", "study.json"})
+  for (const char* other : {"summary.json", "compare.json", "study.json", "table.h5"})
     if (other != own && fs::exists(directory / other))
       throw contact::InputError(
           fmt::format("{} holds the result of another command ({}); do: name another folder with "

@@ -270,7 +270,8 @@ void tell(const std::vector<convert::CaseFile>& files, const fs::path& directory
 
 void convert(const ConvertRequest& request, const contact::ModelRegistry& models) {
   const fs::path file(request.file);
-  const std::string text = contact::text_of_file(request.file, request.file, largest_input);
+  const std::string text = contact::text_of_file(request.file, request.file, largest_input,
+                                                 "name an input file of CONTACT (.inp)");
   const auto cases = convert::read_contact_file(text, request.file);
   const fs::path directory =
       request.directory.empty() ? file.stem().string() + "_cases" : request.directory;

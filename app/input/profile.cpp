@@ -174,7 +174,7 @@ std::vector<NamedProfile> asked_for(const ProfileRequest& request) {
   if (fs::path(request.name).extension() == ".toml") return of_case(request);
   std::error_code error;
   if (profiles::find_built_in_profile(request.name) == nullptr &&
-      !fs::is_regular_file(request.name, error)) {
+      !fs::exists(request.name, error)) {
     std::vector<std::string> names;
     for (const profiles::BuiltInProfile& profile : profiles::built_in_profiles())
       names.push_back(profile.name);

@@ -129,6 +129,7 @@ void table_at_once(const ComputingRequest& request) {
   const contact::Case input = request.read();
   CommandFrame frame(request, {});
   if (frame.idle()) return;
+  refuse_other_result(directory_of(request), "table.h5");
   warn_of_doubts(input);
   if (const std::string ignored = tables::ignored_keys(input); !ignored.empty())
     frame.say("note: " + ignored);

@@ -15,6 +15,8 @@ class Checkpoint {
   /// Data stored under this name by an earlier run of the same case. Names are file names: letters,
   /// digits, '.', '-'.
   virtual std::optional<std::string> find(const std::string& name) = 0;
+  /// Reports a record that find() gave as damaged, because its content does not fit.
+  virtual void refuse(const std::string& /*name*/) {}
   /// Never throws: a run must not fail because its checkpoint cannot be written.
   virtual void keep(const std::string& name, const std::string& record) = 0;
 };
@@ -28,6 +30,9 @@ class CheckpointPart : public Checkpoint {
       : whole_(whole), prefix_(std::move(prefix)) {}
   std::optional<std::string> find(const std::string& name) override {
     return whole_ == nullptr ? std::nullopt : whole_->find(prefix_ + name);
+  }
+  void refuse(const std::string& name) override {
+    if (whole_ != nullptr) whole_->refuse(prefix_ + name);
   }
   void keep(const std::string& name, const std::string& record) override {
     if (whole_ != nullptr) whole_->keep(prefix_ + name, record);

@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <fcntl.h>
 #include <numeric>
-#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
 
 namespace rollfem::contact {
 
@@ -107,24 +109,53 @@ bool looks_like_table(std::string_view text, std::string_view marks) {
   return numbers >= others && numbers > 0;
 }
 
-std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && size > largest)
-    throw FileError(
-        fmt::format("{}: has {:.3g} MB; allowed: {:.3g} MB; do: name another file, or "
-                    "give fewer points",
-                    name, 1e-6 * static_cast<double>(size), 1e-6 * static_cast<double>(largest)));
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  // An empty file would set the stream's fail bit.
-  if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
-  if (!text || (!stream && !stream.eof()))
-    throw FileError(fmt::format(
-        "{}: cannot be read; do: check the path, which is relative to the case file, and the "
-        "permissions",
-        name));
-  return text.str();
+OpenedFile::OpenedFile(const std::string& path, const std::string& name, const std::string& action)
+    : name_(name), action_(action) {
+  file_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (file_ < 0 && (errno == ENOENT || errno == ENOTDIR)) fail("there is no such file");
+  struct stat status {};
+  if (file_ < 0 || ::fstat(file_, &status) != 0) fail("cannot be read");
+  if (S_ISDIR(status.st_mode)) fail("is a folder, not a file");
+  if (!S_ISREG(status.st_mode)) fail("is not a regular file");
+  size_ = static_cast<std::size_t>(status.st_size);
+}
+
+OpenedFile::~OpenedFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+void OpenedFile::fail(const std::string& wrong) {
+  if (file_ >= 0) ::close(std::exchange(file_, -1));
+  throw FileError(fmt::format("{}: {}; do: {}", name_, wrong, action_));
+}
+
+std::size_t OpenedFile::read(char* data, std::size_t size) {
+  std::size_t count = 0;
+  while (count < size) {
+    const ssize_t got = ::read(file_, data + count, size - count);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail("cannot be read");
+    if (got == 0) break;
+    count += static_cast<std::size_t>(got);
+  }
+  return count;
+}
+
+std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest,
+                         const std::string& action) {
+  OpenedFile file(path, name, action);
+  std::string text;
+  // The size is only a first guess: files grow, and those of /proc have none.
+  std::size_t wanted = std::min(file.size(), largest) + 1;
+  for (std::size_t got = wanted; got == wanted; wanted = 1U << 16U) {
+    const std::size_t before = text.size();
+    text.resize(before + wanted);
+    got = file.read(text.data() + before, wanted);
+    text.resize(before + got);
+    if (std::max(file.size(), text.size()) > largest)
+      file.fail(fmt::format("is larger than {:.3g} MB", 1e-6 * static_cast<double>(largest)));
+  }
+  return text;
 }
 
 std::string printable(std::string_view text, std::size_t longest) {

@@ -47,9 +47,33 @@ std::optional<int> whole_number_of(std::string_view field);
 /// and section limits (`point.begin`). A file of passwords named by mistake is never quoted.
 bool looks_like_table(std::string_view text, std::string_view marks);
 
-/// The whole of a regular file. Throws FileError, which calls it `name`, where it cannot be read
-/// or is larger than `largest` bytes.
-std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest);
+/// A regular file, opened for reading; it is open before it is examined, so that no other file can
+/// take its place, and neither a device nor a FIFO is ever read or waited for.
+class OpenedFile {
+ public:
+  /// Throws FileError, which calls the file `name` and advises `action`.
+  OpenedFile(const std::string& path, const std::string& name, const std::string& action);
+  ~OpenedFile();
+  OpenedFile(const OpenedFile&) = delete;
+  OpenedFile& operator=(const OpenedFile&) = delete;
+
+  std::size_t size() const { return size_; }  ///< bytes, when it was opened
+  /// The next bytes; fewer than `size` only at the end.
+  std::size_t read(char* data, std::size_t size);
+  [[noreturn]] void fail(const std::string& wrong);
+
+ private:
+  std::string name_, action_;
+  int file_ = -1;
+  std::size_t size_ = 0;
+};
+
+/// The whole of a regular file. Throws FileError, which calls it `name` and advises `action`, where
+/// it cannot be read or is larger than `largest` bytes.
+std::string text_of_file(const std::string& path, const std::string& name, std::size_t largest,
+                         const std::string& action =
+                             "check the path, which is relative to the case file, its size and "
+                             "the permissions");
 
 /// A text for a message: at most so many characters, ? for those that would disturb a terminal or
 /// end the line.

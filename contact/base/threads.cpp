@@ -2,6 +2,10 @@
 #include "contact/base/threads.hpp"
 
 #include "contact/base/available_memory.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
@@ -118,8 +122,12 @@ class FirstError {
 int allowed_threads() {
   static const int allowed = [] {
     const char* wanted = std::getenv("OMP_NUM_THREADS");
-    const int number = wanted != nullptr ? std::atoi(wanted) : 0;
-    if (number > 0) return number;
+    const long number = wanted != nullptr ? std::strtol(wanted, nullptr, 10) : 0;
+    if (number > most_threads)
+      throw InputError(
+          fmt::format("OMP_NUM_THREADS = {}; allowed: 1 to {}; do: correct or unset it",
+                      printable(wanted), most_threads));
+    if (number > 0) return static_cast<int>(number);
     // The first number already includes affinity.
     return std::max(1, std::min(static_cast<int>(std::thread::hardware_concurrency()),
                                 allowed_cores("/proc", "/sys/fs/cgroup")));

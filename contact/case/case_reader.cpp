@@ -8,15 +8,13 @@
 #include "contact/case/toml/toml_source.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace rollfem::contact {
 
 namespace {
 
-constexpr std::uintmax_t largest_file = 1 << 20;
+constexpr std::size_t largest_file = 1 << 20;
 
 void set_values(Case& input, const std::map<const Key*, GivenValue>& values) {
   for (const Key& key : case_keys()) {
@@ -97,27 +95,14 @@ Case make_case(const NamedValues& values, const std::string& name) {
 
 Case read_case(const std::string& path, const ModelWords& models,
                const std::vector<std::string>& changes) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status))
-    fail_file(path, "there is no such file", "check the path; cases/ holds examples");
-  if (fs::is_directory(status))
-    fail_file(path, "is a folder, not a case file", "name a .toml file in it");
-  if (!fs::is_regular_file(status))
-    fail_file(path, "is not a regular file", "save the case in a file and name that");
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size > largest_file)
-    fail_file(path, "is larger than 1 MB, so it is not a case file", "give a case file in TOML");
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file && size > 0) text << file.rdbuf();
-  if (!file || !text) fail_file(path, "cannot be read", "check the permissions of the file");
-  return parse_case(with_changes(text.str(), path, changes, models), path, models);
+  std::string text =
+      text_of_file(path, path, largest_file, "name a case file (.toml); cases/ holds examples");
+  return parse_case(with_changes(std::move(text), path, changes, models), path, models);
 }
 
 std::vector<SubsurfaceRequest> read_places(const std::string& path) {
-  const GivenCase given = read_toml(text_of_file(path, path, largest_file), path);
+  const GivenCase given =
+      read_toml(text_of_file(path, path, largest_file, "name a file of places"), path);
   if (given.entries.empty())
     fail_file(path, "has no section [[subsurface.point]], .line, .plane or .surface",
               "add one, as in a case file (docs/case-file.md)");

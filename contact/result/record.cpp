@@ -9,13 +9,17 @@
 
 namespace rollfem::contact {
 
+void Record::demand(bool fits) const {
+  if (!fits) throw FileError("a record is damaged; do: delete it, or run without --resume");
+}
+
 void Record::raw(void* data, std::size_t size) {
   if (size == 0) return;
   if (!reading_) {
     bytes_.append(static_cast<const char*>(data), size);
     return;
   }
-  if (size > bytes_.size() - position_) throw FileError("the record ends too early");
+  demand(size <= bytes_.size() - position_);
   std::memcpy(data, bytes_.data() + position_, size);
   position_ += size;
 }
@@ -24,8 +28,7 @@ std::size_t Record::length(std::size_t size, std::size_t bytes_each) {
   unsigned long long count = size;
   raw(&count, sizeof count);
   // A damaged length must not allocate all memory.
-  if (reading_ && count > (bytes_.size() - position_) / bytes_each)
-    throw FileError("the record ends too early");
+  demand(!reading_ || count <= (bytes_.size() - position_) / bytes_each);
   return static_cast<std::size_t>(count);
 }
 
@@ -42,6 +45,7 @@ void Record::value(std::string& text) {
 
 void Record::value(Field& field) {
   const auto size = length(static_cast<std::size_t>(field.size()), sizeof(double));
+  demand(!reading_ || elements_ < 0 || size == 0 || static_cast<Eigen::Index>(size) == elements_);
   field.resize(static_cast<Eigen::Index>(size));
   raw(field.data(), size * sizeof(double));
 }

@@ -4,6 +4,8 @@
 // machine and program version; the exchange format is results.h5.
 #pragma once
 
+#include "contact/base/checkpoint.hpp"
+#include "contact/base/errors.hpp"
 #include "contact/base/grid.hpp"
 #include "contact/result/result.hpp"
 
@@ -20,8 +22,10 @@ class Record {
  public:
   /// For writing.
   Record() = default;
-  /// For reading.
-  explicit Record(std::string bytes) : bytes_(std::move(bytes)), reading_(true) {}
+  /// For reading. `elements`: of the grid that fields belong to; fields of another size are
+  /// refused.
+  explicit Record(std::string bytes, Eigen::Index elements = -1)
+      : bytes_(std::move(bytes)), elements_(elements), reading_(true) {}
 
   bool reading() const { return reading_; }
   const std::string& bytes() const { return bytes_; }
@@ -70,7 +74,10 @@ class Record {
   void value(bool& truth);
   void value(std::string& text);
   void value(Field& field);
-  void value(TangentialField& field) { values(field.x, field.y); }
+  void value(TangentialField& field) {
+    values(field.x, field.y);
+    demand(field.x.size() == field.y.size());
+  }
   void value(SurfaceField& field) { values(field.x, field.y, field.n); }
   void value(Response& response) { values(response.displacement, response.curvature_slip); }
   void value(SubsurfaceField& field) {
@@ -94,6 +101,9 @@ class Record {
   }
   void value(PointResult& point);
 
+  /// Throws FileError unless what was read fits.
+  void demand(bool fits) const;
+
   /// Several in a row.
   template <class... Values>
   void values(Values&... all) {
@@ -107,6 +117,7 @@ class Record {
 
   std::string bytes_;
   std::size_t position_ = 0;
+  Eigen::Index elements_ = -1;
   bool reading_ = false;
 };
 
@@ -116,6 +127,29 @@ std::string record_of(const Values&... all) {
   Record record;
   record.values(const_cast<Values&>(all)...);  // only reading changes them
   return record.bytes();
+}
+
+/// Whether `read` reads the bytes to their end.
+template <class Read>
+bool reads(Record record, const Read& read) {
+  try {
+    read(record);
+    return record.exhausted();
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+/// Whether a checkpoint has a record of this name that `read` reads to its end. A damaged one is
+/// reported, counts as missing and may have been read in part.
+template <class Read>
+bool found(Checkpoint& checkpoint, const std::string& name, const Read& read,
+           Eigen::Index elements = -1) {
+  const std::optional<std::string> bytes = checkpoint.find(name);
+  if (!bytes) return false;
+  if (reads(Record(*bytes, elements), read)) return true;
+  checkpoint.refuse(name);
+  return false;
 }
 
 /// 64-bit FNV-1a, to detect a damaged or foreign record; no protection against malice.

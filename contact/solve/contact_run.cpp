@@ -308,7 +308,7 @@ Vector2d ContactRun::find_force(std::size_t k) {
 /// A load point solved by an earlier run, with the state from which the next one starts.
 bool ContactRun::take_up(std::size_t k) {
   PointResult point;
-  if (!store_->find(k, point, state_)) return false;
+  if (!store_->find(k, result_.grid, point, state_)) return false;
   remember(k);
   motion_->take_up(point);
   elasticity_->take_up(point);

@@ -24,6 +24,20 @@ inline void exchange(Record& record, ContactState& state) {
   record.values(state.displacement, state.defect, state.iterations, state.residual);
 }
 
+/// Whether the fields are there that every solved load point has: results show them, and the next
+/// load point starts from them.
+inline bool is_whole(const PointResult& point, const ContactState& state, const ContactGrid& grid) {
+  const auto full = [&](const auto&... fields) {
+    return ((static_cast<int>(fields.size()) == grid.size()) && ...);
+  };
+  const ContactFields& f = point.fields;
+  const TangentialSolution& t = state.tangential;
+  const SurfaceField& u = state.displacement;
+  return full(state.normal.pressure, u.x, u.y, u.n, t.traction.x, t.slip.x, t.bound, t.state) &&
+         full(f.traction.x, f.traction.y, f.traction.n, f.slip.x, f.traction_bound, f.state) &&
+         full(f.displacement.x, f.displacement.y, f.displacement.n);
+}
+
 /// The load points of one grid in a checkpoint, each with the state from which the next one starts.
 class PointStore {
  public:
@@ -31,11 +45,18 @@ class PointStore {
   PointStore(Checkpoint& checkpoint, std::string prefix, bool usable = true)
       : checkpoint_(checkpoint), prefix_(std::move(prefix)), usable_(usable) {}
   /// Load point k, counted from 0.
-  bool find(std::size_t k, PointResult& point, ContactState& state) {
+  bool find(std::size_t k, const ContactGrid& grid, PointResult& point, ContactState& state) {
     if (!usable_) return false;
-    const std::optional<std::string> bytes = checkpoint_.find(name(k));
-    if (bytes) Record(*bytes).values(point, state);
-    return bytes.has_value();
+    PointResult stored;
+    ContactState its_state;
+    const auto read = [&](Record& record) {
+      record.values(stored, its_state);
+      record.demand(is_whole(stored, its_state, grid));
+    };
+    if (!found(checkpoint_, name(k), read, grid.size())) return false;
+    point = std::move(stored);
+    state = std::move(its_state);
+    return true;
   }
   void keep(std::size_t k, const PointResult& point, const ContactState& state) {
     checkpoint_.keep(name(k), record_of(point, state));

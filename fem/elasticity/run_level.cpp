@@ -77,14 +77,19 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   const std::string name = fmt::format("fem-{:.9g}mm", options.cell_size);
   contact::Response first_defect;
   /// Writes or reads the frictionless solution and the data of the level as a whole.
-  const auto start = [&](contact::Record record) {
+  const auto start = [&](contact::Record& record) {
     record.values(first_defect, result.contact_elements, result.unknowns, result.notes,
                   result.bodies);
-    return record.bytes();
+    record.demand(first_defect.displacement.x.size() == first_defect.displacement.n.size());
   };
-  const auto stored =
-      options.checkpoint ? options.checkpoint->find(name + "-normal") : std::nullopt;
-  if (stored) start(contact::Record(*stored));
+  const contact::ModelResult before = result;
+  const bool stored =
+      options.checkpoint != nullptr &&
+      contact::found(*options.checkpoint, name + "-normal", start, layout.grid.size());
+  if (!stored) {
+    result = before;
+    first_defect = {};
+  }
   contact::RunOptions run_options;
   run_options.model = "fem";
   run_options.stage_prefix = options.stage_prefix;
@@ -96,15 +101,16 @@ void solve_contact(const Scene& scene, const contact::ChartedGeometry& geometry,
   // What several processes know of bodies that yield is not collected.
   const bool collected =
       !scene.yields() || dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
-  if (options.checkpoint != nullptr && collected)
-    store.emplace(*options.checkpoint, name, stored.has_value());
+  if (options.checkpoint != nullptr && collected) store.emplace(*options.checkpoint, name, stored);
   if (!stored) {
     contact::ContactRun run(scene, geometry, run_options, progress, nullptr);
     run.on_first_defect = [&](const contact::Response& defect, int contact_elements) {
       first_defect = defect;
       result.contact_elements = contact_elements;
-      if (options.checkpoint != nullptr)
-        options.checkpoint->keep(name + "-normal", start(contact::Record()));
+      if (options.checkpoint == nullptr) return;
+      contact::Record record;
+      start(record);
+      options.checkpoint->keep(name + "-normal", record.bytes());
     };
     run.solve_without_friction(layout.grid, make);
     result.seconds["normal"] = run.take_result().normal_seconds;

@@ -59,12 +59,16 @@ void check(const SurfaceShape& shape, const BodyOptions& options) {
                     options.middle + options.fine_half_width, shape.is_wheel ? "wheel" : "rail",
                     shape.lower_t(), shape.upper_t(), ProfileShape::steepest));
   const double inwards = shape.drop_at(options.reach_t()).value + options.reach_depth();
-  const double radius = std::abs(shape.rolling_radius);
-  if (!(std::max(inwards, options.reach_s()) <= 0.7 * radius))
-    throw contact::InputError(fmt::format(
-        "fem.extent = {} mm is too large for a {} of radius {} mm: the segment would reach the "
-        "axle; give at most {:.4g} mm (or smaller [fem] width, depth and length)",
-        options.extent, shape.is_wheel ? "wheel" : "roller", radius, 0.5 * radius));
+  const double radius = std::abs(shape.rolling_radius), most = 0.7 * radius;
+  const auto holds = [&](const char* key, double given) {
+    if (!(given <= most))
+      throw contact::InputError(fmt::format(
+          "fem.{} extends the segment by {:.4g} mm, and a {} of radius {} mm has room for {:.4g} "
+          "mm before the axle: give a smaller one",
+          key, given, shape.is_wheel ? "wheel" : "roller", radius, most));
+  };
+  holds(options.half_length ? "length" : "extent", options.reach_s());
+  holds(options.depth ? "depth" : options.half_width ? "width" : "extent", inwards);
 }
 
 /// Coarse cells are cubes of cell_size * 2^level near the patch.

@@ -119,6 +119,7 @@ class YieldingBody {
     for (Vector* vector : {&before_.displacement, &before_.load}) {
       std::vector<double> numbers(vector->begin(), vector->end());
       record.values(numbers);
+      record.demand(numbers.size() == static_cast<std::size_t>(vector->end() - vector->begin()));
       std::copy(numbers.begin(), numbers.end(), vector->begin());
       vector->update_ghost_values();
     }

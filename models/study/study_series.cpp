@@ -95,7 +95,10 @@ class LevelPoints : public contact::CheckpointPart {
     if (!bytes) return {};
     double seconds = 0.0;
     std::string content;
-    contact::Record(*bytes).values(seconds, content);
+    if (!contact::reads(contact::Record(*bytes), [&](auto& r) { r.values(seconds, content); })) {
+      refuse(name);
+      return {};
+    }
     before_ = std::max(before_, seconds);
     return content;
   }
@@ -143,12 +146,14 @@ StudyLevel level_of(const LevelPlan& plan, const contact::RefinedInput& wanted,
   // Several processes agree on what the first one has stored.
   if (parallel(plan, work) && !work.how.together && work.how.session != nullptr)
     kept = work.how.session->from_first(kept);
-  if (!kept.empty()) {
-    contact::Record record(kept);
-    exchange(record, level);
+  const StudyLevel empty = level;
+  const auto read = [&](contact::Record& record) { exchange(record, level); };
+  if (!kept.empty() && contact::reads(contact::Record(kept), read)) {
     work.say(fmt::format("{} {}: resumed", plan.series.model, level.label));
     return level;
   }
+  level = empty;
+  if (!kept.empty() && work.kept != nullptr) work.kept->refuse(name);
   const std::string prefix = name + "-of-";
   LevelPoints points(work.kept, prefix);
   Solving how = work.how;

@@ -27,6 +27,7 @@ constexpr int format = 6;
 constexpr auto grace = std::chrono::milliseconds(500);
 
 const char* const about_name = "about.txt";
+const std::string about_head = "Load points of an unfinished run of rollfem.";
 const char* const record_suffix = ".point";
 const char* const part_suffix = ".part";
 
@@ -68,9 +69,16 @@ void empty(const fs::path& folder, std::error_code& error) {
   if (!error) fs::remove(folder / about_name, error);
 }
 
-void remove_folder(const fs::path& folder) {
+/// Whether rollfem made this folder; what a link leads to belongs to somebody else.
+bool is_ours(const fs::path& folder) {
   std::error_code error;
-  if (!fs::exists(folder, error)) return;
+  return fs::is_directory(fs::symlink_status(folder, error)) &&
+         contents_of(folder / about_name).rfind(about_head, 0) == 0;
+}
+
+void remove_folder(const fs::path& folder) {
+  if (!is_ours(folder)) return;
+  std::error_code error;
   empty(folder, error);
   fs::remove(folder, error);  // stays if it contains other files
 }
@@ -90,19 +98,26 @@ CheckpointFolder::CheckpointFolder(const std::string& result_directory, const co
     : resume_(resume), warn_(std::move(warn)) {
   folder_ = folder_of_records(result_directory);
   about_ = fmt::format(
-      "Load points of an unfinished run of rollfem. The same command with --resume continues from "
+      "{} The same command with --resume continues from "
       "them; without it they are replaced. The folder may be deleted.\nformat: {} "
       "{:016x}\nprogram: {}\ncase: {}\n",
-      format, checksum_of_quantities(), program, checksum_of_case(input));
+      about_head, format, checksum_of_quantities(), program, checksum_of_case(input));
   look_at(input);
 }
 
 void CheckpointFolder::look_at(const contact::Case& input) {
   std::error_code error;
+  if (fs::is_symlink(folder_) || fs::is_symlink(set_aside()))
+    throw InputError(fmt::format(
+        "{0} or {0}.earlier is a symbolic link, and rollfem needs these names for unfinished runs; "
+        "do: move the link, or name another folder with -o",
+        folder_.string()));
   if (!fs::exists(folder_, error)) return;
+  const bool ours = is_ours(folder_);
   for (const fs::path& file : files_in(folder_, error)) {
     const fs::path name = file.filename();
-    if (!is_of_checkpoint(name))
+    // Of a run that was killed before it had written `about_name` only parts are left.
+    if (!is_of_checkpoint(name) || (!ours && name.extension() != part_suffix))
       throw InputError(
           fmt::format("{} is the folder for unfinished runs, but holds {}, which rollfem did not "
                       "write; do: move it, or name another folder with -o",
@@ -113,11 +128,6 @@ void CheckpointFolder::look_at(const contact::Case& input) {
     throw InputError(fmt::format("cannot read {}: {}; do: name another folder with -o",
                                  folder_.string(), error.message()));
   if (!resume_ || found_ == 0) return;
-  if (!fs::exists(folder_ / about_name, error)) {
-    // Their origin is unknown, so they are recomputed.
-    found_ = 0;
-    return;
-  }
   const std::string about = contents_of(folder_ / about_name);
   const auto refuse = [&](const std::string& other) {
     throw InputError(fmt::format(
@@ -146,20 +156,35 @@ bool CheckpointFolder::holds_records() const {
 }
 
 std::optional<std::string> CheckpointFolder::find(const std::string& name) {
-  std::error_code error;
-  const fs::path file = folder_ / (name + record_suffix);
-  if (!resume_ || found_ == 0 || !fs::exists(file, error)) {
+  if (!has(name)) {
     for (const auto& other : others_)
       if (std::optional<std::string> record = other->find(name)) return record;
     return {};
   }
-  std::optional<std::string> record = opened_record(place_of(name), contents_of(file));
-  if (!record)
-    warn_(
-        fmt::format("warning: {} is damaged, or belongs to another load point or case; its load "
-                    "point is computed again",
-                    file.string()));
+  std::optional<std::string> record = opened_record(place_of(name), contents_of(file_of(name)));
+  if (!record) refuse(name);
   return record;
+}
+
+void CheckpointFolder::refuse(const std::string& name) {
+  if (!has(name)) {
+    for (const auto& other : others_) other->refuse(name);
+    return;
+  }
+  warn_(
+      fmt::format("warning: {} is damaged, or belongs to another load point or case; its load "
+                  "point is computed again",
+                  file_of(name).string()));
+}
+
+fs::path CheckpointFolder::file_of(const std::string& name) const {
+  return folder_ / (name + record_suffix);
+}
+
+/// Whether an earlier run has left a record of this name.
+bool CheckpointFolder::has(const std::string& name) const {
+  std::error_code error;
+  return resume_ && found_ > 0 && fs::exists(file_of(name), error);
 }
 
 fs::path CheckpointFolder::set_aside() const {
@@ -184,7 +209,7 @@ void CheckpointFolder::begin() {
 
 void CheckpointFolder::write(const std::string& name, const std::string& record) {
   if (!begun_) begin();
-  replace_file(folder_ / (name + record_suffix), sealed_record(place_of(name), record));
+  replace_file(file_of(name), sealed_record(place_of(name), record));
   ++written_;
   if (told_) told_();
 }

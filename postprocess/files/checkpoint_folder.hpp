@@ -59,12 +59,15 @@ class CheckpointFolder : public contact::Checkpoint {
   void remove();
 
   std::optional<std::string> find(const std::string& name) override;
+  void refuse(const std::string& name) override;
   /// Stores a record. Work of the first half second stays in memory, so that short runs do not
   /// touch the disk.
   void keep(const std::string& name, const std::string& record) override;
 
  private:
   void look_at(const contact::Case& input);
+  std::filesystem::path file_of(const std::string& name) const;
+  bool has(const std::string& name) const;
   std::string place_of(const std::string& name) const;
   void begin();
   void write(const std::string& name, const std::string& record);

@@ -2,6 +2,7 @@
 #include "postprocess/files/files_together.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/base/text_fields.hpp"
 
 #include <fmt/core.h>
 
@@ -9,8 +10,6 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -139,10 +138,12 @@ void replace_file(const fs::path& path, std::string_view content) {
 }
 
 std::string contents_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  constexpr std::size_t largest_file = 20'000'000'000;
+  try {
+    return contact::text_of_file(file.string(), file.string(), largest_file);
+  } catch (const contact::FileError&) {
+    return {};
+  }
 }
 
 std::vector<fs::path> files_in(const fs::path& folder, std::error_code& error) {

@@ -67,7 +67,7 @@ void flush_folder(const std::filesystem::path& folder);
 /// Throws contact::InputError.
 [[noreturn]] void fail_to(const std::string& doing, const std::filesystem::path& path, int error);
 
-/// Content of a file; empty if it cannot be read.
+/// Content of a file; empty if it cannot be read or is not a regular file.
 std::string contents_of(const std::filesystem::path& file);
 
 /// The entries of a folder as they are now; none, and the error, if it cannot be read.

@@ -14,7 +14,6 @@
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>
-#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <sys/file.h>
@@ -31,8 +30,7 @@ namespace {
 using contact::FileError;
 
 bool is_result_folder(const fs::path& folder) {
-  std::ifstream file(folder / "summary.json");
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  const auto summary = nlohmann::json::parse(contents_of(folder / "summary.json"), nullptr, false);
   return summary.is_object() && summary.contains("format") && summary.contains("models");
 }
 
@@ -155,6 +153,13 @@ std::string owner_of(const fs::path& file) {
   return "an unknown process";
 }
 
+[[noreturn]] void refuse_lock(const fs::path& file) {
+  throw contact::InputError(
+      fmt::format("{} is in the way: rollfem needs this name for its lock, but did not write "
+                  "the file; do: move it, or name another folder with -o",
+                  file.string()));
+}
+
 }  // namespace
 
 ResultFolder::ResultFolder(const std::string& directory)
@@ -244,6 +249,7 @@ bool FolderOwner::lock() {
   }
   struct stat here {
   }, there{};
+  if (::fstat(lock_, &here) == 0 && !S_ISREG(here.st_mode)) refuse_lock(file_);
   if (::fstat(lock_, &here) == 0 && ::stat(file_.c_str(), &there) == 0 &&
       here.st_ino == there.st_ino && here.st_dev == there.st_dev)
     return true;
@@ -257,11 +263,7 @@ FolderOwner::FolderOwner(const std::string& directory, const std::string& comman
   try {
     while (!lock()) continue;
     const std::string before = contents_of(file_), text = owner_text(command);
-    if (!before.empty() && before.rfind(owner_head, 0) != 0)
-      throw contact::InputError(
-          fmt::format("{} is in the way: rollfem needs this name for its lock, but did not write "
-                      "the file; do: move it, or name another folder with -o",
-                      file_.string()));
+    if (!before.empty() && before.rfind(owner_head, 0) != 0) refuse_lock(file_);
     if (::ftruncate(lock_, 0) != 0 ||
         ::write(lock_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
       // Other processes are still refused, but without the owner's name.

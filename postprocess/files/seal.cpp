@@ -39,29 +39,22 @@ std::string hdf5_seal(std::string_view data) {
   return seal_text(data.size(), crc_of(data));
 }
 
-bool hdf5_seal_is_intact(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw contact::FileError(
-        fmt::format("{} cannot be read; do: check the permissions of the file", path));
+bool hdf5_seal_is_intact(const std::string& path, const std::string& action) {
+  contact::OpenedFile file(path, path, action);
   std::string block(seal_size, '\0');
-  file.read(block.data(), static_cast<std::streamsize>(block.size()));
-  block.resize(static_cast<std::size_t>(file.gcount()));
+  block.resize(file.read(block.data(), block.size()));
   if (begins_with(block, hdf5_signature)) return false;
   std::vector<char> buffer(1U << 20U);
   std::size_t bytes = 0;
   uLong crc = 0;
   bool is_hdf5 = begins_with(block, seal_begin);
-  while (file.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) ||
-         file.gcount() > 0) {
-    const std::string_view part(buffer.data(), static_cast<std::size_t>(file.gcount()));
+  while (const std::size_t count = file.read(buffer.data(), buffer.size())) {
+    const std::string_view part(buffer.data(), count);
     is_hdf5 = is_hdf5 || (bytes == 0 && begins_with(part, hdf5_signature));
     crc = crc_of(part, crc);
     bytes += part.size();
   }
-  if (!is_hdf5)
-    throw contact::FileError(fmt::format(
-        "{} is not a result of rollfem (no HDF5 file); do: name the results.h5 of a run", path));
+  if (!is_hdf5) file.fail("is not a result of rollfem (no HDF5 file)");
   return block == seal_text(bytes, crc);
 }
 

@@ -22,9 +22,9 @@ inline constexpr std::size_t seal_size = 512;
 std::string hdf5_seal(std::string_view data);
 
 /// Whether the checksum of a file that should be results.h5 is there and right, without using HDF5,
-/// which may crash on a damaged file. Throws contact::InputError if it cannot be read or is not an
-/// HDF5 file.
-bool hdf5_seal_is_intact(const std::string& path);
+/// which may crash on a damaged file. Throws contact::FileError with the advice `action` if it
+/// cannot be read or is not an HDF5 file.
+bool hdf5_seal_is_intact(const std::string& path, const std::string& action);
 
 /// The text of a JSON object with its checksum as the last member.
 std::string sealed_json(std::string text);

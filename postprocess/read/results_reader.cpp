@@ -32,34 +32,14 @@ using namespace hdf5;
 
 const char* const again = "do: run the case again";
 
-/// The file meant by `path`, after checks that do not need HDF5.
-std::string find_file(const std::string& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found)
-    throw FileError(
-        fmt::format("{}: there is no such file or folder; do: name a result folder of rollfem run, "
-                    "or its results.h5",
-                    path));
-  if (!fs::is_directory(status)) {
-    if (fs::is_regular_file(status)) return path;
-    throw FileError(fmt::format(
-        "{} is not a regular file; do: name a result folder of rollfem run, or its results.h5",
-        path));
-  }
-  const fs::path file = fs::path(path) / "results.h5";
-  if (!fs::is_regular_file(file, error))
-    throw FileError(
-        fmt::format("{}: there is no results.h5 in this folder; do: name a result folder of "
-                    "rollfem run",
-                    path));
-  return file.string();
-}
+const char* const result_wanted = "name a result folder of rollfem run, or its results.h5";
 
 /// The file meant by `path`, with the right checksum.
 std::string sound_file(const std::string& path) {
-  std::string file = find_file(path);
-  if (!hdf5_seal_is_intact(file))
+  std::error_code error;
+  const bool folder = fs::is_directory(path, error);
+  std::string file = folder ? (fs::path(path) / "results.h5").string() : path;
+  if (!hdf5_seal_is_intact(file, result_wanted))
     throw FileError(
         fmt::format("{} is truncated or damaged: its checksum is missing or does not match; {}, or "
                     "use a copy",

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 
+from .files import regular
 from .figure import Figure
 from .reader import read_columns, read_rows
 from .stress_page import colour_scale, filled
@@ -154,7 +155,7 @@ def draw_sections(title, columns, unit):
 
 def of_table(path):
     """The figure of a table of `rollfem profile`, for one profile, sections along the way or a case's wheel on its rail."""
-    with open(path, encoding="utf-8") as file:
+    with open(path, encoding="utf-8", opener=regular) as file:
         unit = re.search(r"^position \[(\w+)\],part", file.read(4000), re.MULTILINE)
     if unit:
         return draw_sections(*read_columns(path, "part"), unit[1])

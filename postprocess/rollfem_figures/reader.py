@@ -10,7 +10,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .files import folder_of, json_is_sound, results_are_sound
+from .files import folder_of, json_is_sound, regular, results_are_sound
 from .results import Model, Quantity, Result
 
 FORMAT_VERSION = 2
@@ -144,7 +144,7 @@ def _read_file(path, directory, of_model):
 
 def read_rows(path):
     """(title, [{column without its unit: text}]) of a CSV table; the title comes from a comment above it."""
-    with open(path, encoding="utf-8", newline="") as file:
+    with open(path, encoding="utf-8", newline="", opener=regular) as file:
         title = file.readline()
         if not title.startswith("#"):
             title = file.seek(0) or ""
@@ -180,7 +180,7 @@ def _add_numbers(study, path):
 
 def sound_json(path):
     """The contents of a JSON file of rollfem. Raises ResultError if it is damaged."""
-    with open(path, encoding="utf-8", errors="replace") as file:
+    with open(path, encoding="utf-8", errors="replace", opener=regular) as file:
         text = file.read()
     if not json_is_sound(text):
         raise ResultError(f"{path} is truncated, damaged or changed: its checksum does not match; "

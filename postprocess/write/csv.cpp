@@ -112,7 +112,10 @@ std::string csv_cell(const std::optional<double>& value) {
 }
 
 std::string quoted(const std::string& text) {
-  std::string out = "\"";
+  // A spreadsheet would compute a text that begins like a formula.
+  const bool formula =
+      !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+  std::string out = formula ? "\"'" : "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
 }

@@ -12,7 +12,8 @@ namespace rollfem::postprocess {
 
 /// A cell: the number, or nothing.
 std::string csv_cell(const std::optional<double>& value);
-/// A text that may hold commas, in quotation marks.
+/// A text that may hold commas, in quotation marks; an apostrophe goes before one that begins like
+/// a formula of a spreadsheet.
 std::string quoted(const std::string& text);
 
 /// One row per model and load point with all scalars.

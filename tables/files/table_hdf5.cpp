@@ -148,9 +148,10 @@ void write_points(hid_t file, const CreepTable& table) {
                "contact elements across the patch on the finest grid", "", shape);
 }
 
+const char* const table_wanted = "name a table.h5 written by rollfem table";
+
 [[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
-  throw contact::FileError(
-      fmt::format("{}: {}; do: name a table.h5 written by rollfem table", path, why));
+  throw contact::FileError(fmt::format("{}: {}; do: {}", path, why, table_wanted));
 }
 
 std::vector<double> numbers_of(hid_t parent, const char* name) {
@@ -256,10 +257,10 @@ std::string table_hdf5(const CreepTable& table) {
 
 CreepTable read_table(const std::string& path) {
   namespace fs = std::filesystem;
+  std::error_code error;
   const std::string file_name =
-      fs::is_directory(path) ? (fs::path(path) / "table.h5").string() : path;
-  if (!fs::exists(file_name)) refuse_file(file_name, "there is no such file");
-  if (!postprocess::hdf5_seal_is_intact(file_name))
+      fs::is_directory(path, error) ? (fs::path(path) / "table.h5").string() : path;
+  if (!postprocess::hdf5_seal_is_intact(file_name, table_wanted))
     refuse_file(file_name, "is damaged: its checksum is missing or does not match");
   try {
     const File file = open_file(file_name);

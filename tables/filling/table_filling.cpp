@@ -95,9 +95,11 @@ void solve_parts(const TableParts& table, const contact::Progress& progress,
   };
   std::vector<std::size_t> missing;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    if (const auto bytes = kept.find(name_of(p))) {
-      std::vector<TablePoint> points;
-      contact::Record(*bytes).value(points);
+    std::vector<TablePoint> points;
+    if (contact::found(kept, name_of(p), [&](contact::Record& record) {
+          record.value(points);
+          record.demand(points.size() == parts[p].end - parts[p].begin);
+        })) {
       add(p, points);
     } else if (table.share.holds(p)) {
       missing.push_back(p);

@@ -179,7 +179,7 @@ TEST_F(Convert, ProfilesThatAreNotThereAreWarnedOf) {
 
 TEST_F(Convert, FilesThatAreNoInputAreRefused) {
   refuses({"convert", "none.inp"}, "none.inp");
-  refuses({"convert", folder.file("text.inp", "hello\n")}, "expected the module number, got hello");
+  refuses({"convert", folder.file("text.inp", "hello\n")}, "is not an input file of CONTACT");
   EXPECT_TRUE(folder.made().empty());
 }
 

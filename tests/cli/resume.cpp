@@ -4,7 +4,10 @@
 // do no harm.
 #include "support/resume.hpp"
 
+#include "postprocess/files/seal.hpp"
+
 #include "support/case_examples.hpp"
+#include <fstream>
 
 namespace {
 
@@ -126,14 +129,50 @@ TEST_F(Resume, ADamagedLoadPointIsComputedAgain) {
   expect_same_results(folder, whole(), folder.work() / "out");
 }
 
-TEST_F(Resume, UnidentifiedRecordsAreIgnoredAndRemoved) {
-  // Possible remains of a kill during the final clean-up.
+TEST_F(Resume, AForgedLoadPointIsComputedAgain) {
   const std::string file = folder.file("slow.toml", slow_creepages());
   leave_unfinished(folder, file, "out");
-  fs::remove(folder.work() / "out.unfinished" / "about.txt");
-  done(run(file, "out", {"--resume"}));
+  const fs::path unfinished = folder.work() / "out.unfinished";
+  const std::string about = contents(unfinished / "about.txt");
+  int forged = 0;
+  for (const auto& entry : fs::directory_iterator(unfinished)) {
+    if (entry.path().string().find("-0002.point") == std::string::npos) continue;
+    // Sealed as if it were whole.
+    const std::string place = about + entry.path().stem().string() + '\n';
+    const auto record = postprocess::opened_record(place, contents(entry.path()));
+    ASSERT_TRUE(record.has_value());
+    std::ofstream(entry.path()) << postprocess::sealed_record(
+        place, record->substr(0, record->size() - 8 * 100));
+    ++forged;
+  }
+  ASSERT_EQ(forged, 1);
+  const Outcome outcome = done(run(file, "out", {"--resume"}));
+  EXPECT_TRUE(says(outcome.err, "-0002.point is damaged"));
   expect_same_results(folder, whole(), folder.work() / "out");
-  EXPECT_FALSE(folder.holds("out.unfinished"));
+}
+
+TEST_F(Resume, RecordsWithoutTheirFileAreSomebodyElses) {
+  const std::string file = folder.file("slow.toml", slow_creepages());
+  const int kept = leave_unfinished(folder, file, "out");
+  const fs::path unfinished = folder.work() / "out.unfinished";
+  fs::remove(unfinished / "about.txt");
+  for (const char* option : {"--resume", "--quiet"})
+    refuses(run(file, "out", {option}), "which rollfem did not write");
+  EXPECT_EQ(records(unfinished), kept);
+}
+
+TEST_F(Resume, ALinkInThePlaceOfTheFolderIsNotFollowed) {
+  const std::string file = folder.file("slow.toml", slow_creepages());
+  const int kept = leave_unfinished(folder, file, "out");
+  fs::rename(folder.work() / "out.unfinished", folder.work() / "mine");
+  for (const char* name : {"out.unfinished", "out.unfinished.earlier"}) {
+    fs::create_directory_symlink("mine", folder.work() / name);
+    for (const char* option : {"--resume", "--quiet"})
+      refuses(run(file, "out", {option}), "is a symbolic link");
+    fs::remove(folder.work() / name);
+  }
+  EXPECT_EQ(records(folder.work() / "mine"), kept);
+  EXPECT_TRUE(folder.holds("mine/about.txt"));
 }
 
 TEST_F(Resume, WithNothingToTakeUpItIsAnOrdinaryRun) {

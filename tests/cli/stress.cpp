@@ -318,7 +318,7 @@ TEST_F(StressTest, WrongCallsAreRefused) {
       {{"--point", "0"}, "load points 1 to 2"},
       {{"--creepage", "0.002"}, "allowed: 0, 0.001"},
       {{"--point", "1", "--creepage", "0"}, "exclude each other"},
-      {{"--places", "none.toml"}, "none.toml: cannot be read"},
+      {{"--places", "none.toml"}, "none.toml: there is no such file"},
       {{"--patch", "left,1,1"}, "without profiles"},
       {{"--yield-strength", "0"}, "a stress > 0"},
       {{"--yield-strength", "3", "--yield-shear-stress", "4"}, "exclude each other"},
@@ -344,7 +344,7 @@ TEST_F(StressTest, WrongCallsAreRefused) {
 TEST_F(StressTest, FilesThatAreNoResultsAreRefused) {
   compute("2000.0", 10);
   const std::string whole = folder.text("r/results.h5");
-  refuses({"stress", "missing"}, "there is no such file or folder");
+  refuses({"stress", "missing"}, "missing: there is no such file");
   refuses({"stress"}, "result is required");
   refuses({"stress", "r/summary.json"}, "not a result of rollfem");
   refuses({"stress", folder.file("cut.h5", whole.substr(0, whole.size() / 2))},

@@ -104,11 +104,30 @@ def fall_with_the_slip_velocity(fmu):
     fmu.call("fmi2Reset")
 
 
+def without_an_instance(fmu):
+    """NULL is an error, not the end of the process: as an instance, and as any list or state of a sound one."""
+    nothing, one = ctypes.c_void_p(), ctypes.c_size_t(1)
+    lists = ("GetReal", "SetReal", "GetString", "SetString", "GetInteger", "SetInteger", "GetBoolean", "SetBoolean")
+    states = ("GetFMUstate", "SetFMUstate", "FreeFMUstate")
+    others = ("Reset", "SetupExperiment", "EnterInitializationMode", "ExitInitializationMode", "Terminate", "CancelStep",
+              "SetDebugLogging", "GetStatus", "GetDirectionalDerivative", "SerializeFMUstate", "DoStep")
+    for name in (*lists, *states, *others):
+        assert getattr(fmu.library, f"fmi2{name}")(nothing, nothing, one, nothing) == 3, name
+    fmu.library.fmi2FreeInstance(nothing)
+    fmu.instantiate()
+    assert all(fmu.call(f"fmi2{name}", nothing, one, nothing) == 3 for name in lists)
+    assert all(fmu.call(f"fmi2{name}", nothing) == 3 for name in states)
+    assert fmu.call("fmi2GetReal", nothing, ctypes.c_size_t(0), nothing) == 0
+    fmu.library.fmi2FreeInstance(ctypes.c_void_p(fmu.slave))
+    assert fmu.library.fmi2Instantiate(None, 1, None, None, None, 0, 0) is None
+
+
 def main():
     path, examples, header, library, law = sys.argv[1:]
     fmu = Fmu(path)
     ctypes.CDLL(law)  # into the libraries of the FMU
     assert fmu.library.fmi2GetVersion() == b"2.0" and fmu.description.get("fmiVersion") == "2.0"
+    without_an_instance(fmu)
     fmu.instantiate("another guid")
     assert fmu.slave is None and "guid" in fmu.said[-1]
     fmu.instantiate()

@@ -17,6 +17,8 @@ class RecordsInMemory : public contact::Checkpoint {
   }
   void keep(const std::string& name, const std::string& record) override { records[name] = record; }
 
+  void refuse(const std::string& /*name*/) override { ++refused; }
+
   void forget_every_second() {
     int n = 0;
     for (auto record = records.begin(); record != records.end();)
@@ -24,6 +26,7 @@ class RecordsInMemory : public contact::Checkpoint {
   }
 
   std::map<std::string, std::string> records;
+  int refused = 0;
 };
 
 }  // namespace rollfem::testing

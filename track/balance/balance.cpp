@@ -93,12 +93,9 @@ std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
                                              contact::Checkpoint* kept) {
   const std::string name = fmt::format("balance-{}", position);
   std::vector<contact::Scene> scenes;
-  if (const auto bytes = kept == nullptr ? std::nullopt : kept->find(name)) {
-    Record record(*bytes);
-    exchange(record, here, scenes);
-    if (!record.exhausted()) throw std::runtime_error("a record of another balance");
+  if (kept != nullptr &&
+      contact::found(*kept, name, [&](Record& record) { exchange(record, here, scenes); }))
     return scenes;
-  }
   constexpr auto worth_keeping = std::chrono::milliseconds(50);
   const auto begin = std::chrono::steady_clock::now();
   const std::string file = (input.file.empty() ? "case" : input.file) + ": ";

@@ -37,14 +37,26 @@ struct OverY {
     slope.push_back(point.tangent_z / point.tangent_y);
     parameter.push_back(at);
   }
-  contact::HeightCurve heights() const { return {y, z, slope}; }
+  contact::HeightCurve heights() const {
+    check();
+    return {y, z, slope};
+  }
   contact::HeightCurve parameters() const {
+    check();
     std::vector<double> by_y(y.size());
     for (std::size_t k = 0; k < y.size(); ++k) {
       const std::size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, y.size() - 1);
       by_y[k] = (parameter[b] - parameter[a]) / (y[b] - y[a]);
     }
     return {y, parameter, by_y};
+  }
+  void check() const {
+    if (y.size() < 2)
+      throw contact::InputError(
+          "wheel.profile, rail.profile: a section near this position is nowhere a height over y; "
+          "allowed: a tread or head less steep than 85 degrees; do: check rotation, flip and "
+          "mirror "
+          "of the sections, and sections that differ much close to each other");
   }
 };
 

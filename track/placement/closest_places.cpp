@@ -18,6 +18,8 @@ namespace {
 /// Most and least between the points of the locus, and between the places at which all of x is
 /// looked at, mm.
 constexpr double locus_step = 0.1, least_step = 0.02, look_step = 1.0;
+/// Places closer than this are one, mm.
+constexpr double rounding = 1e-6;
 
 /// Over a stretch without points, the wall between two heads, the gap is wide: it opens on one side
 /// and closes on the other.
@@ -154,7 +156,7 @@ std::vector<double> places_between(double from, double to, const std::vector<dou
     for (int k = 1; k <= steps; ++k) places.push_back(start + (y - start) * k / steps);
   };
   for (const double y : pieces)
-    if (y > places.back() + least_step && y < to) go_to(y);
+    if (y > places.back() + least_step && y < to - rounding) go_to(y);
   go_to(to);
   return places;
 }
@@ -169,7 +171,7 @@ std::vector<LocusPoint> BodiesAlongWay::locus() const {
   std::vector<std::size_t> near, ahead;
   double looked = -contact::infinity;
   for (const double y :
-       from < to ? places_between(from, to, level.pieces) : std::vector<double>{}) {
+       from < to - rounding ? places_between(from, to, level.pieces) : std::vector<double>{}) {
     if (y > looked) {
       near = std::isinf(looked) ? GapAlong{*this, level, y}.low_rows() : ahead;
       looked = std::min(std::max(looked, y) + look_step, to);

@@ -57,6 +57,7 @@ contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
       slope.push_back(value.slope);
     }
   }
+  if (y.size() < 2) return rail_heights(rail);
   return {std::move(y), std::move(z), std::move(slope)};
 }
 

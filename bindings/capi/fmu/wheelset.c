@@ -27,10 +27,17 @@ typedef struct {
 } slave;
 
 static fmi2Status fail(slave* s, fmi2Status status, const char* text) {
-  if (s->of_master.logger != NULL)
+  if (s != NULL && s->of_master.logger != NULL)
     s->of_master.logger(s->of_master.componentEnvironment, s->name, status, "logStatusError", "%s", text);
   return status;
 }
+
+/* Leaves the function where the instance is NULL, or a list of `count` entries. */
+#define NEED(s) \
+  if ((s) == NULL) return fmi2Error
+#define NEED_LISTS(s, count, which, values) \
+  NEED(s);                                  \
+  if ((count) > 0 && ((which) == NULL || (values) == NULL)) return fail(s, fmi2Error, "a list is NULL; do: give it")
 
 static void set_state(const slave* s, int side, const double* at, double roll, rollfem_state* state) {
   const double* v = s->now.value;
@@ -175,6 +182,7 @@ EXPORT const char* fmi2GetVersion(void) {
 
 EXPORT fmi2Status fmi2Reset(fmi2Component c) {
   slave* s = c;
+  NEED(s);
   memcpy(s->now.value, start_values, sizeof start_values);
   snprintf(s->text[0], TEXT, "S1002");
   snprintf(s->text[1], TEXT, "60E1");
@@ -188,9 +196,9 @@ EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String 
   slave* s = calloc(1, sizeof *s);
   if (s == NULL) return NULL;
   if (of_master != NULL) s->of_master = *of_master;
-  snprintf(s->name, TEXT, "%s", name);
+  snprintf(s->name, TEXT, "%s", name != NULL ? name : "");
   fmi2Reset(s);
-  if (type == fmi2CoSimulation && strcmp(guid, GUID) == 0) return s;
+  if (type == fmi2CoSimulation && guid != NULL && strcmp(guid, GUID) == 0) return s;
   fail(s, fmi2Error, "the FMU is for co-simulation, its guid is " GUID "; do: import its modelDescription.xml again");
   free(s);
   return NULL;
@@ -204,6 +212,7 @@ EXPORT void fmi2FreeInstance(fmi2Component c) {
 
 EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
   slave* s = c;
+  NEED(s);
   const double* v = s->now.value;
   for (int k = V_mass; k <= V_spin_inertia; ++k)
     if (!(v[k] > 0.0)) return fail(s, fmi2Error, "mass and inertias; allowed: above 0; do: correct them");
@@ -247,6 +256,7 @@ EXPORT fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
 
 EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean is_final) {
   slave* s = c;
+  NEED(s);
   if (!is_initialised(s) || !(step > 0.0))
     return fail(s, fmi2Error, "a step must be longer than 0 and follow the initialisation");
   return advance(s, step) ? fmi2OK : fail(s, fmi2Discard, s->message);
@@ -258,6 +268,7 @@ EXPORT fmi2Status fmi2CancelStep(fmi2Component c) {
 
 EXPORT fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference* which, size_t count, fmi2Real* values) {
   slave* s = c;
+  NEED_LISTS(s, count, which, values);
   for (size_t k = 0; k < count; ++k) {
     if (which[k] >= V_COUNT) return fail(s, fmi2Error, "there is no Real of this value reference");
     values[k] = s->now.value[which[k]];
@@ -267,6 +278,7 @@ EXPORT fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference* which, 
 
 EXPORT fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference* which, size_t count, const fmi2Real* values) {
   slave* s = c;
+  NEED_LISTS(s, count, which, values);
   for (size_t k = 0; k < count; ++k) {
     if (which[k] >= V_shift) return fail(s, fmi2Error, "there is no input or parameter of this value reference");
     if (which[k] >= V_mass && is_initialised(s)) return refuse_parameter(s);
@@ -277,6 +289,7 @@ EXPORT fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference* which, 
 
 EXPORT fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference* which, size_t count, fmi2String* values) {
   slave* s = c;
+  NEED_LISTS(s, count, which, values);
   for (size_t k = 0; k < count; ++k) {
     if (which[k] > 2) return fail(s, fmi2Error, "there is no String of this value reference");
     values[k] = s->text[which[k]];
@@ -286,6 +299,7 @@ EXPORT fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference* which
 
 EXPORT fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference* which, size_t count, const fmi2String* values) {
   slave* s = c;
+  NEED_LISTS(s, count, which, values);
   for (size_t k = 0; k < count; ++k) {
     if (which[k] > 2 || values[k] == NULL || strlen(values[k]) >= TEXT)
       return fail(s, fmi2Error, "there is no String of this value reference, or it is too long");
@@ -297,6 +311,7 @@ EXPORT fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference* which
 
 EXPORT fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate* place) {
   slave* s = c;
+  NEED_LISTS(s, 1, place, place);
   if (*place == NULL) *place = malloc(sizeof(saved));
   if (*place == NULL) return fail(s, fmi2Error, "out of memory");
   memcpy(*place, &s->now, sizeof(saved));
@@ -304,11 +319,13 @@ EXPORT fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate* place) {
 }
 
 EXPORT fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state) {
+  NEED_LISTS(c, 1, state, state);
   memcpy(&((slave*)c)->now, state, sizeof(saved));
   return fmi2OK;
 }
 
 EXPORT fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate* place) {
+  NEED_LISTS(c, 1, place, place);
   free(*place);
   *place = NULL;
   return fmi2OK;
@@ -316,7 +333,7 @@ EXPORT fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate* place) {
 
 /* What is accepted without any effect. */
 #define IGNORED(name, ...) \
-  EXPORT fmi2Status name(__VA_ARGS__) { return fmi2OK; }
+  EXPORT fmi2Status name(__VA_ARGS__) { return c != NULL ? fmi2OK : fmi2Error; }
 IGNORED(fmi2SetDebugLogging, fmi2Component c, fmi2Boolean on, size_t n, const fmi2String* categories)
 IGNORED(fmi2SetupExperiment, fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start,
         fmi2Boolean has_stop, fmi2Real stop)

@@ -5,6 +5,7 @@ import tomllib
 from types import SimpleNamespace
 from typing import Any
 
+from rollfem_figures.files import regular
 from rollfem_figures.reader import ResultError, read_json, read_result
 
 from . import _core
@@ -18,7 +19,7 @@ FILES = {"study": Study, "compare": Comparison, "stress": Stress}
 
 
 def _text(folder: str, name: str) -> str:
-    with open(os.path.join(folder, name), encoding="utf-8") as file:
+    with open(os.path.join(folder, name), encoding="utf-8", opener=regular) as file:
         return file.read()
 
 

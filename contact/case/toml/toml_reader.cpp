@@ -115,6 +115,10 @@ class Reader {
 
   [[noreturn]] void fail_invalid(unsigned line, unsigned column, const std::string& wrong) const {
     const bool option = is_option(given_.file);
+    if (!option && !source_.looks_like_case())
+      fail_file(given_.file,
+                "is not a case file: most of its lines are neither keys with values nor sections",
+                "give a case file in TOML; `rollfem new-case` prints one");
     fail(given_.file,
          {line, column, "", "",
           option ? "not a value in TOML: " + wrong

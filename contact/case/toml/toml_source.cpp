@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace rollfem::contact {
 
@@ -161,6 +162,21 @@ TomlSource::TomlSource(const std::string& text, std::string file)
     lines_.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
+}
+
+bool TomlSource::looks_like_case() const {
+  std::size_t keys = 0, others = 0;
+  for (const std::string& line : lines_) {
+    const std::string_view text = trimmed(line);
+    const std::size_t word = text.find_first_not_of(
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.\"' ");
+    if (text.empty() || text.front() == '#') continue;
+    if (text.front() == '[' || (word != std::string_view::npos && word > 0 && text[word] == '='))
+      ++keys;
+    else if (std::isalpha(static_cast<unsigned char>(text.front())) != 0)
+      ++others;
+  }
+  return keys >= others;
 }
 
 std::string TomlSource::line(unsigned number) const {

@@ -21,6 +21,9 @@ class TomlSource {
   const std::string& file() const { return file_; }
   const std::string& text() const { return text_; }
   const std::vector<std::string>& lines() const { return lines_; }
+  /// Whether most lines that begin with a letter are keys with values, or [sections]: messages
+  /// never quote a line of other files.
+  bool looks_like_case() const;
 
   /// A line, from 1, shortened.
   std::string line(unsigned number) const;

@@ -150,9 +150,9 @@ TEST_F(ResultsReaderTest, TellsPatchesApart) {
 TEST_F(ResultsReaderTest, RefusesIncompleteResults) {
   const std::string whole = results_hdf5(full_run());
   EXPECT_EQ(refusal(file(whole)), "");
-  EXPECT_TRUE(says(refusal("no/such/folder"), "there is no such file or folder"));
+  EXPECT_TRUE(says(refusal("no/such/folder"), "no/such/folder: there is no such file"));
   EXPECT_TRUE(says(refusal("/dev/null"), "is not a regular file"));
-  EXPECT_TRUE(says(refusal(::testing::TempDir()), "no results.h5 in this folder"));
+  EXPECT_TRUE(says(refusal(::testing::TempDir()), "results.h5: there is no such file"));
   EXPECT_TRUE(says(refusal(file("title = \"a case\"")), "not a result of rollfem"));
   EXPECT_TRUE(says(refusal(file("")), "not a result of rollfem"));
   // Killed while it was written, at many places.
