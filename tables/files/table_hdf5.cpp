@@ -257,9 +257,9 @@ std::string table_hdf5(const CreepTable& table) {
 
 CreepTable read_table(const std::string& path) {
   namespace fs = std::filesystem;
-  std::error_code error;
+  std::error_code none;
   const std::string file_name =
-      fs::is_directory(path, error) ? (fs::path(path) / "table.h5").string() : path;
+      fs::is_directory(path, none) ? (fs::path(path) / "table.h5").string() : path;
   if (!postprocess::hdf5_seal_is_intact(file_name, table_wanted))
     refuse_file(file_name, "is damaged: its checksum is missing or does not match");
   try {
