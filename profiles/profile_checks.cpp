@@ -167,17 +167,16 @@ void check_head(const ProfilePoints& points) {
 /// The head of a rail ends in steep sides on both sides, below all else. A wheel has the tip of a
 /// flange, and a tread that does not fall, or that lies between two flanges, which are less steep.
 void check_wheel(const ProfilePoints& points) {
-  constexpr double widest_head = 90.0, of_side = 5.0, least_slope = 5.0;  // mm, mm, -
+  constexpr double of_side = 5.0, least_slope = 5.0;  // mm, -
   const auto is_side = [](auto end, auto last) {
     const auto above = std::find_if(
         end, last, [&](const ListedPoint& point) { return point.z < end->z - of_side; });
     return above != last && std::abs(above->y - end->y) * least_slope < end->z - above->z;
   };
   const auto& list = points.list;
-  const auto [left, right] = range(points, &ListedPoint::y);
   const auto [top, lowest] = range(points, &ListedPoint::z);
   const double shallow = std::min(list.front().z, list.back().z);
-  if (right - left > widest_head || shallow - top < least_flange ||
+  if (shallow - top < least_flange ||
       lowest > std::max(list.front().z, list.back().z) + same_point ||
       !is_side(list.begin(), list.end()) || !is_side(list.rbegin(), list.rend()))
     return;

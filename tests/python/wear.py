@@ -138,6 +138,25 @@ class Depths(unittest.TestCase):
             short.area_of(result.models, wear.WorkInRegimes())
 
 
+    def test_a_worn_root_that_planes_do_not_fit_wears_on(self):
+        # Worn by 0.5 mm, less around y = -22: contacts at tread and root, 0.38 rad apart, grow into each other.
+        whole = wear.WornProfile.of(rollfem.Profile("S1002"))
+        worn = wear.WornProfile(whole.y, whole.z + 0.2 * np.exp(-((whole.y + 22.0) / 5.0) ** 2)
+                                - 0.5 / (1.0 + np.exp(-(whole.y + 33.4))), "wheel")
+        with tempfile.TemporaryDirectory() as folder:
+            for side, sign in (("left", -1.0), ("right", 1.0)):
+                case = rollfem.Case(PAIR).with_({
+                    "load.vertical_force": 100e3, "wheel.profile": worn.write(f"{folder}/worn.csv"),
+                    "contact_grid.elements_across": 10,
+                    "wheelset": {"side": side, "lateral_shift": 5.87 * sign, "roll": 0.0, "rotation_change": 0.0}})
+                with self.assertRaisesRegex(rollfem.SolveError, "another contact of the same wheel"):
+                    rollfem.solve(case.with_({"halfspace.surface": "planar"}), model="halfspace")
+                result = rollfem.solve(case, model="halfspace")
+                area = worn.area_of(result.models, wear.ConstantCoefficient(1.0))
+                self.assertAlmostEqual(area.sum() / result.models[0].points[0].frictional_work, 1.0, 6)
+                self.assertTrue(any("common surface" in note for note in result.models[0].notes))
+
+
 def bump(profile, middle, half, depth):
     """Areas of a smooth wear scar."""
     share = np.clip(np.abs(profile.y - middle) / half, 0.0, 1.0)

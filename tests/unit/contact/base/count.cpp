@@ -25,7 +25,7 @@ TEST(Count, IsRefusedWhereAnIntWouldOverflow) {
 TEST(Count, SaysNoNumberWhereThereIsNone) {
   for (const double number : {HUGE_VAL, std::nan("")}) {
     const std::string message = refusal<InputError>([&] { count_of(number, "cells"); });
-    EXPECT_TRUE(says(message, "not finite", "do: check the units"));
+    EXPECT_TRUE(says(message, "not finite", "do: give", "check the units"));
     EXPECT_FALSE(says(message, "nan"));
     EXPECT_FALSE(says(message, "inf "));
   }
