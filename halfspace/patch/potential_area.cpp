@@ -38,6 +38,19 @@ void check_cells(const contact::Scene& scene, const PatchExtent& extent, double 
       scene.file, dx, dy, extent.length, extent.width, largest_number_of_elements));
 }
 
+/// A tiny patch may lie far from the origin, where the bodies touch first.
+void check_distance(const contact::Scene& scene, const ExpectedPatch& patch, double dx, double dy) {
+  const double length = std::max(patch.x_upper, 0.0) - std::min(patch.x_lower, 0.0);
+  const double width = std::max(patch.y_upper, 0.0) - std::min(patch.y_lower, 0.0);
+  if (length / dx * (width / dy) <= largest_number_of_elements) return;
+  throw contact::SolveError(fmt::format(
+      "{}: the patch, of about {:.3g} by {:.3g} mm, lies up to {:.3g} mm from the place where "
+      "wheel "
+      "and rail touch first, which the contact grid contains too: it needs more than {:.0e} "
+      "elements; do: give a larger load, or a larger contact_grid.cell_size",
+      scene.file, patch.length, patch.width, std::max(length, width), largest_number_of_elements));
+}
+
 /// Elements of dx by dy that contain the patch, the origin and a margin, on the lattice with a
 /// corner at the origin (and at the requested middle): a patch has the same elements whether or not
 /// the grid contains another patch.
@@ -167,6 +180,7 @@ ContactGrid PatchSearch::grid(double dx, double dy, int margin) const {
   if (!options.extent && !values) {
     const PatchExtent box{patch().length, patch().width};
     check_cells(scene_, box, dx, dy, margin);
+    if (scene_.has_profiles()) check_distance(scene_, patch(), dx, dy);
     if (scene_.has_profiles()) return anchored_grid(patch(), options.middle, dx, dy, margin);
     return ContactGrid::centred(elements(box.length, dx, margin), elements(box.width, dy, margin),
                                 dx, dy, options.middle[0] + patch().x_middle(),
