@@ -122,7 +122,8 @@ ProfileCurve ProfileCurve::part(double from, double to) const {
                                list.begin() + (end - all.begin()));
   };
   return ProfileCurve(
-      {cut(knots_.parameter), cut(knots_.y), cut(knots_.z), cut(knots_.dy), cut(knots_.dz)});
+      {cut(knots_.parameter), cut(knots_.y), cut(knots_.z), cut(knots_.dy), cut(knots_.dz),
+       knots_.rounding});
 }
 
 ProfileCurve ProfileCurve::mirrored() const {

@@ -32,6 +32,7 @@ struct ProfileKnots {
   std::vector<double> parameter;
   std::vector<double> y, z;    ///< mm
   std::vector<double> dy, dz;  ///< by the parameter; right limits at jumps
+  double rounding = 0.0;       ///< mm, standard deviation of the points, where it matters
 };
 
 class ProfileCurve {

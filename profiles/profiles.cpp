@@ -2,6 +2,7 @@
 #include "profiles/profiles.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/scene/patch_geometry.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
 #include "profiles/profile_points.hpp"
@@ -39,6 +40,43 @@ ProfileCurve built_in(const BuiltInProfile& profile, bool wheel, const std::stri
   return profile.make();
 }
 
+/// The largest power of ten, 0.1 to 1e-7 mm, of which all heights are multiples; otherwise 0.
+double decimal_step(const ProfilePoints& points) {
+  constexpr double exact = 1e-6;
+  for (double per_mm = 10.0; per_mm < 2e7; per_mm *= 10.0)
+    if (std::all_of(points.list.begin(), points.list.end(), [&](const ListedPoint& point) {
+          return std::abs(point.z * per_mm - std::round(point.z * per_mm)) < exact;
+        }))
+      return 1.0 / per_mm;
+  return 0.0;
+}
+
+/// Where the rounding of closely spaced points presses noticeably, a warning, and the curve knows
+/// their scatter: by no more than they scatter, because points of straight lines may lie on such
+/// multiples. Points that scatter by more than the program expects are measured ones.
+ProfileCurve with_rounding(const ProfileCurve& curve, const ProfilePoints& points, bool wheel,
+                           ProfileReport& report) {
+  constexpr double steel = 115e3, noticeable = 40.0, aim = 20.0;  // MPa: E*, pressures
+  if (report.smoothing->scatter >= least_scatter) return curve;
+  const double step = decimal_step(points);
+  const double scatter = std::min(step / std::sqrt(12.0), report.smoothing->scatter);
+  const double spacing =
+      (curve.last() - curve.first()) / static_cast<double>(points.list.size() - 1);
+  const double pressure = contact::pressure_of_scatter(steel, scatter, spacing);
+  if (pressure < noticeable) return curve;
+  // Means of n points scatter by 1 / sqrt(n) and are n times as far apart.
+  const double apart = spacing * std::pow(pressure / aim, 2.0 / 3.0);
+  report.neglected += fmt::format(
+      "{}{}: points {:.2g} mm apart with heights rounded to {:g} mm: the rounding is waves that "
+      "press steel bodies with up to {:.2g} MPa; do: give more decimals or fewer points, or put "
+      "`thinning = {:.1g}` or `smoothing = {:.1g}` under [{}_profile]",
+      report.neglected.empty() ? "" : "; ", points.file, spacing, step, pressure, apart, scatter,
+      wheel ? "wheel" : "rail");
+  ProfileKnots knots = curve.knots();
+  knots.rounding = scatter;
+  return ProfileCurve(std::move(knots));
+}
+
 ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool wheel,
                      ProfileReport& report) {
   report.neglected = points.neglected;
@@ -46,7 +84,9 @@ ProfileCurve through(ProfilePoints points, const ProfileSource& source, bool whe
   report.points = points.list.size();
   report.smoothing.emplace();
   try {
-    return smoothing_spline(row_of(points), source.smoothing, &*report.smoothing);
+    const ProfileCurve curve =
+        smoothing_spline(row_of(points), source.smoothing, &*report.smoothing);
+    return source.smoothing > 0.0 ? curve : with_rounding(curve, points, wheel, report);
   } catch (const std::invalid_argument&) {
     throw InputError(fmt::format(
         "{}: smoothing = {} mm exceeds the height of the whole profile; allowed: about the scatter "

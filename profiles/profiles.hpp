@@ -30,10 +30,11 @@ struct ProfileReport {
   std::string kind;                          ///< "built in", "arcs", "polynomial", "file", "radius"
   std::size_t points = 0;                    ///< of a file, after repairs
   std::optional<SmoothingReport> smoothing;  ///< of a file
-  std::string neglected;                     ///< warning of what a file asks for and is not done
+  /// Warning of what a file asks for and is not done, or of coarsely rounded points.
+  std::string neglected;
 };
 
-/// What the profile files of a case ask for and is not done, one warning a file.
+/// These warnings of the profile files of a case.
 std::vector<std::string> neglected_in_files(const contact::Case& input);
 
 /// What to do where measured points scatter and are not smoothed; otherwise empty.

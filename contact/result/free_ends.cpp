@@ -2,6 +2,7 @@
 #include "contact/result/free_ends.hpp"
 
 #include "contact/result/bars.hpp"
+#include "contact/result/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,8 @@ LoadedEnds loaded_ends(const Scene& scene, const ContactGrid& grid, const PointR
 
 void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointResult& point) {
   if (loaded_ends(scene, grid, point).ends.empty()) return;
-  for (const char* name : {"max_pressure", "max_traction", "max_traction_x"}) {
+  for (const char* name : {"max_pressure", "max_traction", "max_traction_x", "max_pass_work"}) {
+    if (!quantity_named(name).value(point)) continue;
     point.error_estimate.erase(name);
     point.richardson.erase(name);
     point.no_bar[name] = no_bar::no_limit;

@@ -19,7 +19,7 @@ struct LoadedEnds {
 };
 LoadedEnds loaded_ends(const Scene& scene, const ContactGrid& grid, const PointResult& point);
 
-/// The pressure and tractions of a point with loaded ends have no limit on finer grids.
+/// Pressure, tractions and work of a pass of a point with loaded ends have no limit on finer grids.
 void explain_singular_values(const Scene& scene, const ContactGrid& grid, PointResult& point);
 
 /// Takes back what the size found below the element size, of a smooth outline, has beyond ends. An

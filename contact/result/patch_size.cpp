@@ -19,10 +19,13 @@ namespace {
 /// Pressures along one line of elements, positions in elements.
 using Line = std::vector<double>;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// Distance of an edge beyond the centre of the last element, and its error, in elements.
 struct Edge {
   double at = 0.5;
   double unsure = 0.5;
+  double root = 0.0;  ///< that gave `at` by edge_of_solution; 0 where another rule gave it
 };
 
 /// Ends of the contact along one line: the outermost edges and the covered length.
@@ -98,7 +101,7 @@ Edge edge_beyond(const Line& inward) {
   const double root = std::clamp(*outer, 0.0, largest_of_solutions);
   const std::optional<double> second = root_of_parabola(inward, 1, 3);
   const double beside = second ? std::abs(*second - second_root(root)) : 1.0;
-  return {edge_of_solution(root), unsure_share * beside + std::abs(*outer - root)};
+  return {edge_of_solution(root), unsure_share * beside + std::abs(*outer - root), root};
 }
 
 Chord chord_of(PatchLines& lists) {
@@ -127,18 +130,59 @@ Chord chord_of(PatchLines& lists) {
   return chord;
 }
 
-/// Largest of values[k] over the lines, taken at the vertex of the parabola through the largest and
-/// its neighbours: the outermost point of the patch usually lies between two lines.
-double largest_between_lines(const Line& values) {
-  const auto at = std::max_element(values.begin(), values.end());
+/// Curvature of the edges at line `top`, per element: from the lines an element's length to both
+/// sides, or the last ones with an edge. `slenderness`: length of an element, which lies along the
+/// line, over its width.
+double curvature_at(const Line& edges, int top, double slenderness) {
+  const int count = static_cast<int>(edges.size());
+  double sum = 0.0;
+  int sides = 0;
+  for (const int side : {-1, 1}) {
+    int lines = std::max(1, static_cast<int>(std::lround(std::min(slenderness, 1.0 * count))));
+    const auto there = [&] {
+      const int line = top + side * lines;
+      return line >= 0 && line < count ? edges[static_cast<std::size_t>(line)] : -infinity;
+    };
+    while (lines > 1 && there() == -infinity) --lines;
+    if (there() == -infinity) continue;
+    sum +=
+        2.0 * (edges[static_cast<std::size_t>(top)] - there()) * std::pow(slenderness / lines, 2);
+    ++sides;
+  }
+  return sides > 0 ? sum / sides : 0.0;
+}
+
+/// What edge_of_solution leaves out where the outline of the patch is curved. Along an outline that
+/// turns within an element's length, elements carry pressure like the springs of a Winkler
+/// foundation, and the edge follows the root itself. Fitted to Hertz's ellipses of axis ratios 1:40
+/// to 40:1 on 12 to 80 elements anywhere on the grid: the error of a semi-axis falls from 0.006 to
+/// 0.003 (round) and from 0.05 to 0.007 of an element (1:40), rms.
+double beside_straight_edge(double root, double curvature) {
+  constexpr double size = 0.211, saturation = 0.36, middle = 0.354, shift = 0.112, ramp = 0.12;
+  const double w = std::sqrt(std::max(0.0, curvature));
+  const double bend = w / (1.0 + saturation * w);
+  return size * bend * (root - middle - shift * bend) * std::min(1.0, root / ramp);
+}
+
+/// The outermost edge, at the vertex of the parabola through the largest and its neighbours: the
+/// outermost point of the patch usually lies between two lines. Adds to `edges` what their
+/// curvature adds.
+double outermost_between_lines(Line& edges, const Line& roots, double slenderness) {
+  const auto largest = std::max_element(edges.begin(), edges.end());
+  const int top = static_cast<int>(largest - edges.begin());
+  const double curvature = curvature_at(edges, top, slenderness);
+  const std::size_t first = static_cast<std::size_t>(std::max(0, top - 2));
+  for (std::size_t k = first; k < std::min(edges.size(), first + 5); ++k)
+    edges[k] += beside_straight_edge(roots[k], curvature);
+  const auto at = std::max_element(edges.begin(), edges.end());
   const double peak = *at;
-  if (at == values.begin() || at + 1 == values.end()) return peak;
+  if (at == edges.begin() || at + 1 == edges.end()) return peak;
   const double before = *(at - 1);
   const double after = *(at + 1);
-  const double curvature = before - 2.0 * peak + after;
-  if (!std::isfinite(curvature) || curvature >= 0.0) return peak;
+  const double bend = before - 2.0 * peak + after;
+  if (!std::isfinite(bend) || bend >= 0.0) return peak;
   const double slope = 0.5 * (after - before);
-  return peak - 0.5 * slope * slope / curvature;
+  return peak - 0.5 * slope * slope / bend;
 }
 
 struct Extent {
@@ -150,12 +194,11 @@ struct Extent {
 
 /// For `count` lines of `length` elements; `value(line, element)`.
 template <class Value>
-Extent extent_of(int count, int length, PatchLines& lists, Value&& value) {
-  constexpr double nowhere = -std::numeric_limits<double>::infinity();
+Extent extent_of(int count, int length, double slenderness, PatchLines& lists, Value&& value) {
+  constexpr double nowhere = -infinity;
   Line& last = lists.last;
   Line& minus_first = lists.minus_first;
-  last.clear();
-  minus_first.clear();
+  for (Line* list : {&last, &minus_first, &lists.last_roots, &lists.first_roots}) list->clear();
   Extent extent;
   bool any = false;
   Edge outermost_first{nowhere, 0.0}, outermost_last{nowhere, 0.0};
@@ -165,6 +208,8 @@ Extent extent_of(int count, int length, PatchLines& lists, Value&& value) {
     const Chord chord = chord_of(lists);
     last.push_back(chord.any ? chord.last.at : nowhere);
     minus_first.push_back(chord.any ? -chord.first.at : nowhere);
+    lists.last_roots.push_back(chord.last.root);
+    lists.first_roots.push_back(chord.first.root);
     extent.covered += chord.covered;
     any = any || chord.any;
     if (last.back() > outermost_last.at) outermost_last = chord.last;
@@ -173,8 +218,8 @@ Extent extent_of(int count, int length, PatchLines& lists, Value&& value) {
   }
   extent.unsure = std::hypot(outermost_first.unsure, outermost_last.unsure);
   if (any) {
-    extent.first = -largest_between_lines(minus_first);
-    extent.last = largest_between_lines(last);
+    extent.first = -outermost_between_lines(minus_first, lists.first_roots, slenderness);
+    extent.last = outermost_between_lines(last, lists.last_roots, slenderness);
   }
   return extent;
 }
@@ -187,13 +232,13 @@ PatchSize patch_size(const ContactGrid& grid, const Field& pressure) {
 }
 
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure, PatchLines& lists) {
-  for (Line* list :
-       {&lists.line, &lists.squares, &lists.backwards, &lists.last, &lists.minus_first})
+  for (Line* list : {&lists.line, &lists.squares, &lists.backwards, &lists.last, &lists.minus_first,
+                     &lists.last_roots, &lists.first_roots})
     list->reserve(static_cast<std::size_t>(std::max(grid.nx, grid.ny)));
-  const Extent along_x =
-      extent_of(grid.ny, grid.nx, lists, [&](int j, int i) { return pressure[grid.index(i, j)]; });
-  const Extent along_y =
-      extent_of(grid.nx, grid.ny, lists, [&](int i, int j) { return pressure[grid.index(i, j)]; });
+  const Extent along_x = extent_of(grid.ny, grid.nx, grid.dx / grid.dy, lists,
+                                   [&](int j, int i) { return pressure[grid.index(i, j)]; });
+  const Extent along_y = extent_of(grid.nx, grid.ny, grid.dy / grid.dx, lists,
+                                   [&](int i, int j) { return pressure[grid.index(i, j)]; });
   PatchSize size;
   size.length = (along_x.last - along_x.first) * grid.dx;
   size.width = (along_y.last - along_y.first) * grid.dy;

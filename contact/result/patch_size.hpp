@@ -30,7 +30,7 @@ PatchSize patch_size(const ContactGrid& grid, const Field& pressure);
 
 /// Memory for repeated calls, which then allocate nothing.
 struct PatchLines {
-  std::vector<double> line, squares, backwards, last, minus_first;
+  std::vector<double> line, squares, backwards, last, minus_first, last_roots, first_roots;
 };
 PatchSize patch_size(const ContactGrid& grid, const Field& pressure, PatchLines& lists);
 

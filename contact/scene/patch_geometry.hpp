@@ -69,6 +69,13 @@ struct FreeEnd {
   bool of_wheel = false;
 };
 
+/// Pressure with which independent errors of heights press where contact is full, MPa, rms: a wave
+/// of the number k presses with E*/2 k times its height, and up to k = pi / spacing the mean of k^2
+/// is a third of the largest. `contact_modulus`: E*, MPa; `scatter`, `spacing`: of the heights, mm.
+inline double pressure_of_scatter(double contact_modulus, double scatter, double spacing) {
+  return 0.5 * contact_modulus * scatter * M_PI / (std::sqrt(3.0) * spacing);
+}
+
 class PatchGeometry {
  public:
   PatchGeometry() = default;
@@ -141,6 +148,10 @@ class PatchGeometry {
   const std::vector<FreeEnd>& free_ends() const { return free_ends_; }
   void set_free_ends(std::vector<FreeEnd> ends) { free_ends_ = std::move(ends); }
 
+  /// Standard deviation of the heights of rail and wheel where files round their points, mm.
+  const std::array<double, 2>& rounding() const { return rounding_; }
+  void set_rounding(const std::array<double, 2>& rounding) { rounding_ = rounding; }
+
   /// Whether both profiles are known here.
   bool known(double y) const { return rail_.contains(y) && wheel_.contains(y); }
 
@@ -159,6 +170,7 @@ class PatchGeometry {
   std::array<double, 2> limits_{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};
   std::vector<FreeEnd> free_ends_;
+  std::array<double, 2> rounding_{};
 };
 
 /// "left" or "right": the wheel in texts, files and names.

@@ -140,6 +140,32 @@ std::optional<WaveErrors> wave_errors(const Scene& scene, std::size_t k, const C
   }
 }
 
+WaveErrors rounding_errors(const Scene& scene, const ContactGrid& grid, const PointResult& point) {
+  constexpr double of_pressure = 1.6, of_approach = 1.5, of_axis = 1.0;
+  if (!scene.has_profiles()) return {};
+  const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
+  double pressure = 0.0, height = 0.0;
+  for (const bool wheel : {false, true}) {
+    const contact::HeightCurve& curve = wheel ? profiles.wheel() : profiles.rail();
+    const double scatter = profiles.rounding()[wheel ? 1 : 0];
+    if (!(scatter > 0.0)) continue;
+    const double spacing =
+        (curve.last() - curve.first()) / static_cast<double>(curve.knots().size() - 1);
+    pressure =
+        std::hypot(pressure, contact::pressure_of_scatter(scene.material.contact_modulus, scatter,
+                                                          std::max(spacing, grid.dy)));
+    height = std::hypot(height, scatter);
+  }
+  if (!(height > 0.0)) return {};
+  const double part = of_axis * pressure / point.max_pressure;
+  return {{"max_pressure", of_pressure * pressure},
+          {"approach", of_approach * height},
+          {"contact_length", part * point.contact_length},
+          {"contact_width", part * point.contact_width},
+          {"semi_axis_x", part * point.semi_axis_x},
+          {"semi_axis_y", part * point.semi_axis_y}};
+}
+
 std::string wave_warning(const ContactGrid& grid, const PointResult& point,
                          const WaveErrors& errors) {
   constexpr double worth_a_warning = 0.05, aim = 0.02;

@@ -192,6 +192,22 @@ TEST_F(Profile, ScatterIsReportedWithTheSmoothingThatItNeeds) {
   EXPECT_FALSE(says(smoothed.err, "scatter"));
 }
 
+TEST_F(Profile, CoarseRoundingOfDensePointsIsReported) {
+  const auto written = [&](double spacing, int decimals) {
+    std::string text;
+    for (const auto& [y, z] : points_of("60E1", spacing))
+      text += fmt::format("{:.{}f} {:.{}f}\n", y, decimals, z, decimals);
+    folder.file("rail.txt", text);
+    return folder.file("c.toml", with_s1002("profile = \"rail.txt\"\n"));
+  };
+  for (const char* command : {"profile", "check"}) {
+    EXPECT_TRUE(says(done({command, written(0.005, 4)}).err, "rail.txt: points 0.005 mm apart",
+                     "rounded to 0.0001 mm", "`thinning = 0.05`", "under [rail_profile]"));
+    EXPECT_FALSE(says(done({command, written(0.2, 4)}).err, "rounded to"));
+    EXPECT_FALSE(says(done({command, written(0.005, 9)}).err, "rounded to"));
+  }
+}
+
 using Wheelset = ProgramTest;
 
 TEST_F(Wheelset, TellsRadiiAnglesAndConicity) {

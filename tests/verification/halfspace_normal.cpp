@@ -85,6 +85,37 @@ TEST(HalfspaceNormal, PatchSizeIsFoundBelowTheElementSize) {
   }
 }
 
+TEST(HalfspaceNormal, SemiAxesOfSlenderEllipsesAreFoundAnywhereOnTheGrid) {
+  contact::Case input = thesis_case('a');
+  for (const double radius : {300.0, 30.0, 5.0}) {  // axis ratios of 1.3, 6 and 20
+    input.rail.transverse_radius = radius;
+    input.load.normal_force = 2.0 * radius * radius;
+    const HertzContact hertz = halfspace::hertz_of_scene(input);
+    const contact::Curvatures curvatures = contact::relative_curvatures(input);
+    const HalfspaceCompliance compliance(
+        ContactGrid::centred(48, 48, hertz.semi_axis_x / 19.0, hertz.semi_axis_y / 19.0),
+        contact::combine(input.wheel.material, input.rail.material));
+    for (int k = 0; k < 6; ++k) {
+      // The ends of the patch lie anywhere within an element.
+      const double stretch = 1.0 + 0.009 * k, shift = 0.13 * k;
+      const double dx = hertz.semi_axis_x / 19.0, dy = hertz.semi_axis_y / 19.0;
+      NormalProblem problem;
+      problem.undeformed_distance = compliance.grid().sample([&](double x, double y) {
+        return contact::undeformed_distance(curvatures, x + shift * dx, y + shift * dy);
+      });
+      // Larger forces stretch both axes alike.
+      problem.normal_force = *input.load.normal_force * std::pow(stretch, 3);
+      const auto solved = contact::solve_normal(compliance.normal(), problem, {});
+      const contact::PatchSize size = contact::patch_size(compliance.grid(), solved.pressure);
+      const auto error = [&](double whole, double axis, double cell) {
+        return (0.5 * whole - stretch * axis) / cell;
+      };
+      EXPECT_NEAR(error(size.length, hertz.semi_axis_x, dx), 0.0, 0.02) << radius << " " << k;
+      EXPECT_NEAR(error(size.width, hertz.semi_axis_y, dy), 0.0, 0.02) << radius << " " << k;
+    }
+  }
+}
+
 TEST(HalfspaceNormal, IterationsStayFewOnFineGrids) {
   const contact::Case input = thesis_case('a');
   contact::NormalOptions engineering;

@@ -174,6 +174,7 @@ contact::PatchGeometry make_geometry(const Case& input, const SearchScene& scene
             sign_y, at_touch, reach, geometry);
   if (bodies != nullptr) set_surfaces(*bodies, axes, sign_y, touch, geometry);
   geometry.set_free_ends(free_ends(input, scene, axes, axle, left));
+  geometry.set_rounding({rail.knots().rounding, wheel.knots().rounding});
   return geometry;
 }
 

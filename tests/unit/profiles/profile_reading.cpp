@@ -43,6 +43,20 @@ TEST(ProfileReading, CommentsMayStandBehindARowInEveryFormat) {
         << name;
 }
 
+TEST(ProfileReading, CurveKnowsRoundingOfDensePoints) {
+  const auto rounding = [](double spacing, int decimals) {
+    std::string text;
+    for (const auto& [y, z] : points_of("60E1", spacing))
+      text += fmt::format("{:.{}f} {:.{}f}\n", y, decimals, z, decimals);
+    const ProfileCurve curve = read(text, false);
+    EXPECT_EQ(curve.part(-5.0, 5.0).moved(0.1, 2.0, 3.0).knots().rounding, curve.knots().rounding);
+    return curve.knots().rounding;
+  };
+  EXPECT_NEAR(rounding(0.005, 4), 1e-4 / std::sqrt(12.0), 1e-5);
+  for (const double spacing : {0.1, 0.2, 0.5}) EXPECT_EQ(rounding(spacing, 4), 0.0);
+  EXPECT_EQ(rounding(0.005, 9), 0.0);
+}
+
 TEST(ProfileReading, HeadingsMayFillSeveralLines) {
   const Points points = points_of("60E1");
   const std::string rows = columns(points, ",");
