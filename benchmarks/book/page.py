@@ -4,7 +4,7 @@ import json
 import math
 import os
 
-from rollfem_figures.files import write_whole
+from rollfem.files import write_whole
 
 from .tolerances import BASIS, spent_on
 

@@ -10,7 +10,8 @@ import signal
 import subprocess
 import time
 
-from rollfem_figures.reader import read_json, read_result
+from rollfem.figures import compare, study
+from rollfem.reader import read_result
 
 from . import style
 
@@ -175,13 +176,13 @@ class Bench:
     def study(self, name, case, options=(), settings=None):
         """`rollfem study` of a case; returns study.json as a dict."""
         folder = self._program("study", name, [case], settings, [*options, "--no-report"])
-        return read_json(folder, "study")
+        return study.read(folder)
 
     def compare(self, name, cases, models):
         """`rollfem compare` of cases; returns (compare.json, {case name: Result})."""
         folder = self._program("compare", name, cases, None,
                                ["--model", ",".join(models), "--no-report"])
-        comparison = read_json(folder, "compare")
+        comparison = compare.read(folder)
         return comparison, {c["name"]: read_run(os.path.join(folder, c["name"]))
                             for c in comparison["cases"]}
 

@@ -7,9 +7,9 @@ import re
 import matplotlib
 from matplotlib import pyplot as plt
 
-from rollfem_figures import styles
-from rollfem_figures.files import whole
-from rollfem_figures.styles import know, label  # noqa: F401
+from rollfem.figures import styles
+from rollfem.figures.styles import know, label  # noqa: F401
+from rollfem.files import whole
 
 BLUE = styles.COLOURS["blue"][0]
 GREY = "#666666"

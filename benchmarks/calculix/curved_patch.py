@@ -249,7 +249,7 @@ def case_text(case, friction):
 def by_rollfem(case, friction, program, folder):
     """{model: p0, a, b and p0 of the fit, sum of p dA over the force} at xi = 0 with this coefficient of friction."""
     sys.path.insert(0, os.path.join(ROOT, "postprocess"))
-    from rollfem_figures.reader import read_result
+    from rollfem.reader import read_result
     target = os.path.join(folder, f"rollfem_{case.name}_{friction:g}")
     with open(target + ".toml", "w", encoding="utf-8") as file:
         file.write(case_text(case, friction))

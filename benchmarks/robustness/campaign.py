@@ -154,8 +154,8 @@ class Results:
         self.turn += 1
         if self.turn % 10 == 0:
             script = (f"import sys; sys.path.insert(0, {self.source!r})\n"
-                      "from rollfem_figures.reader import read_result, ResultError\n"
-                      "try: read_result('r')\nexcept ResultError: sys.exit(2)")
+                      "from rollfem.reader import read_result, FileError\n"
+                      "try: read_result('r')\nexcept FileError: sys.exit(2)")
             return call(["/usr/bin/python3", "-c", script], self.folder)
         return call([self.program, "stress", "r", "--no-figures", "-o", "s"], self.folder)
 

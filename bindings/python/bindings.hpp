@@ -24,11 +24,6 @@ py::dict quantities();
 /// {name: (unit, description, sign)}
 py::dict fields();
 
-/// {"hydrostatic", "von_mises", "tresca", "orthogonal_shear": [...], "principal": [..., 3]} from
-/// stresses [..., 6], MPa: xx, yy, zz, xy, yz, xz (contact/result/stress_measures.hpp). Raises
-/// ValueError unless the last axis has length six.
-py::dict stress_measures(const py::object& components);
-
 /// Where a patch is, with the numbers of postprocess::place_scalars; None without a place.
 py::object place_of(const std::optional<contact::ContactPlace>& place);
 

@@ -49,6 +49,11 @@ std::vector<std::tuple<std::string, std::string, std::string>> keys() {
   return found;
 }
 
+/// Sets an exception of the Python package.
+void raise(const char* kind, const std::string& text) {
+  PyErr_SetString(py::module_::import("rollfem.errors").attr(kind).ptr(), text.c_str());
+}
+
 void define_progress(py::module_& module) {
   py::class_<ProgressEvent>(module, "Progress", R"(Progress report of a running model.)")
       .def_readonly("model", &ProgressEvent::model)
@@ -83,17 +88,17 @@ void define_progress(py::module_& module) {
 PYBIND11_MODULE(_core, module) {
   using namespace rollfem;
   namespace py = pybind11;
-  const auto& input_error =
-      py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
-  py::register_exception<FileError>(module, "FileError",
-                                    py::make_tuple(input_error, py::handle(PyExc_OSError)));
-  py::register_exception<SolveError>(module, "SolveError", PyExc_RuntimeError);
-  py::register_exception_translator([](std::exception_ptr thrown) {  // of FileError
+  py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
+    } catch (const FileError& error) {
+      python::raise("FileError", error.what());
+    } catch (const InputError& error) {
+      python::raise("InputError", error.what());
+    } catch (const SolveError& error) {
+      python::raise("SolveError", error.what());
     } catch (const std::filesystem::filesystem_error& error) {
-      PyErr_SetString(py::module_::import("rollfem._core").attr("FileError").ptr(),
-                      (error.path1().string() + ": " + error.code().message()).c_str());
+      python::raise("FileError", error.path1().string() + ": " + error.code().message());
     }
   });
   python::define_progress(module);
@@ -131,7 +136,6 @@ PYBIND11_MODULE(_core, module) {
   module.def("solve", &python::solved);
   module.def("models_of", &python::models_of);
   module.def("write", &python::written);
-  module.def("stress_measures", &python::stress_measures);
   module.def("keys", &python::keys);
   module.def("quantities", &python::quantities);
   module.def("fields", &python::fields);

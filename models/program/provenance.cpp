@@ -65,10 +65,14 @@ fs::path script_directory() {
   const fs::path code = code_directory();
   // The library folder may have a subfolder per architecture.
   for (const fs::path& prefix : {program_directory() / "..", code / "..", code / ".." / ".."}) {
-    const fs::path installed = prefix / ROLLFEM_DATADIR / "rollfem_figures";
-    if (fs::exists(installed, error)) return installed.lexically_normal();
+    const fs::path packages = prefix / ROLLFEM_PACKAGE_DIR;
+    // pip installs into site-packages, also where Debian's folder is dist-packages.
+    for (const fs::path& folder : {packages, packages.parent_path() / "site-packages"}) {
+      const fs::path installed = folder / "rollfem";
+      if (fs::exists(installed / "__main__.py", error)) return installed.lexically_normal();
+    }
   }
-  return fs::path(ROLLFEM_SOURCE_DIR) / "postprocess" / "rollfem_figures";
+  return fs::path(ROLLFEM_SOURCE_DIR) / "postprocess" / "rollfem";
 }
 
 namespace {

@@ -41,7 +41,7 @@ Scenes scenes_of(const contact::Case& input, const Placed& placed,
 /// The same without the balance, which takes time.
 std::vector<contact::Scene> unbalanced_scenes(const contact::Case& input, const Placed& placed);
 
-/// Wheel and rail of the first position as a table for drawing (rollfem_figures --pair): the name
+/// Wheel and rail of the first position as a table for drawing (figures/profiles.py): the name
 /// of the table without ending, and its text. One for each requested wheel.
 std::vector<std::pair<std::string, std::string>> pair_tables(const contact::Case& input,
                                                              const track::SearchScene& search);

@@ -81,7 +81,7 @@ void write_results(const std::string& directory, const RunRecord& run);
 /// table; stress.json; or the table NAME.csv of a profile or a wheelset, whose figure is NAME.svg.
 /// Returns one line on failure, empty on success. Longer output of the program goes to report.log
 /// in the folder. Results stay in any case. `script_directory` is the Python package
-/// rollfem_figures or the folder that holds it. Python is taken from the environment variable
+/// rollfem or the folder that holds it. Python is taken from the environment variable
 /// ROLLFEM_PYTHON, else from the virtual environment that holds the package, else /usr/bin/python3,
 /// else python3 on PATH; it imports no module from the current folder.
 std::string make_report(const std::string& path, const std::string& script_directory);

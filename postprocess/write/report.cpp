@@ -22,13 +22,14 @@ namespace fs = std::filesystem;
 namespace rollfem::postprocess {
 namespace {
 
-/// A path becomes absolute, because Python starts in another folder. Scripts in
-/// PREFIX/share/rollfem of a virtual environment get its Python, which has the packages that pip
-/// installed with rollfem.
+/// A path becomes absolute, because Python starts in another folder. Scripts in a virtual
+/// environment (lib/python3.x/site-packages or share/rollfem) get its Python, which has the
+/// packages that pip installed with rollfem.
 std::string find_python(const fs::path& scripts) {
   if (const char* chosen = std::getenv("ROLLFEM_PYTHON"); chosen && *chosen)
     return std::strchr(chosen, '/') != nullptr ? fs::absolute(chosen).string() : chosen;
-  const fs::path prefix = scripts.parent_path().parent_path();
+  fs::path prefix = scripts.parent_path().parent_path();
+  if (scripts.filename() == "site-packages") prefix = prefix.parent_path();
   if (fs::exists(prefix / "pyvenv.cfg")) return (prefix / "bin" / "python3").string();
   return ::access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
 }
@@ -36,9 +37,9 @@ std::string find_python(const fs::path& scripts) {
 /// The folder from which the package runs, given the package or its parent folder.
 fs::path package_parent(const fs::path& scripts) {
   fs::path path = fs::absolute(scripts);
-  if (fs::exists(path / "rollfem_figures" / "__main__.py")) return path;
+  if (fs::exists(path / "rollfem" / "__main__.py")) return path;
   const fs::path package = path.has_filename() ? path : path.parent_path();
-  if (package.filename() == "rollfem_figures" && fs::exists(package / "__main__.py"))
+  if (package.filename() == "rollfem" && fs::exists(package / "__main__.py"))
     return package.parent_path();
   return {};
 }
@@ -131,14 +132,13 @@ std::vector<std::string> environment() {
 
 std::string make_report(const std::string& path, const std::string& script_directory) {
   const fs::path parent = package_parent(script_directory);
-  if (parent.empty())
-    return fmt::format("no Python package rollfem_figures in {}", script_directory);
+  if (parent.empty()) return fmt::format("no Python package rollfem in {}", script_directory);
   const fs::path what = fs::absolute(path);
   // Python searches its starting folder for modules first. It starts in the package's folder,
   // because in the user's folder a numpy.py would run.
   const std::string printed =
-      run({find_python(parent), "-B", "-X", "utf8", "-m", "rollfem_figures", what.string()},
-          environment(), parent.string());
+      run({find_python(parent), "-B", "-X", "utf8", "-m", "rollfem", what.string()}, environment(),
+          parent.string());
   return one_line(fs::is_regular_file(what) ? what.parent_path() : what, printed);
 }
 

@@ -168,7 +168,7 @@ class Yielded(unittest.TestCase):
 
 class Boundaries(unittest.TestCase):
     def test_the_shakedown_map_is_that_of_rollfem_stress(self):
-        from rollfem_figures.yielding import _boundaries
+        from rollfem.figures.yielding import _boundaries
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder)
             (path / "case.toml").write_text(

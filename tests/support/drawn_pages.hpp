@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A folder drawn by Debian's Python, and queries of the package rollfem_figures. Skipped with a
+// A folder drawn by Debian's Python, and queries of the package rollfem. Skipped with a
 // message if numpy or h5py is not installed.
 #pragma once
 

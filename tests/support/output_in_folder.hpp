@@ -8,7 +8,7 @@
 
 namespace rollfem::testing {
 
-/// The folder that holds the Python package rollfem_figures.
+/// The folder that holds the Python package rollfem.
 inline const std::string scripts = std::string(ROLLFEM_SOURCE_DIR) + "/postprocess";
 
 /// `base_` is empty at first and removed at the end.

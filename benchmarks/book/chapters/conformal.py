@@ -29,7 +29,7 @@ def _contact_rows(bench, cost):
     """The half-space with CONTACT's friction against CONTACT."""
     rows = []
     for radius, printed in published.CONTACT_GROOVES.items():
-        model = _groove(bench, radius, ["halfspace"], FREE, "_free").model("halfspace")
+        model = _groove(bench, radius, ["halfspace"], FREE, "_free")["halfspace"]
         point = model.points[0]
         for words, unit, key, value, allowed in (
                 ("p0", "MPa", "max_pressure", "p0", 2e-3), ("approach", "mm", "approach", "approach", 1e-3),
@@ -93,12 +93,12 @@ def _groove_table(bench, cost):
     lines, sweep = [], []
     for radius in records.GROOVES:
         result = _groove(bench, radius, ["hertz", "halfspace"])
-        cost.append(Cost(f"groove of {radius} mm, half-space", result.model("halfspace").seconds["total"],
-                         result.model("halfspace").unknowns))
+        cost.append(Cost(f"groove of {radius} mm, half-space", result["halfspace"].seconds["total"],
+                         result["halfspace"].unknowns))
         truth = records.GROOVES[radius]
         away = {}
         for name, words in (("hertz", "Hertz"), ("halfspace", "half-space, curved")):
-            point = result.model(name).points[0]
+            point = result[name].points[0]
             away[name] = {short: point[key] / truth[short] - 1 for short, key in
                           (("p0", "max_pressure"), ("a", "semi_axis_x"), ("b", "semi_axis_y"), ("approach", "approach"))}
             lines.append([f"{radius} mm", words, *(f"{number(truth[k] * (1 + away[name][k]), 5)} ({percent(away[name][k])})"

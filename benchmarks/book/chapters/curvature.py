@@ -44,7 +44,7 @@ def _half_space_with(bench, letter, slip, axes):
                         for y in places for x in places)
     settings = {"rolling.longitudinal_creepage": 0.0,
                 "rolling.spin": f"0.0\nextra_slip = \"file\"\nextra_slip_file = \"{path}\""}
-    model = bench.run(f"curvature_slip_{letter}", f"cases/thesis_{letter}.toml", ["halfspace"], settings).model("halfspace")
+    model = bench.run(f"curvature_slip_{letter}", f"cases/thesis_{letter}.toml", ["halfspace"], settings)["halfspace"]
     return model.points[0]["traction_coefficient"]
 
 
@@ -121,7 +121,7 @@ def curvature_slip(bench):
                         slip[0] + 0.2 * (slip[1] * axes[0] ** 2 + slip[2] * axes[1] ** 2), 0.02, by="first order"))
         rows.append(Row(f"case {letter}: -F_x/F_z at xi = 0, against the half-space with first-order slip", "",
                         _half_space_with(bench, letter, slip, axes),
-                        results[letter].model("fem").nearest(0.0)["traction_coefficient"], 0.08, by="FEM"))
+                        results[letter]["fem"].nearest(0.0)["traction_coefficient"], 0.08, by="FEM"))
     return Chapter(
         "curvature-slip", "Slip without creepage: an elastic sphere, curved half-spaces",
         "Under pressure alone a curved body strains slightly more along rolling than a half-space, by the order of "

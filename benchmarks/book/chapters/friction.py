@@ -13,7 +13,7 @@ FORCE, FRICTION, SHEAR_MODULUS, POISSON = 9.1954, 0.4, 200.0, 0.42
 def cattaneo(bench):
     """Cattaneo and Mindlin: a sphere pushed back and forth"""
     result = bench.run("cattaneo", "cases/cattaneo.toml")
-    model = result.model("halfspace")
+    model = result["halfspace"]
     radius, _, pressure, approach = closed_forms.hertz(0.01, 0.01, FORCE, SHEAR_MODULUS / (1 - POISSON))
     pushed = model.points[2]  # the shift after the third step is 0.008172 mm
     shift = pushed["longitudinal_shift"]
@@ -85,7 +85,7 @@ def _loop(bench, model, radius):
 def spence(bench):
     """Spence: unlike bodies pressed together with friction"""
     result = bench.run("spence", "cases/spence.toml")
-    model = result.model("halfspace")
+    model = result["halfspace"]
     ratios, forces = [], []
     for point in model.points[3:]:
         ratios.append(np.sqrt(point["adhesion_area"] / point["contact_area"]))
@@ -121,19 +121,19 @@ def spence(bench):
 def transient(bench):
     """From rest to steady rolling"""
     result = bench.run("transient", "cases/cattaneo_to_carter.toml")
-    model = result.model("halfspace")
+    model = result["halfspace"]
     steady = bench.run("transient_steady", "cases/thesis_b.toml", ["halfspace"],
                        {"contact_grid.elements_across": 24, "rolling.longitudinal_creepage": "[0.001]"})
-    end = steady.model("halfspace").points[0]["traction_coefficient"]
+    end = steady["halfspace"].points[0]["traction_coefficient"]
     distance = [p["distance"] for p in model.points]
     force = [p["traction_coefficient"] for p in model.points]
     rows = [Row("-F_x/F_z after 28.8 mm", "", end, force[-1], 0.008, of=0.55, of_words="mu")]
     figure, axis = plt.subplots(figsize=(4.6, 3.0))
     axis.axhline(end, color=style.GREY, linestyle=(0, (5, 3)), linewidth=1.2, label="steady rolling")
     axis.plot(distance, force, marker="o", markersize=3.5, color="#0072B2", label="in steps of 0.9 mm")
-    axis.axvline(steady.model("halfspace").points[0]["contact_length"], color=style.GREY, linewidth=0.8,
+    axis.axvline(steady["halfspace"].points[0]["contact_length"], color=style.GREY, linewidth=0.8,
                  linestyle=(0, (1, 1.5)))
-    axis.annotate("length of the patch", (steady.model("halfspace").points[0]["contact_length"], 0.02), rotation=90,
+    axis.annotate("length of the patch", (steady["halfspace"].points[0]["contact_length"], 0.02), rotation=90,
                   ha="right", va="bottom", fontsize=8, color=style.GREY)
     axis.set_xlabel("distance rolled [mm]")
     axis.set_ylabel("$-F_x/F_z$")

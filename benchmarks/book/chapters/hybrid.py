@@ -28,7 +28,7 @@ def _run(bench, letter, model, name, settings):
     rolls = {**QUIET, "rolling.longitudinal_creepage": list(hybrid_limits.CREEPAGES)}
     name = f"hybrid_{letter}_{name}"
     result = bench.run(name, f"cases/{hybrid_limits.FILES[letter]}.toml", [model], {**({} if letter in CONFORMAL else rolls), **settings})
-    return result.model(model), bench.cpu_seconds(name)
+    return result[model], bench.cpu_seconds(name)
 
 
 def _hybrid(bench, letter, across):

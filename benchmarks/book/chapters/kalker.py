@@ -33,7 +33,7 @@ def _ellipses(bench):
                      "wheel.poisson_ratio": used, "rail.poisson_ratio": used}
             result = bench.run(f"kalker_{nu:g}_{ratio:.3f}", "cases/verification/kalker.toml", ["linear", "halfspace"],
                                shape)
-            seconds += result.model("halfspace").seconds["total"]
+            seconds += result["halfspace"].seconds["total"]
             found[ratio, nu] = {m.name: _coefficients_of(m) for m in result.models}
     return found, seconds
 

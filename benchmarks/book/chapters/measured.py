@@ -93,9 +93,9 @@ def measured(bench):
     """Measured: the creep curve of a twin-disc machine"""
     case = "cases/twin_disc.toml"
     run = bench.run("measured_elastic", case, ["hertz", "carter", "halfspace"])
-    elastic, theory, hertz = run.model("halfspace"), run.model("carter"), run.model("hertz")
-    layered = bench.run("measured_layer", case, ["halfspace"], {"+": LAYER_TEXT}).model("halfspace")
-    ends = bench.run("measured_ends", "cases/verification/twin_disc_ends.toml").model("halfspace")
+    elastic, theory, hertz = run["halfspace"], run["carter"], run["hertz"]
+    layered = bench.run("measured_layer", case, ["halfspace"], {"+": LAYER_TEXT})["halfspace"]
+    ends = bench.run("measured_ends", "cases/verification/twin_disc_ends.toml")["halfspace"]
     speed = np.pi * 2 * RADIUS * 1e-3 * 400 / 60
     rows = [Row("p0 of discs of 47 mm under 7198 N", "MPa", published.TWIN_DISC_PRESSURE, hertz.points[0]["max_pressure"], 1e-3,
                 by="hertz"),

@@ -19,14 +19,14 @@ def hertz(bench):
                            settings={"rail.transverse_radius": radius})
         exact = closed_forms.hertz(1 / 920, 1 / (2 * radius), 82e3, STEEL)
         for name, allowed in (("hertz", (1e-6,) * 4), ("halfspace", (2e-3, 1e-3, 1e-3, 3e-4))):
-            point = result.model(name).points[0]
+            point = result[name].points[0]
             for key, words, unit, value, most in zip(
                     ("semi_axis_x", "semi_axis_y", "max_pressure", "approach"), ("a", "b", "p0", "approach"),
                     ("mm", "mm", "MPa", "mm"), exact, allowed):
                 if name == "halfspace" or key == "max_pressure":
                     rows.append(Row(f"rail {radius:g} mm: {words}", unit, value, point[key], most,
-                                    by=style.label(result.model(name))))
-        half = result.model("halfspace")
+                                    by=style.label(result[name])))
+        half = result["halfspace"]
         cost.append(Cost(f"rail {radius:g} mm", half.seconds["total"], half.unknowns))
     tested += ["unit.Hertz.GivesTheBenchmarkTable", "unit.Hertz.HoldsForAnyAspectRatioBothWays",
                "verification.HalfspaceNormal.PatchSizeIsFoundBelowTheElementSize"]
@@ -119,7 +119,7 @@ def _flat_run(bench, exponent, across, semi_axis, edge, force):
     with open(case, "w", encoding="utf-8") as file:
         file.write(_FLAT.format(edge=edge, power=2 * exponent, a=semi_axis, force=float(force), file=name + ".csv",
                                 cell=2 * semi_axis / across))
-    return bench.run(f"flat_{exponent}_{across}", case).model("halfspace")
+    return bench.run(f"flat_{exponent}_{across}", case)["halfspace"]
 
 
 def steuermann(bench):

@@ -27,7 +27,7 @@ def _carter_curve(creepage):
 def carter(bench):
     """Carter: steady rolling of like cylinders"""
     result = bench.run("carter", "cases/carter_line.toml", ["halfspace", "carter"])
-    half, theory = result.model("halfspace"), result.model("carter")
+    half, theory = result["halfspace"], result["carter"]
     plane = bench.test("verification:Carter.ForceWithinATenthOfAPercentAt40ElementsOfSecondOrder")
     rows = []
     for point, other in zip(half.points, theory.points):
@@ -215,7 +215,7 @@ def benchmark_9(bench):
     found, cost = {}, []
     for n in (10, 20, 40, 80, 160):
         model = bench.run(f"benchmark_9_{n}", "cases/benchmark9.toml", ["halfspace"],
-                          {"contact_grid.elements_across": n}).model("halfspace")
+                          {"contact_grid.elements_across": n})["halfspace"]
         point = model.points[0]
         found[n] = (point["longitudinal_force"], point["lateral_force"], point["spin_moment"])
         cost.append(Cost(f"{n} across", model.seconds["total"], model.unknowns))
@@ -239,7 +239,7 @@ def benchmark_9(bench):
 
 def fastsim(bench):
     """FASTSIM against CONTACT's"""
-    model = bench.run("fastsim", "cases/verification/fastsim_a.toml").model("fastsim")
+    model = bench.run("fastsim", "cases/verification/fastsim_a.toml")["fastsim"]
     found = bench.test("verification:FastsimAgainstContact.ParabolicBoundOfCaseA")
     rows, beside = [], []
     for xi, (force, traction) in published.CONTACT_FASTSIM_A.items():

@@ -2,7 +2,7 @@
 """Subsurface stress of half-spaces and finite elements."""
 import numpy as np
 from matplotlib import pyplot as plt
-from rollfem_figures.stresses import measures
+from rollfem.stresses import stress_measures as measures
 
 from .. import closed_forms, published, style
 from ..chapter import Chapter, Cost, Row
@@ -21,7 +21,7 @@ def _peak(depth, value):
 
 def stress_circle(bench):
     """Stress on the axis below Hertz's circle"""
-    model = bench.run("circle_stress", "cases/verification/circle_stress.toml").model("halfspace")
+    model = bench.run("circle_stress", "cases/verification/circle_stress.toml")["halfspace"]
     a, _, p0, _ = closed_forms.hertz(1 / 810, 1 / 810, 20e3, MODULUS)
     line = model.points[0].subsurface[0]
     depth, stress = -line["points"][:, 2], line["stress"]

@@ -60,7 +60,7 @@ def _curve_rows(results):
             rows.append(Row("case a: largest |p_x| at xi = 0.2 %", "MPa", published.CONTACT_TRACTION_A,
                             model.nearest(0.002)["max_traction_x"], 0.01 if model.name == "halfspace" else 0.03,
                             by=style.label(model)))
-    half = results["c"].model("halfspace")
+    half = results["c"]["halfspace"]
     for xi, (coarse, fine) in published.CONTACT_CURVE_C.items():
         rows.append(Row(f"case c: -F_x/F_z at xi = {100 * xi:g} %", "", 2 * fine - coarse,
                         half.nearest(xi)["traction_coefficient"], 0.005, of=0.55, of_words="mu", by="half-space"))
@@ -80,7 +80,7 @@ def _rows_with_contacts_slip(bench):
     """Case e with the slip given to CONTACT: against its limit, and digit by digit with its difference scheme on its
     grid."""
     slip = f"0.0\nextra_slip = \"file\"\nextra_slip_file = \"{_rail_drop(bench)}\""
-    second, first = (bench.run(name, "cases/thesis_e.toml", ["halfspace"], {"rolling.spin": slip + order}).model("halfspace")
+    second, first = (bench.run(name, "cases/thesis_e.toml", ["halfspace"], {"rolling.spin": slip + order})["halfspace"]
                      for name, order in (("drop_e", ""), ("first_order_e", "\nupwind_order = \"first\"")))
 
     def row(model, xi, value, allowed, words):
@@ -119,7 +119,7 @@ def _beside(results):
 def _costs(results):
     """Seconds of every model and case beside the thesis's 8 to 12 hours."""
     names = [m.name for m in results["a"].models]
-    rows = [[style.label(results["a"].model(n))] + [number(results[c].model(n).seconds["total"], 2) for c in results]
+    rows = [[style.label(results["a"][n])] + [number(results[c][n].seconds["total"], 2) for c in results]
             for n in names]
     rows.append(["*thesis: SRS (FE)*"] + ["28 800 to 43 200"] * len(results))
     return Table("Seconds for the creep curve of seven points, error estimates included:",
@@ -132,7 +132,7 @@ def _curves(bench, results):
     rows = figure.add_gridspec(3, 3, height_ratios=(1.25, 1, 1))
     top, below = figure.add_subplot(rows[0, :]), None
     for number, (letter, result) in enumerate(results.items()):
-        own = {round(p["longitudinal_creepage"], 9): p for p in result.model("halfspace").points}
+        own = {round(p["longitudinal_creepage"], 9): p for p in result["halfspace"].points}
         percent = [100 * xi for xi in own]
         top.plot(percent, [p["traction_coefficient"] for p in own.values()], marker="osD^vP"[number], markersize=4,
                  linewidth=1.2, label=f"{letter}: {WORDS[letter]}")
@@ -172,11 +172,11 @@ def _paths(bench, results):
             if model.name == "hertz":
                 continue
             point = model.nearest(0.002)
-            shown[style.label(model)] = axis.plot(model.x, -model.middle(point.fields["traction_x"], "x"),
+            shown[style.label(model)] = axis.plot(model.x, -model.line(point.fields["traction_x"], "x"),
                                                   **style.line(model))[0]
-        half = result.model("halfspace")
+        half = result["halfspace"]
         shown["bound, half-space"] = axis.plot(
-            half.x, half.middle(half.nearest(0.002).fields["traction_bound"], "x"), color=style.GREY,
+            half.x, half.line(half.nearest(0.002).fields["traction_bound"], "x"), color=style.GREY,
             linewidth=0.9, linestyle=(0, (1, 1.5)))[0]
         axis.set_title(f"{letter}: {WORDS[letter]}")
     for axis in axes[1]:
@@ -191,7 +191,7 @@ def _paths(bench, results):
 def thesis_cases(bench):
     """Cases a to f of the study of 2012 by every model"""
     _, results = _compared(bench)
-    cost = [Cost(style.label(model), sum(r.model(model.name).seconds["total"] for r in results.values()))
+    cost = [Cost(style.label(model), sum(r[model.name].seconds["total"] for r in results.values()))
             for model in results["a"].models]
     return Chapter(
         "thesis-cases", "Cases a to f of the study of 2012",
@@ -222,7 +222,7 @@ def _with_bar(value, bar):
 
 def _limit_table(letter, result, bent):
     """Half-space, the half-space on the curved surface, and FEM; FEM minus half-space."""
-    half, fem = result.model("halfspace"), result.model("fem")
+    half, fem = result["halfspace"], result["fem"]
     rows = []
 
     def line(words, key, index, scale=None):
@@ -293,7 +293,7 @@ def _limits_figure(bench, results):
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.4, 3.6))
     inks = dict(zip("abcdef", ("#999999", "#56B4E9", "#009E73", "#CC79A7", "#0072B2", "#D55E00")))
     for letter, result in results.items():
-        half, fem = result.model("halfspace"), result.model("fem")
+        half, fem = result["halfspace"], result["fem"]
         xi = [100 * p["longitudinal_creepage"] for p in half.points]
         change = [100 * (q["traction_coefficient"] - p["traction_coefficient"]) / 0.55
                   for p, q in zip(half.points, fem.points)]
@@ -304,8 +304,8 @@ def _limits_figure(bench, results):
     left.legend(ncol=3, title="case", loc="upper right")
     left.set_ylim(top=left.get_ylim()[1] * 1.25)
     for name in ("halfspace", "fem"):
-        model = results["f"].model(name)
-        right.plot(model.y, model.middle(model.points[0].fields["pressure"], "y"), label=f"{style.label(model)}, case f",
+        model = results["f"][name]
+        right.plot(model.y, model.line(model.points[0].fields["pressure"], "y"), label=f"{style.label(model)}, case f",
                    **style.line(model))
     right.set_xlabel("y across rolling [mm]")
     right.set_ylabel("pressure at x = 0 [MPa]")
@@ -322,14 +322,14 @@ def half_space_limits(bench):
     for letter in "ef":
         bent = bench.run(f"curved_{letter}", f"cases/thesis_{letter}.toml", ["halfspace"],
                          {"+": "\n[halfspace]\nsurface = \"curved\"\n"})
-        tables.append(_limit_table(letter, results[letter], bent.model("halfspace")))
-        half, fem = results[letter].model("halfspace"), results[letter].model("fem")
+        tables.append(_limit_table(letter, results[letter], bent["halfspace"]))
+        half, fem = results[letter]["halfspace"], results[letter]["fem"]
         words.append(_words(letter, half, fem))
         cost.append(Cost(f"case {letter}: half-space", half.seconds["total"], half.unknowns))
         cost.append(Cost(f"case {letter}: FEM", fem.seconds["total"], fem.unknowns))
     below, below_cost = _below(bench)
-    flat = [results[c].model("fem").points[0]["traction_coefficient"]
-            - results[c].model("halfspace").points[0]["traction_coefficient"] for c in "abcd"]
+    flat = [results[c]["fem"].points[0]["traction_coefficient"]
+            - results[c]["halfspace"].points[0]["traction_coefficient"] for c in "abcd"]
     return Chapter(
         "half-space-limits", "The model error of half-space theory in e and f",
         "The same normal force, grid and friction in both models; the half-space has the extra slip of the rolling "

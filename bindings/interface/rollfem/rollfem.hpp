@@ -95,7 +95,7 @@ struct Compared {
 /// compared with; empty: the best there is.
 Files compare(const std::vector<Compared>& cases, const std::string& reference = "");
 
-/// Folder of the Python package rollfem_figures, which draws reports and reads results.
+/// Folder of the Python package rollfem, which draws reports and reads results.
 std::string figures_directory();
 
 /// "0.1.0"

@@ -1,0 +1,376 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""With profiles: the contacts of wheels and rails, also along a sweep of positions. And a wheelset over its lateral
+shift: difference of rolling radii, contact angles and equivalent conicity, from the table of `rollfem wheelset`
+(wheelset.csv) or of a run with a lateral sweep (wheelset_rigid.csv; its wheelset.csv has the loaded patches of each
+position)."""
+import itertools
+import math
+import os
+import re
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from . import curves, load_points, styles, tables
+from .figure import Figure
+from .profiles import PATCH_COLOURS, draw_pair
+from ..files import read_rows
+from ..reader import read_columns
+
+
+def positions(result):
+    """Numbers of the positions in the result."""
+    return sorted({m.place["position"] for m in result.models if m.place})
+
+
+def pair(result, wheel, position):
+    """Wheel on rail at one position with the contact points, and the distance between both; None without profiles."""
+    drawn = result.profiles.get((wheel, position))
+    places = [scene.models[0].place for _, scene in result.scenes()]
+    touching = [place for place in places if (place["wheel"], place["position"]) == (wheel, position)]
+    return draw_pair(drawn, touching, f"{wheel} wheel{at_words(result, position)}") if drawn and touching else None
+
+
+BESIDE = 12.0  # mm of the profiles shown beside what wears
+
+
+def work(result, wheel, position):
+    """The frictional work per pass over wheel and rail as they are drawn, of every model and patch at the load point with
+    the largest; None without work."""
+    drawn = result.profiles.get((wheel, position))
+    models = curves.with_work(m for m in result.models if (m.place["wheel"], m.place["position"]) == (wheel, position))
+    if not drawn or not models:
+        return None
+    key = max((p for p in models[0].points if p.pass_work is not None), key=lambda p: p.pass_work.max()).key
+    figure = Figure(1)
+    shape = figure.add(560, 0, f"{wheel} wheel{at_words(result, position)}", "", "height [mm]", equal=True)
+    below = figure.add(560, 170, load_points.key_texts([key])[0][key], "$y$ on the track, to the right [mm]", curves.WORK)
+    wearing = []
+    for model in models:
+        if (point := model.at(key)) and point.pass_work is not None:
+            across = model.place["y_track"] - model.y * math.cos(model.place["contact_angle"])
+            below.line(across, point.pass_work, **styles.line(model))
+            wearing += [across[point.pass_work > 0]]
+    wearing = np.concatenate(wearing)
+    limits = (wearing.min() - BESIDE, wearing.max() + BESIDE)
+    near = [part[(part[:, 0] > limits[0]) & (part[:, 0] < limits[1])] for part in (drawn["rail"], drawn["wheel"])]
+    for part, name, ink in zip(near, ("rail", "wheel"), ("ink", "soft")):
+        shape.line(part[:, 0], -part[:, 1], ink, 1.5, name=name)
+    shape.x.limits = below.x.limits = limits
+    touched = [-model.place["z_track"] for model in models]
+    shape.y.limits = (max(min(-part[:, 1].max() for part in near) - 1, min(touched) - 0.5 * BESIDE),
+                      min(max(-part[:, 1].min() for part in near) + 1, max(touched) + 0.5 * BESIDE))
+    below.y.limits = (0.0, None)
+    shape.room_left = below.room_left = 64  # one below the other
+    return figure
+
+
+PRESSURE = "largest pressure"
+FORCES = ("$F_x$ on the wheel", "$Y$ on the wheel, to the right")  # summed over all its patches
+
+
+def _at(name, factor=1.0):
+    """A scalar of a model's first load point or of its place, scaled by a factor."""
+    return lambda model: factor * (model.place[name] if name in model.place else model.points[0][name])
+
+
+# Panels of the sweep: title, unit, least span of the scale, value of a model.
+PANELS = (("contact point on the rail", "$y$ of its profile [mm]", 2.0, _at("y_rail")),
+          ("contact point on the wheel", "$y$ of its profile [mm]", 2.0, _at("y_wheel")),
+          ("contact angle", "[°]", 0.5, _at("contact_angle", 180 / math.pi)),
+          ("normal force", "[kN]", 1.0, _at("normal_force", 1e-3)),
+          (PRESSURE, "[MPa]", 50.0, _at("max_pressure")),
+          ("contact area", "[mm²]", 5.0, _at("contact_area")),
+          ("length of the patch, along rolling", "[mm]", 1.0, _at("contact_length")),
+          ("width of the patch", "[mm]", 1.0, _at("contact_width")),
+          ("longitudinal creepage $\\xi$", "[%]", 0.02, _at("longitudinal_creepage", 100)),
+          ("spin $\\varphi$", "[rad/m]", 0.02, _at("spin", 1e3)),
+          (FORCES[0], "[kN]", 0.2, _at("longitudinal_force", 1e-3)),
+          (FORCES[1], "[kN]", 0.2, _at("lateral_force_track", 1e-3)))
+
+
+WAYS = (("track_position", 1.0), ("wheel_angle", 1.0))  # members of a place where bodies change along the way
+
+
+def moves_along(result):
+    """Whether the positions of a sweep follow the track or the wheel's angle."""
+    return along(result)[1].startswith(("position along", "angle of"))
+
+
+def _placed(result):
+    """What the positions are of."""
+    return "wheel" if re.search(r"^\s*\[\s*placement", result.case_text, re.MULTILINE) else "wheelset"
+
+
+def along(result):
+    """Abscissa of a sweep of positions: (values by position, axis label). The first whose values all differ: position
+    along the track, angle of the wheel, lateral shift, yaw; otherwise the position numbers."""
+    at = {m.place["position"]: m.place for m in result.models if m.place}
+    of = _placed(result)
+    for name, factor, label in ((*WAYS[0], "position along the track [mm]"), (*WAYS[1], "angle of the wheel [rad]"),
+                                ("lateral_shift", 1.0, f"lateral {'shift' if of == 'wheelset' else 'position'} of the {of} [mm]"),
+                                ("yaw", 1e3, f"yaw of the {of} [mrad]")):
+        values = {number: factor * place.get(name, 0.0) for number, place in at.items()}
+        if len({round(v, 9) for v in values.values()}) == len(values) > 1:
+            return values, label
+    return {number: number for number in at}, "position"
+
+
+def at_words(result, position):
+    """" at a lateral shift of 3 mm" for a position of a sweep; empty for a single position."""
+    at, label = along(result)
+    if len(at) < 2:
+        return ""
+    what, _, unit = label.rstrip("]").partition(" [")
+    what = what.removesuffix(f" of the {_placed(result)}")
+    return (f" at a{'n' * what.startswith('a')} {what} of {tables.plain(at[position])} {unit}" if unit
+            else f" at position {position:.0f}")
+
+
+WHEELS = (("left", (), False), ("right", (5, 2.5), True))  # wheel, dash, hollow markers
+
+
+def reference_of_row(result):
+    """Name of the model drawn in sweeps: the one with most places (Hertz cannot take every patch), among equals the
+    reference."""
+    names = list(dict.fromkeys(m.name for m in result.models if m.points and m.place))
+    wished = [name for name in (result.reference, result.default_reference, *load_points.BEST) if name in names] + names
+    return max(wished, key=lambda name: sum(m.name == name for m in result.models))
+
+
+def _row(title, models, at, value):
+    """[(spots (where, value), whether a line joins them)] of one model and wheel: the sum over its patches for a force,
+    otherwise the most loaded patch, then the others."""
+    spots = [(at[m.place["position"]], value(m), m.place["patch"] == 1) for m in models]
+    if title in FORCES:
+        return [(sorted((where, sum(v for w, v, _ in spots if w == where)) for where in {w for w, *_ in spots}), True)]
+    return [(sorted((w, v) for w, v, first in spots if first == joined), joined) for joined in (True, False)]
+
+
+# Panels of a sweep along the way, as PANELS.
+HEIGHT, LOAD = "height of the wheel", "vertical force"
+PANELS_ALONG = (
+    (HEIGHT, "up [mm]", 0.2, lambda model: -model.place["height"]),
+    (LOAD, "[kN]", 1.0, _at("vertical_force", 1e-3)),
+    *(panel for title in ("normal force", PRESSURE) for panel in PANELS if panel[0] == title), *PANELS[:2],
+    ("place along the track", "ahead of the axle [mm]", 2.0, _at("x_track")),
+    ("slope of the contact plane along the track", "up ahead [mrad]", 1.0, _at("climb", 1e3)),
+    PANELS[2], *(panel for panel in PANELS if panel[0] in ("contact area", *FORCES)))
+FARTHEST = 10.0  # mm, on the rail, between the places of one contact at neighbouring positions
+
+
+def followed(models):
+    """The places of one wheel as contacts that move along: [[model]], nearest neighbours from position to position."""
+    contacts = []
+    numbers = sorted({m.place["position"] for m in models})
+    for before, here in zip([None, *numbers], numbers):
+        open_ends = [contact for contact in contacts if contact[-1].place["position"] == before]
+        new = [m for m in models if m.place["position"] == here]
+        steps = sorted((math.hypot(*(contact[-1].place[axis] - model.place[axis] for axis in ("y_rail", "x_track"))), a, b)
+                       for a, contact in enumerate(open_ends) for b, model in enumerate(new))
+        met, taken = set(), set()
+        for distance, a, b in steps:
+            if distance < FARTHEST and a not in met and b not in taken:
+                open_ends[a].append(new[b])
+                met.add(a), taken.add(b)
+        contacts += [[model] for b, model in enumerate(new) if b not in taken]
+    return contacts
+
+
+def _sweep_along(result):
+    """Load, place and pressure of each contact over the position along the track or the angle of the wheel: a line
+    for each contact that moves along."""
+    at, label = along(result)
+    models = [m for m in result.models if m.points and "vermeulen" not in m.name]
+    reference = reference_of_row(result)
+    figure = Figure(3)
+    names, sides = list(dict.fromkeys(m.name for m in models)), {m.place["wheel"] for m in models}
+
+    def curves(title, value):
+        for name, (wheel, dash, hollow) in itertools.product(names, WHEELS):
+            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
+            if not here or name != reference and title not in (PRESSURE, *FORCES):
+                continue
+            words = [styles.label(name)] * (len(names) > 1) + [f"{wheel} wheel"] * (len(sides) > 1)
+            look = {"marker": styles.of_model(name)[2], "dash": dash * (len(sides) > 1), "hollow": hollow, "size": 2.8, "width": 1.3}
+            if title in (HEIGHT, LOAD, *FORCES):  # of the wheel
+                total = {m.place["position"]: 0.0 for m in here}
+                for m in here:
+                    total[m.place["position"]] = value(m) + (title != HEIGHT) * total[m.place["position"]]
+                spots = sorted((at[number], sum_) for number, sum_ in total.items())
+                yield (*zip(*spots), {**look, "name": ", ".join([*words, "whole wheel"])})
+                continue
+            for number, contact in enumerate(followed(here)):
+                y = [m.place["y_rail"] for m in contact]
+                span = f"contact at y = {' to '.join(dict.fromkeys(f'{end:.0f}' for end in (min(y), max(y))))} mm on the rail"
+                yield ([at[m.place["position"]] for m in contact], [value(m) for m in contact],
+                       {**look, "colour": PATCH_COLOURS[number % len(PATCH_COLOURS)], "name": ", ".join([*words, span])})
+
+    given = LOAD if "vertical_force" in result.inputs else HEIGHT
+    for panel in figure.charts((250, 165), [
+            (title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS_ALONG
+            if title != given and (title not in FORCES or any(m.has_friction for m in models))]):
+        if panel.title == "normal force":  # so that a transfer of load is seen as one
+            panel.y.limits = (0.0, None)
+    return figure
+
+
+def sweep(result):
+    """Contact point, angle, load, pressure, patch, creepages and forces of both wheels over the positions;
+    None for fewer than 3."""
+    if len(positions(result)) < 3:
+        return None
+    if moves_along(result):
+        return _sweep_along(result)
+    at, label = along(result)
+    models = [m for m in result.models if m.points and "vermeulen" not in m.name]
+    reference = reference_of_row(result)
+    figure = Figure(3)
+
+    def curves(title, value):
+        for name, (wheel, dash, hollow) in itertools.product(dict.fromkeys(m.name for m in models), WHEELS):
+            here = [m for m in models if (m.name, m.place["wheel"]) == (name, wheel)]
+            look = {**styles.line(name, True), "name": f"{styles.label(name)}, {wheel} wheel", "dash": dash, "width": 1.2,
+                    "hollow": hollow, "size": 2.8}
+            if (name == reference or title in (PRESSURE, *FORCES)) and (
+                    title not in FORCES or any(m.has_friction for m in here)):
+                yield from ((*zip(*spots), {**look, "joined": joined}) for spots, joined in _row(title, here, at, value) if spots)
+
+    figure.charts((250, 165), [(title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS])
+    return figure
+
+
+# Columns of the table of contacts: heading, member of the place, factor, significant digits (None: as given).
+COLUMNS = (("shift [mm]", "lateral_shift", 1, None), ("yaw [mrad]", "yaw", 1e3, None), ("roll [mrad]", "roll", 1e3, 4),
+           ("y track [mm]", "y_track", 1, 7), ("y rail [mm]", "y_rail", 1, 5), ("y wheel [mm]", "y_wheel", 1, 5),
+           ("angle [°]", "contact_angle", 180 / math.pi, 4), ("radius [mm]", "rolling_radius", 1, 7))
+
+
+def contact_table(result):
+    """One row for every patch: its place and the results of the models."""
+    names = list(dict.fromkeys(m.name for m in result.models))
+    rows = []
+    for _, scene in result.scenes():
+        place, found = scene.models[0].place, {m.name: m.points[0] for m in reversed(scene.models) if m.points}
+        rows.append([place["wheel"], f"{place['position']:.0f}", f"{place['patch']:.0f}",
+                     *(tables.number(factor * place[name], digits) for _, name, factor, digits in COLUMNS),
+                     tables.barred(scene.models[0].points[0], "normal_force"),
+                     *(tables.barred(found[name], "max_pressure") if name in found else "–" for name in names)])
+    return tables.table(["wheel", "position", "patch", *(head for head, *_ in COLUMNS), "F<sub>n</sub> [N]",
+                         *(f"p<sub>0</sub> {styles.label(name)} [MPa]" for name in names)], rows)
+
+
+BOTH = (("left", "blue", (), "o"), ("right", "slip", (5, 2), "s"))
+KINDS = (("wave", "green", ()), ("harmonic", "wine", (7, 2, 1.5, 2)))
+UNDER_LOAD = " (markers: under load)"
+SHIFT = "shift to the right [mm]"
+# Least spans of the scales, so that cones, with constant conicity and angle, appear as straight lines.
+LEAST_RADIUS, LEAST_ANGLE, LEAST_CONICITY, LEAST_LENGTH = 0.2, 0.5, 0.05, 5.0
+
+
+def _conicity_seen(table):
+    """The conicity in words, at the amplitude nearest to 3 mm with a value."""
+    known = np.flatnonzero(np.isfinite(table["conicity_wave"]))
+    if not known.size:
+        return "the wheelset does not oscillate"
+    at = known[np.argmin(abs(table["lateral_shift"][known] - 3.0))]
+    return (f"the equivalent conicity at an amplitude of {table['lateral_shift'][at]:.3g} mm is "
+            f"{table['conicity_wave'][at]:.3g} by the wave and {table['conicity_harmonic'][at]:.3g} by "
+            f"harmonic linearisation")
+
+
+def _radius_differences(loaded):
+    """[(lateral shift, right minus left rolling radius)]; empty for one wheel."""
+    radius = {(p["position"], p["wheel"]): p["rolling_radius"] for p in loaded}
+    return sorted((p["lateral_shift"], radius[p["position"], "right"] - radius[p["position"], "left"])
+                  for p in loaded if p["wheel"] == "left" and (p["position"], "right") in radius)
+
+
+def draw_wheelset(table: dict[str, np.ndarray], loaded: Sequence[dict[str, Any]] = ()) -> Figure:
+    """Radii, angles and conicity over the shift: lines for the rigid wheelset; markers `loaded` for the most loaded
+    patches of a run. If some of these are to the left, the lines are extended by mirroring."""
+    shift, difference = table["lateral_shift"], table["radius_difference"]
+    angle = {side: np.degrees(table[f"angle_{side}"]) for side in ("left", "right")}
+    left = slice(None, 0, -1) if any(place["lateral_shift"] < 0 for place in loaded) else slice(0)
+
+    def line(values, mirrored, **look):
+        return np.concatenate([-shift[left], shift]), np.concatenate([mirrored[left], values]), look
+
+    def markers(spots, **look):
+        return [(*zip(*spots), {**look, "joined": False, "order": 5})] if spots else []
+
+    figure = Figure(2)
+    differences = _radius_differences(loaded)
+    angles = []
+    for (side, colour, dash, marker), other in zip(BOTH, ("right", "left")):
+        spots = sorted((p["lateral_shift"], np.degrees(p["contact_angle"])) for p in loaded if p["wheel"] == side)
+        angles += [line(angle[side], angle[other], colour=colour, dash=dash), *markers(spots, colour=colour, marker=marker)]
+        figure.entry(f"{side} wheel" + UNDER_LOAD * bool(spots), colour, dash, marker=marker if spots else None)
+    if differences:
+        figure.entry("right minus left" + UNDER_LOAD, "ink", marker="D")
+    length = table["wave_length"] * 1e-3
+    charts = [
+        ("rolling radii", SHIFT, "right less left [mm]", LEAST_RADIUS,
+         [line(difference, -difference), *markers(differences, marker="D", size=2.8)]),
+        ("contact angles", SHIFT, "contact angle [°]", LEAST_ANGLE, angles),
+        ("equivalent conicity", "amplitude [mm]", "conicity [-]", LEAST_CONICITY,
+         [(shift, table[f"conicity_{kind}"], {"colour": colour, "dash": dash, "name": f"conicity, {kind}"})
+          for kind, colour, dash in KINDS if np.isfinite(table[f"conicity_{kind}"]).any()]),
+        ("length of the wave", "amplitude [mm]", "[m]", LEAST_LENGTH, [(shift, length, {})])]
+    # A hollow wheel may have no wave.
+    figure.charts((270, 200), [chart for chart in charts if any(np.isfinite(y).any() for _, y, _ in chart[-1])])
+    return figure.tell(f"Wheelset shifted by 0 to {shift[-1]:.3g} mm: ", [
+        f"the right rolling radius grows to {difference[-1]:.3g} mm more than the left, the right contact angle to "
+        f"{angle['right'].max():.3g} degrees", _conicity_seen(table)])
+
+
+def of_table(path):
+    """The figure of a table of `rollfem wheelset`."""
+    return draw_wheelset(read_columns(path, "conicity_wave")[1])
+
+
+def wheelset(result):
+    """The figure of a run with a lateral sweep. None without a sweep."""
+    path = os.path.join(result.folder, "wheelset_rigid.csv")
+    if not os.path.exists(path):
+        return None
+    reference = reference_of_row(result)
+    return draw_wheelset(read_columns(path, "conicity_wave")[1],
+                 [m.place for m in result.models if m.name == reference and m.place["patch"] == 1])
+
+
+# Columns of the table of a report: (heading, column of wheelset.csv, factor, significant digits).
+OF_SHIFT = (("along the track [mm]", "track_position", 1, None), ("wheel angle [rad]", "wheel_angle", 1, 5),
+            ("shift [mm]", "lateral_shift", 1, None), ("r right − left, rigid [mm]", "rigid_radius_difference", 1, 4),
+           ("loaded [mm]", "radius_difference", 1, 4), ("conicity, harmonic", "conicity_harmonic", 1, 4),
+           ("wave", "conicity_wave", 1, 4), ("wave length [m]", "wave_length", 1e-3, 4))
+OF_WHEEL = (("angle [°]", "contact_angle", 180 / np.pi, 4), ("length [mm]", "contact_length", 1, 4),
+            ("width [mm]", "contact_width", 1, 4), ("p<sub>0</sub> [MPa]", "max_pressure", 1, 5),
+            ("F<sub>x</sub> [kN]", "longitudinal_force", 1e-3, 4), ("Y [kN]", "lateral_force_track", 1e-3, 4))
+
+
+def _shift_cell(row, column, factor, digits):
+    if not row.get(column):
+        return "–"
+    value = factor * float(row[column])
+    return tables.number(0 if abs(value) < 1e-9 else value, digits)
+
+
+def wheelset_table(result):
+    """HTML: one line per position, by the model drawn in sweeps; empty without a sweep of shifts or along the way."""
+    path = os.path.join(result.folder, "wheelset.csv")
+    if not os.path.exists(path):
+        return ""
+    reference = reference_of_row(result)
+    rows = [row for row in read_rows(path)[1] if row["model"] == reference and row["point"] == "1"]
+    wheels = [side for side in ("left", "right") if any(row[f"{side} patches"] for row in rows)]
+    known = [column for column in OF_SHIFT if any(row.get(column[1]) for row in rows)]
+    columns = known + [(f"{side}: {head}", f"{side} {name}", factor, digits)
+                       for side in wheels for head, name, factor, digits in OF_WHEEL]
+    return (tables.table([column[0] for column in columns],
+                         [[_shift_cell(row, *column[1:]) for column in columns] for row in rows])
+            + f"<p class=hint>Patches by {styles.label(reference)} at the first load point; length and width: most loaded patch of a wheel; "
+            "F<sub>x</sub> and Y: forces on the wheel in the track frame, along the track and to the right."
+            + " Rigid: unloaded. Conicity at the amplitude of the shift: by harmonic linearisation, and that of cones with the same wave "
+            "(UIC 519, EN 15302)." * any("conicity" in column[1] for column in known) + "</p>")

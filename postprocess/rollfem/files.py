@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files: written completely or not at all, with checksums that detect damage (postprocess/files/seal.hpp)."""
+import contextlib
+import csv
+import io
+import os
+import re
+import stat
+import zlib
+from collections.abc import Iterator
+
+_SEAL = 512  # bytes of the user block before the HDF5 data
+
+
+def regular(path, flags):
+    """An opener for `open` that neither reads a device nor waits for a FIFO."""
+    file = os.open(path, flags | os.O_NONBLOCK, 0o666)
+    if stat.S_ISREG(os.fstat(file).st_mode):
+        return file
+    os.close(file)
+    raise OSError(f"{path}: is not a regular file")
+
+
+@contextlib.contextmanager
+def whole(path: str) -> Iterator[str]:
+    """A temporary name to write to; the file then appears at `path` complete or not at all."""
+    part = f"{path}.part-{os.getpid()}"
+    try:
+        yield part
+        os.replace(part, path)
+    finally:
+        if os.path.exists(part):
+            os.remove(part)
+
+
+def write_whole(path: str, text: str) -> None:
+    """Writes a text completely or not at all; bytes of file names that are not UTF-8 become ?."""
+    with whole(path) as part, open(part, "w", encoding="utf-8", errors="replace") as file:
+        file.write(text)
+
+
+def folder_of(path: str) -> str:
+    """The folder at a path, or of a file there."""
+    return path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
+
+
+def results_are_sound(path: str) -> bool:
+    """False if the checksum of results.h5 is missing or does not match."""
+    with open(path, "rb", opener=regular) as file:
+        found = re.match(rb"rollfem results\nbytes: (\d+)\ncrc32: ([0-9a-f]{8})\n", file.read(_SEAL))
+        size, crc = 0, 0
+        while part := file.read(1 << 20):
+            size, crc = size + len(part), zlib.crc32(part, crc)
+    return found is not None and (int(found[1]), int(found[2], 16)) == (size, crc)
+
+
+def seal_results(path: str) -> None:
+    """Updates the checksum after h5py or another program has changed results.h5."""
+    with open(path, "r+b") as file:
+        data = file.read()[_SEAL:]
+        text = (f"rollfem results\nbytes: {len(data)}\ncrc32: {zlib.crc32(data):08x}\n"
+                f"of the HDF5 data behind this user block of {_SEAL} bytes\n")
+        file.seek(0)
+        file.write(text.ljust(_SEAL, "\n").encode("ascii"))
+
+
+def json_is_sound(text: str) -> bool:
+    """False if the checksum of a JSON file is missing or does not match."""
+    data = text.encode("utf-8")
+    at = data.rfind(b'"checksum": "crc32 ')
+    return at >= 0 and data[at + 19:] == b'%08x"\n}\n' % zlib.crc32(data[:at])
+
+
+def rows_of(text: str) -> tuple[str, list[dict[str, str]]]:
+    """(title, [{column without its unit: text}]) of a CSV table; the title comes from a comment above it."""
+    title, below = (text.partition("\n")[::2] if text.startswith("#") else ("", text))
+    rows = list(csv.reader(io.StringIO(below)))
+    names = [column.split(" [")[0] for column in rows[0]] if rows else []
+    return title.lstrip("# ").strip(), [dict(zip(names, row)) for row in rows[1:]]
+
+
+def read_rows(path: str) -> tuple[str, list[dict[str, str]]]:
+    """The same of a file."""
+    with open(path, encoding="utf-8", newline="", opener=regular) as file:
+        return rows_of(file.read())

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scalars of stresses."""
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .errors import InputError
+
+
+def stress_measures(stress: ArrayLike) -> dict[str, np.ndarray]:
+    """Scalars of stresses.
+
+    Args:
+        stress: [..., 6], MPa: xx, yy, zz, xy, yz, xz, as point.subsurface and point.bodies have them.
+    Returns:
+        Arrays by name, MPa, tension positive. hydrostatic: (xx + yy + zz) / 3; von_mises, tresca: equivalent uniaxial
+        stresses, the latter the difference of the outer principal stresses; orthogonal_shear: sqrt(xz^2 + yz^2), on the
+        plane parallel to the surface; principal [..., 3]: principal stresses, the largest first.
+    Raises:
+        InputError: These are not numbers, or the last axis does not have length six.
+
+    >>> rollfem.stress_measures(point.subsurface[0]["stress"])["von_mises"].max()
+    """
+    try:
+        components = np.asarray(stress, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"stress_measures({stress!r:.60}): allowed: numbers, six along the last axis") from None
+    if components.shape[-1:] != (6,):
+        raise InputError("stress_measures: the last axis of a stress has its six components xx, yy, zz, xy, yz, xz")
+    xx, yy, zz, xy, yz, xz = np.moveaxis(components, -1, 0)
+    principal = np.linalg.eigvalsh(
+        np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2))[..., ::-1]
+    return {
+        "hydrostatic": (xx + yy + zz) / 3,
+        "von_mises": np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
+                             + 3 * (xy ** 2 + yz ** 2 + xz ** 2)),
+        "tresca": principal[..., 0] - principal[..., 2],
+        "orthogonal_shear": np.hypot(xz, yz),
+        "principal": principal,
+    }

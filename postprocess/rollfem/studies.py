@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Refinement studies, comparisons of models, and stresses of stored results: what the commands of these names compute."""
+import os
+import re
+import tempfile
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
+from typing import Any, TypeVar
+
+import numpy as np
+
+from . import _core
+from .case import Case, CaseLike, toml_lines
+from .errors import InputError
+from .outputs import Comparison, Files, Stress, Study
+from .result import Result
+from .solving import Models, Told, checked, names_of
+
+Made = TypeVar("Made", bound=Files)
+
+
+def _made(kind: type[Made], command: "Callable[[], _core.Written]") -> Made:
+    """What a command makes, with its warnings; its options are keywords here, in its messages too."""
+    try:
+        contents, text, said = command()
+    except InputError as error:
+        raise type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error))) from None
+    for warning in said:
+        warnings.warn(warning, stacklevel=3)
+    return kind(contents, text)
+
+
+def study(case: CaseLike, /, *, model: str | None = None, models: Models = None, vary: str | Sequence[str] = (),
+          together: bool = False, levels: int = 0, reference: str | Sequence[str] = (), progress: Told = None) -> Study:
+    """Solves a case on successively finer grids, cells, degrees or domains.
+
+    Args:
+        case, progress: As of `solve`.
+        model, models: Otherwise the half-space; "all": every model that can take the case.
+        vary: "grid", "cell", "degree", "domain"; otherwise as the model has it.
+        together: Refine all of `vary` at once instead of one at a time.
+        levels: 2 to 8; 0: as the model has it.
+        reference: "exact", "finest", "extrapolated" or "QUANTITY=VALUE".
+    Raises:
+        InputError: The case or the call is wrong.
+        SolveError: No level was solved; levels that fail beside others are a warning.
+
+    >>> print(rollfem.study("cases/thesis_a.toml", levels=3).text)
+    """
+    def listed(name: str, words: str | Sequence[str]) -> list[str]:
+        found: list[Any] = list(words) if isinstance(words, (list, tuple, set)) else [words]
+        if not all(isinstance(word, str) for word in found):
+            raise InputError(f"study: {name} = {words!r}: allowed: a word or a list of words")
+        return found
+
+    if not hasattr(levels, "__index__") or abs(levels) >= 2**31:
+        raise InputError(f"study: levels = {levels!r}: allowed: a whole number")
+    names = names_of(model, models)
+    core, references = checked(case).core, listed("reference", reference)
+    return _made(Study, lambda: _core.study(core, names, listed("vary", vary), together, levels, references, progress))
+
+
+def compare(cases: CaseLike | Sequence[CaseLike], /, *, models: Models = None, reference: str = "",
+            progress: Told = None) -> Comparison:
+    """Solves cases with several models, and lays their numbers side by side.
+
+    A model that cannot take a case, or fails, is listed in the `missing` of its result.
+
+    Args:
+        cases: One or several; a dict {name: case} gives them names.
+        models: Otherwise those of `rollfem compare`.
+        reference: The model that the others are compared with; otherwise the best there is.
+        progress: As of `solve`.
+    Raises:
+        InputError: A case or the call is wrong.
+
+    >>> print(rollfem.compare("cases/thesis_a.toml", models=["fastsim", "halfspace"]).text)
+    """
+    names = names_of(None, models) or _core.compared_models()
+    if reference and reference not in names:
+        raise InputError(f"reference = {reference!r}: it is not among the models compared; allowed: {', '.join(names)}")
+    results: dict[str, Result] = {}
+    for name, each in _named(cases):
+        case = checked(each)
+        results[name] = Result.of(case, *_core.solve(case.core, names, progress, True))
+    cores = [(name, result._core, result.missing) for name, result in results.items() if result._core is not None]
+    contents, text, _ = _core.compare(cores, reference)
+    return Comparison(contents, text, results=results)
+
+
+def _named(cases: CaseLike | Sequence[CaseLike]) -> list[tuple[str, Any]]:
+    """(name, case) of what a call was given: a dict whose values are sections is one case."""
+    if isinstance(cases, dict) and all(isinstance(each, (str, os.PathLike, Case)) for each in cases.values()):
+        return list(cases.items())
+    found: list[tuple[str, Any]] = []
+    for number, each in enumerate(cases if isinstance(cases, (list, tuple)) else [cases], 1):
+        file = each.file if isinstance(each, Case) else each if isinstance(each, (str, os.PathLike)) else ""
+        found.append((os.path.splitext(os.path.basename(file))[0] or f"case_{number}", each))
+    if len({name for name, _ in found}) < len(found):
+        raise InputError("cases: two have the same name; do: give a dict of names and cases")
+    return found
+
+
+def stress(result: Result | str | os.PathLike[str], /, *, places: Mapping[str, Any] | str | os.PathLike[str] | None = None,
+           model: str | None = None, models: Models = None, patch: str = "", point_index: int | Sequence[int] = (),
+           depth_profile: bool = False, depth: float | None = None, yield_shear_stress: float | None = None,
+           yield_strength: float | None = None) -> Stress:
+    """Stress and displacement below the surface, without solving again.
+
+    Args:
+        result: A result, or the folder of a stored one.
+        places: {"line": [{"body": "rail", "from": [0, 0, 0], "to": [0, 0, -10], "points": 50}]}, with the keys of
+            [[subsurface.*]] of a case, or a file that holds these; otherwise depth profiles under the patch.
+        model, models: Otherwise those with stress.
+        patch: "left,1,1": side, position and patch, with true profiles; otherwise the first.
+        point_index: Load points, from 0; otherwise the last.
+        depth_profile: Depth profiles also where places are given.
+        depth: mm, of depth profiles; otherwise three times the smaller semi-axis.
+        yield_shear_stress, yield_strength: MPa; one of them, for the shakedown map.
+    Raises:
+        FileError: The result cannot be read.
+        InputError: What is asked for is not stored.
+
+    >>> below = rollfem.stress("results/thesis_a", yield_strength=520.0)
+    >>> below.models[0].sets[0]["von_mises"].max()
+    """
+    points = [int(number) + 1 for number in np.atleast_1d(np.asarray(point_index, dtype=int))]
+    with tempfile.TemporaryDirectory() as here:
+        file = "" if places is None else os.path.join(here, "places") if isinstance(places, Mapping) else os.fspath(places)
+        if isinstance(places, Mapping):
+            with open(file, "w", encoding="utf-8") as out:
+                out.write("\n".join(toml_lines({"subsurface": places})))
+
+        with result._stored() if isinstance(result, Result) else nullcontext(os.fspath(result)) as folder:
+            return _made(Stress, lambda: _core.stress(folder, names_of(model, models), patch, points, file, depth_profile,
+                                                      depth, yield_shear_stress, yield_strength))
