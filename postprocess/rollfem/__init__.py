@@ -10,7 +10,7 @@ act on the wheel, and traction_coefficient is -F_x/F_z. `help(rollfem.Point)` li
 `python3 -m rollfem PATH` draws the figures and the page of what rollfem has written to PATH.
 """
 import importlib
-import importlib.util
+from importlib.machinery import PathFinder
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 else:
     def __getattr__(name: str) -> Any:
         """A submodule, or a name of `api`, which loads the compiled module: drawing a report does not wait for it."""
-        if importlib.util.find_spec(f"{__name__}.{name}"):
+        if PathFinder.find_spec(f"{__name__}.{name}", __path__):
             found = importlib.import_module(f".{name}", __name__)
         elif name == "_core":
             raise ImportError("rollfem was built without its compiled Python module; do: build it with ROLLFEM_PYTHON=ON")

@@ -4,17 +4,16 @@
 A result folder gets figures/*.svg and report.html; the folder of a comparison, a study or a table compare.html,
 study.html or table.html; stress.json of `rollfem stress` stress.html and figures beside it; the table NAME.csv of a
 profile, of a wheel on its rail or of a wheelset NAME.svg."""
-import argparse
 import sys
 
 from .figures.catalogue import build
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="rollfem", description=__doc__)
-    parser.add_argument("path", help="a folder, stress.json or NAME.csv written by rollfem")
+    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__)
     try:
-        build(parser.parse_args().path)
+        build(sys.argv[1])
     except OSError as error:
         sys.exit(str(error))
 

@@ -5,10 +5,10 @@ from html import escape
 
 import numpy as np
 
+from ..outputs import Comparison
 from . import report, styles, tables
 from .figure import Figure
 from .page import build, hint, made_by, section
-from ..outputs import Comparison
 
 
 def _models(cases):

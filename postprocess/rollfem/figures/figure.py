@@ -3,9 +3,9 @@
 available width."""
 from html import escape
 
+from ..files import write_whole
 from . import labels, styles
 from .panel import Panel, marker_path, strokes
-from ..files import write_whole
 
 
 class Figure:

@@ -2,11 +2,11 @@
 """Drawings over the patch: outlines of all models, adhesion and slip area of each, oblique views of tractions."""
 import numpy as np
 
+from ..point import ADHESION, PLASTIC
 from . import load_points, styles
 from .figure import Figure
 from .outline import ALONG, adhering, extent, patch_panel, zones
 from .panel import even_marks, nice_step
-from ..point import ADHESION, PLASTIC
 
 
 def _zoned(result):

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .panel import nice_step
 from ..point import ADHESION, PLASTIC
+from .panel import nice_step
 
 # Labels of the axes of the patch.
 ALONG = {"x": "$x$ [mm], rolling $\\rightarrow$", "y": "$y$ [mm], lateral"}

@@ -5,8 +5,8 @@ import os
 import re
 from html import escape
 
-from . import styles
 from ..files import folder_of, write_whole
+from . import styles
 
 with open(os.path.join(os.path.dirname(__file__), "page.css"), encoding="utf-8") as _file:
     CSS = _file.read()

@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
+from ..files import read_rows
+from ..reader import read_columns
 from . import curves, load_points, styles, tables
 from .figure import Figure
 from .profiles import PATCH_COLOURS, draw_pair
-from ..files import read_rows
-from ..reader import read_columns
 
 
 def positions(result):

@@ -3,10 +3,10 @@
 import re
 from html import escape
 
-from . import curves, load_points, maps, positions, stresses, styles, tables, yielding
-from .page import case_file, hint, made_by, section
 from ..reader import read_result
 from ..result import place_label
+from . import curves, load_points, maps, positions, stresses, styles, tables, yielding
+from .page import case_file, hint, made_by, section
 
 CONVENTIONS = section("Signs", """<p>x is the rolling direction, and material enters the patch at large x (on the right of
 the figures); y is lateral; z points into the wheel. Tractions and forces are those acting on the wheel.

@@ -5,11 +5,11 @@ from html import escape
 
 import numpy as np
 
+from ..outputs import Stress
 from . import labels, load_points, stresses, styles
 from .figure import Figure
 from .outline import colour_scale, filled
 from .page import hint, section
-from ..outputs import Stress
 from .stresses import MEASURES
 from .tables import number, plain, table
 

@@ -5,12 +5,12 @@ from html import escape
 
 import numpy as np
 
-from . import report, styles, tables
-from .figure import Figure
 from ..errors import FileError
 from ..files import rows_of
 from ..outputs import Study
 from ..point import Quantity
+from . import report, styles, tables
+from .figure import Figure
 from .labels import math
 from .page import case_file, hint, made_by, section
 

@@ -4,11 +4,11 @@ import math
 import re
 from html import escape
 
+from ..result import place_label
 from . import load_points, styles
 from .labels import symbol
 from .page import hint
 from .published import published
-from ..result import place_label
 
 
 def number(value, digits=5):

@@ -4,7 +4,6 @@ forward flow, the passes in the shakedown map, and their table."""
 import json
 import math
 import os
-import tomllib
 from html import escape
 
 import numpy as np
@@ -35,6 +34,7 @@ def bodies(result):
 
 def _steel(result, body):
     """Section [rail_plasticity] or [wheel_plasticity] of the case."""
+    import tomllib  # pylint: disable=import-outside-toplevel; most reports do without
     return tomllib.loads(result.case_text).get(f"{body}_plasticity", {})
 
 
