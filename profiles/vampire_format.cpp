@@ -41,22 +41,22 @@ double datum_of(const std::vector<std::string_view>& words, const std::string& n
   wrong_header(name, line, "unknown TREADDATUM", "EUROPEAN, US1, US2, or CUSTOM and mm");
 }
 
-/// What the header says of a wheel; a rail needs nothing of it.
-struct WheelHeader {
-  std::optional<double> datum, back_to_back;  ///< mm
+struct Header {
+  std::optional<double> datum;  ///< of a wheel's tread, mm from the back of the flange
+  std::optional<double> width;  ///< between the backs of the flanges or the gauge faces, mm
 };
 
-void read_header_line(std::string_view line, WheelHeader& header, const std::string& name,
+void read_header_line(std::string_view line, Header& header, const std::string& name,
                       const TextLines& at) {
   const auto words = contact::fields_of(line, " \t,");
   if (words[0] == "TREADDATUM") {
     header.datum = datum_of(words, name, at.number());
-  } else if (words[0] == "FLANGEBACK") {
-    header.back_to_back = words.size() > 1 ? contact::number_of(words[1]) : std::nullopt;
-    if (!header.back_to_back)
-      wrong_header(name, at.number(), "FLANGEBACK without a number",
-                   "the distance between the backs of the flanges, mm");
-  } else if (words[0] != "GAUGEPOINT" && words[0] != "GAUGE") {
+  } else if (words[0] == "FLANGEBACK" || words[0] == "GAUGE") {
+    header.width = words.size() > 1 ? contact::number_of(words[1]) : std::nullopt;
+    if (!header.width)
+      wrong_header(name, at.number(), fmt::format("{} without a number", words[0]),
+                   "the distance between left and right, mm");
+  } else if (words[0] != "GAUGEPOINT") {
     not_numbers(name, at, std::string(words[0]));
   }
 }
@@ -75,20 +75,13 @@ void add_row(std::array<ProfilePoints, 2>& sides, const NumberRow& row, const st
   add(sides[1], row.values[2], row.values[3], at);
 }
 
-/// A wheel gets y = 0 at its tread datum, a rail its highest point at (0, 0) and z downward.
-void place(ProfilePoints& side, const WheelHeader& header, bool wheel) {
-  double y = 0.0, z = 0.0;
-  if (wheel) {
-    y = 0.5 * *header.back_to_back + *header.datum;
-  } else {
-    const auto top =
-        std::max_element(side.list.begin(), side.list.end(),
-                         [](const ListedPoint& a, const ListedPoint& b) { return a.z < b.z; });
-    y = top->y, z = top->z;
-  }
+/// y = 0 is the tread datum of a wheel, the gauge face of a rail; its highest point has z = 0.
+void place(ProfilePoints& side, const Header& header, bool wheel) {
+  double top = side.list.front().z;
+  for (const ListedPoint& point : side.list) top = std::max(top, point.z);
   for (ListedPoint& point : side.list) {
-    point.y -= y;
-    point.z = wheel ? point.z : z - point.z;
+    point.y -= 0.5 * *header.width + (wheel ? *header.datum : 0.0);
+    if (!wheel) point.z = top - point.z;
   }
 }
 
@@ -120,7 +113,7 @@ ProfilePoints read_vampire(std::string_view text, const contact::ProfileSource& 
     wrong_header(name, 1, fmt::format("the first line is not {}", expected),
                  fmt::format("{} for the profile of a {}", expected, wheel ? "wheel" : "rail"));
   lines.next();  // the title
-  WheelHeader header;
+  Header header;
   std::array<ProfilePoints, 2> sides;
   while (lines.next()) {
     const std::string_view line = before_comment(lines.line());
@@ -133,9 +126,12 @@ ProfilePoints read_vampire(std::string_view text, const contact::ProfileSource& 
     else
       not_numbers(name, lines, row.wrong);
   }
-  if (wheel && !(header.datum && header.back_to_back))
-    wrong_header(name, 3, fmt::format("{} is missing", header.datum ? "FLANGEBACK" : "TREADDATUM"),
-                 "TREADDATUM and FLANGEBACK in lines 3 and 4");
+  for (const auto& [key, missing] : {std::pair{"TREADDATUM", wheel && !header.datum},
+                                     std::pair{wheel ? "FLANGEBACK" : "GAUGE", !header.width}})
+    if (missing)
+      wrong_header(name, 3, fmt::format("{} is missing", key),
+                   wheel ? "TREADDATUM and FLANGEBACK in lines 3 and 4"
+                         : "GAUGEPOINT and GAUGE in lines 3 and 4");
   if (sides[0].list.empty()) return {};
   for (ProfilePoints& side : sides) place(side, header, wheel);
   return chosen(sides, source, wheel);

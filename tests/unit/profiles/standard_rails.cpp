@@ -224,7 +224,7 @@ INSTANTIATE_TEST_SUITE_P(En13674, StandardRails,
                                            Standard{"54E1", &section_54, 70.0, 69.77, 2337.9, 0.1},
                                            Standard{"56E1", &section_56, 69.85, 71.69, 2321.0,
                                                     1.0}),
-                         [](const auto& info) { return "Rail" + info.param.name; });
+                         [](const auto& of) { return "Rail" + of.param.name; });
 
 TEST(BuiltInProfiles, OlderNamesOfRailsAreTheSameProfiles) {
   for (const auto& [older, name] :

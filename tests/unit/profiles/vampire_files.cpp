@@ -14,13 +14,14 @@ const std::string wheel_header =
     "WHEELPROFILE\nmade by hand\nTREADDATUM EUROPEAN\nFLANGEBACK 1360.0\n";
 const std::string rail_header = "RAILPROFILE\n! made by hand\nGAUGEPOINT EUROPEAN\nGAUGE 1435.0\n";
 
-/// S1002 with its tape line `datum` mm from the back of the flange, at +-680 mm from the middle of
-/// the track; or the rail with its crown at +-750 mm and z upward. The left side is lowered.
+/// S1002 with its tape line `datum` mm from the back of the flange, which is 680 mm from the middle
+/// of the track; or the rail with z upward and its crown 36 mm from the gauge. The left side is
+/// lowered.
 std::string rows(const std::string& name, double datum = 70.0, double lower = 0.0) {
   const bool wheel = find_built_in_profile(name)->wheel;
   std::string text;
   for (const auto& [y, z] : points_of(name)) {
-    const double place = wheel ? 680.0 + datum + y : 750.0 + y, down = wheel ? z : 171.3 - z;
+    const double place = wheel ? 680.0 + datum + y : 717.5 + 36.0 + y, down = wheel ? z : 171.3 - z;
     text += fmt::format("{:.10f} {:.10f}, {:.10f}\t{:.10f}\n", -place, down + lower, place, down);
   }
   return text;
@@ -28,7 +29,9 @@ std::string rows(const std::string& name, double datum = 70.0, double lower = 0.
 
 TEST(VampireFiles, WheelsAndRailsGetTheFrameOfProfiles) {
   EXPECT_LT(off(read(wheel_header + rows("S1002"), true, {}, "a.whe"), "S1002"), spline_tolerance);
-  EXPECT_LT(off(read(rail_header + rows("60E1"), false, {}, "a.RAI"), "60E1"), spline_tolerance);
+  ProfileSource rail;
+  rail.shift = {-36.0, 0.0};
+  EXPECT_LT(off(read(rail_header + rows("60E1"), false, rail, "a.RAI"), "60E1"), spline_tolerance);
   EXPECT_EQ(body_of_profile("a.whe"), true);
   EXPECT_EQ(body_of_profile("a.rai"), false);
 }
@@ -78,6 +81,8 @@ TEST(VampireFiles, WrongOnesAreRefusedWithTheirLine) {
   EXPECT_TRUE(says(wheel("WHEELPROFILE\n\nTREADDATUM US1\n"), "FLANGEBACK is missing"));
   EXPECT_TRUE(says(wheel("WHEELPROFILE\n\nFLANGEBACK 1360\n"), "TREADDATUM is missing"));
   EXPECT_TRUE(says(wheel(replaced(wheel_header, "FLANGEBACK", "BACK")), "a.whe:4: ", "BACK"));
+  EXPECT_TRUE(says(refusal("RAILPROFILE\n\nGAUGEPOINT US\n" + rows("60E1"), false, {}, "a.rai"),
+                   "GAUGE is missing"));
   const std::size_t last = 5 + points_of("S1002").size();
   const std::string at = fmt::format("a.whe:{}: ", last);
   EXPECT_TRUE(says(wheel(wheel_header, "-1 2 3\n"), at + "has 3 numbers", "left side"));
