@@ -68,7 +68,7 @@ ProfileCurve with_rounding(const ProfileCurve& curve, const ProfilePoints& point
   const double apart = spacing * std::pow(pressure / aim, 2.0 / 3.0);
   report.neglected += fmt::format(
       "{}{}: points {:.2g} mm apart with heights rounded to {:g} mm: the rounding is waves that "
-      "press steel bodies with up to {:.2g} MPa; do: give more decimals or fewer points, or put "
+      "press steel bodies with up to {:.0f} MPa; do: give more decimals or fewer points, or put "
       "`thinning = {:.1g}` or `smoothing = {:.1g}` under [{}_profile]",
       report.neglected.empty() ? "" : "; ", points.file, spacing, step, pressure, apart, scatter,
       wheel ? "wheel" : "rail");
