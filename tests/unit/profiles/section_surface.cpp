@@ -193,6 +193,10 @@ TEST_F(SectionList, SectionsTooNearForTheirDifferenceAreRefused) {
   EXPECT_TRUE(says(refused("0 sections/1.txt\n50 sections/1.txt\n50.2 sections/2.txt\n"
                            "100 sections/2.txt\n"),
                    "from 0 to 50", "mm beyond"));
+  // Over a gap of 25 m, before gentle changes, a spline swings by 100 mm, where no wheel is.
+  EXPECT_TRUE(read("a.sections",
+                   "-25000 sections/1.txt\n0 sections/1.txt\n10 sections/2.txt\n"
+                   "20 sections/3.txt\n"));
   // Equal ones may be as near as wanted, and a step within its own length is a step.
   EXPECT_TRUE(read("a.sections", "0 sections/1.txt\n0.001 sections/1.txt\n50 sections/1.txt\n"));
   EXPECT_TRUE(read("a.sections",
