@@ -125,7 +125,7 @@ void add_on_track(const contact::ContactPlace& place, contact::PointResult& poin
   add_force("vertical_force", &contact::PointResult::vertical_force, track::vertical_force);
   add_force("lateral_force_track", &contact::PointResult::lateral_force_track,
             track::lateral_force);
-  const double level = std::cos(place.contact_angle);
+  const double level = track::upwards(place)[1];
   point.loaded_height = place.height + (point.approach + place.separation) / level;
   if (point.error_estimate.count("approach") > 0)
     point.error_estimate["loaded_height"] = bar("approach") / level;

@@ -28,7 +28,7 @@ double approach_of(const Case& input, const WheelRailContact& contact) {
   const contact::ContactPlace& place = contact.place;
   if (input.wheelset.height.empty()) return contact.approach;
   const double height = input.wheelset.height.at(static_cast<std::size_t>(place.position) - 1);
-  return (height - contact.pose.height) * std::cos(place.contact_angle) - place.separation;
+  return (height - contact.pose.height) * upwards(place)[1] - place.separation;
 }
 
 /// The case's approach applies to the first patch; the others have the same sinking.
