@@ -29,7 +29,7 @@ void expect_within_bar(const PointResult& point, const PointResult& truth, const
       << name;
 }
 
-constexpr const char* s1002 =
+constexpr const char* s1002_wheel =
     "[friction]\ncoefficient = 0.0\n[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n"
     "[rolling]\nproblem = \"frictionless\"\n";
 
@@ -37,14 +37,14 @@ std::string shifted(double shift) {
   return fmt::format(
       "{}[load]\nvertical_force = 60e3\n[rail]\nprofile = \"60E1\"\n[track]\ninclination = "
       "\"1:40\"\n[wheelset]\nside = \"right\"\nlateral_shift = {}\nyaw = 0.003\n",
-      s1002, shift);
+      s1002_wheel, shift);
 }
 
 std::string on_roller(double place) {
   return fmt::format(
       "{}[load]\nvertical_force = 40e3\n[rail]\nprofile = \"60E1\"\nrolling_radius = 300.0\n"
       "[placement]\nlateral_position = {}\nroll = -0.02\n",
-      s1002, place);
+      s1002_wheel, place);
 }
 
 /// The rail's profile at points `step` apart along it.

@@ -16,6 +16,7 @@
 
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"
+#include "support/thesis_cases.hpp"
 
 namespace {
 
