@@ -102,4 +102,33 @@ TEST_F(Hostile, PositionsOfSectionsAreBounded) {
           "far.sections:1: position -1e+308; allowed: up to 1e+09");
 }
 
+TEST_F(Hostile, ATinyPatchFarFromWhereTheBodiesTouchFirstNeedsNoMemory) {
+  const std::string file = folder.file("edge.toml", R"(models = ["halfspace"]
+[load]
+vertical_force = 1e-6
+[friction]
+coefficient = 1e-12
+[wheel]
+rolling_radius = 50.0
+profile = "arcs"
+[rail]
+profile = "60E1"
+[contact_grid]
+elements_across = 10
+[placement]
+side = "right"
+lateral_position = 2.792686301844646
+yaw = -0.28101079231916926
+roll = -0.44850217825619976
+[wheel_profile]
+radii = [inf]
+ends = [-5.0, 5.0]
+free_ends = true
+)");
+  const Outcome outcome = call({"run", file, "-o", "out", "--no-report", "--quiet"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(says(outcome.err, "edge.toml", "; do: "));
+  EXPECT_FALSE(says(outcome.err, "out of memory"));
+}
+
 }  // namespace
