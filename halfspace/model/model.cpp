@@ -301,12 +301,6 @@ void refuse_beyond_memory(const Scene& scene, const contact::ContactGrid& grid) 
       contact::in_gigabytes(needed), contact::in_gigabytes(available), 1e-6 * grid.size(), points));
 }
 
-/// A grid that is too large is rejected before anything is computed.
-void check_grid(const Scene& scene, const PatchSearch& area, const Cell& finest) {
-  area.check_shape_of_cells(finest.dx, finest.dy);
-  refuse_beyond_memory(scene, area.grid(finest.dx, finest.dy, 0));
-}
-
 /// Largest number of elements across for a requested accuracy.
 constexpr int most_elements_across = 320;
 
@@ -327,18 +321,15 @@ contact::Rung rung_of(const Scene& scene, const PatchSearch& area, const Cell& c
 
 }  // namespace
 
-void check_grid(const Scene& scene) {
-  const PatchSearch area(scene, detail_for(scene));
-  check_grid(scene, area, cells_of_levels(scene, area).back());
-}
-
 ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
                           contact::Checkpoint* checkpoint, const GridElasticity& elasticity) {
   const contact::Stopwatch watch;
   Levels levels;
   const PatchSearch area(scene, detail_for(scene));
   std::vector<Cell> cells = cells_of_levels(scene, area);
-  check_grid(scene, area, cells.back());
+  area.check_shape_of_cells(cells.back().dx, cells.back().dy);
+  // A grid too large for memory is rejected before the coarser ones are computed.
+  refuse_beyond_memory(scene, area.grid(cells.back().dx, cells.back().dy, 0));
   ModelResult result;
   std::string warning;
   result.name = elasticity.model;

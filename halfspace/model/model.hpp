@@ -41,9 +41,6 @@ contact::ModelResult run_halfspace(const contact::Scene& scene, const contact::P
                                    contact::Checkpoint* checkpoint = nullptr,
                                    const GridElasticity& elasticity = {});
 
-/// Throws what run_halfspace throws for a grid that is too large or of too long cells.
-void check_grid(const contact::Scene& scene);
-
 /// The scene on a given number of elements across, without stresses and requested accuracy: for the
 /// difference between two models. The grid of points from a file is kept.
 contact::Scene on_few_elements(contact::Scene scene, int elements_across);
