@@ -121,9 +121,8 @@ ProfileCurve ProfileCurve::part(double from, double to) const {
     return std::vector<double>(list.begin() + (begin - all.begin()),
                                list.begin() + (end - all.begin()));
   };
-  return ProfileCurve(
-      {cut(knots_.parameter), cut(knots_.y), cut(knots_.z), cut(knots_.dy), cut(knots_.dz),
-       knots_.rounding});
+  return ProfileCurve({cut(knots_.parameter), cut(knots_.y), cut(knots_.z), cut(knots_.dy),
+                       cut(knots_.dz), knots_.rounding});
 }
 
 ProfileCurve ProfileCurve::mirrored() const {

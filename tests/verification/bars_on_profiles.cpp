@@ -71,11 +71,10 @@ TEST(BarsOnProfiles, SizesOfPlacedWheelsHoldAgainstFineGrids) {
        {shifted(-1.5), shifted(0.4), shifted(1.1), on_roller(-0.6), on_roller(0.3)}) {
     SCOPED_TRACE(text);
     const PointResult point = point_of(folder, text), fine = point_of(folder, text, 120);
-    for (const char* name :
-         {"semi_axis_x", "semi_axis_y", "contact_area", "max_pressure", "approach"})
+    for (const char* name : {"semi_axis_x", "semi_axis_y", "max_pressure", "approach"})
       expect_within_bar(point, fine, name);
     // The value is close, not only its bar large.
-    EXPECT_NEAR(point.semi_axis_x, fine.semi_axis_x, 1e-3 * fine.semi_axis_x);
+    EXPECT_NEAR(point.semi_axis_x, fine.semi_axis_x, 5e-4 * fine.semi_axis_x);
   }
 }
 
