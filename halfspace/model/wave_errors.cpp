@@ -141,7 +141,7 @@ std::optional<WaveErrors> wave_errors(const Scene& scene, std::size_t k, const C
 }
 
 WaveErrors rounding_errors(const Scene& scene, const ContactGrid& grid, const PointResult& point) {
-  constexpr double of_pressure = 1.6, of_approach = 1.5, of_axis = 0.25;
+  constexpr double of_pressure = 1.6, of_approach = 2.5, of_axis = 0.25;
   if (!scene.has_profiles()) return {};
   const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
   double pressure = 0.0, height = 0.0;
