@@ -279,10 +279,14 @@ void SectionSurface::check_way(const std::vector<std::array<std::size_t, 2>>& ha
     // The largest distance of a cubic from its chord where one end has another slope.
     const double turned = std::max(std::abs(slope[0] - chord), std::abs(slope[step] - chord));
     const double swing = 4.0 / 27.0 * length * turned;
-    // Gentle slopes swing far over gaps of many metres, which end beside the sections of interest.
-    const bool gentle = turned <= 0.05 * steepest;
-    if (std::abs(chord) <= steepest && (gentle || swing <= std::max(least_swing, 2.0 * change)))
-      continue;
+    // Steep beside two sections much nearer to each other; over gaps of many metres gentle slopes
+    // swing as far, where no wheel is.
+    double near = length;
+    if (i > first) near = std::min(near, way_[i] - way_[i - 1]);
+    if (i + 1 < last) near = std::min(near, way_[i + 2] - way_[i + 1]);
+    const bool swings = length > 20.0 * near && turned > 0.05 * steepest &&
+                        swing > std::max(least_swing, 2.0 * change);
+    if (std::abs(chord) <= steepest && !swings) continue;
     throw std::invalid_argument(fmt::format(
         "from {:g} to {:g} points move by up to {:.3g} mm from section to section, and a smooth "
         "curve swings {:.3g} mm beyond; allowed: differences that the distance of the sections "
