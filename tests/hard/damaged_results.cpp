@@ -126,8 +126,9 @@ TEST(DamagedResults, RecordsThatAreSealedButDamagedAreComputedAgain) {
     try {
       const contact::ModelResult again = halfspace::run_halfspace(scene, {}, &damaged);
       EXPECT_EQ(again.points.size(), 3U);
-      if (damaged.refused > 0)
+      if (damaged.refused > 0) {
         EXPECT_EQ(again.points.back().max_pressure, whole.points.back().max_pressure) << k;
+      }
     } catch (const contact::Failure&) {
       // From numbers that are wrong, but of the right count, no solution need exist.
     }

@@ -321,7 +321,7 @@ TEST(MeshFile, RefusesMeshesThatAreNotHexahedral) {
   const TemporaryFolder folder;
   expect_message(
       refusal<contact::InputError>([&] { meshes::read_msh(folder.path("none.msh"), "rail.msh"); }),
-      "no such mesh file");
+      "there is no such file");
   expect_message(
       refusal<contact::InputError>([&] { meshes::read_msh(folder.path("."), "rail.msh"); }),
       "not a regular file");
