@@ -322,9 +322,9 @@ MUTATIONS = [
              "-forward.sign * given.wheel_rail.velocity[5]", "forward.sign * given.wheel_rail.velocity[5]",
              "wheels of CONTACT's module 1 turn backwards", ("unit_converted_wheels", "unit_converted_cases")),
     # postprocess/
-    Mutation("side_of_the_lateral_force", "postprocess/write/wheelset_rows.cpp",
-             "return tilt * normal * std::sin(place.contact_angle)",
-             "return normal * std::sin(place.contact_angle)",
+    Mutation("side_of_the_lateral_force", "track/motion/wheelset_motion.cpp",
+             "return -side_sign(place.left) * normal * std::sin(place.contact_angle) -",
+             "return -normal * std::sin(place.contact_angle) -",
              "the normal force pushes each wheel to the side to which its contact plane falls",
              ("cli_wheelset",)),
     Mutation("richardson", "postprocess/study/convergence.cpp",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Checks that no folder has more than 25 source files, no source file more than 400 lines and no function more
+"""Checks that no folder has more than 25 source files, no source file more than 600 lines and no function more
 than 70, signature and braces included; lambdas count with what they stand in. Folders of tests have the limits of
 files and functions only."""
 
@@ -10,7 +10,7 @@ import re
 MODULES = ("contact", "halfspace", "theories", "profiles", "track", "meshes", "fem", "hybrid", "postprocess", "models",
            "tables", "convert", "app", "bindings", "benchmarks", "tests")
 MOST_FILES = 25
-MOST_LINES = 400
+MOST_LINES = 600
 MOST_IN_FUNCTION = 70
 
 TEXT_OR_COMMENT = re.compile(r'R"\((.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*.*?\*/', re.S)
