@@ -6,8 +6,8 @@ import inspect
 import operator
 import os
 import textwrap
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from html import escape
 from typing import Annotated, Any, TypeVar, get_origin
 
@@ -144,14 +144,6 @@ class Written(Tabular):
         from . import _core
         _core.write_files(folder, self._contents())
         return _core.draw(os.path.join(folder, self.drawn_from)) if report else ""
-
-    @contextmanager
-    def _stored(self) -> Iterator[str]:
-        """A folder that holds this."""
-        import tempfile
-        with tempfile.TemporaryDirectory() as folder:
-            self._store(os.path.join(folder, "result"), False)
-            yield os.path.join(folder, "result")
 
     def _drawable(self, module: Any) -> AbstractContextManager[Any]:
         """What the module of its figures draws from."""

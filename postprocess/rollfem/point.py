@@ -47,14 +47,17 @@ Row = TypeVar("Row")
 
 
 class Described(Mapping[str, Row], Generic[Row]):
-    """Descriptions by name, from the compiled module on first use: figures of stored results do without it."""
+    """Descriptions by name, from the compiled module on first use: figures of stored results do without them."""
 
     def __init__(self, kind: Callable[..., Row], source: str) -> None:
         self._kind, self._source = kind, source
 
     @cached_property
     def _rows(self) -> dict[str, Row]:
-        from . import _core
+        try:
+            from . import _core
+        except ImportError:
+            return {}
         return {name: self._kind(*row) for name, row in getattr(_core, self._source)().items()}
 
     def __getitem__(self, name: str) -> Row:

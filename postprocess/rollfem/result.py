@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The results of a case."""
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -125,11 +126,14 @@ class Result(Written):
 
     @contextmanager
     def _stored(self) -> Iterator[str]:
+        """A folder that holds this."""
         if self._core is None:
             yield self.folder
             return
-        with super()._stored() as folder:
-            yield folder
+        import tempfile
+        with tempfile.TemporaryDirectory() as folder:
+            self._store(os.path.join(folder, "result"), False)
+            yield os.path.join(folder, "result")
 
     @contextmanager
     def _drawable(self, module: Any) -> Iterator[Any]:

@@ -330,6 +330,21 @@ class Shown(unittest.TestCase):
             result.figure("nothing")
         self.assertEqual(result.columns()["point_index"].tolist(), [0, 1, 2, 0, 1, 2])
 
+    def test_stored_results_are_read_and_drawn_without_the_compiled_module(self):
+        result = rollfem.solve(SMALL, model="fastsim", longitudinal_creepage=[0.0, 0.002])
+        script = ("import sys, rollfem\nfrom rollfem.reader import read_result\n"
+                  "print(read_result(sys.argv[1])['fastsim'].nearest(0.002)['traction_coefficient'])\n"
+                  "try:\n    rollfem.solve\nexcept ImportError as error:\n    print(error)")
+        with tempfile.TemporaryDirectory() as folder:
+            result.write(folder)
+            alone = {**os.environ, "PYTHONPATH": os.fspath(ROOT / "postprocess")}  # sources only
+            said = [subprocess.run([sys.executable, *arguments, folder], env=alone, check=True, capture_output=True, text=True).stdout
+                    for arguments in (["-c", script], ["-m", "rollfem"])]
+            self.assertIn("creep_curve.svg", os.listdir(f"{folder}/figures"))
+        number, message = said[0].splitlines()
+        self.assertEqual(float(number), result.points[1].traction_coefficient)
+        self.assertIn("ROLLFEM_PYTHON=ON", message)
+
     def test_notebooks_show_numbers(self):
         result = rollfem.solve(SMALL, model="hertz")
         sweep = rollfem.sweep(SMALL, spin=[0.0, 1e-4], model="fastsim")

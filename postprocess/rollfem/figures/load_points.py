@@ -69,7 +69,7 @@ def reference_for(result, quantity):
     best = reference_for_patch(result)
     if best is None or not best.points or best.name == result.reference:
         return best
-    resolved = best.points[0].bar(quantity) or 0.0
+    resolved = best.points[0].error_estimate.get(quantity, 0.0)
     return next((m for m in result.models if m.points and m.points[0].no_bar.get(quantity) == "exact"
                  and m.points[0].model_error.get(quantity, 0.0) <= resolved), best)
 
