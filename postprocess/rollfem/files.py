@@ -12,7 +12,7 @@ from collections.abc import Iterator
 _SEAL = 512  # bytes of the user block before the HDF5 data
 
 
-def regular(path, flags):
+def regular(path: str, flags: int) -> int:
     """An opener for `open` that neither reads a device nor waits for a FIFO."""
     file = os.open(path, flags | os.O_NONBLOCK, 0o666)
     if stat.S_ISREG(os.fstat(file).st_mode):
