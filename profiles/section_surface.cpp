@@ -286,7 +286,10 @@ void SectionSurface::check_way(const std::vector<std::array<std::size_t, 2>>& ha
     if (i + 1 < last) near = std::min(near, way_[i + 2] - way_[i + 1]);
     const bool swings = length > 20.0 * near && turned > 0.05 * steepest &&
                         swing > std::max(least_swing, 2.0 * change);
-    if (std::abs(chord) <= steepest && !swings) continue;
+    // A wall whose foot has sections is given so; one between sections at about the same place is a
+    // mistake.
+    const bool is_wall = std::abs(chord) > steepest && length < 10.0 / steepest;
+    if (!is_wall && !swings) continue;
     throw std::invalid_argument(fmt::format(
         "from {:g} to {:g} points move by up to {:.3g} mm from section to section, and a smooth "
         "curve swings {:.3g} mm beyond; allowed: differences that the distance of the sections "
