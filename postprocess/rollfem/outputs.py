@@ -39,6 +39,8 @@ class Files(Written):
         folder = folder_of(path)
         file, contents = os.path.join(folder, f"{cls.kind}.json"), {}
         for name in (f"{cls.kind}.json", f"{cls.kind}.csv"):
+            if cls is Comparison and contents and not os.path.exists(os.path.join(folder, name)):
+                continue  # its figures do without the table
             with open(os.path.join(folder, name), encoding="utf-8", errors="replace", newline="",
                       opener=regular) as opened:
                 contents[name] = opened.read()
