@@ -36,7 +36,10 @@ inline RunRecord placed_run(int positions) {
         place.rolling_radius = 450.177;
         model.place = place;
         model.bodies.clear();
-        for (contact::PointResult& point : model.points) point.bodies.clear();
+        for (contact::PointResult& point : model.points) {
+          point.bodies.clear();
+          point.lateral_force_track = 3e3;
+        }
         run.models.push_back(model);
       }
   for (int position = 1; position <= positions; ++position) {
