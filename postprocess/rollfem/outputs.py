@@ -37,7 +37,8 @@ class Files(Written):
     def read(cls, path: str) -> Any:
         """From the folder of a command, or a file of it; FileError where it is not one, or damaged."""
         folder = folder_of(path)
-        file, contents = os.path.join(folder, f"{cls.kind}.json"), {}
+        file = os.path.join(folder, f"{cls.kind}.json")
+        contents: dict[str, str] = {}
         for name in (f"{cls.kind}.json", f"{cls.kind}.csv"):
             if cls is Comparison and contents and not os.path.exists(os.path.join(folder, name)):
                 continue  # its figures do without the table
