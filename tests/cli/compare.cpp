@@ -118,6 +118,7 @@ TEST_F(Compare, ResumeKeepsFinishedRuns) {
   const auto before = fs::last_write_time(folder.work() / "out" / "one" / "results.h5");
   // The state after a kill between writing the result and removing its records.
   folder.file("work/out/one.unfinished/halfspace-0001.point", "record");
+  folder.file("work/out/one.unfinished/about.txt", "Load points of an unfinished run of rollfem.");
   const Outcome outcome = done(joined({"compare", one, two, "--resume"}, models));
   EXPECT_TRUE(says(outcome.err, "compare: one was already done"));
   EXPECT_EQ(fs::last_write_time(folder.work() / "out" / "one" / "results.h5"), before);

@@ -176,7 +176,7 @@ bool TomlSource::looks_like_case() const {
     else if (std::isalpha(static_cast<unsigned char>(text.front())) != 0)
       ++others;
   }
-  return keys >= others;
+  return keys + 1 >= others;  // one line may be wrong
 }
 
 std::string TomlSource::line(unsigned number) const {

@@ -24,6 +24,7 @@ contact::ModelInfo bodies() {
     return result;
   };
   model.choosable = contact::Choosable::finite_bodies;
+  model.parallel = true;
   return model;
 }
 

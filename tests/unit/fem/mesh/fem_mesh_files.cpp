@@ -324,7 +324,7 @@ TEST(MeshFile, RefusesMeshesThatAreNotHexahedral) {
       "there is no such file");
   expect_message(
       refusal<contact::InputError>([&] { meshes::read_msh(folder.path("."), "rail.msh"); }),
-      "not a regular file");
+      "is a folder, not a file");
   expect_message(read_refusal(folder, ""), "is not a gmsh mesh");
   // gmsh would run this as a script.
   expect_message(read_refusal(folder, "Point(1) = {0,0,0};\nSystemCall \"true\";\n"),
