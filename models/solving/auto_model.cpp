@@ -104,7 +104,9 @@ ContactSize size_of(const Scene& scene) {
 std::string out_of_question(const contact::ModelInfo& model, const Scene& scene) {
   if (!model.built) return "not in this build";
   if (const auto reason = model.cannot(scene)) return *reason;
-  if (model.choosable == Choosable::finite_bodies && scene.given_pressure && !bodies_known(scene))
+  // Without radii wheel and rail are taken as flat.
+  if (model.choosable == Choosable::finite_bodies && scene.given_pressure &&
+      std::isinf(scene.geometry.surface.relative_rolling_radius()))
     return "the shape of the bodies is not given";
   if (scene.asks_for_stress() && !model.has_stress)
     return "it computes no stress below the surface";

@@ -200,7 +200,9 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene
     std::vector<PlacedScene> left, right;
     for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
       if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
-        (contact.place.left ? left : right).push_back(make_scene(input, std::move(contact)));
+        (contact.place.left ? left : right)
+            .push_back(contact::at_place((input.file.empty() ? "case" : input.file) + ": ",
+                                         [&] { return make_scene(input, std::move(contact)); }));
     for (std::vector<PlacedScene>* wheel : {&left, &right}) {
       stand_under_load(input, *wheel);
       std::move(wheel->begin(), wheel->end(), std::back_inserter(at[k]));

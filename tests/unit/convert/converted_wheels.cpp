@@ -112,8 +112,8 @@ TEST(ConvertedWheel, DisplacedRollersKeepTheirAxle) {
   text = replaced(replaced(text, " 1435.0 0.025 ", " 1435.0 750. "), " 9000. 18. ", " 12. 18. ");
   text = replaced(text, "\n 0.0 0.0 0.0 0.0 0.0 0.0\n", "\n 0.0 0.3 0.02 0.0 0.0 0.0\n");
   const contact::Displacement wheel = converted_alone(text).wheel_displacement;
-  // What the roller's surface is slower there (1 - z/R), the wheel is slower here, along the
-  // wheelset's axes, which are yawed by 1.6 mrad.
+  // What the roller's surface is slower there (1 - z/R), the wheel is slower here, to second
+  // order in the yaw of 3 mrad.
   EXPECT_NEAR(wheel.longitudinal_velocity[0] - 450.0 * wheel.rotation[0], -0.3 / 750.0, 1e-9);
   EXPECT_NEAR(wheel.yaw_velocity[0], std::sin(0.02) / 750.0, 1e-12);
 }
