@@ -146,6 +146,14 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
 
 }  // namespace
 
+namespace {
+
+std::string of_file(const Case& input) {
+  return (input.file.empty() ? "case" : input.file) + ": ";
+}
+
+}  // namespace
+
 SearchScene search_scene_of(const Case& input) {
   ProfilePair pair;
   pair.wheel_sections = profiles::make_sections(input.wheel.profile, true, input.file);
@@ -157,7 +165,8 @@ SearchScene search_scene_of(const Case& input) {
   };
   pair.wheel = profile(pair.wheel_sections, input.wheelset.wheel_angle, true);
   pair.rail = profile(pair.rail_sections, input.wheelset.track_position, false);
-  return make_search_scene(input, std::move(pair));
+  return contact::at_place(of_file(input),
+                           [&] { return make_search_scene(input, std::move(pair)); });
 }
 
 /// Blends from the plane to the surface as the spread of the normals grows, so that forces change
@@ -200,9 +209,9 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene
     std::vector<PlacedScene> left, right;
     for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
       if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
-        (contact.place.left ? left : right)
-            .push_back(contact::at_place((input.file.empty() ? "case" : input.file) + ": ",
-                                         [&] { return make_scene(input, std::move(contact)); }));
+        (contact.place.left ? left : right).push_back(contact::at_place(of_file(input), [&] {
+          return make_scene(input, std::move(contact));
+        }));
     for (std::vector<PlacedScene>* wheel : {&left, &right}) {
       stand_under_load(input, *wheel);
       std::move(wheel->begin(), wheel->end(), std::back_inserter(at[k]));
