@@ -144,10 +144,6 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
   }
 }
 
-}  // namespace
-
-namespace {
-
 std::string of_file(const Case& input) {
   return (input.file.empty() ? "case" : input.file) + ": ";
 }
