@@ -153,7 +153,8 @@ std::string text_of_file(const std::string& path, const std::string& name, std::
     got = file.read(text.data() + before, wanted);
     text.resize(before + got);
     if (std::max(file.size(), text.size()) > largest)
-      file.fail(fmt::format("is larger than {:.3g} MB", static_cast<double>(largest) / (1U << 20U)));
+      file.fail(
+          fmt::format("is larger than {:.3g} MB", static_cast<double>(largest) / (1U << 20U)));
   }
   return text;
 }
