@@ -98,7 +98,7 @@ std::vector<contact::Scene> kept_or_balanced(const Case& input, int position,
     return scenes;
   constexpr auto worth_keeping = std::chrono::milliseconds(50);
   const auto begin = std::chrono::steady_clock::now();
-  const std::string file = (input.file.empty() ? "case" : input.file) + ": ";
+  const std::string file = file_of(input) + ": ";
   scenes = contact::at_place(file + where(input, position),
                              [&] { return balanced_position(input, here); });
   if (kept != nullptr && std::chrono::steady_clock::now() - begin > worth_keeping) {
@@ -217,7 +217,7 @@ template <class Error = contact::SolveError>
   throw Error(fmt::format(
       "{}: {}: model {}: {}: this is not a valid result; do: please report the case as a defect of "
       "the program",
-      input.file.empty() ? "case" : input.file, result.place->label(), result.name, what));
+      file_of(input), result.place->label(), result.name, what));
 }
 
 /// From the first to the last element with pressure, y of the grid in mm.

@@ -40,8 +40,8 @@ contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) 
         "{}: load.normal_force: the {} wheel at position {} touches in {} patches, among which a "
         "normal force cannot be divided; allowed: load.vertical_force, carried by all of them "
         "together; do: write `vertical_force = {:.6g}` under [load]",
-        input.file.empty() ? "case" : input.file, contact.place.side(), contact.place.position,
-        contact.place.patches, load.normal_force.value_or(0.0)));
+        file_of(input), contact.place.side(), contact.place.position, contact.place.patches,
+        load.normal_force.value_or(0.0)));
   if (contact.place.patches > 1) return {contact.normal_force, {}};
   if (load.vertical_force) return {load.vertical_force, {}, upwards(contact.place)};
   return {load.normal_force, {}};
@@ -144,10 +144,6 @@ void stand_under_load(const contact::Case& input, std::vector<PlacedScene>& whee
   }
 }
 
-std::string of_file(const Case& input) {
-  return (input.file.empty() ? "case" : input.file) + ": ";
-}
-
 }  // namespace
 
 SearchScene search_scene_of(const Case& input) {
@@ -161,7 +157,7 @@ SearchScene search_scene_of(const Case& input) {
   };
   pair.wheel = profile(pair.wheel_sections, input.wheelset.wheel_angle, true);
   pair.rail = profile(pair.rail_sections, input.wheelset.track_position, false);
-  return contact::at_place(of_file(input),
+  return contact::at_place(file_of(input) + ": ",
                            [&] { return make_search_scene(input, std::move(pair)); });
 }
 
@@ -205,7 +201,7 @@ std::vector<PlacedScene> make_scenes(const Case& input, const SearchScene& scene
     std::vector<PlacedScene> left, right;
     for (WheelRailContact& contact : find_contacts(input, scene, static_cast<int>(k) + 1, options))
       if (contact.place.patch > 0 || (contact.reserve && options.with_reserve))
-        (contact.place.left ? left : right).push_back(contact::at_place(of_file(input), [&] {
+        (contact.place.left ? left : right).push_back(contact::at_place(file_of(input) + ": ", [&] {
           return make_scene(input, std::move(contact));
         }));
     for (std::vector<PlacedScene>* wheel : {&left, &right}) {

@@ -15,11 +15,15 @@ namespace rollfem::track {
 using contact::Axle;
 using contact::Case;
 
+std::string file_of(const Case& input) {
+  return input.file.empty() ? "case" : input.file;
+}
+
 namespace {
 
 std::string where(const Case& input, int position, bool left) {
   return fmt::format(
-      "{}: {} = {:.6g} (position {}), {} wheel", input.file.empty() ? "case" : input.file,
+      "{}: {} = {:.6g} (position {}), {} wheel", file_of(input),
       input.wheelset.on_rail ? "placement.lateral_position" : "wheelset.lateral_shift",
       input.wheelset.lateral_shift.at(static_cast<std::size_t>(position - 1)), position,
       contact::side_word(left));

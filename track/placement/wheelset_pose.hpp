@@ -13,6 +13,9 @@
 
 namespace rollfem::track {
 
+/// The case's file as messages name it; "case" for one that was read from none.
+std::string file_of(const contact::Case& input);
+
 /// Input of a search besides the case: profiles, and the position of the rail that follows from
 /// them.
 struct SearchScene {
