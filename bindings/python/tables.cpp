@@ -40,39 +40,12 @@ auto over_rows(TableForces (*ask)(const CreepTableReader&, Number...)) {
   };
 }
 
-/// The errors between the points of the grid.
-std::map<std::string, double> interpolation_of(const tables::InterpolationError& error) {
-  std::map<std::string, double> found{{"points", error.points}, {"seed", error.seed}};
-  for (const auto& [name, member] : tables::interpolation_errors) found[name] = error.*member;
-  return found;
-}
-
 std::map<std::string, Column> columns_of(const std::vector<tables::TableWheel>& wheels) {
   std::map<std::string, Column> found;
   for (const tables::WheelColumn& column : tables::wheel_columns())
     for (const tables::TableWheel& wheel : wheels)
       found[column.name].push_back(wheel.*column.member);
   return found;
-}
-
-/// Contents of the table as a dictionary.
-py::dict contents_of(const CreepTableReader& reader) {
-  const tables::CreepTable& table = reader.table();
-  std::vector<std::pair<std::string, Column>> axes;
-  if (table.load.size() > 1) axes.emplace_back("load", table.load);
-  if (table.speed.size() > 1) axes.emplace_back("speed", table.speed);
-  axes.emplace_back(table.over_shifts() ? "lateral_shift" : "axis_ratio", table.first_axis());
-  axes.emplace_back("longitudinal", table.creepage[0]);
-  axes.emplace_back("lateral", table.creepage[1]);
-  axes.emplace_back("spin", table.creepage[2]);
-  return py::dict("title"_a = table.title, "case_text"_a = table.case_text,
-                  "poisson_ratio"_a = table.poisson_ratio, "over_shifts"_a = table.over_shifts(),
-                  "shear_modulus"_a = table.shear_modulus,
-                  "friction_coefficient"_a = table.friction_coefficient,
-                  "only_for"_a = table.only_for, "wheels"_a = columns_of(table.wheels),
-                  "along_normal"_a = table.along_normal, "axes"_a = axes,
-                  "interpolation"_a = interpolation_of(table.interpolation),
-                  "forces"_a = table.forces, "bars"_a = table.bars);
 }
 
 /// Values of the wheel at arbitrary shifts and loads.
@@ -114,7 +87,6 @@ void define_tables(py::module_& module) {
   py::class_<CreepTableReader>(module, "CreepTable")
       .def(py::init(
           [](const std::string& path) { return CreepTableReader(tables::read_table(path)); }))
-      .def("contents", &contents_of)
       .def("files", &files_of)
       .def("wheels_at", &wheels_at)
       .def("scaled", over_rows(+[](const CreepTableReader& reader, double place, double load,

@@ -10,11 +10,11 @@ from .outputs import Comparison, Stress, Study
 from .point import FIELDS, QUANTITIES, Point, attributes, text_of
 from .reading import read
 from .result import Result
-from .solving import AccuracyWarning, UnitWarning, solve, threads
+from .solving import AccuracyWarning, UnitWarning, solve, table, threads
 from .stresses import stress_measures
 from .studies import compare, stress, study
 from .sweeping import Sweep, sweep
-from .tables import Table, TableForces, table
+from .tables import Table, TableForces
 from .track import Profile, Wheelset, contact_points, wheelset
 
 __version__ = _version()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Solving a case."""
+"""Solving a case, filling a table."""
 import warnings
 from collections.abc import Callable, Collection
 from typing import Any
@@ -8,6 +8,7 @@ from . import _core
 from .case import Case, CaseLike
 from .errors import InputError
 from .result import Result
+from .tables import Table
 
 
 class AccuracyWarning(UserWarning):
@@ -94,3 +95,20 @@ def solve(case: CaseLike | None = None, /, *, model: str | None = None, models: 
         short = [f"model {each.name}: {each.shortfall}" for each in result.models if each.shortfall]
         warnings.warn(" ".join([result.verdict, *short[:1]]), AccuracyWarning, stacklevel=2)
     return result
+
+
+def table(case: CaseLike, /, *, progress: Told = None, **sections: Any) -> Table:
+    """Fills a table of creep forces on all cores, as `rollfem table` does; `write` stores it.
+
+    Args:
+        case: Its section [table] says over what.
+        progress: Called with a rollfem.Progress (point of points) after every part; an exception raised by it ends the
+            table.
+        **sections: Keys that replace those of the case, as of `Case`.
+    Raises:
+        InputError: The case is wrong.
+        SolveError: A point has no solution.
+
+    >>> table = rollfem.table("cases/thesis_a.toml", table={"axis_ratio": [0.5, 1.0, 2.0]})
+    """
+    return Table.of(_core.fill_table(checked(case, sections, "table").core, progress))

@@ -1,18 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of creep forces: filled here or by `rollfem table`, read and asked."""
+"""Tables of creep forces: read and asked."""
+import io
 import os
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Annotated, Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core
-from .case import CaseLike
+from .errors import FileError
+from .files import regular, results_are_sound
 from .frames import Labelled, OverAxes, Written, documented, html_table, notes
-from .solving import Told, checked
+from .reader import hdf5
+
+if TYPE_CHECKING:
+    from ._core import CreepTable
+
 
 
 @documented
@@ -48,41 +54,84 @@ class Table(Written, OverAxes):
     poisson_ratio: Annotated[float, "of both bodies"]
     shear_modulus: Annotated[float, "combined, MPa; nan where the table holds for any"]
     friction_coefficient: Annotated[float, "nan where the table holds for any"]
+    over: Annotated[str, '"axis_ratio" or "lateral_shift": the axis before the creepages']
+    checked: Annotated[np.ndarray, "the random points [n, 12]: ratio or shift, xi', eta', phi', F_x, F_y, M_z interpolated and "
+                       "computed, load, speed"]
+    about: Annotated[dict[str, Any], "program, command, started, ..."]
 
+    kind = "table"
     first_figure = "table_curves"
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
-        self._take(_core.CreepTable(os.fspath(path)))
+        name = os.fspath(path)
+        file = os.path.join(name, "table.h5") if os.path.isdir(name) else name
+        try:
+            if not results_are_sound(file):
+                raise FileError(f"{file}: is damaged: its checksum is missing or does not match; do: run rollfem table again")
+            with open(file, "rb", opener=regular) as opened:
+                self._take(opened.read(), file)
+        except FileError:
+            raise
+        except OSError as error:
+            raise FileError(f"{file}: {error.strerror or error}; do: name a table.h5 written by rollfem table") from error
 
     @classmethod
-    def of(cls, core: _core.CreepTable) -> "Table":
+    def of(cls, core: "CreepTable") -> "Table":
         """A table of the library."""
-        made = cls.__new__(cls)
-        made._take(core)
+        made = cls.of_bytes(core.files()["table.h5"])
+        made.__dict__["_core"] = core
         return made
 
-    def _take(self, core: _core.CreepTable) -> None:
-        self._core = core
-        found = self._core.contents()
-        for name in ("title", "case_text", "poisson_ratio", "interpolation", "only_for"):
-            setattr(self, name, found[name])
-        self.axes = {name: np.array(values) for name, values in found["axes"]}
-        over_shifts = found["over_shifts"]
-        self._first = "lateral_shift" if over_shifts else "axis_ratio"
-        forces = np.array(found["forces"]).reshape(*self.shape, 3)
-        bars = np.array(found["bars"]).reshape(*self.shape, 2)
-        self.longitudinal_force, self.lateral_force, self.spin_moment = np.moveaxis(forces, -1, 0)
-        self.force_bar, self.moment_bar = np.moveaxis(bars, -1, 0)
+    @classmethod
+    def of_bytes(cls, data: bytes) -> "Table":
+        """The contents of a table.h5."""
+        made = cls.__new__(cls)
+        made._take(data, "table.h5")
+        return made
+
+    def _take(self, data: bytes, name: str) -> None:
+        self._data = data
+        with hdf5().File(io.BytesIO(data), "r") as file:
+            if file.attrs.get("format") != "rollfem table":
+                raise FileError(f"{name}: is not a table; do: name a table.h5 written by rollfem table")
+            if file.attrs["format_version"] not in (1, 2, 3):
+                raise FileError(f"{name}: belongs to another version; do: run rollfem table again")
+            try:
+                self._read(file)
+            except KeyError as error:
+                raise FileError(f"{name}: {error.args[0]}; do: run rollfem table again") from error
+
+    def _read(self, file: Any) -> None:
+        axes, found = file["axes"], file["interpolation"]
+        self.about, self.interpolation = dict(file.attrs), dict(found.attrs)
+        self.title, self.poisson_ratio = self.about["title"], float(self.about["poisson_ratio"])
+        self.case_text = file["case_text"][()].decode("utf-8", "replace")
+        self.over = "lateral_shift" if "lateral_shift" in axes else "axis_ratio"
+        several = [name for name in ("load", "speed") if name in axes and len(axes[name]) > 1]
+        self.axes = {name: axes[name][()] for name in (*several, self.over, "longitudinal", "lateral", "spin")}
+        for name in ("longitudinal_force", "lateral_force", "spin_moment", "force_bar", "moment_bar"):
+            setattr(self, name, file[name][()])
+        self.checked = found["checked"][()] if "checked" in found else np.zeros((0, 12))
         self.wheels = self.force_along_normal = None
-        if over_shifts:
-            of_wheels = tuple(len(self.axes[name]) for name in ("load", self._first) if name in self.axes)
-            self.wheels = {name: np.array(values).reshape(of_wheels) for name, values in found["wheels"].items()}
-            self.force_along_normal = np.array(found["along_normal"]).reshape(self.shape)
-        for name in ("shear_modulus", "friction_coefficient"):
-            setattr(self, name, found[name] if over_shifts or self.only_for else np.nan)
+        if self.over == "lateral_shift":
+            self.wheels = {name: values[()] for name, values in file["wheel"].items()}
+            self.force_along_normal = file["force_along_normal"][()]
+        group = file.get("friction" if self.wheels is None else "wheel")
+        limits = {} if group is None else dict(group.attrs)
+        self.only_for = limits.get("only_for", "")
+        self.shear_modulus, self.friction_coefficient = (
+            float(limits.get(name, np.nan)) for name in ("shear_modulus", "friction_coefficient"))
+
+    @cached_property
+    def _core(self) -> "CreepTable":
+        """The table of the library, which interpolates."""
+        from . import _core
+        with tempfile.TemporaryDirectory() as folder:
+            _core.write_files(folder, {"table.h5": self._data})
+            return _core.CreepTable(folder)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _unpickled, (self._core.files()["table.h5"],)
+        return Table.of_bytes, (self._data,)
 
     def scaled(self, longitudinal: ArrayLike = 0.0, lateral: ArrayLike = 0.0, spin: ArrayLike = 0.0,
                axis_ratio: ArrayLike | None = None, lateral_shift: ArrayLike | None = None,
@@ -99,7 +148,7 @@ class Table(Written, OverAxes):
 
         >>> table.scaled(longitudinal=0.5, axis_ratio=2.0).longitudinal_force
         """
-        first = self._first
+        first = self.over
         given = {"axis_ratio": axis_ratio, "lateral_shift": lateral_shift}
         for name, value in given.items():
             if name != first and value is not None:
@@ -146,7 +195,7 @@ class Table(Written, OverAxes):
         missing = [name for name, value in needed.items() if value is None]
         wrong = [name for name, value in excess.items() if value is not None]
         if missing or wrong:
-            raise TypeError(f"this table is over {self._first}: it needs {', '.join(needed)}; "
+            raise TypeError(f"this table is over {self.over}: it needs {', '.join(needed)}; "
                             f"do: {'give ' + ', '.join(missing) if missing else 'leave out ' + ', '.join(wrong)}")
         if self.wheels is None:
             return self._forces(self._core.physical, *needed.values(), speed, *creepages)
@@ -200,12 +249,6 @@ class Table(Written, OverAxes):
             [name, len(values), float(values[0]), float(values[-1])] for name, values in self.axes.items()))
 
 
-def _unpickled(contents: bytes) -> Table:
-    with tempfile.TemporaryDirectory() as folder:
-        _core.write_files(folder, {"table.h5": contents})
-        return Table(folder)
-
-
 def _ask(function: Callable[..., Any], *arguments: ArrayLike | None) -> tuple[Any, tuple[int, ...]]:
     """What the library says to arrays of numbers, and their common shape; None: 0, the only value of an axis."""
     arrays = np.broadcast_arrays(*(np.asarray(0.0 if each is None else each, dtype=float) for each in arguments))
@@ -228,20 +271,3 @@ class TableForces:
     def __repr__(self) -> str:
         with np.printoptions(threshold=6, edgeitems=2, precision=6):
             return f"<rollfem.TableForces {', '.join(f'{name}={getattr(self, name)}' for name in notes(TableForces))}>"
-
-
-def table(case: CaseLike, /, *, progress: Told = None, **sections: Any) -> Table:
-    """Fills a table of creep forces on all cores, as `rollfem table` does; `write` stores it.
-
-    Args:
-        case: Its section [table] says over what.
-        progress: Called with a rollfem.Progress (point of points) after every part; an exception raised by it ends the
-            table.
-        **sections: Keys that replace those of the case, as of `Case`.
-    Raises:
-        InputError: The case is wrong.
-        SolveError: A point has no solution.
-
-    >>> table = rollfem.table("cases/thesis_a.toml", table={"axis_ratio": [0.5, 1.0, 2.0]})
-    """
-    return Table.of(_core.fill_table(checked(case, sections, "table").core, progress))

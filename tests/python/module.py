@@ -290,6 +290,7 @@ class Tables(MadeTables):
                                             "lateral_force", "spin_moment"))))
         self.assertEqual(self.table.interpolation["points"], 10)
         self.assertIn("2 x 4 x 3 x 5", repr(self.table))
+        self.assertIn("</svg>", self.table.figure().svg())
 
     def test_points_are_found_again_and_arrays_broadcast(self):
         axes = self.table.axes

@@ -1,75 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""table.html: a table of creep forces of `rollfem table` as numpy arrays, as surfaces and curves, with its
+"""table.html: a table of creep forces of `rollfem table` (Table) as surfaces and curves, at the middle load and speed, with its
 interpolation error."""
-import io
-import os
-from dataclasses import dataclass
 from html import escape
 
 import numpy as np
 
-from ..errors import FileError
-from ..files import folder_of, results_are_sound
-from ..reader import hdf5
+from ..tables import Table
 from .figure import Figure
 from .page import hint, section
 from .tables import number, plain, table
-
-FORCES = ("longitudinal_force", "lateral_force", "spin_moment")
-
-
-@dataclass
-class CreepTable:
-    """Arrays over [axis_ratio or lateral_shift, longitudinal, lateral, spin] at the middle load and speed; forces over mu
-    F_n, the moment over mu F_n sqrt(a b)."""
-
-    about: dict  # title, program, command, started, poisson_ratio, ...
-    axes: dict  # in the order of the arrays
-    forces: dict
-    force_bar: np.ndarray
-    moment_bar: np.ndarray
-    interpolation: dict
-    checked: np.ndarray  # [points, 10 or 12]: a/b or mm, xi', eta', phi', F_x, F_y, M_z interpolated, and computed
-    wheels: dict  # one entry per lateral shift; empty over axis ratios
-    conditions: dict  # load and speed that have several values
-
-    @property
-    def first(self):
-        """Name of the first axis."""
-        return next(iter(self.axes))
-
-
-def read(path):
-    """Reads the table of a folder."""
-    path = os.path.join(folder_of(path), "table.h5")
-    if not results_are_sound(path):
-        raise FileError(f"{path}: is damaged; do: run rollfem table again")
-    return _contents(path)
-
-
-def of(table_):
-    """From a rollfem.Table."""
-    return _contents(io.BytesIO(table_._contents()["table.h5"]))
-
-
-def _contents(source):
-    """From a file, or what can be read as one."""
-    with hdf5().File(source, "r") as file:
-        if file.attrs.get("format") != "rollfem table":
-            raise FileError(f"{source}: is not a table")
-        checked = file["interpolation"]
-        first = "lateral_shift" if "lateral_shift" in file["axes"] else "axis_ratio"
-        wheel = file.get("wheel", {})
-        conditions = {name: file["axes"][name][()] for name in ("load", "speed")
-                      if name in file["axes"] and len(file["axes"][name]) > 1}
-        middle = tuple(len(values) // 2 for values in conditions.values())
-        of_wheel = middle[:1] if "load" in conditions else ()
-        return CreepTable(
-            dict(file.attrs), {name: file["axes"][name][()] for name in (first, "longitudinal", "lateral", "spin")},
-            {name: file[name][middle] for name in FORCES}, file["force_bar"][()], file["moment_bar"][()],
-            dict(checked.attrs), checked["checked"][()] if "checked" in checked else np.zeros((0, 10)),
-            {**dict(getattr(wheel, "attrs", {})), **{name: wheel[name][of_wheel] for name in wheel}}, conditions)
-
 
 # For each panel: the force, its name, the axis to the right and the axis to the back.
 VIEWS = (("longitudinal_force", "$-F_x/μF_n$", "longitudinal", "spin"),
@@ -87,16 +26,22 @@ def _middle(axis):
 
 def _first(found):
     """Index of the drawn axis ratio or shift: the middle one."""
-    return len(found.axes[found.first]) // 2
+    return len(found.axes[found.over]) // 2
+
+
+def _of_wheel(found, name):
+    """Numbers of the wheel over the shifts."""
+    return found.wheels[name][len(found.axes["load"]) // 2] if "load" in found.axes else found.wheels[name]
 
 
 ALL = slice(None)
 
 
 def _forces(found, force, **at):
-    """-force at these indices of the axes, with the other creepages 0 and the middle of the first axis."""
-    return -found.forces[force][tuple(
-        at.get(name, _first(found) if name == found.first else _middle(axis)) for name, axis in found.axes.items())]
+    """-force at these indices of the axes, with the other creepages 0 and the middle of the other axes."""
+    return -getattr(found, force)[tuple(
+        at.get(name, _middle(axis) if name in ("longitudinal", "lateral", "spin") else len(axis) // 2)
+        for name, axis in found.axes.items())]
 
 
 def _plane(found, force, right, back):
@@ -149,8 +94,8 @@ def _oblique(panel, x, y, z, names):
 
 
 def _said_first(found, place):
-    value = found.axes[found.first][place]
-    return f"a/b = {value:.4g}" if found.first == "axis_ratio" else f"lateral shift {value:.4g} mm"
+    value = found.axes[found.over][place]
+    return f"a/b = {value:.4g}" if found.over == "axis_ratio" else f"lateral shift {value:.4g} mm"
 
 
 def surfaces(found):
@@ -159,7 +104,7 @@ def surfaces(found):
     for force, name, right, back in VIEWS:
         panel = result.add(330, 270, name, bare=True)
         behind, across = found.axes[back], found.axes[right]
-        shown = across >= (0 if found.first == "lateral_shift" else -np.inf)  # otherwise the surface hides its negative half
+        shown = across >= (0 if found.over == "lateral_shift" else -np.inf)  # otherwise the surface hides its negative half
         _oblique(panel, across[shown], behind[behind >= 0], _plane(found, force, right, back)[:, shown],
                  (LETTER[right], LETTER[back]))
     result.entry(f"{_said_first(found, _first(found))}; creepages that are not shown are 0")
@@ -196,9 +141,9 @@ def _rows(found, force, right, back):
 
 def ratios(found):
     """The forces of each creepage alone, with a curve for each axis ratio or some shifts. None for a single one."""
-    count = len(found.axes[found.first])
+    count = len(found.axes[found.over])
     return None if count < 2 else _charts((290, 220), [(name, LETTER[right], name, [
-        (found.axes[right], _forces(found, force, **{found.first: ratio, right: ALL}),
+        (found.axes[right], _forces(found, force, **{found.over: ratio, right: ALL}),
          {"colour": colour, "name": _said_first(found, ratio)}) for ratio, colour in zip(_some(count, 7), COLOURS)])
         for force, name, right, _ in VIEWS])
 
@@ -213,14 +158,14 @@ def _some_from_zero(axes):
 
 def _over_shifts(found, values, colour, **look):
     """Curves between the shifts where contact jumps."""
-    jumps = found.wheels["jump_after"]
+    jumps = _of_wheel(found, "jump_after")
     ends = np.flatnonzero(jumps) + 1
     for part in map(slice, [0, *ends], [*ends, len(jumps)]):
         yield found.axes["lateral_shift"][part], values[part], {"colour": colour, **DOTS, **look}
 
 
 def _shifted(found):
-    return found.first == "lateral_shift" and len(found.axes[found.first]) > 1
+    return found.over == "lateral_shift" and len(found.axes[found.over]) > 1
 
 
 def shifts(found):
@@ -234,7 +179,7 @@ def shifts(found):
              for places in zip(*chosen.values())]
     return _charts((290, 220), [(name, LETTER["lateral_shift"], name, [
         curve for at, colour, values in zip(chosen[right], COLOURS, names)
-        for curve in _over_shifts(found, _forces(found, force, **{found.first: ALL, right: at}), colour,
+        for curve in _over_shifts(found, _forces(found, force, **{found.over: ALL, right: at}), colour,
                                   name=f"{', '.join(LETTER[each] for each in chosen)} = {values}")])
         for force, name, right, _ in VIEWS])
 
@@ -251,7 +196,7 @@ def wheels(found):
     """Contact data of the wheel. None over axis ratios and for a single shift."""
     return _charts((230, 200), [(name, LETTER["lateral_shift"], f"{name} [{unit}]", [
         curve for entry, word, colour, dash in entries
-        for curve in _over_shifts(found, factor * found.wheels[entry], colour, dash=dash, name=word)])
+        for curve in _over_shifts(found, factor * _of_wheel(found, entry), colour, dash=dash, name=word)])
         for name, unit, factor, entries in OF_WHEEL]) if _shifted(found) else None
 
 
@@ -272,7 +217,7 @@ def errors(found):
 
 def captioned(found):
     """The figures of everything."""
-    varied = "the ratios of the ellipse's axes" if found.first == "axis_ratio" else "shifts of the wheelset"
+    varied = "the ratios of the ellipse's axes" if found.over == "axis_ratio" else "shifts of the wheelset"
     for draw, caption in (
             (surfaces, "Forces on the wheel of opposite sign, over scaled creepages in steps of the table."),
             (curves, "The same as curves; creepages that are not named are 0."),
@@ -284,10 +229,9 @@ def captioned(found):
 
 
 def _axes(found):
-    axes = {**found.conditions, **found.axes}
-    names = [LETTER[name].capitalize() if " " in LETTER[name] else LETTER[name] for name in axes]
+    names = [LETTER[name].capitalize() if " " in LETTER[name] else LETTER[name] for name in found.axes]
     return "".join(f"<p><b>{name}</b> ({len(values)}): {', '.join(f'{v:.4g}' for v in values)}</p>".replace("-", "−")
-                   for name, values in zip(names, axes.values()))
+                   for name, values in zip(names, found.axes.values()))
 
 
 def _said(found):
@@ -307,10 +251,10 @@ def _said(found):
 
 
 def _of_what(found):
-    if found.first == "axis_ratio":
+    if found.over == "axis_ratio":
         return "Creep forces of Hertzian contacts"
-    force = found.wheels["normal_force"]
-    return (f"Creep forces of a wheel on its rail, friction {number(float(found.wheels['friction_coefficient']), 3)}, normal force "
+    force = _of_wheel(found, "normal_force")
+    return (f"Creep forces of a wheel on its rail, friction {number(found.friction_coefficient, 3)}, normal force "
             f"{number(float(force.min()), 6)} to {number(float(force.max()), 6)} N, creepages and forces of the main contact; "
             "a and b are the semi-axes of the equivalent ellipse")
 
@@ -318,15 +262,25 @@ def _of_what(found):
 PAGE = "table.html"
 
 
+def read(path):
+    """The table of a folder."""
+    return Table(path)
+
+
+def of(found):
+    """From a Table."""
+    return found
+
+
 def page(found, drawn):
     """The page of a table."""
     about = found.about
     made = f"{escape(about['program'])}, {escape(about['started'])}<br><code>{escape(about['command'])}</code>"
     return escape(about["title"]), made, [
-        f"<p>{_of_what(found)}, {found.force_bar.size} points, Poisson's ratio {number(float(about['poisson_ratio']), 4)}. "
+        f"<p>{_of_what(found)}, {found.force_bar.size} points, Poisson's ratio {number(found.poisson_ratio, 4)}. "
         "Forces are over μF<sub>n</sub>, the moment over μF<sub>n</sub>c, c = √(ab); ξ′ = ξ G ab C<sub>11</sub>/(3μF<sub>n</sub>), "
         "η′ = η G ab C<sub>22</sub>/(3μF<sub>n</sub>), φ′ = φ G (ab)<sup>3/2</sup> √(C<sub>23</sub>² + C<sub>33</sub>²)/(μF<sub>n</sub>).</p>",
         section("Errors", _said(found)),
         section("Forces", "".join(f"<p>At a {name} of {values[len(values) // 2]:g} {LETTER[name].split()[1][1:-1]}.</p>"
-                                  for name, values in found.conditions.items()) + drawn("")),
+                                  for name, values in found.axes.items() if name in ("load", "speed")) + drawn("")),
         section("Axes", _axes(found))], "Beside this file: table.h5, table.csv, interpolation.csv, figures/."
