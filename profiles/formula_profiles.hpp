@@ -5,8 +5,6 @@
 #include "contact/case/track.hpp"
 #include "profiles/profile_curve.hpp"
 
-#include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,34 +34,8 @@ const std::vector<BuiltInProfile>& built_in_profiles();
 /// nullptr for an unknown name.
 const BuiltInProfile* find_built_in_profile(const std::string& name);
 
-/// Wheel S1002. `smooth`: zone C is moved to its neighbours as a whole, by up to 1.2e-4 mm (within
-/// the uncertainty of its printed digits), and the curvature follows the formulas. Otherwise the
-/// formulas hold everywhere except within 0.23 mm about y = -35 and 0.31 mm about y = -26, where
-/// their steps are blended.
-ProfileCurve s1002(bool smooth);
-
 /// Height of S1002 by the formulas of its zones, mm, for -70 <= y <= 60, including the steps at the
 /// zone limits: reference for checking the curve. Throws std::out_of_range outside.
 double s1002_height(double y);
-
-// Builds profiles from exact pieces (arcs, polynomials), with knots dense enough along the
-// arc for the cubics between them to represent the formula.
-
-/// Point of a piece at its local parameter, with derivatives by that parameter.
-struct PiecePoint {
-  double y = 0.0, z = 0.0;
-  double dy = 0.0, dz = 0.0;
-};
-
-/// Spacing of knots along the profile, mm: a circle of 10 mm is represented within 1e-11 mm and its
-/// curvature within 2e-6.
-constexpr double knot_distance = 0.05;
-
-/// Adds a piece between two of its parameters, starting at the end of the previous piece.
-void append_piece(ProfileKnots& knots, const std::function<PiecePoint(double)>& piece, double from,
-                  double to, double distance = knot_distance);
-
-/// Value and slope at y of a polynomial, lowest power first.
-std::array<double, 2> polynomial(const double* coefficients, std::size_t count, double y);
 
 }  // namespace rollfem::profiles

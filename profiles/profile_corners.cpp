@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Corners of a profile's points: kinks, at which the curve turns once, and steps, there and back.
 // Error messages name the smallest repair that would help.
+#include "profiles/profile_corners.hpp"
+
 #include "contact/base/pi.hpp"
-#include "profiles/profile_points.hpp"
 
 #include <fmt/format.h>
 

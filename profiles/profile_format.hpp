@@ -36,6 +36,19 @@ struct KnownFormat {
   explicit KnownFormat(ProfileFormat format);
 };
 
+/// Two columns (text, CSV), or a known format, by the ending of the name. `path`:
+/// location; `source.name`: name used in messages. Throws contact::InputError with line and value.
+ProfilePoints read_profile_points(const std::string& path, const contact::ProfileSource& source,
+                                  bool wheel);
+
+/// The same from the text of such a file; the extension of `source.name` selects the format.
+ProfilePoints parse_profile_points(std::string_view text, const contact::ProfileSource& source,
+                                   bool wheel);
+
+/// Whether a built-in profile, or a file by its ending, is of a wheel; nothing if it may be of
+/// either body.
+std::optional<bool> body_of_profile(const std::string& name);
+
 // Parts of readers.
 
 std::string_view before_comment(std::string_view line);

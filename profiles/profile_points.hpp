@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Points of a profile from a file: reading the formats, repairs as the case requests, checks.
+// Points of a profile from a file: repairs as the case requests, and checks.
 #pragma once
 
 #include "contact/case/track.hpp"
@@ -28,15 +28,6 @@ struct ProfilePoints {
 };
 
 PointRow row_of(const ProfilePoints& points);
-
-/// Two columns (text, CSV), or a format of profile_format.hpp, by the ending of the name. `path`:
-/// location; `source.name`: name used in messages. Throws contact::InputError with line and value.
-ProfilePoints read_profile_points(const std::string& path, const contact::ProfileSource& source,
-                                  bool wheel);
-
-/// The same from the text of such a file; the extension of `source.name` selects the format.
-ProfilePoints parse_profile_points(std::string_view text, const contact::ProfileSource& source,
-                                   bool wheel);
 
 /// Repairs the points as requested by `source` and rejects remaining defects. Throws one
 /// contact::InputError that names all defects and the keys that repair them together.
@@ -71,15 +62,5 @@ void check_order(const ProfilePoints& points, bool drop_zigzag);
 
 /// Drops the fewest points such that the curve nowhere turns back.
 void drop_zigzag(ProfilePoints& points);
-
-/// The least of some values of `smoothing` that explains all kinks and steps, where their number
-/// suggests scatter; otherwise 0.
-double least_smoothing(const ProfilePoints& points, const contact::ProfileSource& source);
-
-/// Kinks beyond those that a file may have by default; of points that share one the middle.
-std::vector<std::size_t> kinks_of(const PointRow& row);
-
-/// Bridges kinks and steps over `rounding`, or throws PointFault.
-void treat_corners(ProfilePoints& points, const contact::ProfileSource& source);
 
 }  // namespace rollfem::profiles

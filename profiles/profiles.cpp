@@ -5,8 +5,9 @@
 #include "contact/scene/patch_geometry.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
+#include "profiles/profile_format.hpp"
 #include "profiles/profile_points.hpp"
-#include "profiles/section_surface.hpp"
+#include "profiles/section_list.hpp"
 
 #include <fmt/format.h>
 
@@ -51,9 +52,10 @@ double decimal_step(const ProfilePoints& points) {
   return 0.0;
 }
 
-/// Where the rounding of closely spaced points presses noticeably, a warning, and the curve knows
-/// their scatter: by no more than they scatter, because points of straight lines may lie on such
-/// multiples. Points that scatter by more than the program expects are measured ones.
+/// If the rounding of closely spaced points changes the pressure noticeably, adds a warning and
+/// sets the rounding of the curve, at most the scatter of the points, because points on straight
+/// lines may happen to be multiples of the step. Points that scatter by `least_scatter` or more are
+/// measured, not rounded.
 ProfileCurve with_rounding(const ProfileCurve& curve, const ProfilePoints& points, bool wheel,
                            ProfileReport& report) {
   constexpr double steel = 115e3, noticeable = 40.0, aim = 20.0;  // MPa: E*, pressures

@@ -52,10 +52,6 @@ ProfileCurve profile_of_text(const std::string& text, const contact::ProfileSour
 /// The ends of a profile with ProfileSource::free_ends, where its side faces begin.
 std::array<ProfilePoint, 2> free_ends_of(const ProfileCurve& curve);
 
-/// Whether a built-in profile, or a file by its ending, is of a wheel; nothing if it may be of
-/// either body.
-std::optional<bool> body_of_profile(const std::string& name);
-
 /// y of the tip of the flange, mm; nothing where the profile has none.
 std::optional<double> flange_tip(const ProfileCurve& curve);
 

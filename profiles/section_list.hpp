@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A list of sections as it was read, before they are joined to a surface.
+// Files that list the sections of a body.
 #pragma once
 
+#include "contact/case/track.hpp"
 #include "profiles/section_surface.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace rollfem::profiles {
-
-/// Parameters at which the parts of a section begin and end, NaN of a part that it lacks. Throws
-/// std::invalid_argument unless they increase.
-std::vector<double> ends_of_parts(const PlacedSection& section);
 
 struct ListedSections {
   std::vector<PlacedSection> sections;
@@ -32,5 +30,11 @@ std::string find_features(std::vector<PlacedSection>& sections);
 /// contact::InputError with file and line.
 ListedSections read_sections(const contact::ProfileSource& source, bool wheel,
                              const std::string& case_file);
+
+/// The sections listed by the file that the source names (ProfileSource::lists_sections), each read
+/// and repaired as the source says. Nothing where the source names a single profile. Throws
+/// contact::InputError with file and line.
+std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource& source,
+                                                    bool wheel, const std::string& case_file);
 
 }  // namespace rollfem::profiles

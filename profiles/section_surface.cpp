@@ -2,7 +2,6 @@
 #include "profiles/section_surface.hpp"
 
 #include "contact/base/knots.hpp"
-#include "profiles/section_list.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +16,7 @@ namespace rollfem::profiles {
 
 namespace {
 
-/// Sections repeated beyond each end of a full turn: the spline forgets what is farther away.
+/// Sections repeated beyond each end of a full turn; farther ones have no effect on the spline.
 constexpr std::ptrdiff_t sections_beyond = 6;
 
 /// A part of all sections: the section from which it takes its nodes, that with most knots in it,

@@ -8,12 +8,9 @@
 // them.
 #pragma once
 
-#include "contact/case/track.hpp"
 #include "profiles/profile_curve.hpp"
 
 #include <array>
-#include <memory>
-#include <string>
 #include <vector>
 
 namespace rollfem::profiles {
@@ -27,6 +24,10 @@ struct PlacedSection {
   /// the nearest of the features that are missing there.
   std::vector<double> features;
 };
+
+/// Parameters at which the parts of a section begin and end, NaN of a part that it lacks. Throws
+/// std::invalid_argument unless they increase.
+std::vector<double> ends_of_parts(const PlacedSection& section);
 
 /// How points run from section to section.
 enum class SectionSpline {
@@ -96,11 +97,5 @@ class SectionSurface {
   /// From which way to which the part of each node exists; empty where all do everywhere.
   std::vector<std::array<double, 2>> presence_;
 };
-
-/// The sections listed by the file that the source names (ProfileSource::lists_sections), each read
-/// and repaired as the source says. Nothing where the source names a single profile. Throws
-/// contact::InputError with file and line.
-std::shared_ptr<const SectionSurface> make_sections(const contact::ProfileSource& source,
-                                                    bool wheel, const std::string& case_file);
 
 }  // namespace rollfem::profiles

@@ -11,6 +11,7 @@
 #include "postprocess/files/result_folder.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profile_curve.hpp"
+#include "profiles/profile_format.hpp"
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #include "bindings/python/bindings.hpp"
 #include "contact/base/errors.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
+#include "profiles/profile_format.hpp"
 #include "profiles/profiles.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/rigid_touch.hpp"

@@ -6,6 +6,7 @@
 #include "halfspace/patch/load_sharing.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "profiles/profiles.hpp"
+#include "profiles/section_list.hpp"
 
 #include <fmt/format.h>
 

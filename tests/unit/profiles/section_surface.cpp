@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sections joined along the way: what is exact, the order of the rest, features, lists in files.
-#include "profiles/section_surface.hpp"
-
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
+#include "profiles/section_list.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/wheel_rail_cases.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Profiles of VAMPIRE: four columns behind a header of four lines.
+#include "profiles/profile_format.hpp"
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>

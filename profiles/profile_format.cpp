@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Reads profile files: the formats that are known, and columns. Separators are blanks, comma or
 // semicolon; with semicolons a comma is the decimal mark. Comments are ignored in every format.
+#include "profiles/profile_format.hpp"
+
 #include "contact/base/errors.hpp"
 #include "profiles/formula_profiles.hpp"
-#include "profiles/profile_format.hpp"
-#include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
 
