@@ -7,7 +7,6 @@ import operator
 import os
 import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from html import escape
 from typing import Annotated, Any, TypeVar, get_origin
 
@@ -145,10 +144,6 @@ class Written(Tabular):
         _core.write_files(folder, self._contents())
         return _core.draw(os.path.join(folder, self.drawn_from)) if report else ""
 
-    def _drawable(self, module: Any) -> AbstractContextManager[Any]:
-        """What the module of its figures draws from."""
-        return nullcontext(module.of(self))
-
     def figure(self, name: str | None = None) -> Any:
         """A figure of the report.
 
@@ -169,13 +164,12 @@ class Written(Tabular):
         """
         from .figures.catalogue import drawing
         asked, module = self.first_figure if name is None else name, drawing(self.kind)
-        with self._drawable(module) as drawable:
-            found = {file.removesuffix(".svg"): draw for file, _, draw in module.captioned(drawable)}
-            if asked not in found:
-                raise KeyError(f"{asked}: allowed: {', '.join(found)}")
-            if (figure := found[asked]()) is None:
-                raise ValueError(f"{asked}: there is no data for this figure")
-            return figure
+        found = {file.removesuffix(".svg"): draw for file, _, draw in module.captioned(module.of(self))}
+        if asked not in found:
+            raise KeyError(f"{asked}: allowed: {', '.join(found)}")
+        if (figure := found[asked]()) is None:
+            raise ValueError(f"{asked}: there is no data for this figure")
+        return figure
 
     def write(self, folder: str | os.PathLike[str], report: bool = False) -> str | os.PathLike[str]:
         """Writes the folder that the command writes (`rollfem run`, `table`, `study`, ...), whole or not at all.

@@ -6,6 +6,7 @@
     point = result["halfspace"].nearest(longitudinal_creepage=0.002)
     point["traction_x"]          # numpy array [ny, nx], MPa, on the wheel
 """
+import io
 import os
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -16,7 +17,7 @@ from .errors import FileError
 from .files import folder_of, read_rows, results_are_sound
 from .model import ModelResult
 from .point import Quantity
-from .result import Result, models_of
+from .result import Head, Result, models_of
 
 FORMAT_VERSION = 2
 #: What rollfem writes, by a characteristic file of its folder.
@@ -118,6 +119,22 @@ def _read_model(key: str, group: Any) -> dict[str, Any]:
             "place": place, "points": points}
 
 
+def _read_head(file: Any) -> Head:
+    inputs = {name: value for name, value in _attributes(file["case"]).items() if name not in ("title", "file")}
+    # friction_law [n, 2]: slip velocity, mm/s, and coefficient; BODY_stress_before [n, 3]: depth, mm, along, across, MPa
+    inputs.update({name: item[()] for name, item in file["case"].items() if name != "text"})
+    columns = [_texts(file["quantities"][n]) for n in ("name", "title", "symbol", "unit", "meaning", "percent_of")]
+    profiles = {(_plain(group.attrs["wheel"]), _plain(group.attrs["position"])):
+                {part: group[part][()] for part in ("rail", "wheel")} for group in file.get("profiles", {}).values()}
+    return Head(_attributes(file["provenance"]), inputs, {name: Quantity(*row) for name, *row in zip(*columns)}, profiles)
+
+
+def head_of(data: bytes) -> Head:
+    """Of the contents of a results.h5."""
+    with hdf5().File(io.BytesIO(data), "r") as file:
+        return _read_head(file)
+
+
 def _read_file(path: str, folder: str) -> Result:
     with hdf5().File(path, "r") as file:
         about = _attributes(file)
@@ -127,18 +144,13 @@ def _read_file(path: str, folder: str) -> Result:
             raise FileError(f"{path} has format version {about.get('format_version', 0)}, this program reads {FORMAT_VERSION}")
         if about.get("complete") != 1:
             raise FileError(f"{path} is incomplete, because writing it was interrupted; run the case again")
-        inputs = _attributes(file["case"])
-        # friction_law [n, 2]: slip velocity, mm/s, and coefficient; BODY_stress_before [n, 3]: depth, mm, along, across, MPa
-        inputs.update({name: item[()] for name, item in file["case"].items() if name != "text"})
+        head = _read_head(file)
+        case = _attributes(file["case"])
         groups = sorted(file["models"].items(), key=lambda item: int(item[1].attrs["order"]))
-        columns = [_texts(file["quantities"][n]) for n in ("name", "title", "symbol", "unit", "meaning", "percent_of")]
-        profiles = {(_plain(group.attrs["wheel"]), _plain(group.attrs["position"])):
-                    {part: group[part][()] for part in ("rail", "wheel")} for group in file.get("profiles", {}).values()}
-        return Result(
-            inputs.pop("title"), inputs.pop("file"), _plain(file["case/text"][()]),
-            models_of([_read_model(key, group) for key, group in groups], inputs.get("problem"), inputs.get("prescribed_forces")),
-            about.get("verdict", ""), folder=folder, provenance=_attributes(file["provenance"]), inputs=inputs,
-            quantities={name: Quantity(*row) for name, *row in zip(*columns)}, profiles=profiles)
+        models = models_of([_read_model(key, group) for key, group in groups], head.inputs.get("problem"),
+                           head.inputs.get("prescribed_forces"))
+        return Result(case["title"], case["file"], _plain(file["case/text"][()]), models, about.get("verdict", ""), folder=folder,
+                      _head=head)
 
 
 def read_columns(path: str, needed: str) -> tuple[str, dict[str, np.ndarray]]:

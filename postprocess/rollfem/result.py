@@ -11,13 +11,23 @@ import numpy as np
 
 from . import plot
 from .errors import InputError
-from .frames import Written, documented, html_table
+from .frames import Written, documented, forwarded, html_table
 from .model import SHOWN, ModelResult, count, heads
 from .point import Point, Quantity
 
 if TYPE_CHECKING:
     from ._core import Result as CoreResult
     from .case import Case
+
+
+@dataclass
+class Head:
+    """What results.h5 says before the models."""
+
+    provenance: dict[str, Any]
+    inputs: dict[str, Any]
+    quantities: dict[str, Quantity]
+    profiles: dict[tuple[str, int], dict[str, np.ndarray]]
 
 
 @documented
@@ -34,14 +44,10 @@ class Result(Written):
     missing: Annotated[list[tuple[str, str, bool]], "model, reason, whether it failed, of the models without a result, in "
                        "comparisons"] = field(default_factory=list)
     folder: Annotated[str, "of results that were read"] = ""
-    provenance: Annotated[dict[str, Any], "version, commit, ... of results that were read"] = field(default_factory=dict)
-    inputs: Annotated[dict[str, Any], "the main numbers of the case, of results that were read"] = field(default_factory=dict)
-    quantities: Annotated[dict[str, Quantity], "what the numbers are, of results that were read"] = field(default_factory=dict)
-    profiles: Annotated[dict[tuple[str, int], dict[str, np.ndarray]], "by wheel and position rail and wheel [n, 2], y and z "
-                        "on the track (mm), of results that were read"] = field(default_factory=dict)
     reference: str = ""  # name of the reference model of figures, if the user has chosen one
     default_reference: str = ""  # that of the command, otherwise the best one of the run
     _core: "CoreResult | None" = None
+    _head: "Head | None" = None
 
     kind = "result"
     first_figure = "creep_curve"
@@ -64,6 +70,21 @@ class Result(Written):
         """What was solved."""
         from .case import StoredCase
         return StoredCase(self.case_file, self.title, self.case_text)
+
+    @property
+    def head(self) -> Head:
+        """What its results.h5 says, or would say, before the models; ImportError without h5py."""
+        if self._head is None:
+            from . import _core
+            from .reader import head_of
+            self._head = head_of(_core.head(self._core))
+        return self._head
+
+    provenance = forwarded("head.provenance", "Version, commit, host, ... of the run.")
+    inputs = forwarded("head.inputs", "The main numbers of the case.")
+    quantities = forwarded("head.quantities", "What the numbers are.")
+    profiles = forwarded(
+        "head.profiles", "By wheel and position rail and wheel [n, 2], y and z on the track (mm).")
 
     def __getitem__(self, key: str | int) -> ModelResult:
         """A model by its key, or the first of that name; or by number."""
@@ -134,11 +155,6 @@ class Result(Written):
         with tempfile.TemporaryDirectory() as folder:
             self._store(os.path.join(folder, "result"), False)
             yield os.path.join(folder, "result")
-
-    @contextmanager
-    def _drawable(self, module: Any) -> Iterator[Any]:
-        with self._stored() as folder:
-            yield module.read(folder)
 
     plot_creep_curve = plot.creep_curves
 

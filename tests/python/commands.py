@@ -321,11 +321,15 @@ class Files(unittest.TestCase):
 class Shown(unittest.TestCase):
     def test_figures_are_those_of_the_report(self):
         result = rollfem.solve(SMALL, models=["fastsim", "halfspace"], longitudinal_creepage=[0.0, 0.001, 0.004])
-        figure = result.figure("creep_curve")
+        placed = rollfem.solve(CASES / "s1002_uic60_left.toml", model="halfspace", contact_grid={"elements_across": 8})
         with tempfile.TemporaryDirectory() as folder:
-            result.write(f"{folder}/run", report=True)
-            self.assertEqual(pathlib.Path(folder, "run/figures/creep_curve.svg").read_text(encoding="utf-8"), figure.svg())
-            self.assertEqual(rollfem.read(f"{folder}/run").figure("creep_curve").svg(), figure.svg())
+            for name, each in (("run", result), ("placed", placed)):
+                each.write(f"{folder}/{name}", report=True)
+                drawn = list(pathlib.Path(folder, name, "figures").iterdir())
+                self.assertGreater(len(drawn), 5)
+                for path in drawn:
+                    self.assertEqual(path.read_text(encoding="utf-8"), each.figure(path.stem).svg(), path.name)
+            self.assertEqual(rollfem.read(f"{folder}/run").figure("path_x").svg(), result.figure("path_x").svg())
         with self.assertRaisesRegex(KeyError, "path_x"):
             result.figure("nothing")
         self.assertEqual(result.columns()["point_index"].tolist(), [0, 1, 2, 0, 1, 2])

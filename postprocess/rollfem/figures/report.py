@@ -300,8 +300,13 @@ PAGE = "report.html"
 def read(directory, reference="", default_reference=""):
     """The result of a folder. `reference`, `default_reference`: names of the reference model chosen by the user and by the
     command."""
-    result = read_result(directory)
+    result = of(read_result(directory))
     result.reference, result.default_reference = reference, default_reference
+    return result
+
+
+def of(result):
+    """From a rollfem.Result."""
     styles.know({model.name: model.label for model in result.models})
     return result
 
