@@ -75,8 +75,10 @@ class Workshop:
         return "" if made.returncode == 0 else made.stdout[-3000:]
 
     def program(self, suspect):
-        """The program of the suspect's folder."""
+        """The program of the suspect's folder; tests of the command line call that of the user."""
         group, name = suspect.split(":")[0].split("_", 1)
+        if group == "cli":
+            return "rollfem_program"
         room = next((ROOT / "tests" / group).rglob(f"{name}.cpp")).parent.relative_to(ROOT / "tests")
         program = "_".join(room.parts)
         return f"{program}_fem" if name.startswith("fem_") and "_fem" not in program else program
@@ -93,6 +95,9 @@ class Workshop:
 
     def first_failure(self, suspect):
         """Name of the first test of a program that fails, or None."""
+        if suspect.startswith("cli_"):
+            test = suspect.replace("_", ".", 1)
+            return None if self.passes(test) else test
         ran = run([self.build / "tests" / self.program(suspect), "--gtest_fail_fast", "--gtest_brief=1",
                    f"--gtest_filter={self.pattern(suspect)}"], cwd=self.build)
         if ran.returncode == 0:

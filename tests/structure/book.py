@@ -9,7 +9,7 @@ import re
 def tests_of(root):
     """Names as CTest prints them, parameters left out."""
     names = set()
-    for group in ("unit", "verification", "hard", "cli"):
+    for group in ("unit", "verification", "hard"):
         for path in (root / "tests" / group).rglob("*.cpp"):
             names.add(f"{group}.{path.stem}")
             program = "_".join(path.parent.relative_to(root / "tests").parts)
@@ -30,7 +30,7 @@ def problems(root):
     named = 0
     for path in sorted((root / "benchmarks" / "book" / "chapters").glob("*.py")):
         text = re.sub(r'"\s*\n\s*"', "", path.read_text("utf-8"))  # one string over two lines
-        for name in re.findall(r'"((?:unit|verification|hard|cli)[._][\w.:]+)"', text):
+        for name in re.findall(r'"((?:unit|verification|hard)[._][\w.:]+)"', text):
             named += 1
             if not name.endswith(".") and name not in known:
                 yield f"{path.name}: there is no test {name}"

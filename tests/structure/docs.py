@@ -24,7 +24,7 @@ def declared_tests(root):
         names.update(f"{prefix}/{suite}" for prefix, suite in INSTANCE.findall(text))
         names.add(path.stem)
     for path in (root / "tests").rglob("*.py"):
-        names.add(path.stem)
+        names.add(path.stem.removeprefix("test_"))
     return names | {"consumer"}
 
 

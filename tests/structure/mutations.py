@@ -9,9 +9,9 @@ def problems(root):
     sys.path.insert(0, str(root / "tests/mutations"))
     from mutations import MUTATIONS
 
-    programs = {f"{path.relative_to(root / 'tests').parts[0]}_{path.stem}"
+    programs = {f"{group}_{path.stem.removeprefix('test_')}"
                 for group in ("unit", "verification", "hard", "cli")
-                for path in (root / "tests" / group).rglob("*.cpp")}
+                for pattern in ("*.cpp", "test_*.py") for path in (root / "tests" / group).rglob(pattern)}
     for mutation in MUTATIONS:
         text = (root / mutation.file).read_text() if (root / mutation.file).is_file() else ""
         if text.count(mutation.find) != 1:
