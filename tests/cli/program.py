@@ -12,6 +12,7 @@ import os
 import pathlib
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -19,6 +20,7 @@ import pytest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = pathlib.Path(os.environ.get("ROLLFEM_PROGRAM", SOURCE / "build/app/rollfem")).resolve()
+assert PROGRAM.exists(), f"{PROGRAM}: there is no such program; do: name it by ROLLFEM_PROGRAM"
 BUILD = PROGRAM.parents[1]
 TOY_PROGRAM = BUILD / "tests/toy_program"
 FEM = any((BUILD / "fem").glob("librollfem_fem*"))
@@ -135,7 +137,7 @@ class Folder:
     def rows(self, name):
         """Lines of a CSV file, each cell under its heading without the unit."""
         lines = list(csv.reader(self.text(name).splitlines()))
-        names = [heading.partition(" ")[0] for heading in lines[0]]
+        names = [heading.partition(" [")[0] for heading in lines[0]]
         return [dict(zip(names, line, strict=True)) for line in lines[1:]]
 
     def models(self, result):
@@ -164,3 +166,9 @@ def interrupt_after(seconds):
     """A `watch` that sends the signal of Ctrl-C."""
     end = time.monotonic() + seconds
     return lambda: signal.SIGINT if time.monotonic() > end else 0
+
+
+def package():
+    """The Python package of this build, for what it reads better than a test would."""
+    sys.path.insert(0, str(BUILD / "python"))
+    return pytest.importorskip("rollfem")

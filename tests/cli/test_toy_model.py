@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A model registered by one line (tests/support/toy_program.cpp) is there in every command, in help, messages, tables
+and reports."""
+
+import pytest
+from program import SMALL, TOY_PROGRAM, refused, rolling, says
+
+QUICK = SMALL | rolling([0.0, 0.001], 10)
+
+
+@pytest.fixture
+def toy(rollfem):
+    return lambda *arguments: rollfem.call(*arguments, program=TOY_PROGRAM)
+
+
+@pytest.fixture
+def done(rollfem):
+    return lambda *arguments: rollfem.done(*arguments, program=TOY_PROGRAM)
+
+
+def test_is_in_help_docs_checks_and_messages(rollfem, toy, done):
+    file = rollfem.case({"models": ["stiff"]} | QUICK, "q.toml")
+    for command in "run", "compare", "study":
+        says(done(command, "--help").out, "the half-space, its compliance times 0.9")
+    says(done("docs", "models").out, "| `stiff` | stiff half-space |")
+    says(done("docs", "case-file").out, "halfspace, hybrid, fem, stiff |")
+    says(done("check", file).out, "stiff                  the half-space, its compliance times 0.9")
+    says(toy("run", file, "--model", "stif").err, "halfspace, hybrid, fem, stiff; do: ")
+    # Without it the same file is refused, with line, key, value and allowed values.
+    without = rollfem.call("check", file)
+    for part in "q.toml:1:", 'models = ["stiff"]: is not known', "strip, halfspace, hybrid, fem":
+        refused(without, part)
+    # Other models name it for cases that only it can take; it refuses cases that it cannot take.
+    shift = rollfem.case(SMALL | {"rolling.problem": "shift", "history.lateral_shift": 0.01})
+    refused(toy("run", shift, "--model", "fastsim"),
+            "allowed: hertz, halfspace, hybrid, fem, stiff; do: run with --model halfspace")
+    fast = rollfem.case(SMALL | {"rolling.speed": 5e4, "fem.inertia": True})
+    refused(toy("run", fast, "--model", "stiff"), "model stiff: fem.inertia: it cannot handle the inertia of moving bodies; "
+            "allowed: fem; do: run with --model fem")
+    assert rollfem.made() == []
+
+
+def test_the_constant_of_a_law_is_a_key_of_that_law(rollfem, toy, done):
+    def law(name, power=None):
+        return rollfem.case(SMALL | {
+            "friction.coefficient": 0.4, "friction.law": name, "friction.kinetic_coefficient": 0.2,
+            "friction.half_velocity": 500.0, "friction.power_of_slip": power, "rolling.speed": 10e3})
+
+    says(done("check", law("power", 2.0)).out, "power_of_slip")
+    done("check", law("power"))
+    refused(toy("check", law("power", 0.5)), "friction.power_of_slip = 0.5")
+    refused(toy("check", law("linear", 2.0)),
+            'is of the law power, but friction.law is linear; allowed: with law = "power"')
+    says(done("docs", "case-file").out, "1 with the law `power`")
+
+
+def test_runs_beside_the_others_with_its_report(rollfem, done):
+    outcome = done("run", rollfem.case(QUICK), "-m", "hertz", "halfspace", "stiff", "-o", "out")
+    assert "warning" not in outcome.err
+    says(outcome.out, "stiff  ")
+    says(outcome.err, "stiff      normal")  # progress
+    models = rollfem.models("out")
+    assert len(models) == 3 and (models[2]["name"], models[2]["label"]) == ("stiff", "stiff half-space")
+    # Pressure goes with the modulus to the power 2/3.
+    soft, stiff = (model["points"][0]["max_pressure"] for model in models[1:])
+    assert stiff / soft == pytest.approx(0.9 ** (-2 / 3), abs=1e-6)
+    says(rollfem.text("out/report.html"), "stiff half-space")
+
+
+def test_is_compared_and_may_be_the_reference(rollfem, done):
+    outcome = done("compare", rollfem.case(QUICK), "-m", "hertz", "halfspace", "stiff", "--reference", "stiff", "-o", "out")
+    assert "warning" not in outcome.err
+    says(rollfem.text("out/compare.html"), "stiff half-space")
+    row, = (row for row in rollfem.rows("out/compare.csv")
+            if (row["model"], row["quantity"], row["point"]) == ("halfspace", "max_pressure", "1"))
+    assert row["reference"] == "stiff"
+    assert float(row["difference"]) == pytest.approx(100 * (0.9 ** (2 / 3) - 1), abs=1e-4)
+
+
+def test_is_studied_as_the_half_space_is(rollfem, done):
+    says(done("study", rollfem.case(QUICK), "-m", "halfspace", "stiff", "--levels", "3", "-o", "out").out, "stiff")
+    series = rollfem.json("out/study.json")["places"][0]["series"]
+    assert [each["model"] for each in series] == ["halfspace", "stiff"] and len(series[1]["levels"]) == 3
+    says(rollfem.text("out/study.html"), "stiff half-space")
+
+
+def test_goes_on_from_its_checkpoint_and_gives_stresses(rollfem, done):
+    done("run", rollfem.case(QUICK), "-m", "stiff", "--no-report", "--resume", "-o", "out")
+    places = rollfem.case({"subsurface.point": [{"at": [0, 0, 2]}]}, "places.toml")
+    says(done("stress", "out", "--places", places, "--no-figures").out, "stiff")
