@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Implements rollfem.h: structures and units of the caller, exceptions as status and text.
 #include "bindings/capi/guarded.hpp"
-#include "bindings/capi/wheel_rail_pair.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 #include "contact/case/case.hpp"
 #include "contact/case/case_reader.hpp"
 #include "tables/files/table_files.hpp"
+#include "track/pair/wheel_rail_pair.hpp"
 
 #include <fmt/format.h>
 
@@ -18,6 +18,7 @@ using namespace rollfem::capi;
 using rollfem::tables::CreepTableReader;
 namespace contact = rollfem::contact;
 namespace tables = rollfem::tables;
+namespace track = rollfem::track;
 
 namespace {
 
@@ -126,49 +127,86 @@ contact::Case case_of(const rollfem_definition& given) {
   return contact::make_case(values, "pair");
 }
 
-/// In mm and N.
-rollfem_state state_of(rollfem_state state, const Units& units) {
-  if (state.given != ROLLFEM_VERTICAL_FORCE && state.given != ROLLFEM_HEIGHT &&
-      state.given != ROLLFEM_PENETRATION)
-    throw contact::InputError(
-        fmt::format("given = {}: is not known; allowed: ROLLFEM_VERTICAL_FORCE, ROLLFEM_HEIGHT, "
-                    "ROLLFEM_PENETRATION; do: write one of them",
-                    static_cast<int>(state.given)));
-  for (double* value : {&state.lateral_shift, &state.forward_speed, &state.lateral_velocity,
-                        &state.height, &state.penetration})
-    *value *= units.length;
-  state.vertical_force *= units.force;
-  return state;
-}
-
-/// A patch of mm and N in the caller's units.
-void convert(const Units& units, rollfem_patch& patch) {
+track::WheelState state_of(const rollfem_state& state, const Units& units) {
   const double length = units.length;
-  patch.spin *= length;
-  patch.spin_moment /= units.force * length;
-  for (double* value : {&patch.position[0], &patch.position[1], &patch.position[2],
-                        &patch.rolling_radius, &patch.length, &patch.width})
-    *value /= length;
-  for (double* value : {&patch.force[0], &patch.force[1], &patch.force[2], &patch.normal_force,
-                        &patch.longitudinal_force, &patch.lateral_force, &patch.lateral_pressure,
-                        &patch.creepage_work})
-    *value /= units.force;
-  for (double* value : {&patch.area, &patch.adhesion_area}) *value /= length * length;
-  for (double* value : {&patch.max_pressure, &patch.max_pressure_bar}) *value /= units.stress();
+  track::WheelState at{state.lateral_shift * length,
+                       state.yaw,
+                       state.roll,
+                       state.forward_speed * length,
+                       state.lateral_velocity * length,
+                       state.yaw_rate,
+                       state.rotation_speed};
+  switch (state.given) {
+    case ROLLFEM_VERTICAL_FORCE:
+      at.given = track::GivenLoad::vertical_force;
+      at.load = state.vertical_force * units.force;
+      return at;
+    case ROLLFEM_HEIGHT:
+      at.given = track::GivenLoad::height;
+      at.load = state.height * length;
+      return at;
+    case ROLLFEM_PENETRATION:
+      at.given = track::GivenLoad::penetration;
+      at.load = state.penetration * length;
+      return at;
+  }
+  throw contact::InputError(
+      fmt::format("given = {}: is not known; allowed: ROLLFEM_VERTICAL_FORCE, ROLLFEM_HEIGHT, "
+                  "ROLLFEM_PENETRATION; do: write one of them",
+                  static_cast<int>(state.given)));
 }
 
-rollfem_result result_of(rollfem_result wheel, const Units& units) {
-  for (int k = 0; k < wheel.patch_count; ++k) convert(units, wheel.patch[k]);
-  for (double& force : wheel.force) force /= units.force;
-  for (double& moment : wheel.moment) moment /= units.force * units.length;
-  wheel.creepage_work /= units.force;
-  wheel.touching_height /= units.length;
-  wheel.penetration /= units.length;
-  return wheel;
+rollfem_patch patch_of(const track::WheelPatch& of, const Units& units) {
+  const double length = units.length, force = units.force;
+  const contact::PointResult& point = of.point;
+  rollfem_patch patch{};
+  for (int d = 0; d < 3; ++d) {
+    patch.position[d] = of.position[static_cast<std::size_t>(d)] / length;
+    patch.force[d] = of.wrench[d] / force;
+  }
+  patch.contact_angle = of.place.contact_angle;
+  patch.rolling_radius = of.place.rolling_radius / length;
+  patch.longitudinal_creepage = point.creepage.longitudinal;
+  patch.lateral_creepage = point.creepage.lateral;
+  patch.spin = point.creepage.spin * length;
+  patch.normal_force = point.normal_force / force;
+  patch.longitudinal_force = point.longitudinal_force / force;
+  patch.lateral_force = point.lateral_force / force;
+  patch.spin_moment = point.spin_moment / (force * length);
+  patch.lateral_pressure = point.lateral_pressure / force;
+  patch.length = point.contact_length / length;
+  patch.width = point.contact_width / length;
+  patch.area = point.contact_area / (length * length);
+  patch.adhesion_area = point.adhesion_area / (length * length);
+  patch.max_pressure = point.max_pressure / units.stress();
+  patch.max_pressure_bar = point.error_estimate.at("max_pressure") / units.stress();
+  patch.creepage_work = point.creepage_work.value_or(0.0) / force;
+  return patch;
 }
 
-rollfem_derivatives derivatives_of(const WheelDerivatives& found, rollfem_given given,
+rollfem_result result_of(const track::WheelOnRail& wheel, const Units& units) {
+  rollfem_result result{};
+  for (const track::WheelPatch& of : wheel.patches) {
+    const rollfem_patch patch = patch_of(of, units);
+    result.creepage_work += patch.creepage_work;
+    if (result.patch_count < ROLLFEM_MAX_PATCHES)
+      result.patch[result.patch_count++] = patch;
+    else
+      ++result.patches_unlisted;
+  }
+  for (int d = 0; d < 3; ++d) {
+    result.force[d] = wheel.wrench[d] / units.force;
+    result.moment[d] = wheel.wrench[3 + d] / (units.force * units.length);
+  }
+  result.roll = wheel.roll;
+  result.touching_height = wheel.touching_height / units.length;
+  result.penetration = wheel.penetration / units.length;
+  return result;
+}
+
+rollfem_derivatives derivatives_of(const track::WheelDerivatives& found, rollfem_given given,
                                    const Units& units) {
+  static_assert(int{track::StateVariable::count} == int{ROLLFEM_STATE_VARIABLES});
   const double length = units.length, force = units.force;
   // What one unit of a variable is in mm, N, s, rad.
   const double unit[] = {length, 1.0, 1.0, length,
@@ -188,7 +226,7 @@ rollfem_derivatives derivatives_of(const WheelDerivatives& found, rollfem_given 
 struct rollfem_pair {
   Units units;
   int threads;
-  WheelRailPair pair;
+  track::WheelRailPair pair;
 };
 
 struct rollfem_table {
@@ -208,12 +246,12 @@ rollfem_status solved(const rollfem_pair* pair, const rollfem_state* state, roll
         place.check("result", "a place for the result");
         if (derivatives != nullptr)
           derivatives->check("derivatives", "a place for the derivatives");
-        const rollfem_state at =
-            state_of(taken(state, "state", "a state of the wheelset", first_state), of.units);
-        WheelDerivatives found;
+        const rollfem_state given = taken(state, "state", "a state of the wheelset", first_state);
+        const track::WheelState at = state_of(given, of.units);
+        track::WheelDerivatives found;
         place.give(
             result_of(derivatives ? of.pair.linearise(at, found) : of.pair.solve(at), of.units));
-        if (derivatives != nullptr) derivatives->give(derivatives_of(found, at.given, of.units));
+        if (derivatives != nullptr) derivatives->give(derivatives_of(found, given.given, of.units));
       },
       message, size);
 }
@@ -269,7 +307,8 @@ rollfem_pair* rollfem_create(const rollfem_definition* definition, char* message
             definition, "definition", "one that rollfem_defaults has filled", first_definition);
         const int threads = threads_of(given);
         const contact::Threads used(threads);
-        made = new rollfem_pair{units_of(given.units), threads, WheelRailPair(case_of(given))};
+        made =
+            new rollfem_pair{units_of(given.units), threads, track::WheelRailPair(case_of(given))};
       },
       message, size);
   return made;

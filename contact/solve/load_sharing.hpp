@@ -28,12 +28,14 @@ class LoadSharing {
   double load = 0.0;       ///< N
   double tolerance = 0.0;  ///< of the share, relative to the load
   int most_turns = 40;
-  int fewest_turns = 1;
   /// Divergence limit: share over load.
   double largest_share = std::numeric_limits<double>::infinity();
   /// The first step assumes friction proportional to the pressure, as in full sliding; else
   /// friction that stays.
   bool sliding = false;
+  /// Cleared by a turn whose patches have still to adapt to each other. Then the iteration goes on,
+  /// with steps as the first one: a secant would take their adaption for an effect of the share.
+  bool settled = true;
 
   /// `carry(share, turn)` solves for a pressure that carries `share`, and for friction under it; it
   /// returns the share that this friction leaves to the pressure. Throws SolveError if they do not
@@ -42,9 +44,10 @@ class LoadSharing {
   void solve(double share, const Carry& carry) {
     for (int turn = 0; turn < most_turns && share <= largest_share * load; ++turn) {
       const double image = carry(share, turn);
-      if (turn + 1 >= fewest_turns && std::abs(image - share) <= tolerance * load) return;
+      if (settled && std::abs(image - share) <= tolerance * load) return;
       const double together = load - image + share;  // carried by pressure and friction
-      share = turn == 0 && sliding && together > 0.0 ? load * share / together : next(share, image);
+      const bool slides = sliding && together > 0.0 && (turn == 0 || !settled);
+      share = slides ? load * share / together : next(share, image);
     }
     throw SolveError(
         fmt::format("pressure and friction do not converge to carry {:g} N together in {} "

@@ -3,10 +3,11 @@
 
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
-#include "contact/base/root.hpp"
 #include "contact/base/threads.hpp"
+#include "contact/iteration/bound_constrained_cg.hpp"
 #include "contact/iteration/compliance.hpp"
 #include "contact/result/result.hpp"
+#include "contact/solve/load_sharing.hpp"
 #include "contact/solve/standin.hpp"
 #include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
@@ -34,7 +35,7 @@ constexpr double first_sinking = 0.05;
 /// Deepest sinking of a wheel, mm.
 constexpr double deepest_sinking = 20.0;
 /// Convergence: forces change by less than this fraction of their sum.
-constexpr double settled = 1e-8;
+constexpr double settled_to = 1e-8;
 constexpr int most_turns = 60;
 /// Elements along x, and along y over the overlap.
 constexpr int elements_of_law = 50;
@@ -45,38 +46,45 @@ constexpr double most_gaps = 24.0;
 constexpr int blocks_along = 5, blocks_across = 10;
 
 struct Patch {
-  const Scene& scene;
-  std::array<double, 2> up;  ///< y, z of the vertical
-  double separation;
+  const Scene* scene;
+  double level;              ///< part of the vertical that is across the track
+  std::array<double, 2> up;  ///< y, z of this part, in which the wheel sinks
   Ridge ridge;
-  double touch;  ///< mm, least distance at first touch: the patch's zero of the approach
-  FrictionRatio friction{};
+  double touch;  ///< mm, approach at first touch of the wheel: negative by the separation
+  ForceRatio ratio;
 
-  double approach_at(double sinking) const { return touch + sinking * up[1] - separation; }
+  // On a grid that holds it up to a largest sinking; without one where that does not reach it.
+  std::unique_ptr<const HalfspaceCompliance> compliance{};
+  contact::PatchShape shape{};
+  Field carried{}, distance{}, pressure{};
+  Eigen::Index first = 0;  ///< of its elements in the fields of the wheel
+  double normal_force = 0.0, vertical_force = 0.0;
+
+  Field pressure_of(const Field& forces) const {
+    return forces.segment(first, carried.size()).cwiseQuotient(carried) /
+           compliance->grid().element_area();
+  }
 };
 
-Patch patch_of(const Scene& scene) {
+Patch patch_of(const Scene& scene, const ForceRatio& ratio) {
   if (!scene.has_profiles() || !scene.place)
     throw contact::InputError(
         "sharing of the load between patches: every scene needs the geometry and the position of "
         "its patch; do: use scenes of a case with profiles");
-  const double angle = scene.place->contact_angle;
-  const double sine = scene.place->left ? std::sin(angle) : -std::sin(angle);
+  const auto [across, along_normal] = upwards(*scene.place);
+  const double level = std::hypot(across, along_normal);
   const contact::PatchGeometry& profiles = *scene.geometry.surface.profiles;
   Ridge ridge(profiles);
   const bool at_touch = profiles.sinking().way[1] == 0.0;
-  const double touch =
+  const double least =
       at_touch ? ridge.least_distance()
                : Ridge(profiles.under_load(0.0, {0.0, 1.0}, {0.0, 1.0})).least_distance();
-  return {scene, {sine, std::cos(angle)}, scene.place->separation, std::move(ridge), touch, {}};
-}
-
-std::vector<Patch> patches_of(const std::vector<Scene>& scenes,
-                              const std::vector<FrictionRatio>& friction) {
-  std::vector<Patch> patches;
-  for (const Scene& scene : scenes) patches.push_back(patch_of(scene));
-  for (std::size_t i = 0; i < friction.size(); ++i) patches[i].friction = friction[i];
-  return patches;
+  return {&scene,
+          level,
+          {across / level, along_normal / level},
+          std::move(ridge),
+          least - scene.place->separation,
+          ratio};
 }
 
 ContactGrid grid_over(const Overlap& overlap, const contact::ChartedGeometry& geometry) {
@@ -99,176 +107,182 @@ ContactGrid grid_over(const Overlap& overlap, const contact::ChartedGeometry& ge
   return {elements_of_law, ny, dx, dy, box.x_lower + 0.5 * dx, y_lower + 0.5 * dy};
 }
 
-/// Force of the pressure of a scene with profiles on one grid that holds every patch up to a
-/// largest approach: one continuous function of the approach, accurate to about 0.5 % there and
-/// less accurate for a small fraction of it.
-class ForceLaw {
+/// The patches of a wheel as one normal problem in the forces of the elements along `up`; fields
+/// hold one patch after the other. Forces are continuous functions of the sinking, accurate to
+/// about 0.5 % at the largest sinking and less accurate for a small fraction of it.
+class SinkingWheel : public contact::NormalMap {
  public:
-  ForceLaw() = default;
-  /// `largest_approach`: mm along z.
-  ForceLaw(const Patch& patch, double largest_approach)
-      : material_(patch.scene.material.uncoupled()) {
-    const Overlap overlap = patch.ridge.overlap(largest_approach);
+  SinkingWheel(const std::vector<Scene>& scenes, const std::vector<ForceRatio>& ratios) {
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      patches_.push_back(patch_of(scenes[i], ratios.empty() ? ForceRatio() : ratios[i]));
+  }
+
+  double first_touch() const {
+    double first = deepest_sinking;
+    for (const Patch& patch : patches_)
+      first = std::min(first, patch.scene->place->separation / patch.up[1]);
+    return first;
+  }
+
+  void lay_grids(double largest_sinking) {
+    contact::for_each_index(patches_.size(),
+                            [&](std::size_t i) { lay_grid(largest_sinking, patches_[i]); });
+    size_ = 0;
+    for (Patch& patch : patches_) {
+      patch.first = size_;
+      size_ += patch.carried.size();
+    }
+  }
+
+  void apply(const Field& forces, Field& displacement) const override {
+    displacement.resize(size_);
+    Field part;
+    for (const Patch& patch : patches_) {
+      if (!patch.compliance) continue;
+      patch.compliance->normal().apply(patch.pressure_of(forces), part);
+      displacement.segment(patch.first, part.size()) = part.cwiseQuotient(patch.carried);
+    }
+  }
+
+  void precondition(const Field& residual, Field& result) const override {
+    result.resize(size_);
+    Field part;
+    for (const Patch& patch : patches_) {
+      if (!patch.compliance) continue;
+      const Field own = residual.segment(patch.first, patch.carried.size());
+      patch.compliance->normal().precondition(own.cwiseProduct(patch.carried), part);
+      result.segment(patch.first, part.size()) =
+          patch.compliance->grid().element_area() * part.cwiseProduct(patch.carried);
+    }
+  }
+
+  /// At a sinking (mm), or under a vertical force (N). Pressures and the displacements by the other
+  /// patches alternate until all agree.
+  SharedLoad press(const std::optional<double>& sinking, double vertical_force) {
+    contact::BoundConstrainedCg solver;
+    contact::LoadSharing sharing;
+    sharing.load = vertical_force;
+    sharing.tolerance = settled_to;
+    sharing.most_turns = most_turns;
+    sharing.sliding = true;
+    const auto solve = [&](double share, int) {
+      const Field joint = distance();
+      if (sinking)
+        solver.solve_approach(*this, joint, *sinking, {}, solver.pressure());
+      else
+        solver.solve_sum(*this, joint, share, {}, solver.pressure());
+      sharing.settled = set_forces(solver.pressure());
+      return sinking ? share : share + vertical_force - lift();
+    };
+    if (size_ > 0) sharing.solve(vertical_force, solve);
+    SharedLoad shared{solver.approach(), {}};
+    for (const Patch& patch : patches_)
+      shared.shares.push_back({patch.normal_force, patch.vertical_force, loads_beside(patch)});
+    return shared;
+  }
+
+ private:
+  static void lay_grid(double largest_sinking, Patch& patch) {
+    const Overlap overlap = patch.ridge.overlap(patch.touch + largest_sinking * patch.up[1]);
     if (overlap.regions.empty()) return;
-    const contact::ChartedGeometry geometry = halfspace_geometry(patch.scene);
+    const contact::ChartedGeometry geometry = halfspace_geometry(*patch.scene);
     const ContactGrid grid = grid_over(overlap, geometry);
-    compliance_ = std::make_unique<HalfspaceCompliance>(grid, material_);
-    distance_ = geometry.undeformed_distance(grid);
-    problem_.shape = geometry.shape(grid);
-    problem_.frame = contact::vertical_frame(problem_.shape, patch.up);
-    problem_.load.direction = patch.up;
+    patch.compliance =
+        std::make_unique<HalfspaceCompliance>(grid, patch.scene->material.uncoupled());
+    patch.shape = geometry.shape(grid);
+    patch.carried = contact::vertical_frame(patch.shape, patch.up).carried;
+    if (patch.carried.size() == 0) patch.carried = Field::Constant(grid.size(), patch.up[1]);
+    patch.distance = geometry.undeformed_distance(grid);
+    patch.pressure = Field::Zero(grid.size());
   }
 
-  /// Solves at an approach; `beside`: loads on the surface beside the contact.
-  void press(double approach, const std::vector<NeighbourLoad>& beside) {
-    force_ = {};
-    if (!compliance_) return;
-    const ContactGrid& grid = compliance_->grid();
-    problem_.undeformed_distance = distance_;
-    add_displacement(beside, material_, grid, problem_.undeformed_distance);
-    problem_.load.approach = approach;
-    const double along_z = problem_.load.direction[1];
-    const Field& distance = problem_.undeformed_distance;
-    const double opening =
-        problem_.frame.plane()
-            ? distance.minCoeff()
-            : along_z * distance.cwiseProduct(problem_.frame.to_vertical).minCoeff();
-    if (!(approach > opening)) return;
-    pressure_ = contact::press_standin(compliance_->normal(), problem_, pressure_).pressure;
-    const Field none = Field::Zero(grid.size());
-    const auto force = contact::transmitted_force(grid, {none, none, pressure_}, problem_.shape);
-    force_ = {force[1], force[2]};
-  }
-
-  double normal_force() const { return force_[1]; }   ///< N, along z; 0 without contact
-  double lateral_force() const { return force_[0]; }  ///< N, along y: nonzero on a curved surface
-
-  /// The pressure as point loads, each that of a block of elements.
-  std::vector<NeighbourLoad> point_loads() const {
-    std::vector<NeighbourLoad> loads;
-    if (!(force_[1] > 0.0)) return loads;
-    const ContactGrid& grid = compliance_->grid();
-    const auto step = [](int count, int blocks) { return (count + blocks - 1) / blocks; };
-    lump(grid, pressure_, {}, step(grid.nx, blocks_along), step(grid.ny, blocks_across), loads);
-    return loads;
-  }
-
- private:
-  contact::CombinedMaterial material_;
-  std::unique_ptr<const contact::SolvableCompliance> compliance_;
-  contact::CoupledProblem problem_;
-  Field distance_;
-  Field pressure_;  ///< of the last approach
-  std::array<double, 2> force_{};
-};
-
-/// The patches on grids that hold them up to a largest sinking.
-class SinkingWheel {
- public:
-  SinkingWheel(const std::vector<Patch>& patches, double largest_sinking)
-      : patches_(patches), laws_(patches.size()) {
-    contact::for_each_index(patches.size(), [&](std::size_t i) {
-      laws_[i] = ForceLaw(patches[i], patches[i].approach_at(largest_sinking));
-    });
-  }
-
-  /// Solves every patch under the displacement due to the others, in turn until all agree.
-  void sink(double sinking) {
-    for (int round = 0; round < most_turns; ++round) {
-      const std::vector<std::size_t> loaded_before = loaded();
-      double change = 0.0, sum = 0.0;
-      for (std::size_t i = 0; i < laws_.size(); ++i) {
-        const double before = laws_[i].normal_force();
-        std::vector<NeighbourLoad> all;
-        for (std::size_t j = 0; j < laws_.size(); ++j)
-          for (const NeighbourLoad& load : neighbour_loads(i, j)) all.push_back(load);
-        laws_[i].press(patches_[i].approach_at(sinking), all);
-        change = std::max(change, std::abs(laws_[i].normal_force() - before));
-        sum += laws_[i].normal_force();
-      }
-      const std::vector<std::size_t> loaded_now = loaded();
-      const bool alone =
-          loaded_now.size() <= 1 && (loaded_before.empty() || loaded_before == loaded_now);
-      if (alone || change <= settled * sum) return;
+  /// Along `up` before the wheel sinks.
+  Field distance() const {
+    Field joint(size_);
+    for (const Patch& patch : patches_) {
+      if (!patch.compliance) continue;
+      Field own = patch.distance;
+      add_displacement(loads_beside(patch), patch.scene->material.uncoupled(),
+                       patch.compliance->grid(), own);
+      joint.segment(patch.first, own.size()) =
+          (own.array() / patch.carried.array() - patch.touch / patch.up[1]).matrix();
     }
-    throw contact::SolveError(
-        fmt::format("sharing of the load between patches: their mutual displacement does not "
-                    "converge in {} iterations",
-                    most_turns));
+    return joint;
   }
 
-  double vertical_force() const {
+  /// Whether the patches carry as much as before.
+  bool set_forces(const Field& forces) {
+    double change = 0.0, sum = 0.0;
+    for (Patch& patch : patches_) {
+      if (!patch.compliance) continue;
+      patch.pressure = patch.pressure_of(forces);
+      const Field none = Field::Zero(patch.pressure.size());
+      const auto [x, y, z] = contact::transmitted_force(patch.compliance->grid(),
+                                                        {none, none, patch.pressure}, patch.shape);
+      change = std::max(change, std::abs(z - patch.normal_force));
+      sum += z;
+      const double across = patch.ratio ? (*patch.ratio)[1] * z : y;
+      patch.normal_force = z;
+      patch.vertical_force = patch.level * (across * patch.up[0] + z * patch.up[1]);
+    }
+    return change <= settled_to * sum || patches_.size() == 1;
+  }
+
+  double lift() const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < laws_.size(); ++i)
-      sum += laws_[i].lateral_force() * patches_[i].up[0] +
-             laws_[i].normal_force() * patches_[i].up[1];
-    return sum;
+    for (const Patch& patch : patches_) sum += patch.vertical_force;
+    if (sum > 0.0) return sum;
+    throw contact::SolveError(fmt::format(
+        "the {} wheel: friction on the flange lifts it at any load (beyond Nadal's limit), so "
+        "there is no equilibrium; do: use less friction, lateral_shift or yaw",
+        patches_.front().scene->place->side()));
   }
 
-  std::vector<PatchLoad> shares() const {
-    std::vector<PatchLoad> shares;
-    for (std::size_t i = 0; i < laws_.size(); ++i) {
-      shares.push_back({laws_[i].normal_force(), laws_[i].lateral_force(), {}});
-      for (std::size_t j = 0; j < laws_.size(); ++j)
-        shares.back().neighbour_loads.push_back(neighbour_loads(i, j));
+  /// The other patches as point loads, each that of a block of elements.
+  std::vector<NeighbourLoad> loads_beside(const Patch& here) const {
+    const auto step = [](int count, int blocks) { return (count + blocks - 1) / blocks; };
+    std::vector<NeighbourLoad> all, loads;
+    for (const Patch& there : patches_) {
+      if (&there == &here || !(there.normal_force > 0.0)) continue;
+      const ContactGrid& grid = there.compliance->grid();
+      lump(grid, there.pressure, {}, step(grid.nx, blocks_along), step(grid.ny, blocks_across),
+           loads);
+      for (NeighbourLoad& load : loads) {
+        place_beside(*here.scene->place, *there.scene->place, load);
+        const auto [x, y] = there.ratio.value_or(std::array{0.0, 0.0});
+        load.longitudinal = x * load.normal;
+        load.lateral = y * load.normal;
+        all.push_back(load);
+      }
     }
-    return shares;
+    return all;
   }
 
- private:
-  /// Loaded patches. A patch that carries the whole load is not affected by others, it only keeps
-  /// them open.
-  std::vector<std::size_t> loaded() const {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < laws_.size(); ++i)
-      if (laws_[i].normal_force() > 0.0) found.push_back(i);
-    return found;
-  }
-
-  /// Load of patch j beside patch i, at its position on the rolled-out surface of i.
-  std::vector<NeighbourLoad> neighbour_loads(std::size_t i, std::size_t j) const {
-    if (i == j) return {};
-    const contact::ContactPlace& here = *patches_[i].scene.place;
-    const contact::ContactPlace& there = *patches_[j].scene.place;
-    std::vector<NeighbourLoad> loads = laws_[j].point_loads();
-    for (NeighbourLoad& load : loads) {
-      place_beside(here, there, load);
-      load.longitudinal = patches_[j].friction[0] * load.normal;
-      load.lateral = patches_[j].friction[1] * load.normal;
-    }
-    return loads;
-  }
-
-  const std::vector<Patch>& patches_;
-  std::vector<ForceLaw> laws_;
+  std::vector<Patch> patches_;
+  Eigen::Index size_ = 0;
 };
 
 }  // namespace
 
+std::array<double, 2> upwards(const contact::ContactPlace& place) {
+  const double level = std::cos(place.climb);
+  return {place.outward() * std::sin(place.contact_angle) * level,
+          std::cos(place.contact_angle) * level};
+}
+
 SharedLoad share_load(const std::vector<Scene>& scenes, double vertical_force,
-                      const std::vector<FrictionRatio>& friction) {
+                      const std::vector<ForceRatio>& ratios) {
   if (scenes.empty() || !(vertical_force > 0.0))
     throw contact::InputError(fmt::format(
         "sharing of the load between patches: {} patches and a vertical force of {} N; allowed: at "
         "least one patch and a force above 0",
         scenes.size(), vertical_force));
-  const std::vector<Patch> patches = patches_of(scenes, friction);
-  double first_touch = deepest_sinking;
-  for (const Patch& patch : patches)
-    first_touch = std::min(first_touch, patch.separation / patch.up[1]);
+  SinkingWheel wheel(scenes, ratios);
+  const double first_touch = wheel.first_touch();
   for (double way = first_sinking; first_touch + way < deepest_sinking; way *= 1.5) {
-    SinkingWheel wheel(patches, first_touch + way);
-    const auto excess = [&](double sinking) {
-      wheel.sink(sinking);
-      return wheel.vertical_force() - vertical_force;
-    };
-    if (excess(first_touch + way) < 0.0) continue;
-    SharedLoad shared;
-    shared.sinking = contact::bracketed_root(excess, first_touch, first_touch + way, 1e-12,
-                                             "sharing of the load between patches");
-    wheel.sink(shared.sinking);
-    shared.shares = wheel.shares();
-    return shared;
+    wheel.lay_grids(first_touch + way);
+    SharedLoad shared = wheel.press({}, vertical_force);
+    if (shared.sinking <= first_touch + way) return shared;
   }
   throw contact::SolveError(
       fmt::format("sharing of the load between patches: an approach of {:.3g} mm does not carry {} "
@@ -277,10 +291,9 @@ SharedLoad share_load(const std::vector<Scene>& scenes, double vertical_force,
 }
 
 SharedLoad load_at(const std::vector<Scene>& scenes, double sinking) {
-  const std::vector<Patch> patches = patches_of(scenes, {});
-  SinkingWheel wheel(patches, sinking);
-  wheel.sink(sinking);
-  return {sinking, wheel.shares()};
+  SinkingWheel wheel(scenes, {});
+  wheel.lay_grids(sinking);
+  return wheel.press(sinking, 1.0);
 }
 
 }  // namespace rollfem::halfspace

@@ -7,6 +7,7 @@
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
+#include "halfspace/patch/load_sharing.hpp"
 #include "models/solving/auto_model.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
@@ -125,7 +126,7 @@ void add_on_track(const contact::ContactPlace& place, contact::PointResult& poin
   add_force("vertical_force", &contact::PointResult::vertical_force, track::vertical_force);
   add_force("lateral_force_track", &contact::PointResult::lateral_force_track,
             track::lateral_force);
-  const double level = track::upwards(place)[1];
+  const double level = halfspace::upwards(place)[1];
   point.loaded_height = place.height + (point.approach + place.separation) / level;
   if (point.error_estimate.count("approach") > 0)
     point.error_estimate["loaded_height"] = bar("approach") / level;

@@ -6,7 +6,7 @@ scenes, no solver; track places profiles, finds their contacts and balances load
 knows halfspace; postprocess knows results, never solvers; models registers what solves, opens fem at run time, and
 chooses among models (of which models/choice knows results only); tables fills tables of creep forces and keeps them
 in files; app knows all; of the bindings, interface, which others build on, hands models on, and python
-stands on interface; capi, the C interface, knows what track knows, and files of tables; deal.II is seen in fem and
+stands on interface; capi, the C interface, knows the pair of track and files of tables; deal.II is seen in fem and
 in hybrid/correction, which is built into the library of fem.
 No model is told apart by its name: what differs is a property of its entry in the registry (contact/solve/model.hpp).
 Inside contact: base <- case <- scene <- result <- iteration <- solve; the order of the other modules' rooms: ROOMS.
@@ -44,14 +44,14 @@ ALLOWED = {
             "theories": ANY, "fem": {"elasticity"}},
     "bindings/interface": {"contact": ANY, "postprocess": ANY, "models": ANY},
     "bindings/python": {"bindings": {"interface"}, "contact": ANY, "halfspace": {"closed_forms"}, "profiles": ANY, "track": ANY, "models": ANY, "postprocess": ANY, "tables": ANY},
-    "bindings/capi": {"contact": ANY, "halfspace": ANY, "profiles": ANY, "track": ANY, "tables": {"files"}},
+    "bindings/capi": {"contact": ANY, "track": {"pair"}, "tables": {"files"}},
 }
 # Rooms of a module, each of which may include those before it.
 ROOMS = {
     "halfspace": ["closed_forms", "elasticity", "patch", "stress", "model", "curvature", ""],
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
     "hybrid": ["", "correction"],
-    "track": ["placement", "search", "motion", "balance"],
+    "track": ["placement", "search", "motion", "balance", "pair"],
     "postprocess": ["files", "hdf5", "write", "read", "compare", "study", "stress"],
     "models": ["program", "caches", "fem", "choice", "solving", "study", "stress", ""],
     "tables": ["files", "filling"],

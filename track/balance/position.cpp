@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
 #include "contact/base/threads.hpp"
-#include "contact/solve/load_sharing.hpp"
 #include "halfspace/model/model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "track/balance/creepage_errors.hpp"
@@ -32,8 +31,8 @@ constexpr int elements_of_balance = 24;
 
 struct Patch {
   PlacedScene placed;
-  std::vector<PatchForce> force;  ///< per load point, for the current scene
-  double sideways = 0.0;          ///< of the pressure without friction: lateral over normal force
+  std::vector<PatchForce> force{};  ///< per load point, for the current scene
+  std::vector<double> vertical{};   ///< N, its share per load point, with this friction
 };
 
 struct Wheel {
@@ -63,7 +62,7 @@ class Position {
     for (const PlacedScene& scene : scenes) {
       const bool left = scene.contact.place.left;
       if (wheels_.empty() || wheels_.back().left != left) wheels_.push_back({left, {}});
-      wheels_.back().patches.push_back({scene, {}});
+      wheels_.back().patches.push_back({scene});
     }
   }
 
@@ -125,13 +124,19 @@ class Position {
     const double load = *input_.load.vertical_force;
     double change = 0.0;
     std::vector<halfspace::SharedLoad> shared;
+    for (Patch& patch : wheel.patches) patch.vertical.resize(rotation_.size());
     for (std::size_t k = 0; k < rotation_.size(); ++k) {
-      if (k == 0 || friction) shared.push_back(shared_load(wheel, load, friction ? &k : nullptr));
+      // Geometry and elasticity determine the sharing; friction changes the force to be shared.
+      if (k == 0 || friction)
+        shared.push_back(halfspace::share_load(
+            scenes_of(wheel), load,
+            friction ? ratios_of(wheel, k) : std::vector<halfspace::ForceRatio>()));
       for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
         Patch& patch = wheel.patches[i];
         const halfspace::PatchLoad& own = shared.back().shares[i];
         change = std::max(change, std::abs(asked_force(patch, k) - own.normal_force) / load);
         patch.placed.scene.points[k].load = {own.normal_force, {}};
+        patch.vertical[k] = own.vertical_force;
       }
     }
     set_beside(wheel, shared);
@@ -146,11 +151,10 @@ class Position {
       std::vector<contact::NeighbourLoad>& all = wheel.patches[i].placed.scene.neighbour_loads;
       all.clear();
       for (const halfspace::SharedLoad& at : shared)
-        for (std::size_t j = 0; j < wheel.patches.size(); ++j)
-          for (contact::NeighbourLoad load : at.shares[i].neighbour_loads[j]) {
-            for (double* force : {&load.normal, &load.longitudinal, &load.lateral}) *force *= part;
-            all.push_back(load);
-          }
+        for (contact::NeighbourLoad load : at.shares[i].neighbour_loads) {
+          for (double* force : {&load.normal, &load.longitudinal, &load.lateral}) *force *= part;
+          all.push_back(load);
+        }
     }
   }
 
@@ -165,14 +169,13 @@ class Position {
     set_beside(wheel, {halfspace::load_at(scenes_of(wheel), sinking)});
   }
 
-  /// Friction at load point k; null: none.
-  static std::vector<halfspace::FrictionRatio> ratios_of(const Wheel& wheel, const std::size_t* k) {
-    std::vector<halfspace::FrictionRatio> ratios(k != nullptr ? wheel.patches.size() : 0);
-    for (std::size_t i = 0; i < ratios.size(); ++i) {
-      const auto& force = wheel.patches[i].force;
-      if (*k >= force.size() || !(force[*k].normal > 0.0)) continue;
-      const double part = 1.0 / force[*k].normal;
-      ratios[i] = {part * force[*k].longitudinal, part * force[*k].lateral};
+  static std::vector<halfspace::ForceRatio> ratios_of(const Wheel& wheel, std::size_t k) {
+    std::vector<halfspace::ForceRatio> ratios;
+    for (const Patch& patch : wheel.patches) {
+      ratios.emplace_back();
+      if (k >= patch.force.size() || !(patch.force[k].normal > 0.0)) continue;
+      const double part = 1.0 / patch.force[k].normal;
+      ratios.back() = {part * patch.force[k].longitudinal, part * patch.force[k].lateral};
     }
     return ratios;
   }
@@ -187,20 +190,16 @@ class Position {
   /// force with its own friction; the shares add up to the load of the wheel.
   void ask_for_vertical_forces(Wheel& wheel) {
     if (!input_.load.vertical_force) return;
+    const double load = *input_.load.vertical_force;
     for (std::size_t k = 0; k < rotation_.size(); ++k) {
-      std::vector<double> vertical;
       double sum = 0.0;
-      for (const Patch& patch : wheel.patches) {
-        vertical.push_back(wheel.patches.size() == 1 ? *input_.load.vertical_force
-                                                     : lift(patch, asked_force(patch, k), &k));
-        sum += vertical.back();
+      for (Patch& patch : wheel.patches) {
+        if (wheel.patches.size() == 1) patch.vertical.assign(rotation_.size(), load);
+        sum += patch.vertical[k];
       }
-      for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
-        Patch& patch = wheel.patches[i];
-        patch.placed.scene.points[k].load = {vertical[i] * *input_.load.vertical_force / sum,
-                                             {},
-                                             upwards(patch.placed.contact.place)};
-      }
+      for (Patch& patch : wheel.patches)
+        patch.placed.scene.points[k].load = {
+            patch.vertical[k] * load / sum, {}, halfspace::upwards(patch.placed.contact.place)};
     }
   }
 
@@ -213,50 +212,6 @@ class Position {
                                return load.approach && !(*load.approach > 0.0);
                              }),
               all.end());
-  }
-
-  /// Vertical force of a normal force, including friction at load point k.
-  double lift(const Patch& patch, double normal_force, const std::size_t* k) const {
-    double lateral = patch.sideways * normal_force;
-    if (k != nullptr && *k < patch.force.size() && patch.force[*k].normal > 0.0)
-      lateral = patch.force[*k].lateral / patch.force[*k].normal * normal_force;
-    return vertical_force(normal_force, lateral, patch.placed.contact.place);
-  }
-
-  /// Shares of the patches that add up to `load` vertically.
-  halfspace::SharedLoad shared_load(Wheel& wheel, double load, const std::size_t* k) const {
-    const auto carried = [&](const halfspace::SharedLoad& shared) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < wheel.patches.size(); ++i) {
-        const halfspace::PatchLoad& own = shared.shares[i];
-        wheel.patches[i].sideways =
-            own.normal_force > 0.0 ? own.lateral_force / own.normal_force : 0.0;
-        sum += lift(wheel.patches[i], own.normal_force, k);
-      }
-      return sum;
-    };
-    // Geometry and elasticity determine the sharing; friction changes the force to be shared.
-    const std::vector<contact::Scene> scenes = scenes_of(wheel);
-    const std::vector<halfspace::FrictionRatio> ratios = ratios_of(wheel, k);
-    halfspace::SharedLoad shared;
-    contact::LoadSharing sharing;
-    sharing.load = load;
-    sharing.tolerance = 0.1 * load_tolerance;
-    sharing.sliding = true;
-    sharing.solve(load, [&](double to_share, int) {
-      shared = halfspace::share_load(scenes, to_share, ratios);
-      const double sum = carried(shared);
-      if (!(sum > 0.0)) refuse_lift(wheel);
-      return load + to_share - sum;
-    });
-    return shared;
-  }
-
-  [[noreturn]] static void refuse_lift(const Wheel& wheel) {
-    throw contact::SolveError(fmt::format(
-        "the {} wheel: friction on the flange lifts it at any load (beyond Nadal's limit), so "
-        "there is no equilibrium; do: use less friction, lateral_shift or yaw",
-        contact::side_word(wheel.left)));
   }
 
   static void drop_unloaded(Wheel& wheel, double load) {

@@ -29,7 +29,7 @@ double approach_of(const Case& input, const WheelRailContact& contact) {
   const contact::ContactPlace& place = contact.place;
   if (input.wheelset.height.empty()) return contact.approach;
   const double height = input.wheelset.height.at(static_cast<std::size_t>(place.position) - 1);
-  return (height - contact.pose.height) * upwards(place)[1] - place.separation;
+  return (height - contact.pose.height) * halfspace::upwards(place)[1] - place.separation;
 }
 
 /// The case's approach applies to the first patch; the others have the same sinking.
@@ -44,7 +44,7 @@ contact::NormalLoad load_of(const Case& input, const WheelRailContact& contact) 
         file_of(input), contact.place.side(), contact.place.position, contact.place.patches,
         load.normal_force.value_or(0.0)));
   if (contact.place.patches > 1) return {contact.normal_force, {}};
-  if (load.vertical_force) return {load.vertical_force, {}, upwards(contact.place)};
+  if (load.vertical_force) return {load.vertical_force, {}, halfspace::upwards(contact.place)};
   return {load.normal_force, {}};
 }
 
@@ -112,8 +112,9 @@ std::vector<double> approaches(const contact::Case& input, const std::vector<Pla
 void stand_at(double approach, PlacedScene& placed) {
   contact::Scene& scene = placed.scene;
   const auto& along = scene.points.front().load.direction;
-  scene.geometry.surface = contact::ContactSurface::of(std::make_shared<contact::PatchGeometry>(
-      placed.contact.geometry.under_load(approach, upwards(placed.contact.place), along)));
+  scene.geometry.surface = contact::ContactSurface::of(
+      std::make_shared<contact::PatchGeometry>(placed.contact.geometry.under_load(
+          approach, halfspace::upwards(placed.contact.place), along)));
 }
 
 /// Moves the undeformed distances of one wheel's contacts at one position to the loaded height, for

@@ -3,6 +3,7 @@
 
 #include "contact/base/knots.hpp"
 #include "contact/base/pi.hpp"
+#include "halfspace/patch/load_sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,14 +111,8 @@ double driving_moment(const WheelRailContact& contact, const PatchForce& force) 
   return -dot(moment, contact.axle.direction);
 }
 
-std::array<double, 2> upwards(const contact::ContactPlace& place) {
-  const double level = std::cos(place.climb);
-  return {-side_sign(place.left) * std::sin(place.contact_angle) * level,
-          std::cos(place.contact_angle) * level};
-}
-
 double vertical_force(double normal, double lateral, const contact::ContactPlace& place) {
-  const auto [across, along_normal] = upwards(place);
+  const auto [across, along_normal] = halfspace::upwards(place);
   return normal * along_normal + lateral * across;
 }
 

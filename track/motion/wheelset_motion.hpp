@@ -63,11 +63,6 @@ struct PatchForce {
 /// is 0.
 double driving_moment(const WheelRailContact& contact, const PatchForce& force);
 
-/// The vertical in the frame of the patch, along y and the normal, upwards on the wheel: y points
-/// to the field on the left and to the middle on the right. NormalLoad::direction of a vertical
-/// force.
-std::array<double, 2> upwards(const contact::ContactPlace& place);
-
 /// Upward force on the wheel, N.
 double vertical_force(double normal, double lateral, const contact::ContactPlace& place);
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bindings/capi/quick_patch.hpp"
+#include "halfspace/patch/quick_patch.hpp"
 
 #include "contact/iteration/leading_edge.hpp"
 #include "contact/solve/load_sharing.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
-#include "track/motion/placed_scenes.hpp"
+#include "halfspace/patch/load_sharing.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace rollfem::capi {
+namespace rollfem::halfspace {
 
 using contact::ContactGrid;
 using contact::Field;
@@ -35,8 +35,7 @@ constexpr int loads_across = 5;
 
 }  // namespace
 
-QuickPatch::QuickPatch(const halfspace::InfluenceTables& tables,
-                       const contact::CombinedMaterial& material)
+QuickPatch::QuickPatch(const InfluenceTables& tables, const contact::CombinedMaterial& material)
     : tables_(tables),
       layer_(material.layer),
       peak_(material.contact_modulus),
@@ -51,17 +50,16 @@ QuickPatch::QuickPatch(const halfspace::InfluenceTables& tables,
 
 void QuickPatch::begin(const QuickContact& contact) {
   given_ = &contact;
-  direction_ = track::upwards(contact.contact->place);
+  direction_ = upwards(contact.place);
   const bool follows = contact.geometry.surface.follows > 0.0;
   geometry_.emplace(contact.geometry, follows ? contact::Chart::arc : contact::Chart::plane);
-  const track::WheelRailContact& of = *contact.contact;
-  box = {2.0 * std::sqrt(2.0 * of.place.rolling_radius * of.approach),
-         {grid_place(of.reach[0]), grid_place(of.reach[1])},
+  box = {2.0 * std::sqrt(2.0 * contact.place.rolling_radius * contact.approach),
+         {grid_place(contact.reach[0]), grid_place(contact.reach[1])},
          0.0};
 }
 
 double QuickPatch::first_sinking() const {
-  return contact().place.separation / direction_[1];
+  return given_->place.separation / direction_[1];
 }
 
 /// Coordinate of the grid at y of the patch frame.
@@ -84,7 +82,7 @@ void QuickPatch::reach_to(double sinking) {
     return grid_place(y);
   };
   box = {
-      2.0 * std::sqrt(2.0 * contact().place.rolling_radius * approach), {end(-1.0), end(1.0)}, 0.0};
+      2.0 * std::sqrt(2.0 * given_->place.rolling_radius * approach), {end(-1.0), end(1.0)}, 0.0};
 }
 
 bool QuickPatch::lay_over_box() {
@@ -122,8 +120,8 @@ bool QuickPatch::place_grid(double dx, double dy, double x_middle, double y_midd
   return true;
 }
 
-halfspace::NormalBlock QuickPatch::block() const {
-  return {&table_, grid_, carried_.data(), &contact().place};
+NormalBlock QuickPatch::block() const {
+  return {&table_, grid_, carried_.data(), &given_->place};
 }
 
 void QuickPatch::set_forces(const double* forces) {
@@ -203,14 +201,14 @@ void QuickPatch::add_neighbour(const QuickPatch& neighbour,
                                const contact::CombinedMaterial& material) {
   const ContactGrid& there = neighbour.grid_;
   constexpr double blocks = loads_across;
-  halfspace::lump(there, neighbour.pressure_, neighbour.traction_, there.nx / blocks,
-                  there.ny / blocks, loads_);
+  lump(there, neighbour.pressure_, neighbour.traction_, there.nx / blocks, there.ny / blocks,
+       loads_);
   for (contact::NeighbourLoad& load : loads_)
-    halfspace::place_beside(contact().place, neighbour.contact().place, load);
-  halfspace::add_slip(loads_, material, grid_, motion_.rigid_slip);
+    place_beside(given_->place, neighbour.given_->place, load);
+  add_slip(loads_, material, grid_, motion_.rigid_slip);
   for (contact::NeighbourLoad& load : loads_) load.normal = 0.0;
   moved_.setZero(grid_.size());
-  halfspace::add_displacement(loads_, material, grid_, moved_);
+  add_displacement(loads_, material, grid_, moved_);
   rows(grid_, distance_) += rows(grid_, moved_).rowwise() / carried_.transpose();
 }
 
@@ -259,7 +257,7 @@ void QuickPatch::finish(const contact::Friction& friction, const double* gap,
   point_.approach = sinking - first_sinking();
   const PeakPressure::Peak peak = peak_.of(*geometry_, grid_, pressure_);
   point_.max_pressure = peak.pressure;
-  max_pressure_bar_ = peak.bar;
+  point_.error_estimate["max_pressure"] = peak.bar;
   const PatchSize patch = measure();
   point_.contact_length = patch.length;
   point_.contact_width = patch.width;
@@ -291,4 +289,4 @@ PatchSums QuickPatch::sum(const Field* pressure, const contact::TangentialField&
   return grid_.element_area() * sums;
 }
 
-}  // namespace rollfem::capi
+}  // namespace rollfem::halfspace

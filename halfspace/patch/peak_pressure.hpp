@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace rollfem::capi {
+namespace rollfem::halfspace {
 
 /// Angle between the normals of the first and the last row under pressure, rad.
 double turn_of(const contact::ChartedGeometry& geometry, const contact::ContactGrid& grid,
@@ -60,4 +60,4 @@ class PeakPressure {
   Rows coarse_, fine_;
 };
 
-}  // namespace rollfem::capi
+}  // namespace rollfem::halfspace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bindings/capi/peak_pressure.hpp"
+#include "halfspace/patch/peak_pressure.hpp"
 
 #include "contact/base/pi.hpp"
 #include "halfspace/elasticity/influence.hpp"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rollfem::capi {
+namespace rollfem::halfspace {
 
 using contact::ContactGrid;
 using contact::Field;
@@ -15,7 +15,7 @@ using contact::Field;
 namespace {
 
 constexpr int finer = 4;
-constexpr double tolerance = 1e-4;  ///< relative to the approach
+constexpr double row_tolerance = 1e-4;  ///< relative to the approach
 /// Fraction of the largest pressure. Rows with less pressure are only partly covered, which would
 /// distort their ratio.
 constexpr double least_part = 0.3;
@@ -91,15 +91,14 @@ void PeakPressure::solve(Rows& rows, const contact::ChartedGeometry& geometry,
   rows.influence.resize(n, n);
   const double factor = line.dy / (contact::pi * modulus_);
   for (int beside = 0; beside < n; ++beside) {
-    const double displacement =
-        factor * halfspace::row_deflection(mean_distance(beside) * line.dy / half_);
+    const double displacement = factor * row_deflection(mean_distance(beside) * line.dy / half_);
     rows.influence.diagonal(beside).setConstant(displacement);
     rows.influence.diagonal(-beside).setConstant(displacement);
   }
   static const Field none;
   contact::NormalOptions options;
-  options.tolerance = tolerance;
+  options.tolerance = row_tolerance;
   rows.solver.solve_sum(rows, rows.distance, sum_ / line.dy, options, none);
 }
 
-}  // namespace rollfem::capi
+}  // namespace rollfem::halfspace

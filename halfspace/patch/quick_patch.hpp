@@ -3,7 +3,6 @@
 // problem of quick_wheel.hpp.
 #pragma once
 
-#include "bindings/capi/peak_pressure.hpp"
 #include "contact/iteration/friction_newton.hpp"
 #include "contact/iteration/leading_edge.hpp"
 #include "contact/result/patch_size.hpp"
@@ -12,13 +11,13 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/elasticity/few_elements.hpp"
-#include "track/search/contact_search.hpp"
+#include "halfspace/patch/peak_pressure.hpp"
 
 #include <array>
 #include <optional>
 #include <vector>
 
-namespace rollfem::capi {
+namespace rollfem::halfspace {
 
 /// Entries of PatchSums.
 struct PatchSum {
@@ -30,14 +29,17 @@ using PatchSums = Eigen::Matrix<double, PatchSum::count, 1>;
 /// Derivatives of these sums by xi, eta and phi.
 using SumsByCreepage = Eigen::Matrix<double, PatchSum::count, 3>;
 
-/// A contact from the search, or a near one that closes under load. The surface of its geometry
+/// A contact of the wheel, or a near one that closes under load. The surface of its geometry
 /// follows the bodies over the extent of the contact grid (contact::ContactSurface).
 struct QuickContact {
-  const track::WheelRailContact* contact = nullptr;
+  std::size_t number = 0;  ///< the caller's
+  contact::ContactPlace place;
   contact::Geometry geometry;
   contact::Creepage creepage;
-  /// Derivatives of xi, eta and phi by rotation, lateral and yaw velocity (track::Motion).
-  Eigen::Matrix3d by_motion = Eigen::Matrix3d::Zero();
+  double approach = 0.0;  ///< mm, an estimate along the normal
+  /// Range of y in the patch frame over which the bodies overlap at this approach.
+  std::array<double, 2> reach{};
+  bool reserve = false;  ///< beyond the estimated sinking
 };
 
 /// Extents of a grid, mm.
@@ -60,13 +62,12 @@ class QuickPatch {
   static constexpr int margin = 4;
 
   /// Uses grids as large as the tables.
-  QuickPatch(const halfspace::InfluenceTables& tables, const contact::CombinedMaterial& material);
+  QuickPatch(const InfluenceTables& tables, const contact::CombinedMaterial& material);
 
   /// Starts with a contact, which must outlive the solution, and the box of its overlap according
   /// to the search.
   void begin(const QuickContact& contact);
   const QuickContact& given() const { return *given_; }
-  const track::WheelRailContact& contact() const { return *given_->contact; }
   /// Direction of the load, y and z in the patch frame.
   const std::array<double, 2>& direction() const { return direction_; }
   /// Sinking of the wheel at which the bodies touch, mm along the load.
@@ -80,7 +81,7 @@ class QuickPatch {
   /// Covers the last measured patch with the elements inside the margin.
   bool lay_on_patch();
   const contact::ContactGrid& grid() const { return grid_; }
-  halfspace::NormalBlock block() const;
+  NormalBlock block() const;
   /// Undeformed distance per element along the load before the wheel sinks, mm.
   const contact::Field& distance() const { return distance_; }
 
@@ -112,7 +113,8 @@ class QuickPatch {
   /// (PatchGeometry::known), or no other contact begins (within_limits).
   bool reaches_only(bool (contact::PatchGeometry::*good)(double) const, double elements) const;
 
-  /// Computes the sums and the data for check_point. `gap` and `displacement`: along the load, mm.
+  /// Computes the sums, the largest pressure with its bar and the data for check_point. `gap` and
+  /// `displacement`: along the load, mm.
   void finish(const contact::Friction& friction, const double* gap, const double* displacement,
               double sinking);
   const contact::PointResult& point() const { return point_; }
@@ -122,7 +124,6 @@ class QuickPatch {
   /// friction problem; the friction law must still live. False if its linear systems do not
   /// converge.
   bool respond(SumsByCreepage& by_creepage);
-  double max_pressure_bar() const { return max_pressure_bar_; }  ///< MPa
 
  private:
   double grid_place(double y) const;
@@ -131,12 +132,12 @@ class QuickPatch {
   void spread(const Eigen::Ref<const Eigen::VectorXd>& of_elements,
               contact::TangentialField& field) const;
 
-  const halfspace::InfluenceTables& tables_;
+  const InfluenceTables& tables_;
   const QuickContact* given_ = nullptr;
   std::array<double, 2> direction_{0.0, 1.0};
   std::optional<contact::ChartedGeometry> geometry_;
-  double layer_;                     ///< its compliance between the bodies, mm/MPa
-  halfspace::InfluenceTable table_;  ///< of the elements of the grid
+  double layer_;          ///< its compliance between the bodies, mm/MPa
+  InfluenceTable table_;  ///< of the elements of the grid
   contact::ContactGrid grid_;
   /// Per row of the grid: y in the patch frame, inclination of the surface and its cosine, and the
   /// components along the load of unit pressure and unit lateral traction.
@@ -151,10 +152,9 @@ class QuickPatch {
   std::vector<contact::NeighbourLoad> loads_;
   contact::PointResult point_;
   PeakPressure peak_;
-  double max_pressure_bar_ = 0.0;
   std::optional<contact::FrictionProblem> problem_;  ///< last solved, for the response to it
   contact::FrictionNewton newton_;
-  halfspace::FewElementsRolling rolling_;
+  FewElementsRolling rolling_;
 };
 
-}  // namespace rollfem::capi
+}  // namespace rollfem::halfspace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bindings/capi/quick_wheel.hpp"
+#include "halfspace/patch/quick_wheel.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/result/validity.hpp"
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace rollfem::capi {
+namespace rollfem::halfspace {
 
 using contact::PatchSize;
 
@@ -21,7 +21,7 @@ constexpr double pressure_tolerance = 1e-5;
 /// Relative to the load: pressure and friction iterate until they carry it within this tolerance,
 /// then both are scaled to it.
 constexpr double shared_to = 2e-5;
-constexpr int most_turns = 12;
+constexpr int most_shared_turns = 12;
 /// Fewest iterations with several patches, which act on each other by the tractions of the previous
 /// iteration.
 constexpr int fewest_turns_of_several = 3;
@@ -40,7 +40,7 @@ struct LeavesGrids {};
 
 }  // namespace
 
-QuickWheel::QuickWheel(const halfspace::InfluenceTables& tables, bool any,
+QuickWheel::QuickWheel(const InfluenceTables& tables, bool any,
                        const contact::CombinedMaterial& material)
     : any_(any), material_(material), normal_(material) {
   for (std::size_t k = 0; k < most_patches; ++k)
@@ -55,7 +55,7 @@ QuickOutcome QuickWheel::solve(const std::vector<QuickContact>& contacts,
   reserve_.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     all_[k]->begin(contacts[k]);
-    (contacts[k].contact->reserve ? reserve_ : loaded_).push_back(all_[k].get());
+    (contacts[k].reserve ? reserve_ : loaded_).push_back(all_[k].get());
   }
   if (loaded_.empty()) return QuickOutcome::unfit;
   double pressed = load.force;
@@ -67,7 +67,7 @@ QuickOutcome QuickWheel::solve(const std::vector<QuickContact>& contacts,
     if (!lay_on_patches()) return QuickOutcome::unfit;
     set_problem();
     try {
-      given_sinking_ ? settle(load) : share_load(load, pressed);
+      share_load(load, pressed);
     } catch (const LeavesGrids&) {
       constexpr double somewhat = 1.1;
       // Contacts grow with the cube root of their load.
@@ -210,39 +210,31 @@ void QuickWheel::solve_in_turn(const QuickLoad& load, double share, int turn) {
   if (!solve_friction(load, turn)) throw contact::SolveError("too many elements in contact");
 }
 
-/// Iterates between pressure and friction until they carry the load together. `share`: expected
-/// part of the load carried by pressure, updated to the computed part.
+/// Iterates between pressure and friction until they carry the load together; at a given sinking,
+/// where friction changes only the pressures of other contacts, until these settle. `share`:
+/// expected part of the load carried by pressure, updated to the computed part.
 void QuickWheel::share_load(const QuickLoad& load, double& share) {
   contact::LoadSharing sharing;
-  sharing.load = load.force;
+  sharing.load = given_sinking_ ? 1.0 : load.force;
   sharing.tolerance = shared_to;
-  sharing.most_turns = most_turns;
-  sharing.fewest_turns = loaded_.size() == 1 ? 1 : fewest_turns_of_several;
+  sharing.most_turns = most_shared_turns;
   sharing.sliding = true;
-  double of_friction = 0.0;
-  sharing.solve(share, [&, expected = share](double pressing, int turn) {
-    share = pressing;
+  double of_friction = 0.0, carried = 0.0;
+  sharing.solve(given_sinking_ ? 1.0 : share, [&, expected = share](double pressing, int turn) {
     constexpr double within_grid = 1.25;
+    if (!given_sinking_) share = pressing;
     if (share > within_grid * expected || share * within_grid < expected) throw LeavesGrids();
-    solve_in_turn(load, share, turn);
+    solve_in_turn(load, pressing, turn);
+    const double before = std::exchange(carried, joint_->solver.pressure().sum());
+    const bool steady = !given_sinking_ || std::abs(carried - before) <= shared_to * carried;
+    sharing.settled = loaded_.size() == 1 || (turn + 1 >= fewest_turns_of_several && steady);
+    if (given_sinking_) return pressing;
     of_friction = 0.0;
     for (const QuickPatch* patch : loaded_) of_friction += patch->load_of_friction();
     return load.force - of_friction;
   });
+  if (given_sinking_) return;
   for (QuickPatch* patch : loaded_) patch->scale(load.force / (share + of_friction));
-}
-
-/// At a given sinking, friction changes only the pressures of other contacts.
-void QuickWheel::settle(const QuickLoad& load) {
-  double carried = 0.0;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    solve_in_turn(load, 0.0, turn);
-    const double before = std::exchange(carried, joint_->solver.pressure().sum());
-    if (loaded_.size() == 1 ||
-        (turn + 1 >= fewest_turns_of_several && std::abs(carried - before) <= shared_to * carried))
-      return;
-  }
-  throw contact::SolveError("the contacts of the wheel do not settle");
 }
 
 /// Resultants of every patch at another sinking, starting from the present solution.
@@ -289,4 +281,4 @@ void QuickWheel::check(const QuickLoad& load) {
   }
 }
 
-}  // namespace rollfem::capi
+}  // namespace rollfem::halfspace

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The contacts of a wheel that share its load, by half-spaces of like material on coarse grids, in
-// a few milliseconds and reused memory. This solver handles nearly all calls of rollfem.h.
+// a few milliseconds and reused memory: one normal problem, as in load_sharing.hpp, and friction in
+// turn.
 #pragma once
 
-#include "bindings/capi/quick_patch.hpp"
 #include "contact/iteration/bound_constrained_cg.hpp"
+#include "halfspace/patch/quick_patch.hpp"
 
 #include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
-namespace rollfem::capi {
+namespace rollfem::halfspace {
 
 /// Load and friction of the wheel.
 struct QuickLoad {
@@ -43,8 +44,7 @@ class QuickWheel {
   static constexpr int across_any_patch = 36;
 
   /// `any`: accepts patches other than a single plane region.
-  QuickWheel(const halfspace::InfluenceTables& tables, bool any,
-             const contact::CombinedMaterial& material);
+  QuickWheel(const InfluenceTables& tables, bool any, const contact::CombinedMaterial& material);
 
   /// Solves for the load. The result passes the checks of all results and is valid until the next
   /// call.
@@ -78,7 +78,6 @@ class QuickWheel {
   bool lay_on_patches();
   void solve_in_turn(const QuickLoad& load, double share, int turn);
   void share_load(const QuickLoad& load, double& share);
-  void settle(const QuickLoad& load);
   bool reach_only(bool (contact::PatchGeometry::*good)(double) const, double elements) const;
   bool stays_on_grids() const;
   void feel_neighbours(const QuickLoad& load);
@@ -91,10 +90,10 @@ class QuickWheel {
   std::vector<QuickPatch*> loaded_, reserve_;
   std::optional<double> given_sinking_;
   std::vector<PatchSums> below_, above_;
-  std::vector<halfspace::NormalBlock> blocks_;
-  halfspace::FewElementsNormal normal_;
+  std::vector<NormalBlock> blocks_;
+  FewElementsNormal normal_;
   std::array<Joint, most_patches> joints_;
   Joint* joint_ = nullptr;
 };
 
-}  // namespace rollfem::capi
+}  // namespace rollfem::halfspace
