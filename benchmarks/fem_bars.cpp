@@ -7,11 +7,11 @@
 // benchmark_fem_bars fem FOLDER PARTS FINER SEED FIRST NUMBER [rows], e.g. fem levels 4 16 1 0 40,
 // or benchmark_fem_bars hybrid SEED FIRST NUMBER [rows]. With `rows`, also prints every number
 // (error, bar).
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
-#include "hybrid/model.hpp"
+#include "hybrid/hybrid_model.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

@@ -12,7 +12,7 @@
 #include "fem/linear/algebraic_multigrid.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/multigrid.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include "contact/iteration/normal.hpp"
 #include "contact/iteration/tangential.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "theories/fastsim.hpp"
 #include "theories/strip.hpp"
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Kalker's creepage coefficients to five digits, with error bars: the source of
-halfspace/closed_forms/kalker_table.cpp.
+halfspace/closed_forms/kalker.cpp.
 
 Uses the series of benchmarks/book/linear_theory.py, at the ratios of the C++ table or at given ones.
 """
@@ -63,7 +63,7 @@ def main():
     parser.add_argument("--ratio", type=float, nargs="+", default=RATIOS, help="a/b (default: those of the table)")
     parser.add_argument("--degree", type=int, default=14, help="degree of the series; the bar is the change from a degree lower by 4")
     parser.add_argument("--store", metavar="FILE", help="JSON file of computed values, reused by the next call")
-    parser.add_argument("--cpp", action="store_true", help="print the rows of kalker_table.cpp")
+    parser.add_argument("--cpp", action="store_true", help="print the rows of kalker.cpp")
     parser.add_argument("--against", metavar="CSV", help="list the printed values with errors")
     options = parser.parse_args()
     table = computed(options.ratio, options.degree, options.store)

@@ -3,8 +3,8 @@
 // loop of multiply-adds in registers, bytes per second against a triad. One core; prints the rows
 // of docs/benchmarks.md.
 #include "contact/base/threads.hpp"
-#include "halfspace/elasticity/compliance.hpp"
 #include "halfspace/elasticity/fft.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/stress_extremes.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/stress/smooth_stress.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"

@@ -45,19 +45,4 @@ TrueSection rail_section(const contact::PatchGeometry& geometry, const RailStand
 TrueSection rim_section(const contact::PatchGeometry& geometry, bool is_wheel,
                         double rim_thickness);
 
-/// The block of equal cells under the patch: columns on a lattice of y, rows at equal z below the
-/// surface.
-struct SectionBlock {
-  std::function<double(double)> height;  ///< z of the surface over y
-  double middle = 0.0;                   ///< mm, y of its middle
-  double cell_size = 1.0;                ///< mm
-  int half_columns = 2;                  ///< to each side of the middle
-  int rows = 2;                          ///< even
-};
-
-/// The whole section; its points are y and z. Edges: `contact` on top of the block, `fixed` on the
-/// clamped line; all others are free. Throws contact::InputError when gmsh fails or the block does
-/// not fit.
-BlockedSection mesh_true_section(const TrueSection& outline, const SectionBlock& block);
-
 }  // namespace rollfem::meshes

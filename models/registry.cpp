@@ -2,10 +2,10 @@
 #include "models/registry.hpp"
 
 #include "contact/base/errors.hpp"
-#include "halfspace/registry.hpp"
+#include "halfspace/halfspace_models.hpp"
 #include "models/fem/fem_models.hpp"
 #include "models/solving/auto_model.hpp"
-#include "theories/registry.hpp"
+#include "theories/theory_models.hpp"
 
 #include <fmt/format.h>
 

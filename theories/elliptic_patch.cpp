@@ -5,7 +5,7 @@
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/patch/patch_search.hpp"
-#include "theories/registry.hpp"
+#include "theories/theory_models.hpp"
 
 #include <cmath>
 #include <utility>

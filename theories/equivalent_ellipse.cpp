@@ -6,7 +6,7 @@
 #include "contact/base/pi.hpp"
 #include "contact/solve/load_sharing.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "theories/elliptic_patch.hpp"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "theories/strip.hpp"
 
+#include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/root.hpp"
+#include "halfspace/patch/patch_search.hpp"
+#include "halfspace/patch/ridge.hpp"
 
 #include <fmt/format.h>
 
@@ -147,6 +150,202 @@ StripNormalSolution find_penetration(const StripProfile& profile, const StripLaw
   return solution;
 }
 
+// The model "strip": a case by the strip theory of strip.hpp.
+
+/// Extent of the strips, in semi-axes of Hertz's ellipse.
+constexpr double reach = 1.25;
+
+/// Strips over all y at which the profiles overlap at the half-space's approach.
+StripProfile profile_of_patch(const contact::Scene& scene, int strips) {
+  const halfspace::PatchSearch search(scene);
+  const halfspace::ExpectedPatch& expected = search.patch();
+  const halfspace::Box overlap = search.ridge().overlap(expected.approach).box;
+  const double lower = overlap.y_lower;
+  const double upper = overlap.y_upper;
+  const int count =
+      std::max(4, contact::count_of(std::round(strips * (upper - lower) / expected.width),
+                                    "strips (strip.strips)"));
+  StripProfile profile;
+  profile.width = (upper - lower) / count;
+  profile.y_first = lower + 0.5 * profile.width;
+  for (int j = 0; j < count; ++j) {
+    const halfspace::RidgePoint point =
+        halfspace::ridge_point(*scene.geometry.surface.profiles, profile.y(j));
+    profile.distance.push_back(point.distance);
+    profile.curvature.push_back(point.curvature);
+    profile.middle.push_back(point.x);
+  }
+  return profile;
+}
+
+/// Profile of the radii or the patch of a case; with a patch, over the y at which the distance is
+/// below the approach of expected_patch, beyond which there is no contact.
+StripProfile strip_profile(const contact::Scene& scene, int strips,
+                           const std::optional<double>& virtual_penetration) {
+  if (scene.has_profiles()) return profile_of_patch(scene, strips);
+  const contact::Curvatures curvatures = halfspace::curvatures_of_scene(scene);
+  const halfspace::HertzContact hertz = halfspace::hertz_of_scene(scene);
+  // The undeformed surfaces may overlap more widely than Hertz's ellipse.
+  const double half_overlap =
+      std::sqrt(virtual_penetration.value_or(0.0) * hertz.approach / curvatures.B);
+  const double half_width = reach * std::max(hertz.semi_axis_y, half_overlap);
+  const int count = std::max(4, static_cast<int>(std::lround(reach * strips)));
+  StripProfile profile;
+  profile.width = 2.0 * half_width / count;
+  profile.y_first = -half_width + 0.5 * profile.width;
+  for (int j = 0; j < count; ++j) {
+    const double y = profile.y_first + j * profile.width;
+    profile.distance.push_back(contact::undeformed_distance(curvatures, 0.0, y));
+    profile.curvature.push_back(curvatures.A);
+  }
+  return profile;
+}
+
+struct StripContact {
+  const contact::Scene& scene;
+  contact::ChartedGeometry geometry;
+  StripProfile profile;
+  StripNormalSolution normal;
+};
+
+StripContact strip_contact(const contact::Scene& scene, int strips,
+                           const std::optional<double>& virtual_penetration) {
+  StripContact contact{scene,
+                       contact::ChartedGeometry(scene.geometry, contact::Chart::plane),
+                       strip_profile(scene, strips, virtual_penetration),
+                       {}};
+  const StripLaw law{scene.material.contact_modulus, virtual_penetration};
+  const contact::NormalLoad load = contact::largest_load(scene);
+  contact.normal = load.force ? strips_for_force(contact.profile, law, *load.force)
+                              : strips_for_approach(contact.profile, law, load.approach.value());
+  return contact;
+}
+
+/// The parabola of the same friction force as mu times the elliptic pressure of the strip.
+BrushStrip brush_strip(const StripSection& section, double y, double friction) {
+  return {y, section.half_length, 3.0 * pi / 8.0 * friction * section.max_pressure,
+          BoundShape::parabolic, section.middle};
+}
+
+contact::Field strip_pressure(const StripContact& contact, const contact::ContactGrid& grid) {
+  contact::Field pressure = contact::Field::Zero(grid.size());
+  for (int j = 0; j < grid.ny; ++j) {
+    const StripSection section = strip_section(contact.profile, contact.normal, grid.y(j));
+    for (int i = 0; i < grid.nx; ++i) {
+      const double t = (grid.x(i) - section.middle) / section.half_length;
+      if (std::abs(t) < 1.0)
+        pressure[grid.index(i, j)] = section.max_pressure * std::sqrt((1.0 - t) * (1.0 + t));
+    }
+  }
+  return pressure;
+}
+
+/// The squares of the half lengths are linear between the strips and up to the edges.
+double contact_area(const StripContact& contact) {
+  double area = 0.0;
+  const auto add = [&area](double width, double a, double b) {
+    if (a + b > 0.0) area += 4.0 / 3.0 * width * (a * a + a * b + b * b) / (a + b);
+  };
+  for (const StripPatch& patch : contact.normal.patches) {
+    double y = patch.y_lower;
+    double length = 0.0;
+    for (int j = patch.first; j <= patch.last; ++j) {
+      add(contact.profile.y(j) - y, length, contact.normal.half_length[j]);
+      y = contact.profile.y(j);
+      length = contact.normal.half_length[j];
+    }
+    add(patch.y_upper - y, length, 0.0);
+  }
+  return area;
+}
+
+contact::PointResult normal_part(const StripContact& contact, const contact::ContactGrid& grid) {
+  const StripNormalSolution& normal = contact.normal;
+  contact::PointResult point;
+  point.fields =
+      resting_fields(grid, strip_pressure(contact, grid), contact.scene.friction_coefficient());
+  point.normal_force = normal.normal_force;
+  point.approach = normal.approach;
+  const auto largest = [](const std::vector<double>& v) {
+    return *std::max_element(v.begin(), v.end());
+  };
+  point.max_pressure = largest(normal.max_pressure);
+  point.semi_axis_x = largest(normal.half_length);
+  point.contact_length = 2.0 * point.semi_axis_x;
+  point.contact_width = normal.patches.back().y_upper - normal.patches.front().y_lower;
+  point.semi_axis_y = 0.5 * point.contact_width;
+  point.contact_area = contact_area(contact);
+  point.patch_count = static_cast<int>(normal.patches.size());
+  point.adhesion_area = point.contact_area;
+  if (contact.scene.has_profiles()) {
+    const int deepest = normal.patches.front().deepest;
+    point.patch_x_middle = contact.profile.middle[deepest];
+    point.patch_y_middle = 0.5 * (normal.patches.front().y_lower + normal.patches.back().y_upper);
+  }
+  return point;
+}
+
+BrushProblem brush_problem(const StripContact& contact, const StripPatch& patch,
+                           const contact::Creepage& creepage, int elements) {
+  return {contact.geometry, creepage,
+          kalker_flexibilities(patch.semi_axis_x, patch.semi_axis_y,
+                               contact.scene.material.shear_modulus,
+                               contact.scene.material.poisson_ratio),
+          elements};
+}
+
+/// The grid of the scene with more elements around it where strips reach beyond it.
+contact::ContactGrid grid_around(const StripContact& contact) {
+  const halfspace::PatchSearch search(contact.scene);
+  const contact::ContactGrid grid = search.grid();
+  double more = 0.0;
+  for (int j = 0; j < contact.profile.size(); ++j) {
+    const double half = contact.normal.half_length[j], y = contact.profile.y(j);
+    const double x = contact.profile.middle.empty() ? 0.0 : contact.profile.middle[j];
+    if (half > 0.0)
+      more = std::max({more, (grid.x_first - x + half) / grid.dx, (grid.y_first - y) / grid.dy,
+                       (x + half - grid.x(grid.nx - 1)) / grid.dx,
+                       (y - grid.y(grid.ny - 1)) / grid.dy});
+  }
+  constexpr int margin = 4;
+  return more > 0.0 ? search.grid(grid.dx, grid.dy, margin + static_cast<int>(more)) : grid;
+}
+
+/// The strips of one patch.
+StripAt strips_in(const StripContact& contact, const StripPatch& patch) {
+  return [&](double y) -> BrushStrip {
+    if (y < patch.y_lower || y > patch.y_upper) return {y, 0.0, 0.0, BoundShape::parabolic, 0.0};
+    return brush_strip(strip_section(contact.profile, contact.normal, y), y,
+                       contact.scene.friction_coefficient());
+  };
+}
+
+BrushTotals strip_totals(const StripContact& contact, const contact::Creepage& creepage,
+                         int elements) {
+  BrushTotals totals;
+  for (const StripPatch& patch : contact.normal.patches) {
+    std::vector<StripPlace> places;
+    for (int j = patch.first; j <= patch.last; ++j)
+      places.push_back({contact.profile.y(j), contact.profile.width});
+    add_strips(brush_problem(contact, patch, creepage, elements), strips_in(contact, patch), places,
+               totals);
+  }
+  return totals;
+}
+
+/// From half as many strips. Sizes end at a boundary within a strip, so their bar is the full
+/// change.
+void estimate_normal_errors(const contact::PointResult& coarse, contact::PointResult& normal) {
+  const auto estimate = [&](const char* name, double part) {
+    normal.error_estimate[name] =
+        part * std::abs(contact::quantity(normal, name) - contact::quantity(coarse, name));
+  };
+  for (const char* name : {"max_pressure", "normal_force", "approach"}) estimate(name, 1.0 / 3.0);
+  for (const char* name : {"semi_axis_x", "semi_axis_y", "contact_area"}) estimate(name, 1.0);
+  if (normal.patch_x_middle && coarse.patch_x_middle)
+    for (const char* name : {"patch_x_middle", "patch_y_middle"}) estimate(name, 1.0);
+}
+
 }  // namespace
 
 StripNormalSolution strips_at_penetration(const StripProfile& profile, const StripLaw& law,
@@ -198,6 +397,48 @@ StripSection strip_section(const StripProfile& profile, const StripNormalSolutio
                             ? 0.0
                             : (1.0 - weight) * profile.middle[j] + weight * profile.middle[j + 1];
   return {at(solution.half_length), at(solution.max_pressure), middle};
+}
+
+contact::ModelResult run_strip(const contact::Scene& scene, const contact::Progress& progress) {
+  const contact::StripOptions& options = scene.options.strip;
+  if (options.strips < 8 || options.strip_elements < 4)
+    throw contact::InputError("the strip model needs at least 8 strips of 4 elements");
+  const StripContact fine = strip_contact(scene, options.strips, options.virtual_penetration);
+  const StripContact coarse = strip_contact(scene, options.strips / 2, options.virtual_penetration);
+  const contact::ContactGrid grid = grid_around(fine);
+  contact::PointResult normal = normal_part(fine, grid);
+  estimate_normal_errors(normal_part(coarse, grid), normal);
+  long unknowns = 0;
+  const auto fill = [&](contact::PointResult& point) {
+    contact::Field rows = contact::Field::Zero(grid.ny);
+    for (const StripPatch& patch : fine.normal.patches)
+      rows += fill_brush_fields(grid,
+                                brush_problem(fine, patch, point.creepage, options.strip_elements),
+                                strips_in(fine, patch), point);
+    const BrushTotals totals = strip_totals(fine, point.creepage, options.strip_elements);
+    set_totals(totals, grid, rows, point);
+    const int order = point.creepage.spin == 0.0 ? 2 : 1;
+    estimate_error(totals, strip_totals(coarse, point.creepage, options.strip_elements / 2), order,
+                   point);
+    unknowns = 2 * totals.elements;
+  };
+  const auto transmitted = [&](const contact::Creepage& creepage) -> contact::TransmittedForce {
+    const halfspace::CreepForces forces =
+        strip_totals(fine, creepage, options.strip_elements).forces;
+    return {{forces.longitudinal, forces.lateral},
+            scene.friction_coefficient() * normal.normal_force};
+  };
+  contact::ModelResult result = run_theory(with_creepages_of_forces(scene, transmitted), grid,
+                                           normal, "strip", progress, fill);
+  result.unknowns = unknowns;
+  result.notes.push_back(
+      "strip model: error estimates cover the resolution only; no gap outside the contact");
+  if (options.virtual_penetration)
+    result.notes.push_back(
+        fmt::format("virtual penetration of {:g} of the approach: an elliptic patch agrees with "
+                    "Hertz only at its own value of this fraction",
+                    *options.virtual_penetration));
+  return result;
 }
 
 }  // namespace rollfem::theories

@@ -13,7 +13,7 @@
 #include "postprocess/files/files_together.hpp"
 #include "postprocess/write/json_head.hpp"
 #include "profiles/profiles.hpp"
-#include "theories/registry.hpp"
+#include "theories/theory_models.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -8,7 +8,7 @@
 #include "contact/base/progress.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "models/caches/correction_cache.hpp"
 #include "models/registry.hpp"
 #include "models/solving/solving.hpp"

@@ -4,7 +4,7 @@
 // the pressure of its elements, with an error that falls with the size of the elements.
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include <cstdio>
 

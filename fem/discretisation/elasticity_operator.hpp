@@ -4,16 +4,11 @@
 #pragma once
 
 #include "contact/base/spares.hpp"
-#include "contact/base/threads.hpp"
 #include "fem/discretisation/coloured_pieces.hpp"
-#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
-#include "fem/discretisation/local_dofs.hpp"
+#include "fem/discretisation/local_cells.hpp"
 
 #include <deal.II/base/aligned_vector.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/mapping.h>
-#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <cstddef>
@@ -23,44 +18,6 @@
 #include <vector>
 
 namespace rollfem::fem {
-
-/// Position in deal.II's numbering of a cell of (component, node), nodes lexicographic, x fastest.
-/// Throws contact::InputError for elements other than FE_Q(1)^3 and FE_Q(2)^3.
-std::vector<unsigned int> lexicographic_positions(const dealii::FiniteElement<3>& element);
-
-/// Indices and geometry cell by cell, from which operators of either precision are packed.
-struct LocalCells {
-  int degree = 0;
-  std::size_t count = 0;
-  std::shared_ptr<const LocalDofs> dofs;
-  std::vector<unsigned int> nodes;           ///< [cell][node], local numbers, lexicographic
-  dealii::AlignedVector<double> geometry;    ///< [cell][point][e][d], as in CellBatches
-  dealii::AlignedVector<double> flow;        ///< [cell][point][e], empty without inertia
-  dealii::AlignedVector<double> dilatation;  ///< [cell][point][function], empty: not projected
-  contact::Material material;
-};
-
-/// Collective. Throws contact::InputError for degrees other than 1 and 2 and for cells inverted by
-/// the mapping.
-LocalCells make_local_cells(const ElasticProblem& problem);
-
-/// Mean of sqrt(det J) d xi / d x over the points of every cell, and the cells in which it is
-/// constant up to a relative tolerance.
-struct StraightCells {
-  StraightCells(const LocalCells& cells, double tolerance);
-
-  dealii::AlignedVector<double> matrix;  ///< [cell][e][d]
-  std::vector<std::size_t> straight, bent;
-};
-
-/// Passes [begin, end) over cells in pieces of whole batches.
-template <typename F>
-void for_each_cells(std::size_t cells, const F& f) {
-  contact::for_each_piece(static_cast<std::ptrdiff_t>(cells), 512,
-                          [&](std::ptrdiff_t first, std::ptrdiff_t end) {
-                            f(static_cast<std::size_t>(first), static_cast<std::size_t>(end));
-                          });
-}
 
 /// Lower triangle of a sparse symmetric matrix in global numbers, row after row.
 struct MatrixEntry {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Collects the data of the matrix-free operator from deal.II: local numbers, constraints, geometry.
+#include "fem/discretisation/local_cells.hpp"
+
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 #include "fem/discretisation/cell_terms.hpp"
-#include "fem/discretisation/elasticity_operator.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

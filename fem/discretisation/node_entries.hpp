@@ -5,7 +5,7 @@
 
 #include "contact/base/threads.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
-#include "fem/discretisation/local_dofs.hpp"
+#include "fem/discretisation/local_cells.hpp"
 
 #include <algorithm>
 #include <cstddef>

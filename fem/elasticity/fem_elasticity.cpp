@@ -9,10 +9,10 @@
 #include "fem/linear/solver_choice.hpp"
 #include "fem/plasticity/yielding_bodies.hpp"
 #include "fem/stress/stress_output.hpp"
-#include "fem/trace/compliance.hpp"
 #include "fem/trace/far_error.hpp"
+#include "fem/trace/fem_compliance.hpp"
 #include "fem/trace/rolling_inertia.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 
 #include <deal.II/base/mpi.h>

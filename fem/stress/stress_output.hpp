@@ -6,7 +6,7 @@
 #include "contact/result/result.hpp"
 #include "fem/discretisation/body_points.hpp"
 #include "fem/stress/stress_recovery.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include <array>
 #include <memory>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "fem/linear/linear_solver.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include <array>
 #include <vector>

@@ -8,7 +8,7 @@
 // are known.
 #pragma once
 
-#include "fem/trace/lattice.hpp"
+#include "fem/trace/lattice_deficit.hpp"
 #include "halfspace/elasticity/circulant.hpp"
 
 #include <optional>

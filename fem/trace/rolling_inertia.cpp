@@ -2,7 +2,7 @@
 #include "fem/trace/rolling_inertia.hpp"
 
 #include "contact/scene/geometry.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 #include "fem/trace/prescribed.hpp"
 
 #include <deal.II/base/quadrature_lib.h>

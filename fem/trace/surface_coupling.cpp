@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Coupling of contact grid and FE surface: integrals of the shape functions over the overlap of
-// contact elements and FE faces (chart_face.hpp), the same for loading and sampling.
+#include "fem/trace/surface_coupling.hpp"
+
 #include "contact/base/errors.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/chart_face.hpp"
-#include "fem/trace/compliance.hpp"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>

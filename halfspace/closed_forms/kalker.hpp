@@ -5,8 +5,6 @@
 
 #include "contact/scene/geometry.hpp"
 
-#include <array>
-
 namespace rollfem::halfspace {
 
 /// Creepage coefficients (Kalker 1967; 1990, table E.3) over G and the powers of c = sqrt(a b) in
@@ -37,21 +35,5 @@ struct CreepForces {
 /// c = sqrt(a b) and the combined shear modulus G in MPa.
 CreepForces linear_creep_forces(double semi_axis_x, double semi_axis_y, double shear_modulus,
                                 double poisson_ratio, const contact::Creepage& creepage);
-
-// The coefficients at 25 ratios and five Poisson's ratios, computed: benchmarks/kalker_table.py.
-
-/// Poisson's ratios of a row.
-inline constexpr std::array<double, 5> kalker_table_poisson{0.0, 0.125, 0.25, 0.375, 0.5};
-
-struct KalkerEntry {
-  double ratio;  ///< a/b
-  std::array<KalkerCoefficients, 5> row;
-};
-
-using KalkerTable = std::array<KalkerEntry, 25>;
-
-/// By increasing a/b: 0.01, 0.02, 0.05, 0.1, 0.2, ... 1 and the reciprocals to 100; six digits,
-/// five of them certain (four beyond 0.02 and 20).
-const KalkerTable& kalker_table();
 
 }  // namespace rollfem::halfspace

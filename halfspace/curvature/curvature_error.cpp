@@ -6,8 +6,8 @@
 #include "contact/result/quantities.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/model/level.hpp"
-#include "halfspace/model/model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,10 @@
 #include "halfspace/curvature/curved_body.hpp"
 
 #include "contact/base/count.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/curvature/far_surface.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +26,42 @@ namespace {
 constexpr double height_in_elements = 0.25;
 
 constexpr double rigid_modulus = std::numeric_limits<double>::infinity();
+
+/// One value per element or inner corner, first index along x.
+using Plane = Eigen::ArrayXXd;
+
+/// Sum over the four elements of a corner, each with its sign: `x` for those at larger x, `y` at
+/// larger y.
+Plane gathered(const Plane& u, double x, double y) {
+  const Eigen::Index n = u.rows() - 1, m = u.cols() - 1;
+  return x * y * u.bottomRightCorner(n, m) + x * u.bottomLeftCorner(n, m) +
+         y * u.topRightCorner(n, m) + u.topLeftCorner(n, m);
+}
+
+Plane scattered(const Plane& c, double x, double y) {
+  const Eigen::Index n = c.rows(), m = c.cols();
+  Plane u = Plane::Zero(n + 1, m + 1);
+  u.bottomRightCorner(n, m) += x * y * c;
+  u.bottomLeftCorner(n, m) += x * c;
+  u.topRightCorner(n, m) += y * c;
+  u.topLeftCorner(n, m) += c;
+  return u;
+}
+
+/// Gradients and means of element values, taken at the corners shared by four elements (one value
+/// less in each direction), and the transposes of both, from corners to elements: first-order
+/// operators built from them are symmetric on the grid.
+struct Corners {
+  double dx = 0.0;  ///< mm
+  double dy = 0.0;
+
+  Plane along_x(const Plane& u) const { return gathered(u, -1.0, 1.0) * (-0.5 / dx); }
+  Plane along_y(const Plane& u) const { return gathered(u, 1.0, -1.0) * (-0.5 / dy); }
+  static Plane mean(const Plane& u) { return 0.25 * gathered(u, 1.0, 1.0); }
+  Plane from_x(const Plane& m) const { return scattered(m, -1.0, 1.0) * (-0.5 / dx); }
+  Plane from_y(const Plane& m) const { return scattered(m, 1.0, -1.0) * (-0.5 / dy); }
+  static Plane from_mean(const Plane& m) { return 0.25 * scattered(m, 1.0, 1.0); }
+};
 
 /// The grid extended by half its longer side all around.
 ContactGrid surroundings(const ContactGrid& grid) {

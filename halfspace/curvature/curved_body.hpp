@@ -7,8 +7,6 @@
 #include "contact/base/grid.hpp"
 #include "contact/base/material.hpp"
 
-#include <Eigen/Core>
-
 #include <functional>
 #include <limits>
 #include <memory>
@@ -46,47 +44,6 @@ class CurvedBody {
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
-};
-
-// The part of CurvedBody that comes from the surface beyond a rectangle around the contact: there
-// the strain of the half-space is that of a few point loads, and the integral over the rest of the
-// plane is a small symmetric matrix (far_surface.cpp).
-
-class FarSurface {
- public:
-  /// `half_length`, `half_width`: mm, of the rectangle around the middle of the grid, covered by
-  /// the near part.
-  FarSurface(const contact::ContactGrid& grid, const BodySurface& surface, double half_length,
-             double half_width);
-
-  /// Adds the displacement (mm) under tractions (MPa).
-  void add(const contact::SurfaceField& traction, contact::SurfaceField& displacement) const;
-
- private:
-  contact::ContactGrid grid_;
-  Eigen::MatrixXd along_x_;  ///< Lagrange polynomials of the nodes at the columns of the grid
-  Eigen::MatrixXd along_y_;  ///< and at its rows
-  Eigen::MatrixXd matrix_;   ///< forces at the nodes (x, then y, then n) to displacements
-};
-
-// Gradients and means of element values, taken at the corners shared by four elements, and the
-// transposes of both: first-order operators built from them are symmetric on the grid.
-
-/// One value per element or inner corner, first index along x.
-using Plane = Eigen::ArrayXXd;
-
-struct Corners {
-  double dx = 0.0;  ///< mm
-  double dy = 0.0;
-
-  /// d/dx, d/dy and mean at the corners; one value less in each direction.
-  Plane along_x(const Plane& u) const;
-  Plane along_y(const Plane& u) const;
-  static Plane mean(const Plane& u);
-  // The transposes, from corners to elements.
-  Plane from_x(const Plane& m) const;
-  Plane from_y(const Plane& m) const;
-  static Plane from_mean(const Plane& m);
 };
 
 }  // namespace rollfem::halfspace

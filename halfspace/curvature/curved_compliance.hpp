@@ -6,7 +6,7 @@
 #include "contact/iteration/compliance.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/curvature/curved_body.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/elasticity/influence_tables.hpp"
+#include "halfspace/elasticity/element_sums.hpp"
 
 #include <cstdlib>
 

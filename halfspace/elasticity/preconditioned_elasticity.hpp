@@ -6,7 +6,7 @@
 #include "contact/result/patch_size.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_run.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include <Eigen/Core>
 

@@ -7,6 +7,7 @@
 #include "contact/result/patch_size.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_extremes.hpp"
+#include "halfspace/model/grid_signs.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/model/error_bars.hpp"
+#include "halfspace/model/grid_signs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "contact/solve/side_by_side.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/coverage.hpp"
 #include "halfspace/patch/patch_search.hpp"

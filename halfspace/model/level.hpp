@@ -5,7 +5,7 @@
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/solve/contact_run.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include <memory>
 #include <string>

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/solve/side_by_side.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
 #include <fmt/format.h>

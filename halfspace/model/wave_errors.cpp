@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "halfspace/model/wave_errors.hpp"
+
 #include "contact/base/errors.hpp"
 #include "contact/iteration/interpolation.hpp"
 #include "contact/iteration/normal.hpp"
 #include "contact/result/patch_size.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
-#include "halfspace/model/error_bars.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
 #include <fmt/format.h>

@@ -9,7 +9,7 @@
 #include "contact/result/result.hpp"
 #include "contact/solve/load_sharing.hpp"
 #include "contact/solve/standin.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/ridge.hpp"

@@ -8,7 +8,7 @@
 #include "contact/result/free_ends.hpp"
 #include "contact/scene/geometry.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // The C entry point of this library, which rollfem opens at run time.
 #include "contact/base/threads.hpp"
 #include "fem/discretisation/elasticity_kernel.hpp"
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
 
 #include <deal.II/base/config.h>

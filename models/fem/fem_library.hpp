@@ -3,7 +3,7 @@
 // than a whole half-space run.
 #pragma once
 
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 
 #include <mutex>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/base/progress.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "models/caches/correction_cache.hpp"

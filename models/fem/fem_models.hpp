@@ -4,7 +4,7 @@
 #pragma once
 
 #include "contact/solve/model.hpp"
-#include "hybrid/model.hpp"
+#include "hybrid/hybrid_model.hpp"
 
 namespace rollfem::modelling {
 

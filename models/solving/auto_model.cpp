@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "halfspace/patch/true_sections.hpp"
 #include "models/choice/laws.hpp"

@@ -5,7 +5,7 @@
 #include "contact/result/quantities.hpp"
 #include "contact/result/record.hpp"
 #include "models/study/study.hpp"
-#include "theories/registry.hpp"
+#include "theories/theory_models.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "support/bar_coverage.hpp"
 
 #include "contact/base/errors.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/test.hpp"
 #include "support/thesis_cases.hpp"

@@ -2,7 +2,7 @@
 // Damaged results and records: none of them is used. ROLLFEM_DAMAGED=10000 tries as many of each.
 #include "contact/base/errors.hpp"
 #include "contact/scene/scene.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "postprocess/files/checkpoint_folder.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/read/results_reader.hpp"

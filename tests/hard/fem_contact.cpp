@@ -3,10 +3,10 @@
 // the same contact elements, for patches so small beside the radii that the bodies are half-spaces.
 #include "contact/base/errors.hpp"
 #include "contact/result/validity.hpp"
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/temporary_folder.hpp"

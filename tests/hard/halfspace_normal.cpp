@@ -3,7 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/iteration/normal.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"

@@ -6,8 +6,8 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/thesis_cases.hpp"

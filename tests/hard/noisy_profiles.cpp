@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact of measured profiles: S1002 on 60E1 with noise of 0.01 mm across both, smoothed with that
 // scatter, against the same contact of the true profiles.
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "profiles/formula_profiles.hpp"
 #include "profiles/profiles.hpp"
 #include "track/motion/placed_scenes.hpp"

@@ -176,6 +176,6 @@ def self_test():
     assert verdict("fem/linear/a.cpp", '"body.hpp')
     assert not verdict("fem/linear/a.cpp", "<deal.II/base/mpi.h")
     assert not verdict("halfspace/model/a.cpp", '"contact/iteration/normal.hpp')
-    assert not verdict("app/a.cpp", '"fem/elasticity/model.hpp')
+    assert not verdict("app/a.cpp", '"fem/elasticity/fem_model.hpp')
     assert not verdict("contact/solve/a.cpp", '"contact/scene/geometry.hpp')
     assert not verdict("track/balance/a.cpp", '"track/motion/placed_scenes.hpp')

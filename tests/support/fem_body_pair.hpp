@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fem/linear/factorisation.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include "support/fem_test_support.hpp"
 #include "support/test.hpp"

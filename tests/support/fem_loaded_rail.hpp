@@ -5,7 +5,7 @@
 
 #include "fem/linear/multigrid.hpp"
 #include "fem/stress/stress_recovery.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 #include "halfspace/stress/subsurface.hpp"
 
 #include "support/fem_test_support.hpp"

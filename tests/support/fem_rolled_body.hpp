@@ -7,7 +7,7 @@
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/plasticity/steady_pass.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include "support/fem_test_support.hpp"
 #include "support/test.hpp"

@@ -5,7 +5,7 @@
 #include "contact/base/grid.hpp"
 #include "contact/scene/contact_surface.hpp"
 #include "fem/discretisation/body.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/random_field.hpp"

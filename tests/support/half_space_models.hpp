@@ -2,8 +2,8 @@
 // The models that need no finite elements.
 #pragma once
 
-#include "halfspace/registry.hpp"
-#include "theories/registry.hpp"
+#include "halfspace/halfspace_models.hpp"
+#include "theories/theory_models.hpp"
 
 namespace rollfem::testing {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "contact/scene/scene.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "tests/support/random_draws.hpp"
 #include <algorithm>

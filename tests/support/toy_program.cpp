@@ -2,7 +2,7 @@
 // The command-line program with an additional model and friction law, as in docs/developing.md
 // under "Add a model". tests/cli/toy_model.cpp calls it.
 #include "app/program.hpp"
-#include "halfspace/registry.hpp"
+#include "halfspace/halfspace_models.hpp"
 #include "models/registry.hpp"
 
 #include "support/power_law.hpp"

@@ -2,7 +2,7 @@
 // Rails that change along the track and wheels that are not round, against closed forms: where they
 // touch, and what they carry as bodies of the curvatures there.
 #include "contact/base/pi.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/temporary_folder.hpp"

@@ -3,7 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/temporary_folder.hpp"
 

@@ -2,7 +2,7 @@
 // Conformal contact on the curved half-space: CONTACT's deep groove, in which friction carries a
 // part of the load, and its corner in a root, whose sum of pressure is not the force.
 #include "contact/base/errors.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/temporary_folder.hpp"

@@ -9,7 +9,7 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/point_motion.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/recorded.hpp"
 #include "support/thesis_cases.hpp"

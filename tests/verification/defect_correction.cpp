@@ -4,7 +4,7 @@
 #include "contact/solve/defect_correction.hpp"
 
 #include "contact/base/errors.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/test.hpp"
 #include "support/thesis_cases.hpp"

@@ -4,7 +4,7 @@
 // guide, chapter on examples; open version r2707): FASTSIM (given there beside the full solution),
 // traction curves, from Cattaneo to Carter; and its solution of benchmark 9, run for this project.
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "theories/fastsim.hpp"
 
 #include "support/test.hpp"

@@ -9,7 +9,7 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

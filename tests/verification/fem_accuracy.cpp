@@ -2,7 +2,7 @@
 // The requested accuracy, by finite elements on case a without friction: reached with an estimate
 // of the right size, or reported as missed.
 #include "contact/result/refinement.hpp"
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"

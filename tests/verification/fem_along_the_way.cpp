@@ -4,9 +4,9 @@
 // slowly.
 #include "contact/solve/model.hpp"
 #include "fem/elasticity/run_level.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
-#include "hybrid/model.hpp"
+#include "hybrid/hybrid_model.hpp"
 #include "models/registry.hpp"
 #include "track/motion/placed_scenes.hpp"
 

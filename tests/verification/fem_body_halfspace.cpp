@@ -3,8 +3,8 @@
 // against the closed forms of Love and Cerruti behind halfspace::HalfspaceCompliance.
 #include "contact/scene/geometry.hpp"
 #include "fem/linear/factorisation.hpp"
-#include "fem/trace/compliance.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/fem_test_support.hpp"
 

@@ -2,7 +2,7 @@
 // The finite-element model on the thesis's case a, with cells of 0.47 mm: against exact Hertz and
 // against CONTACT's extrapolated creep curve. This is the program's main job.
 #include "contact/result/stress_measures.hpp"
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/contact_laws.hpp"

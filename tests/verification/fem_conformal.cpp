@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The hybrid where patches embrace: a wheel in a groove, whose normals turn by 33 degrees.
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
-#include "hybrid/model.hpp"
+#include "hybrid/hybrid_model.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"

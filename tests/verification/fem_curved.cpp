@@ -3,7 +3,7 @@
 // (rail of 50 mm under a wheel of -51.282 mm) on coarse cells against the half-space.
 #include "contact/scene/contact_surface.hpp"
 #include "fem/elasticity/run_level.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/contact_laws.hpp"

@@ -3,11 +3,11 @@
 // and the finite elements' pressure and forces where the surfaces are steep.
 #include "contact/base/errors.hpp"
 #include "contact/scene/scene.hpp"
-#include "fem/elasticity/model.hpp"
-#include "halfspace/model/model.hpp"
-#include "hybrid/compliance.hpp"
+#include "fem/elasticity/fem_model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
-#include "hybrid/model.hpp"
+#include "hybrid/hybrid_compliance.hpp"
+#include "hybrid/hybrid_model.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/elastic_sphere.hpp"

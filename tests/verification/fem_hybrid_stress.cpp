@@ -3,9 +3,9 @@
 // finite elements where they are not.
 #include "contact/result/stress_measures.hpp"
 #include "contact/scene/scene.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
-#include "hybrid/model.hpp"
+#include "hybrid/hybrid_model.hpp"
 
 #include "support/committed_cases.hpp"
 #include "support/mpi_environment.hpp"

@@ -5,7 +5,7 @@
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/factorisation.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include "support/fem_elastic_block.hpp"
 #include "support/fem_fields.hpp"

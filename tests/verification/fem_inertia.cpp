@@ -6,7 +6,7 @@
 #include "fem/discretisation/cell_terms.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/factorisation.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 #include "fem/trace/rolling_inertia.hpp"
 
 #include "support/committed_cases.hpp"

@@ -2,11 +2,11 @@
 // Every problem of the half-space by finite elements, on bodies that curve gently: both models pose
 // one problem, so that they differ by elasticity alone; the cells are coarse, a quarter of the
 // patch, and finite elements then transmit some per cent more at the same creepage.
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/thesis_cases.hpp"

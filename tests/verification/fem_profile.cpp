@@ -4,7 +4,7 @@
 #include "contact/scene/contact_surface.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/mesh/run_layout.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/patch_case.hpp"

@@ -6,10 +6,10 @@
 #include "fem/elasticity/run_level.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
-#include "hybrid/compliance.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "hybrid/correction/smooth_parts.hpp"
-#include "hybrid/model.hpp"
+#include "hybrid/hybrid_compliance.hpp"
+#include "hybrid/hybrid_model.hpp"
 
 #include "support/mpi_environment.hpp"
 #include "support/recorded.hpp"

@@ -3,7 +3,7 @@
 // same material slips without being driven. Lur'e's series for the sphere and the half-space for
 // the rail (benchmarks/book/elastic_sphere.py) give the amount.
 #include "fem/linear/factorisation.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include "support/elastic_sphere.hpp"
 #include "support/fem_test_support.hpp"

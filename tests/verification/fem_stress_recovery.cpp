@@ -4,7 +4,7 @@
 #include "fem/discretisation/body_points.hpp"
 #include "fem/linear/multigrid.hpp"
 #include "fem/stress/stress_recovery.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 
 #include "support/fem_loaded_rail.hpp"
 #include "support/fem_manufactured.hpp"

@@ -5,7 +5,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/scene/scene.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/half_space_models.hpp"

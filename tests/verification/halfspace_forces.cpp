@@ -7,8 +7,8 @@
 #include "contact/result/derived.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
-#include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/recorded.hpp"

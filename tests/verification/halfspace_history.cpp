@@ -5,8 +5,8 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/cattaneo_mindlin.hpp"
 #include "support/recorded.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Steady rolling on the half-space against CONTACT, converged values and invariants.
 #include "contact/iteration/tangential.hpp"
-#include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/contact_of_case_a.hpp"
 #include "support/thesis_cases.hpp"

@@ -2,8 +2,8 @@
 // All abilities of the driver hold for the hybrid: without a correction it equals the curved
 // half-space in every kind of problem, and corrections with a closed form are reproduced.
 #include "contact/result/quantities.hpp"
-#include "halfspace/model/model.hpp"
-#include "hybrid/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
+#include "hybrid/hybrid_model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/committed_cases.hpp"

@@ -7,7 +7,7 @@
 #include "contact/base/pi.hpp"
 #include "contact/result/patch_size.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "track/balance/balance.hpp"
 #include "track/balance/position.hpp"

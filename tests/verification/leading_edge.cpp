@@ -4,7 +4,7 @@
 
 #include "contact/iteration/normal.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/test.hpp"
 #include "support/thesis_cases.hpp"

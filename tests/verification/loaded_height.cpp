@@ -6,7 +6,7 @@
 // of the program's distances, charts, transforms or solvers.
 #include "contact/base/pi.hpp"
 #include "contact/result/patch_size.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include <Eigen/Cholesky>

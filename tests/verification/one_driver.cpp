@@ -3,9 +3,9 @@
 // elements, every problem gives the half-space's numbers, so that differences between two models
 // come from elasticity only.
 #include "contact/solve/contact_run.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/model/level.hpp"
-#include "halfspace/model/model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
 #include "support/test.hpp"

@@ -6,7 +6,7 @@
 #include "contact/result/derived.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "theories/carter.hpp"
 
 #include "support/half_space_models.hpp"

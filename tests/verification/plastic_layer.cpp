@@ -8,9 +8,9 @@
 #include "contact/solve/point_motion.hpp"
 #include "contact/solve/state_record.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Rollers in place of rails: two spheres, bodies exchanged, lengths scaled.
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/committed_cases.hpp"
 

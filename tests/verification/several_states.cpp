@@ -8,8 +8,8 @@
 #include "contact/solve/contact_problem.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "contact/solve/point_motion.hpp"
-#include "halfspace/elasticity/compliance.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/recorded.hpp"
 

@@ -4,7 +4,7 @@
 //   approach = a int_0^a f'(r)/sqrt(a^2 - r^2) dr,  P = 2 E* int_0^a r^2 f'(r)/sqrt(a^2 - r^2) dr.
 #include "contact/iteration/normal.hpp"
 #include "contact/result/patch_size.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/recorded.hpp"
 

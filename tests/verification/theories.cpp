@@ -2,7 +2,7 @@
 // The theories against CONTACT (its FASTSIM and its converged half-space solutions of the cases a,
 // c and e) and against the study of 2012.
 #include "contact/base/errors.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "theories/carter.hpp"
 #include "theories/closed_forms.hpp"
 #include "theories/fastsim.hpp"

@@ -3,7 +3,7 @@
 // load on every wheel, free rolling has no torque or no force, patches of one wheel share its load;
 // and a missing balance is reported.
 #include "contact/base/errors.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/balance/balance.hpp"
 #include "track/motion/placed_scenes.hpp"
 

@@ -3,7 +3,7 @@
 // yawed, rolling without torque, at every half millimetre of shift. Against CONTACT's shipped
 // results (user guide, section 5.7; github.com/eve70a/CONTACT, examples/mbench_a22_left.ref_out of
 // open version r2707 and mbench_a22_right.ref_out of r2447).
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/balance/balance.hpp"
 
 #include "support/wheel_rail_cases.hpp"

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/root.hpp"
 #include "contact/base/threads.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "track/balance/creepage_errors.hpp"
 #include "track/motion/wheelset_motion.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Falling friction and a layer in rollfem.h against the law itself, the model halfspace, and
 // refusals.
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/balance/balance.hpp"
 
 #include "rollfem/rollfem.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // rollfem.h against Hertz, full sliding, the model halfspace on a fine grid, and itself: units,
 // sides, threads, refusals.
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/balance/balance.hpp"
 
 #include "rollfem/rollfem.h"

@@ -3,7 +3,7 @@
 // one model for all of them.
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
-#include "halfspace/registry.hpp"
+#include "halfspace/halfspace_models.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/solving.hpp"

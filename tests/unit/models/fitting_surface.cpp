@@ -3,7 +3,7 @@
 // into each other on a coarse grid: it takes the common surface there, and only there.
 #include "contact/case/case_reader.hpp"
 #include "contact/result/quantities.hpp"
-#include "halfspace/registry.hpp"
+#include "halfspace/halfspace_models.hpp"
 #include "models/registry.hpp"
 #include "models/solving/solving.hpp"
 

@@ -3,7 +3,7 @@
 // too; at their values; and refusals.
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
 

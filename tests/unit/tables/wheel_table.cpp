@@ -3,7 +3,7 @@
 // table of the ellipse, jumps of the contact, taken up after an end, and refusals.
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "tables/filling/table_filling.hpp"
 #include "track/motion/placed_scenes.hpp"
 

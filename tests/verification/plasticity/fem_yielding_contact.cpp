@@ -2,7 +2,7 @@
 // Contact of bodies that yield, by the whole model: an elastic limit, equal discs, the pressure
 // that flattens, number of threads, streamlines that may yield.
 #include "contact/base/threads.hpp"
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 #include "fem/elasticity/run_level.hpp"
 
 #include "support/equal_balls.hpp"

@@ -5,7 +5,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/scene/geometry.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/test.hpp"
 

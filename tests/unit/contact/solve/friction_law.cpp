@@ -3,7 +3,7 @@
 #include "contact/scene/friction_law.hpp"
 
 #include "contact/iteration/tangential.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 
 #include "support/test.hpp"
 #include "support/thesis_cases.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The error bar of finite elements from half-spaces on the same contact grids, against values
 // computed by hand.
-#include "fem/elasticity/error_bars.hpp"
+#include "fem/elasticity/fem_error_bars.hpp"
 
 #include "support/mpi_environment.hpp"
 

@@ -3,7 +3,7 @@
 #include "contact/base/errors.hpp"
 #include "meshes/cell_quality.hpp"
 #include "meshes/grading.hpp"
-#include "meshes/segment_mesh.hpp"
+#include "meshes/gmsh_sections.hpp"
 
 #include "support/mesh_examples.hpp"
 

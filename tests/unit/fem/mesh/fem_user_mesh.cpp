@@ -5,7 +5,7 @@
 #include "fem/linear/factorisation.hpp"
 #include "fem/mesh/chart_face.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
-#include "fem/trace/compliance.hpp"
+#include "fem/trace/fem_compliance.hpp"
 #include "fem/trace/prescribed.hpp"
 
 #include "support/fem_test_support.hpp"

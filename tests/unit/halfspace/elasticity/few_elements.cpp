@@ -8,7 +8,7 @@
 #include "contact/iteration/leading_edge.hpp"
 #include "contact/iteration/normal.hpp"
 #include "contact/iteration/tangential.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/influence.hpp"
 #include "halfspace/elasticity/neighbours.hpp"
 

@@ -3,7 +3,7 @@
 #include "halfspace/elasticity/fft.hpp"
 
 #include "contact/base/pi.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
 #include <Eigen/Eigenvalues>

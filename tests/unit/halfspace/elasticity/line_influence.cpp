@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The half-space on one row of elements without ends across against half-planes as dense matrices,
 // and against very long elements.
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/influence.hpp"
 
 #include "support/random_field.hpp"

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/case_examples.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The error from waves too short for the elements: detected in profiles that have them, and as
 // large as the model finds with elements a quarter as wide.
-#include "halfspace/model/error_bars.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/wave_errors.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/profile_scenes.hpp"
 #include "support/worn_pairs.hpp"

@@ -8,7 +8,7 @@
 #include "contact/case/case_reader.hpp"
 #include "contact/result/patch_size.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "track/motion/placed_scenes.hpp"
 

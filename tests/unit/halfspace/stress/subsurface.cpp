@@ -5,7 +5,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/scene/geometry.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/stress/cell_stress.hpp"
 
 #include "support/cell_state.hpp"

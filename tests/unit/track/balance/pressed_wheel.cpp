@@ -4,7 +4,7 @@
 #include "track/balance/pressed_wheel.hpp"
 
 #include "contact/base/errors.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/balance/position.hpp"
 
 #include "support/worn_wheels.hpp"

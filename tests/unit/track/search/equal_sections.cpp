@@ -3,7 +3,7 @@
 // themselves and in a wheelset, on rails, rollers and in rings, straight, shifted, rolled and
 // yawed.
 #include "contact/base/pi.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/wheel_rail_cases.hpp"

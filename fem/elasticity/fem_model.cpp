@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "fem/elasticity/model.hpp"
+#include "fem/elasticity/fem_model.hpp"
 
 #include "contact/base/checkpoint.hpp"
 #include "contact/base/errors.hpp"
@@ -8,7 +8,7 @@
 #include "contact/result/record.hpp"
 #include "contact/result/refinement.hpp"
 #include "contact/result/validity.hpp"
-#include "fem/elasticity/error_bars.hpp"
+#include "fem/elasticity/fem_error_bars.hpp"
 #include "fem/elasticity/run_level.hpp"
 #include "fem/linear/first_process.hpp"
 #include "fem/linear/solver_choice.hpp"

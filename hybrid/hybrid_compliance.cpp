@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "hybrid/compliance.hpp"
+#include "hybrid/hybrid_compliance.hpp"
 
 #include <cmath>
 

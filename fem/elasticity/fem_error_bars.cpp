@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "fem/elasticity/error_bars.hpp"
+#include "fem/elasticity/fem_error_bars.hpp"
 
 #include "contact/base/errors.hpp"
 #include "contact/result/free_ends.hpp"
@@ -8,6 +8,7 @@
 #include "contact/solve/side_by_side.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/model/step_errors.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "contact/iteration/compliance.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/scene/scene.hpp"
-#include "halfspace/elasticity/compliance.hpp"
+#include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/elasticity/smooth_map.hpp"
 
 #include <memory>

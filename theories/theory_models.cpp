@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The theories as models: names, capabilities, options, and the error of each against the
 // half-space.
-#include "theories/registry.hpp"
+#include "theories/theory_models.hpp"
 
 #include "contact/result/bars.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/quantities.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/patch_search.hpp"
 #include "theories/carter.hpp"
 #include "theories/closed_forms.hpp"

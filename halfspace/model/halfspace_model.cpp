@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "contact/base/available_memory.hpp"
 #include "contact/base/count.hpp"
@@ -9,11 +9,13 @@
 #include "contact/result/free_ends.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/refinement.hpp"
+#include "contact/result/validity.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/side_by_side.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/error_bars.hpp"
 #include "halfspace/model/level.hpp"
+#include "halfspace/model/step_errors.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/stress/stress_maxima.hpp"
 #include "halfspace/stress/subsurface.hpp"
@@ -27,7 +29,10 @@
 
 namespace rollfem::halfspace {
 
+using contact::ModelInput;
 using contact::ModelResult;
+using contact::RefinedInput;
+using contact::Refinement;
 using contact::PointResult;
 using contact::Scene;
 
@@ -319,6 +324,21 @@ contact::Rung rung_of(const Scene& scene, const PatchSearch& area, const Cell& c
   return rung;
 }
 
+// Refinement levels of the half-space in a study.
+
+RefinedInput grid_level(ModelInput input, int k, int /*n*/) {
+  const double factor = std::exp2(k - 2);
+  if (auto& cell = input.contact_grid.cell_size) {
+    (*cell)[0] /= factor;
+    if (!input.geometry.line) (*cell)[1] /= factor;
+    const double side = (*cell)[0];
+    return {fmt::format("{:.4g} mm", side), side, std::move(input)};
+  }
+  const int across = input.contact_grid.elements_across =
+      std::max(contact::fewest_elements_across, input.contact_grid.elements_across / 4) << k;
+  return {fmt::format("{} across", across), static_cast<double>(across), std::move(input)};
+}
+
 }  // namespace
 
 ModelResult run_halfspace(const Scene& scene, const contact::Progress& progress,
@@ -396,6 +416,14 @@ Scene on_few_elements(Scene scene, int elements_across) {
   scene.subsurface.clear();
   scene.output.stress_maxima = false;
   return scene;
+}
+
+using contact::ModelInput;
+using contact::RefinedInput;
+using contact::Refinement;
+
+Refinement contact_grid() {
+  return {"grid", "", "contact grid", 2.0, 5, false, grid_level};
 }
 
 }  // namespace rollfem::halfspace

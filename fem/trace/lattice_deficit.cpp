@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "fem/trace/lattice.hpp"
+#include "fem/trace/lattice_deficit.hpp"
 
 #include "contact/base/pi.hpp"
 #include "contact/base/threads.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "halfspace/registry.hpp"
+#include "halfspace/halfspace_models.hpp"
 
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
-#include "halfspace/model/model.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 namespace rollfem::halfspace {
 
