@@ -22,7 +22,7 @@ struct MemoryDemand {
 };
 
 /// Largest resident memory of one process, bytes. The constants are measured
-/// (tests/cli/fem_memory.cpp).
+/// (tests/cli/test_fem_run.py).
 double predicted_bytes(const MemoryDemand& demand);
 
 /// Throws contact::SolveError on every process when the processes of any machine need more memory

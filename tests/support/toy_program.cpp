@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command-line program with an additional model and friction law, as in docs/developing.md
-// under "Add a model". tests/cli/toy_model.cpp calls it.
+// under "Add a model". tests/cli/test_toy_model.py calls it.
 #include "app/program.hpp"
 #include "halfspace/halfspace_models.hpp"
 #include "models/registry.hpp"
