@@ -2,9 +2,9 @@
 #include "app/program.hpp"
 
 #include "app/frame/commands.hpp"
-#include "app/frame/interruption.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/text_fields.hpp"
+#include "models/frame/interruption.hpp"
 #include "models/program/provenance.hpp"
 
 #include <fmt/format.h>
@@ -19,38 +19,9 @@
 #include <iostream>
 #include <new>
 #include <poll.h>
-#include <sched.h>
-#include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
 #include <utility>
-
-/// Replaces the function of the C library. Open MPI calls it all the time while it waits for a
-/// message. A process that yields a busy core runs again when the others have had their slices,
-/// whenever the message came, so that thousands of messages take minutes beside a build; one that
-/// sleeps has its turn at once when it wakes. Naps of a quarter of the time waited so far delay a
-/// message by no more than that. On a core that nobody else wants, seen by the lack of preemptions,
-/// waking is slower than most messages, and only long waits sleep.
-extern "C" int sched_yield() noexcept {
-  using namespace std::chrono;
-  constexpr microseconds without_nap(50), between_calls(20);
-  constexpr milliseconds longest(1), without_nap_alone(5), shared_for(20);
-  thread_local steady_clock::time_point begin, last;  // of one wait
-  thread_local steady_clock::time_point shared_until;
-  thread_local long preemptions = 0;
-  const auto now = steady_clock::now();
-  if (now - last > between_calls) begin = now;
-  if (now - begin > without_nap) {
-    rusage used{};
-    getrusage(RUSAGE_THREAD, &used);
-    if (std::exchange(preemptions, used.ru_nivcsw) != used.ru_nivcsw)
-      shared_until = now + shared_for;
-    if (now < shared_until || now - begin > without_nap_alone)
-      std::this_thread::sleep_for(std::min<nanoseconds>((now - begin) / 4, longest));
-  }
-  last = steady_clock::now();
-  return 0;
-}
 
 namespace rollfem::app {
 
@@ -184,7 +155,7 @@ int execute(int argc, char** argv, const contact::ModelRegistry& models) {
 
 int run_program(int argc, char** argv, const contact::ModelRegistry& models) {
   guard_outputs();
-  tell_of_interruptions();
+  modelling::tell_of_interruptions();
   try {
     return execute(argc, argv, models);
   } catch (const contact::OutputError& error) {

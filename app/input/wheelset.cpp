@@ -3,7 +3,7 @@
 // wheelset of a case over its lateral shift; no contact problem is solved.
 #include "app/input/wheelset.hpp"
 
-#include "app/frame/command_frame.hpp"
+#include "app/frame/computing.hpp"
 #include "app/frame/screen.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `table`: the creep force law of a case's contact over scaled creepages and axis
 // ratios, or over lateral shifts of its wheelset, with error bars and interpolation errors.
-#include "app/frame/command_frame.hpp"
-#include "app/frame/parts.hpp"
+#include "app/frame/computing.hpp"
+#include "models/frame/parts.hpp"
 #include "postprocess/files/result_folder.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
@@ -129,7 +129,7 @@ void table_at_once(const ComputingRequest& request) {
   const contact::Case input = request.read();
   CommandFrame frame(request, {});
   if (frame.idle()) return;
-  refuse_other_result(directory_of(request), "table.h5");
+  modelling::refuse_other_result(directory_of(request), "table.h5");
   warn_of_doubts(input);
   if (const std::string ignored = tables::ignored_keys(input); !ignored.empty())
     frame.say("note: " + ignored);
@@ -153,8 +153,8 @@ void table_at_once(const ComputingRequest& request) {
 }
 
 void table(ComputingRequest& request) {
-  check_division(request, 2, "");  // a table has many points
-  in_parts(request, true, directory_of(request), [&] { table_at_once(request); });
+  modelling::check_division(request, 2, "");  // a table has many points
+  modelling::in_parts(request, true, directory_of(request), [&] { table_at_once(request); });
 }
 
 }  // namespace
@@ -174,7 +174,7 @@ void add_table(CLI::App& program, Call& call) {
                     "folder for the table (default: results/<name of the case file>_table)");
   table->add_flag("--resume", request->resume,
                   "resume an interrupted table from the points kept in FOLDER.unfinished");
-  add_division(*table, *request, "points");
+  add_division(*table, request->share, request->merge, "points");
   add_report_flags(*table, *request);
   table->footer(
       "examples: rollfem table cases/thesis_a.toml --set table.points=[10,10,11]\n"

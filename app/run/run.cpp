@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The command `run`: the models of a case one after the other, then results and report.
-#include "app/frame/command_frame.hpp"
-#include "app/frame/parts.hpp"
+#include "app/frame/computing.hpp"
 #include "app/input/wheelset.hpp"
 #include "app/run/run_table.hpp"
 #include "contact/base/errors.hpp"
+#include "models/frame/parts.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
 #include "models/solving/case_scenes.hpp"
@@ -77,7 +77,7 @@ void tell_what_is_not_stored(const postprocess::RunRecord& record,
 void write_and_tell(const RunRequest& request, const postprocess::RunRecord& record) {
   const contact::ModelRegistry& models = request.call.models;
   const fs::path directory = request.folder();
-  store_results(directory.string(), record);
+  modelling::store_results(directory.string(), record);
   // A wheel above its rail leaves nothing to draw.
   const bool drawn = !record.models.empty() && report_drawn(request, directory);
   if (request.quiet) return;
@@ -137,9 +137,9 @@ void run(RunRequest& request) {
   request.models = modelling::checked_names(models, request.models, "--model");
   const contact::Case input = request.read();
   const std::size_t positions = input.has_profiles() ? input.wheelset.positions() : 1;
-  check_division(request, positions, "position of the wheelset");
+  modelling::check_division(request, positions, "position of the wheelset");
   const bool divisible = positions > 1 && !modelling::any_parallel(models, input.models);
-  in_parts(request, divisible, request.folder(), [&] { run_at_once(request); });
+  modelling::in_parts(request, divisible, request.folder(), [&] { run_at_once(request); });
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ void add_run(CLI::App& program, Call& call) {
                   "folder for the results (default: results/<name of the case file>)");
   run->add_flag("--resume", request->resume,
                 "continue an interrupted run from the load points kept in FOLDER.unfinished");
-  add_division(*run, *request, "positions of a wheelset");
+  add_division(*run, request->share, request->merge, "positions of a wheelset");
   add_report_flags(*run, *request);
   run->footer(footer_with_models("rollfem run cases/thesis_a.toml --model halfspace -o /tmp/case_a",
                                  call.models));

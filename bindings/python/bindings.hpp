@@ -2,6 +2,8 @@
 // Parts of the module rollfem._core beside module.cpp.
 #pragma once
 
+#include "contact/solve/model.hpp"
+
 #include "rollfem/rollfem.hpp"
 #include <memory>
 #include <pybind11/pybind11.h>
@@ -19,6 +21,9 @@ py::list models_of(const Shared& result);
 py::tuple packed(const Result& result);
 Shared unpacked(const py::tuple& state);
 
+/// The models of the package.
+const contact::ModelRegistry& known_models();
+
 /// {name: (title, symbol, unit, meaning, percent_of)}, in the order of the files.
 py::dict quantities();
 /// {name: (unit, description, sign)}
@@ -29,8 +34,10 @@ py::object place_of(const std::optional<contact::ContactPlace>& place);
 
 /// The class CreepTable, on which rollfem.Table is made, and `fill_table`.
 void define_tables(py::module_& module);
-/// What the commands study, compare, stress and check compute.
+/// Stresses, writing and drawing.
 void define_commands(py::module_& module);
+/// The classes Scene, Level, Computing and Computation, by which studies and comparisons solve.
+void define_computations(py::module_& module);
 /// Profiles, contact points and the rigid wheelset.
 void define_track(py::module_& module);
 

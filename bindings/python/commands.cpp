@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Studies, comparisons and stresses as the files that their commands write.
+// Stresses as the files that their command writes, and writing and drawing.
 #include "bindings/python/caller.hpp"
 #include "models/registry.hpp"
 #include "models/stress/stored_stress.hpp"
@@ -11,33 +11,18 @@
 
 namespace rollfem::python {
 
-using namespace py::literals;
-
 namespace {
 
-const contact::ModelRegistry& known_models() {
-  static const contact::ModelRegistry models = modelling::built_in_models();
-  return models;
-}
+/// What a command writes: contents of files by their names, the text it prints, its warnings.
+struct Files {
+  std::map<std::string, std::string> contents;
+  std::string text;
+  std::vector<std::string> warnings;
+};
 
 /// (contents by file name, text for the terminal, warnings)
 py::tuple tuple_of(const Files& files) {
   return py::make_tuple(files.contents, files.text, files.warnings);
-}
-
-using Missings = std::vector<std::tuple<std::string, std::string, bool>>;
-
-/// `cases`: name, result, (model, reason, failed) of those that are missing.
-py::tuple comparison_of(
-    const std::vector<std::tuple<std::string, std::shared_ptr<Result>, Missings>>& cases,
-    const std::string& reference) {
-  std::vector<Compared> compared;
-  for (const auto& [name, result, missing] : cases) {
-    compared.push_back({name, *result, {}});
-    for (const auto& [model, reason, failed] : missing)
-      compared.back().missing.push_back({model, reason, failed});
-  }
-  return tuple_of(compare(compared, reference));
 }
 
 py::tuple stress_of(const modelling::StressRequest& request) {
@@ -65,15 +50,12 @@ std::string draw(const std::string& path) {
 
 }  // namespace
 
+const contact::ModelRegistry& known_models() {
+  static const contact::ModelRegistry models = modelling::built_in_models();
+  return models;
+}
+
 void define_commands(py::module_& module) {
-  module.def("study", [](const Case& input, const std::vector<std::string>& models,
-                         const std::vector<std::string>& vary, bool together, int levels,
-                         const std::vector<std::string>& references, const py::object& callback) {
-    const StudyOptions options{models, vary, together, levels, references};
-    return tuple_of(without_gil(
-        callback, [&](const Progress& progress) { return study(input, options, progress); }));
-  });
-  module.def("compare", &comparison_of);
   module.def("stress",
              [](const std::string& result, const std::vector<std::string>& models,
                 const std::string& patch, const std::vector<int>& points, const std::string& places,
@@ -90,10 +72,6 @@ void define_commands(py::module_& module) {
                                  yield_shear_stress,
                                  yield_strength});
              });
-  module.def("compared_models", [] {
-    return modelling::built_of(known_models(),
-                               known_models().names(&contact::ModelInfo::in_compare));
-  });
   module.def("write_files", &write_files);
   module.def("draw", &draw);
 }

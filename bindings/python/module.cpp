@@ -8,6 +8,7 @@
 #include "contact/case/checks/plausibility.hpp"
 #include "contact/case/keys/case_keys.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
+#include "models/registry.hpp"
 #include "profiles/profiles.hpp"
 
 #include <algorithm>
@@ -100,6 +101,8 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
+    } catch (const contact::OutputError& error) {
+      python::raise("OutputError", error.what());
     } catch (const FileError& error) {
       python::raise("FileError", error.what());
     } catch (const InputError& error) {
@@ -113,13 +116,20 @@ PYBIND11_MODULE(_core, module) {
   python::define_progress(module);
   python::define_tables(module);
   python::define_commands(module);
+  python::define_computations(module);
   python::define_track(module);
   py::class_<Case>(module, "Case")
+      .def_readonly("file", &Case::file)
       .def_readonly("title", &Case::title)
       .def_readonly("text", &Case::text)
       .def_readonly("models", &Case::models)
       .def_property_readonly("load_points",
                              [](const Case& input) { return input.rolling.creepages.size(); })
+      .def_readonly("friction_coefficient", &Case::friction_coefficient)
+      .def_property_readonly("has_profiles", &Case::has_profiles)
+      .def_property_readonly(
+          "has_meshes",
+          [](const Case& input) { return !input.wheel.mesh.empty() || !input.rail.mesh.empty(); })
       .def("curvatures_of_ellipse",
            [](const Case& input, double a, double b, double force) {
              const double pressure = 1.5 * force / (contact::pi * a * b);
@@ -136,7 +146,9 @@ PYBIND11_MODULE(_core, module) {
   py::class_<Result, std::shared_ptr<Result>>(module, "Result")
       .def_readonly("verdict", &Result::verdict)
       .def(py::pickle(&python::packed, &python::unpacked));
-  module.def("read_case", &read_case);
+  module.def("read_case", [](const std::string& file, const std::vector<std::string>& changes) {
+    return contact::read_case(file, modelling::model_words(python::known_models()), changes);
+  });
   module.def("parse_case", &parse_case);
   module.def("models", &models);
   module.attr("most_threads") = contact::most_threads;

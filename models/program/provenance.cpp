@@ -65,6 +65,10 @@ fs::path script_directory() {
   const fs::path code = code_directory();
   // The library folder may have a subfolder per architecture.
   for (const fs::path& prefix : {program_directory() / "..", code / "..", code / ".." / ".."}) {
+    // In a build folder, with the compiled module.
+    if (const fs::path built = prefix / "python" / "rollfem";
+        fs::exists(built / "__main__.py", error))
+      return built.lexically_normal();
     const fs::path packages = prefix / ROLLFEM_PACKAGE_DIR;
     // pip installs into site-packages, also where Debian's folder is dist-packages.
     for (const fs::path& folder : {packages, packages.parent_path() / "site-packages"}) {

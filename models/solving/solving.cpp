@@ -294,17 +294,6 @@ contact::ModelResult solve_scene(const std::string& model, const contact::Scene&
   }
 }
 
-postprocess::ComparisonRecord begin_comparison(const contact::ModelRegistry& known,
-                                               const std::string& reference,
-                                               postprocess::Provenance provenance) {
-  postprocess::ComparisonRecord record;
-  record.provenance = std::move(provenance);
-  record.reference = reference;
-  record.references = known.names(&contact::ModelInfo::measures_others);
-  record.references.insert(record.references.begin(), reference);
-  return record;
-}
-
 namespace {
 
 Part solve_part(const contact::Case& input, const Placed& wheels, const Solving& how) {

@@ -8,7 +8,6 @@
 #include "contact/solve/model.hpp"
 #include "models/fem/fem_library.hpp"
 #include "models/solving/case_scenes.hpp"
-#include "postprocess/compare/comparison.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <functional>
@@ -40,11 +39,6 @@ struct Solving {
 /// processes a failure is thrown even with `go_on`, because the others may be inside a collective
 /// call.
 std::vector<postprocess::MissingModel> solve(postprocess::RunRecord& record, const Solving& how);
-
-/// A comparison without cases. `reference`: as requested, or empty.
-postprocess::ComparisonRecord begin_comparison(const contact::ModelRegistry& known,
-                                               const std::string& reference,
-                                               postprocess::Provenance provenance);
 
 /// Runs one model on a scene as it is, with progress and checkpoint of its patch. Throws
 /// contact::InputError and contact::SolveError.

@@ -138,7 +138,7 @@ class Case(InFile):
             self._file, data = source._file, source.data
         elif isinstance(source, (str, os.PathLike)):
             self._file = os.fspath(source)
-            core = _core.read_case(self._file)
+            core = _core.read_case(self._file, [])
             data = tomllib.loads(core.text)
         elif source is not None and not isinstance(source, dict):
             raise InputError(f"{source!r} is not a case; allowed: a case file, a dict of sections, a rollfem.Case")

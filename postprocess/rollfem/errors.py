@@ -10,5 +10,9 @@ class FileError(InputError, OSError):
     """A file cannot be read or written, or is not what it should be."""
 
 
+class OutputError(FileError):
+    """The call is right, but what it found cannot be written."""
+
+
 class SolveError(RuntimeError):
     """No solution was reached."""

@@ -3,11 +3,13 @@
 import contextlib
 import csv
 import io
+import json
 import os
 import re
 import stat
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 _SEAL = 512  # bytes of the user block before the HDF5 data
 
@@ -69,6 +71,23 @@ def json_is_sound(text: str) -> bool:
     data = text.encode("utf-8")
     at = data.rfind(b'"checksum": "crc32 ')
     return at >= 0 and data[at + 19:] == b'%08x"\n}\n' % zlib.crc32(data[:at])
+
+
+def sealed_json(data: Mapping[str, Any]) -> str:
+    """The text of a JSON object with its checksum as the last member."""
+    body = json.dumps(data, indent=1, ensure_ascii=False).encode("utf-8", "replace").removesuffix(b"\n}") + b",\n  "
+    return f'{body.decode()}"checksum": "crc32 {zlib.crc32(body):08x}"\n}}\n'
+
+
+def cell(value: float | str | None) -> str:
+    """A cell of a CSV table: the shortest number that reads the same, or nothing."""
+    return "" if value is None else repr(value).removesuffix(".0") if isinstance(value, float) else str(value)
+
+
+def quoted(text: str) -> str:
+    """A cell of text that may hold commas; an apostrophe goes before one that begins like a formula of a spreadsheet."""
+    safe = "'" * text.startswith(tuple("=+-@\t\r")) + text.replace('"', '""')
+    return f'"{safe}"'
 
 
 def rows_of(text: str) -> tuple[str, list[dict[str, str]]]:

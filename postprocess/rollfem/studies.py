@@ -12,6 +12,9 @@ import numpy as np
 
 from . import _core
 from .case import Case, CaseLike, toml_lines
+from .commands.comparing import Compared, begin_comparison, compared_models, comparison_of
+from .commands.levels import Study as Refined
+from .commands.levels import Wishes, study_of
 from .errors import InputError
 from .outputs import Comparison, Files, Stress, Study
 from .result import Result
@@ -20,12 +23,17 @@ from .solving import Models, Told, checked, names_of
 Made = TypeVar("Made", bound=Files)
 
 
+def in_python(error: InputError) -> InputError:
+    """The same error; options of the command line are keywords here."""
+    return type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error)))
+
+
 def _made(kind: type[Made], command: "Callable[[], _core.Written]") -> Made:
-    """What a command makes, with its warnings; its options are keywords here, in its messages too."""
+    """What a command makes, with its warnings."""
     try:
         contents, text, said = command()
     except InputError as error:
-        raise type(error)(re.sub(r"--([a-z-]+)", lambda match: match[1].replace("-", "_"), str(error))) from None
+        raise in_python(error) from None
     for warning in said:
         warnings.warn(warning, stacklevel=3)
     return kind(contents, text)
@@ -57,8 +65,20 @@ def study(case: CaseLike, /, *, model: str | None = None, models: Models = None,
     if not hasattr(levels, "__index__") or abs(levels) >= 2**31:
         raise InputError(f"study: levels = {levels!r}: allowed: a whole number")
     names = names_of(model, models)
-    core, references = checked(case).core, listed("reference", reference)
-    return _made(Study, lambda: _core.study(core, names, listed("vary", vary), together, levels, references, progress))
+    if names != ["all"]:
+        names = _core.checked_names(names, "models")
+    core = checked(case).core
+    try:
+        wishes = Wishes(names, listed("vary", vary), together, levels, listed("reference", reference))
+        wishes.check(core)
+        work = _core.Computation(wishes.named(), progress)
+        made = Refined(wishes, core, work)
+        work.compute("models", "", made.solve)
+    except InputError as error:
+        raise in_python(error) from None
+    if failures := made.finish():
+        warnings.warn(f"levels that failed: {failures}", stacklevel=2)
+    return study_of(made.record)
 
 
 def compare(cases: CaseLike | Sequence[CaseLike], /, *, models: Models = None, reference: str = "",
@@ -77,16 +97,17 @@ def compare(cases: CaseLike | Sequence[CaseLike], /, *, models: Models = None, r
 
     >>> print(rollfem.compare("cases/thesis_a.toml", models=["fastsim", "halfspace"]).text)
     """
-    names = names_of(None, models) or _core.compared_models()
+    names = names_of(None, models) or compared_models()
     if reference and reference not in names:
         raise InputError(f"reference = {reference!r}: it is not among the models compared; allowed: {', '.join(names)}")
     results: dict[str, Result] = {}
+    record = begin_comparison(_core.Computation(names, None), names, reference)
     for name, each in _named(cases):
         case = checked(each)
-        results[name] = Result.of(case, *_core.solve(case.core, names, progress, True))
-    cores = [(name, result._core, result.missing) for name, result in results.items() if result._core is not None]
-    contents, text, _ = _core.compare(cores, reference)
-    return Comparison(contents, text, results=results)
+        found = results[name] = Result.of(case, *_core.solve(case.core, names, progress, True))
+        record.cases.append(Compared(name, case.title, case.core.file, case.core.friction_coefficient, found.models,
+                                               found.missing))
+    return comparison_of(record, results)
 
 
 def _named(cases: CaseLike | Sequence[CaseLike]) -> list[tuple[str, Any]]:

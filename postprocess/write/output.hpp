@@ -86,6 +86,10 @@ void write_results(const std::string& directory, const RunRecord& run);
 /// else python3 on PATH; it imports no module from the current folder.
 std::string make_report(const std::string& path, const std::string& script_directory);
 
+/// Runs `python3 -m rollfem WORDS` in place of this program. Returns why, if that fails.
+std::string become_package(const std::vector<std::string>& words,
+                           const std::string& script_directory);
+
 // Checks that every writer relies on: sizes that fit the grid, names usable as paths, no NaN.
 
 /// Throws std::logic_error naming the field if the record holds a number that is not finite, a

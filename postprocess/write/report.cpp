@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Runs the plotting program (Python) on a result folder.
+// Runs the Python package: on a result folder, or for a whole command.
 #include "postprocess/write/output.hpp"
 
 #include <fmt/core.h>
@@ -63,6 +63,13 @@ std::string read_to_end(int pipe) {
   }
 }
 
+std::string cannot_run(const std::string& python, int error) {
+  return fmt::format(
+      "cannot run {}: {}; do: install python3 python3-numpy python3-h5py or name "
+      "another Python in ROLLFEM_PYTHON",
+      python, std::strerror(error));
+}
+
 /// Runs a program in a folder; returns its output on failure, empty on success.
 std::string run(std::vector<std::string> call, std::vector<std::string> environment,
                 const std::string& folder) {
@@ -81,10 +88,7 @@ std::string run(std::vector<std::string> call, std::vector<std::string> environm
   ::close(ends[1]);
   if (error != 0) {
     ::close(ends[0]);
-    return fmt::format(
-        "cannot run {}: {}; install python3 python3-numpy python3-h5py or name "
-        "another Python in ROLLFEM_PYTHON",
-        call[0], std::strerror(error));
+    return cannot_run(call[0], error);
   }
   std::string printed = read_to_end(ends[0]);
   ::close(ends[0]);
@@ -108,11 +112,12 @@ std::string one_line(const fs::path& directory, std::string printed) {
   return printed.substr(last + 1) + (file ? fmt::format(" (full text in {})", log.string()) : "");
 }
 
-/// The environment of this process, with PYTHONPATH reduced to absolute paths; relative and empty
-/// ones refer to the user's folder.
-std::vector<std::string> environment() {
+/// The environment of this process, with PYTHONPATH reduced to `first` and absolute paths; relative
+/// and empty ones refer to the user's folder.
+std::vector<std::string> environment(const std::string& first = "") {
   const std::string name = "PYTHONPATH=";
   std::vector<std::string> all;
+  std::string path = first;
   for (char** entry = environ; entry && *entry; ++entry) {
     const std::string text(*entry);
     if (text.compare(0, name.size(), name) != 0) {
@@ -120,15 +125,26 @@ std::vector<std::string> environment() {
       continue;
     }
     std::istringstream rest(text.substr(name.size()));
-    std::string kept;
     for (std::string part; std::getline(rest, part, ':');)
-      if (fs::path(part).is_absolute()) kept += (kept.empty() ? "" : ":") + part;
-    all.push_back(name + kept);
+      if (fs::path(part).is_absolute()) path += (path.empty() ? "" : ":") + part;
   }
+  all.push_back(name + path);
   return all;
 }
 
 }  // namespace
+
+std::string become_package(const std::vector<std::string>& words,
+                           const std::string& script_directory) {
+  const fs::path parent = package_parent(script_directory);
+  if (parent.empty()) return fmt::format("no Python package rollfem in {}", script_directory);
+  std::vector<std::string> call{find_python(parent), "-B", "-P", "-X", "utf8", "-m", "rollfem"};
+  call.insert(call.end(), words.begin(), words.end());
+  // -P keeps modules of the user's folder out.
+  std::vector<std::string> variables = environment(parent.string());
+  ::execvpe(call[0].c_str(), pointers(call).data(), pointers(variables).data());
+  return cannot_run(call[0], errno);
+}
 
 std::string make_report(const std::string& path, const std::string& script_directory) {
   const fs::path parent = package_parent(script_directory);

@@ -67,21 +67,9 @@ def test_runs_beside_the_others_with_its_report(rollfem, done):
     says(rollfem.text("out/report.html"), "stiff half-space")
 
 
-def test_is_compared_and_may_be_the_reference(rollfem, done):
-    outcome = done("compare", rollfem.case(QUICK), "-m", "hertz", "halfspace", "stiff", "--reference", "stiff", "-o", "out")
-    assert "warning" not in outcome.err
-    says(rollfem.text("out/compare.html"), "stiff half-space")
-    row, = (row for row in rollfem.rows("out/compare.csv")
-            if (row["model"], row["quantity"], row["point"]) == ("halfspace", "max_pressure", "1"))
-    assert row["reference"] == "stiff"
-    assert float(row["difference"]) == pytest.approx(100 * (0.9 ** (2 / 3) - 1), abs=1e-4)
-
-
-def test_is_studied_as_the_half_space_is(rollfem, done):
-    says(done("study", rollfem.case(QUICK), "-m", "halfspace", "stiff", "--levels", "3", "-o", "out").out, "stiff")
-    series = rollfem.json("out/study.json")["places"][0]["series"]
-    assert [each["model"] for each in series] == ["halfspace", "stiff"] and len(series[1]["levels"]) == 3
-    says(rollfem.text("out/study.html"), "stiff half-space")
+@pytest.mark.parametrize("command", ["compare", "study"])
+def test_is_not_in_the_package_that_compares_and_studies(rollfem, toy, command):
+    refused(toy(command, rollfem.case(QUICK)), "does not have the model stiff of this program")
 
 
 def test_goes_on_from_its_checkpoint_and_gives_stresses(rollfem, done):

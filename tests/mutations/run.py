@@ -77,7 +77,7 @@ class Workshop:
     def program(self, suspect):
         """The program of the suspect's folder; tests of the command line call that of the user."""
         group, name = suspect.split(":")[0].split("_", 1)
-        if group == "cli":
+        if group in ("cli", "python"):
             return "rollfem_program"
         room = next((ROOT / "tests" / group).rglob(f"{name}.cpp")).parent.relative_to(ROOT / "tests")
         program = "_".join(room.parts)
@@ -95,7 +95,7 @@ class Workshop:
 
     def first_failure(self, suspect):
         """Name of the first test of a program that fails, or None."""
-        if suspect.startswith("cli_"):
+        if suspect.startswith(("cli_", "python_")):
             test = suspect.replace("_", ".", 1)
             return None if self.passes(test) else test
         ran = run([self.build / "tests" / self.program(suspect), "--gtest_fail_fast", "--gtest_brief=1",

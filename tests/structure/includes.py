@@ -52,10 +52,10 @@ ROOMS = {
     "fem": ["mesh", "discretisation", "linear", "trace", "stress", "plasticity", "elasticity"],
     "hybrid": ["", "correction"],
     "track": ["placement", "search", "motion", "balance", "pair"],
-    "postprocess": ["files", "hdf5", "write", "read", "compare", "study", "stress"],
-    "models": ["program", "caches", "fem", "choice", "solving", "study", "stress", ""],
+    "postprocess": ["files", "hdf5", "write", "read", "stress"],
+    "models": ["program", "caches", "fem", "choice", "solving", "stress", "", "frame"],
     "tables": ["files", "filling"],
-    "app": ["frame", "input", "results", "run", "study", ""],
+    "app": ["frame", "input", "results", "run", ""],
 }
 MODULES = {name.split("/")[0] for name in ALLOWED}
 HEAVY = re.compile(r"^(deal\.II|mpi\.h|p4est|Epetra|ml_)")

@@ -12,6 +12,7 @@ def problems(root):
     programs = {f"{group}_{path.stem.removeprefix('test_')}"
                 for group in ("unit", "verification", "hard", "cli")
                 for pattern in ("*.cpp", "test_*.py") for path in (root / "tests" / group).rglob(pattern)}
+    programs |= {f"python_{path.stem}" for path in (root / "tests/python").glob("*.py")}
     for mutation in MUTATIONS:
         text = (root / mutation.file).read_text() if (root / mutation.file).is_file() else ""
         if text.count(mutation.find) != 1:

@@ -12,7 +12,6 @@
 #include "contact/result/result.hpp"
 #include "postprocess/write/output.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -64,36 +63,6 @@ Result solve_file(const std::string& file, const std::vector<std::string>& model
 /// and report.html, which take some seconds. Returns why these could not be drawn, or an empty
 /// text. Throws InputError if the folder cannot be written.
 std::string write(const std::string& folder, const Result& result, bool report = false);
-
-/// What a command writes: contents of files by their names, the text it prints, its warnings.
-struct Files {
-  std::map<std::string, std::string> contents;
-  std::string text;
-  std::vector<std::string> warnings;
-};
-
-/// As options of `rollfem study` (docs/commands.md). Without models the half-space; "all": every
-/// model that can take the case.
-struct StudyOptions {
-  std::vector<std::string> models, vary;
-  bool together = false;
-  int levels = 0;  ///< 0: as the model has it
-  std::vector<std::string> references;
-};
-
-/// A refinement study: study.json, study.csv. Throws as `solve` does.
-Files study(const Case& input, const StudyOptions& options = {}, const Progress& progress = {});
-
-/// A case of a comparison.
-struct Compared {
-  std::string name;
-  Result result;
-  std::vector<Missing> missing;
-};
-
-/// Models side by side: compare.json, compare.csv. `reference`: the model that the others are
-/// compared with; empty: the best there is.
-Files compare(const std::vector<Compared>& cases, const std::string& reference = "");
 
 /// Folder of the Python package rollfem, which draws reports and reads results.
 std::string figures_directory();

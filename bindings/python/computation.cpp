@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How the package solves the cases of a comparison and the levels of a study: from Python with a
+// callback, from the command line with the frame of the computing commands.
+#include "bindings/python/caller.hpp"
+#include "contact/base/checkpoint.hpp"
+#include "contact/base/errors.hpp"
+#include "contact/base/progress.hpp"
+#include "contact/result/quantities.hpp"
+#include "contact/result/record.hpp"
+#include "models/caches/correction_cache.hpp"
+#include "models/frame/command_frame.hpp"
+#include "models/frame/interruption.hpp"
+#include "models/frame/parts.hpp"
+#include "models/frame/ready.hpp"
+#include "models/program/provenance.hpp"
+#include "models/solving/case_scenes.hpp"
+#include "postprocess/files/files_together.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+#include <tuple>
+
+namespace rollfem::python {
+
+using namespace py::literals;
+using contact::Scene;
+using modelling::Solving;
+
+namespace {
+
+/// The load points of one level. Their records carry the seconds spent on the level so far, so that
+/// the cost of a resumed level covers all calls.
+class LevelPoints : public contact::CheckpointPart {
+ public:
+  using CheckpointPart::CheckpointPart;
+  std::optional<std::string> find(const std::string& name) override {
+    const std::optional<std::string> bytes = CheckpointPart::find(name);
+    if (!bytes) return {};
+    double seconds = 0.0;
+    std::string content;
+    if (!contact::reads(contact::Record(*bytes), [&](auto& r) { r.values(seconds, content); })) {
+      refuse(name);
+      return {};
+    }
+    before_ = std::max(before_, seconds);
+    return content;
+  }
+  void keep(const std::string& name, const std::string& content) override {
+    CheckpointPart::keep(name, contact::record_of(before_ + watch_.seconds(), content));
+  }
+  /// Seconds of earlier calls; known after the level is solved.
+  double seconds_before() const { return before_; }
+
+ private:
+  double before_ = 0.0;
+  contact::Stopwatch watch_;
+};
+
+/// A level of a study to solve.
+struct Level {
+  std::string model, label;
+  Scene scene;
+  std::string records;  ///< beginning of the names of its load points
+};
+
+class Computation {
+ public:
+  /// In Python.
+  Computation(std::vector<std::string> models, py::object callback)
+      : models_(std::move(models)), callback_(std::move(callback)) {}
+  /// From the command line.
+  Computation(std::vector<std::string> models, modelling::Computing& asked)
+      : models_(std::move(models)), asked_(&asked) {
+    frame_.emplace(asked, models_);
+  }
+
+  /// Calls `body` while MPI runs if a model needs it, and tells of stored work if it fails.
+  void compute(const std::string& asked_by, const std::string& kept, const py::function& body) {
+    if (!frame_) {
+      modelling::check_built(known_models(), models_, asked_by);
+      body();
+      return;
+    }
+    frame_->compute(asked_by, kept, [&](const Solving& how) {
+      how_ = how;
+      how_.share = asked_->share;
+      body();
+    });
+  }
+
+  /// (result, [(model, reason, failed)]); models without a result are listed.
+  py::tuple solve(const Case& input, const std::vector<std::string>& models) {
+    auto result = std::make_shared<Result>();
+    result->input = input;
+    result->input.models = models;
+    result->provenance = provenance("rollfem::solve");
+    const std::vector<Missing> missing = working([&](Solving how) {
+      how.go_on = true;
+      return modelling::solve(*result, how);
+    });
+    py::list without;
+    for (const Missing& one : missing)
+      without.append(py::make_tuple(one.model, one.reason, one.failed));
+    return py::make_tuple(result, without);
+  }
+
+  modelling::Scenes scenes(const Case& input) {
+    return working([&](const Solving& how) {
+      return modelling::scenes_of(input, modelling::placed_wheels(input), how.progress);
+    });
+  }
+
+  /// Solves levels side by side, and tells of each at once: done(index, record, seconds, None), or
+  /// done(index, None, why, whether another grid may have a solution).
+  void solve_levels(const std::vector<Level>& levels, const std::vector<std::string>& notes,
+                    const py::function& done) {
+    working([&](const Solving& how) {
+      contact::for_each_index(levels.size(), [&](std::size_t k) {
+        solve_level(levels[k], notes, how, [&](auto&&... outcome) {
+          const py::gil_scoped_acquire gil;
+          done(k, std::forward<decltype(outcome)>(outcome)...);
+        });
+      });
+      return 0;
+    });
+  }
+
+  /// Collective: the text of the first process on every process.
+  std::string from_first(const std::string& text) const {
+    return frame_ && !how_.together && how_.session != nullptr ? how_.session->from_first(text)
+                                                               : text;
+  }
+
+  std::optional<py::bytes> find(const std::string& name) {
+    const auto found = kept_ == nullptr ? std::nullopt : kept_->find(name);
+    return found ? std::optional<py::bytes>(*found) : std::nullopt;
+  }
+  void keep(const std::string& name, const std::string& record) {
+    if (kept_ != nullptr) kept_->keep(name, record);
+  }
+  void refuse(const std::string& name) {
+    if (kept_ != nullptr) kept_->refuse(name);
+  }
+  void drop(const std::string& begin) {
+    if (kept_ != nullptr) kept_->drop(begin);
+  }
+  void keep_in(const std::string& folder, const Case& input) {
+    if (frame_) kept_ = frame_->keep_in(folder, input);
+  }
+  void forget_kept() {
+    kept_ = nullptr;
+    if (frame_) frame_->forget_kept();
+  }
+
+  bool first() const { return !frame_ || frame_->first(); }
+  bool idle() const { return frame_ && frame_->idle(); }
+  bool together() const { return !frame_ || how_.together; }
+  bool whole() const { return asked_ == nullptr || asked_->share.whole(); }
+  bool holds(std::size_t k) const { return asked_ == nullptr || asked_->share.holds(k); }
+  bool ends_part() { return frame_ && frame_->ends_part(); }
+  void say(const std::string& line) {
+    if (frame_) frame_->say(line);
+  }
+  void clear_line() {
+    if (frame_) frame_->clear_line();
+  }
+  void own(const std::string& folder) {
+    if (frame_) frame_->own(folder);
+  }
+
+  postprocess::Provenance provenance(const std::string& command) const {
+    return frame_ ? frame_->provenance() : modelling::provenance_of(known_models(), command);
+  }
+
+ private:
+  /// work(how) without the GIL.
+  template <class Work>
+  auto working(const Work& work) -> decltype(work(std::declval<const Solving&>())) {
+    return without_gil(frame_ ? py::none() : callback_, [&](const Progress& progress) {
+      if (!frame_) {
+        const modelling::Ready ready = modelling::ready_for(known_models(), models_, progress);
+        return work(ready.how);
+      }
+      Solving how = how_;
+      if (how.models == nullptr) how.progress = frame_->progress();
+      how.models = &known_models();
+      how.checkpoint = kept_;
+      return work(how);
+    });
+  }
+
+  template <class Tell>
+  void solve_level(const Level& level, const std::vector<std::string>& notes, const Solving& all,
+                   const Tell& tell) {
+    LevelPoints points(kept_, level.records);
+    Solving how = all;
+    how.checkpoint = &points;
+    how.progress = [&](contact::ProgressEvent event) {
+      event.stage = level.label + ": " + event.stage;
+      contact::report(all.progress, event);
+    };
+    auto result = std::make_shared<Result>();
+    try {
+      result->models = {modelling::solve_scene(level.model, level.scene, notes, how)};
+    } catch (const contact::Failure& error) {
+      // Other processes may be inside a collective call.
+      if (!all.together) throw;
+      return tell(Shared(), error.what(), error.cause() != contact::Failure::Cause::solution);
+    }
+    const double seconds = points.seconds_before() + result->models.front().total_seconds();
+    tell(result, seconds, false);
+  }
+
+  std::vector<std::string> models_;
+  py::object callback_ = py::none();
+  modelling::Computing* asked_ = nullptr;
+  std::optional<modelling::CommandFrame> frame_;
+  Solving how_;
+  postprocess::CheckpointFolder* kept_ = nullptr;
+};
+
+/// {program: {version, commit}, host, started, command, processes, labels}: the head of JSON files.
+py::dict provenance_of(const postprocess::Provenance& made) {
+  return py::dict("program"_a = py::dict("version"_a = made.version, "commit"_a = made.commit),
+                  "host"_a = made.host, "started"_a = made.started, "command"_a = made.command,
+                  "processes"_a = made.processes, "labels"_a = made.labels);
+}
+
+/// What commands ask of the models, cheaper ones first.
+py::list model_infos() {
+  py::list found;
+  for (const contact::ModelInfo& model : known_models().all()) {
+    py::list ways;
+    for (const contact::Refinement& way : model.refinements)
+      ways.append(py::dict("word"_a = way.word, "also"_a = way.also, "parameter"_a = way.parameter,
+                           "ratio"_a = way.ratio, "levels"_a = way.levels, "fixed"_a = way.fixed));
+    found.append(py::dict("name"_a = model.name, "built"_a = model.built,
+                          "chooses"_a = model.chooses, "parallel"_a = model.parallel,
+                          "half_spaces"_a = model.half_spaces, "has_stress"_a = model.has_stress,
+                          "keeps_bodies"_a = model.keeps_bodies, "in_compare"_a = model.in_compare,
+                          "measures_others"_a = model.measures_others, "ways"_a = ways));
+  }
+  return found;
+}
+
+/// Label, parameter and scene of level k of `count`, coarsest first, refined in all of `ways`;
+/// without output and estimates that a study does not need.
+std::tuple<std::string, double, Scene> refined(Scene scene, const std::string& model,
+                                               const std::vector<std::string>& ways, int k,
+                                               int count) {
+  scene.accuracy.relative.reset();
+  scene.subsurface.clear();
+  scene.output.stress_maxima = scene.output.fields = false;
+  contact::RefinedInput level{"as in the case", 0.0, std::move(scene)};
+  std::string label;
+  for (const std::string& word : ways)
+    for (const contact::Refinement& way : known_models().at(model).refinements)
+      if (way.word == word) {
+        level = way.level(std::move(level.input), k, count);
+        label += (label.empty() ? "" : ", ") + level.label;
+      }
+  return {label.empty() ? level.label : label, level.parameter, std::move(level.input)};
+}
+
+/// Hertz's result if it is exact for the scene; otherwise none.
+Shared exact_of(const Scene& scene) {
+  if (scene.has_profiles()) return nullptr;
+  const auto found = contact::attempt([&] { return known_models().run("hertz", scene, {}); });
+  if (!found) return nullptr;
+  auto result = std::make_shared<Result>();
+  result->models = {*found.value};
+  return result;
+}
+
+/// Names of the quantities by which models are compared.
+std::vector<std::string> compared_quantities() {
+  std::vector<std::string> names;
+  for (const contact::Quantity& quantity : contact::quantities())
+    if (quantity.use >= contact::QuantityUse::compared) names.emplace_back(quantity.name);
+  return names;
+}
+
+void define_scenes(py::module_& module) {
+  py::class_<Scene>(module, "Scene")
+      .def_property_readonly("place", [](const Scene& scene) { return place_of(scene.place); })
+      .def_property_readonly(
+          "key", [](const Scene& scene) { return scene.place ? scene.place->key() : ""; })
+      .def_property_readonly(
+          "label",
+          [](const Scene& scene) { return scene.place ? scene.place->label(" wheel") : ""; })
+      .def_property_readonly("creepages", [](const Scene& scene) {
+        std::vector<std::array<double, 3>> found;
+        for (const contact::LoadPoint& point : scene.points)
+          found.push_back(
+              {point.creepage.longitudinal, point.creepage.lateral, point.creepage.spin});
+        return found;
+      });
+  module.def("refined", &refined);
+  module.def("exact_of", &exact_of);
+  module.def("check", [](const Scene& scene, const std::string& model) {
+    known_models().check(scene, model);
+  });
+}
+
+void define_frame(py::module_& module) {
+  using modelling::Computing;
+  py::class_<Computing>(module, "Computing")
+      .def(py::init([](const std::string& command, bool quiet, bool resume, const std::string& part,
+                       int merge) {
+             const contact::Share share =
+                 part.empty() ? contact::Share() : modelling::parse_part(part);
+             return std::unique_ptr<Computing>(
+                 new Computing{known_models(), command, 0, nullptr, quiet, resume, share, merge});
+           }),
+           "command"_a, "quiet"_a, "resume"_a, "part"_a, "merge"_a);
+  module.def("in_parts", [](Computing& asked, bool divisible, const std::string& folder,
+                            const py::function& work) {
+    modelling::check_division(asked, 2, "");  // a study has several levels
+    modelling::in_parts(asked, divisible, folder, [&] { work(); });
+  });
+  module.def("tell_of_interruptions", &modelling::tell_of_interruptions);
+  module.def("refuse_other_result", [](const std::string& folder, const std::string& own) {
+    modelling::refuse_other_result(folder, own);
+  });
+  module.def("check_directory", &postprocess::check_directory);
+  module.def("check_folder", [](const std::string& folder) { postprocess::FilesTogether{folder}; });
+  module.def("remove_records", &postprocess::remove_records);
+  module.def("checksum_of_case", &postprocess::checksum_of_case);
+  module.def("store", [](const std::string& folder, const Result& result) {
+    modelling::store_results(folder, result);
+  });
+  module.def("switch_off_cache", &modelling::CorrectionCache::switch_off);
+  module.def("rank", [] { return modelling::processes().rank; });
+}
+
+}  // namespace
+
+void define_computations(py::module_& module) {
+  define_scenes(module);
+  define_frame(module);
+  module.def("model_infos", &model_infos);
+  module.def("compared_quantities", &compared_quantities);
+  module.def("checked_names", [](const std::vector<std::string>& names, const std::string& option) {
+    return modelling::checked_names(known_models(), names, option);
+  });
+  module.def("refuse_choice",
+             [](const std::vector<std::string>& names, const std::string& command) {
+               modelling::refuse_choice(known_models(), names, command);
+             });
+  py::class_<Level>(module, "Level").def(py::init<std::string, std::string, Scene, std::string>());
+  py::class_<Computation>(module, "Computation")
+      .def(py::init<std::vector<std::string>, modelling::Computing&>(), py::keep_alive<1, 3>())
+      .def(py::init<std::vector<std::string>, py::object>())
+      .def("compute", &Computation::compute)
+      .def("solve", &Computation::solve)
+      .def("scenes",
+           [](Computation& self, const Case& input) {
+             modelling::Scenes found = self.scenes(input);
+             return std::pair(std::move(found.list), std::move(found.notes));
+           })
+      .def("solve_levels", &Computation::solve_levels)
+      .def("from_first", &Computation::from_first)
+      .def("find", &Computation::find)
+      .def("keep", &Computation::keep)
+      .def("refuse", &Computation::refuse)
+      .def("drop", &Computation::drop)
+      .def("keep_in", &Computation::keep_in)
+      .def("forget_kept", &Computation::forget_kept)
+      .def_property_readonly("first", &Computation::first)
+      .def_property_readonly("idle", &Computation::idle)
+      .def_property_readonly("together", &Computation::together)
+      .def_property_readonly("whole", &Computation::whole)
+      .def("holds", &Computation::holds)
+      .def("ends_part", &Computation::ends_part)
+      .def("say", &Computation::say)
+      .def("clear_line", &Computation::clear_line)
+      .def("own", &Computation::own)
+      .def("provenance", [](const Computation& self, const std::string& command) {
+        return provenance_of(self.provenance(command));
+      });
+}
+
+}  // namespace rollfem::python

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Solving in the process of another program, which may have several threads.
+#pragma once
+
+#include "models/fem/fem_library.hpp"
+#include "models/registry.hpp"
+#include "models/solving/auto_model.hpp"
+#include "models/solving/solving.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rollfem::modelling {
+
+/// How to solve with these models; parallel ones wait for each other while it lives.
+struct Ready {
+  Solving how;
+  FemLock one_at_a_time;
+};
+
+/// Starts MPI where a model needs it. Throws contact::InputError for a model that is not built.
+inline Ready ready_for(const contact::ModelRegistry& known, const std::vector<std::string>& models,
+                       const contact::Progress& progress) {
+  Ready ready;
+  ready.how.models = &known;
+  ready.how.progress = progress;
+  if (!any_parallel(known, models)) return ready;
+  ready.one_at_a_time = lock_fem();
+  ready.how.need_session = [] { parallel_session("models"); };
+  if (!any_choice(known, models)) ready.how.need_session();
+  return ready;
+}
+
+}  // namespace rollfem::modelling

@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A refinement study as a record: values per level, their errors against a reference, observed orders and limits; as the
+files and the text of `rollfem study` (docs/commands.md)."""
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..files import cell, quoted, sealed_json
+from ..point import QUANTITIES
+from .convergence import Limit, limit_of, order_of_errors
+
+#: Values by key: "max_pressure", "semi_axis_x", "semi_axis_y" (of true profiles "contact_length", "contact_width"),
+#: "approach" of the first load point, "traction_coefficient:4" of the fourth.
+Values = Mapping[str, float]
+RULES = ("exact", "finest", "extrapolated")
+
+
+@dataclass
+class Level:
+    """A solved level."""
+
+    label: str  #: "40 across", "0.47 mm"
+    parameter: float  #: the varied quantity as a number
+    unknowns: int = 0
+    contact_elements: int = 0
+    seconds: float = 0.0  #: wall time, error estimates included
+    values: Values = field(default_factory=dict)
+    bars: Values = field(default_factory=dict)  #: the model's own error bars, absolute
+    noise: float = 0.0  #: relative tolerance reached by its solver
+
+
+@dataclass
+class Reference:
+    """What the errors of the levels of a series refer to: a property of its own model."""
+
+    value: float = 0.0
+    uncertainty: float = 0.0  #: absolute; 0: exact or given
+    kind: str = ""  #: "exact", "given", "extrapolated", "finest"
+
+
+@dataclass
+class Series:
+    """One model, refined in one way."""
+
+    model: str
+    vary: str = ""  #: "grid", "cell", "degree", "domain", "grid and domain"; "" one level
+    parameter: str = ""  #: "elements across", "FE cell in mm"
+    ratio: float = 0.0  #: by which cells shrink (domains grow) from level to level; 0 if not meaningful
+    measures_others: bool = False  #: models differ from it, if it has three levels
+    limit_of_its_own: bool = False  #: finite bodies do not tend to the closed form
+    levels: list[Level] = field(default_factory=list)  #: coarsest first
+    failure: str = ""  #: why levels failed
+    left_out: str = ""  #: coarse levels that do not fit the case, and why
+
+    @property
+    def name(self) -> str:
+        return self.model + (f" ({self.vary})" if self.vary else "")
+
+    def keys(self) -> list[str]:
+        return sorted({key for level in self.levels for key in level.values})
+
+    def values(self, key: str) -> list[float]:
+        """Of the levels that have the key."""
+        return [level.values[key] for level in self.levels if key in level.values]
+
+    def limit(self, key: str) -> Limit | None:
+        """None with fewer than two levels or without a ratio."""
+        values = self.values(key)
+        if len(values) < 2 or not self.ratio > 1:
+            return None
+        return limit_of(values, self.ratio, self.levels[-1].noise * abs(values[-1]))
+
+    def own_limit(self, key: str, finest: bool) -> Reference:
+        """The limit of the series; of a single level its value."""
+        limit = self.limit(key)
+        if limit and limit.order is not None and not finest:
+            return Reference(limit.value, limit.uncertainty, "extrapolated")
+        return Reference(self.values(key)[-1], limit.uncertainty_of_finest if limit else 0.0, "finest")
+
+
+@dataclass
+class Place:
+    """The study of one contact: of a case with radii, or of one patch of true profiles. Each has its own limits."""
+
+    creepages: list[tuple[float, float, float]]  #: of the load points
+    exact: Values = field(default_factory=dict)  #: Hertz's values, if they are valid
+    key: str = ""  #: "left_3_1"; empty with radii
+    name: str = ""  #: "left wheel, position 3, patch 1 of 2"
+    at: Mapping[str, Any] | None = None  #: of a patch
+    given: dict[str, float] = field(default_factory=dict)  #: by the user; take precedence
+    series: list[Series] = field(default_factory=list)
+
+    @property
+    def base(self) -> Series:
+        """From which other models differ: the half-space refined in its grid, otherwise the first with three levels,
+        otherwise the first."""
+        def rank(series: Series) -> int:
+            return (1 + (len(series.levels) >= 3) * (1 + series.measures_others)) if series.levels else 0
+        return max(self.series, key=rank)
+
+
+def is_coefficient(key: str) -> bool:
+    """Whether the key is a traction coefficient, whose errors are relative to the coefficient of friction."""
+    return key.startswith("traction_coefficient")
+
+
+def percent_of(key: str) -> str:
+    """Reference of percentage errors of the key."""
+    return "mu" if is_coefficient(key) else "value"
+
+
+def percent(key: str, error: float) -> str:
+    """"0.27 %" of the reference's value, "0.27 % of mu"."""
+    return f"{100 * error:.2g} %{' of mu' * is_coefficient(key)}"
+
+
+@dataclass
+class Record:
+    """All of a study."""
+
+    head: Mapping[str, Any]  #: program, host, started, ...
+    title: str
+    case_file: str
+    case_text: str
+    friction: float
+    rule: str = ""  #: one of RULES; otherwise exact if there is such a value, otherwise extrapolated
+    notes: list[str] = field(default_factory=list)  #: on all places
+    places: list[Place] = field(default_factory=list)
+
+    def references(self, place: Place, series: Series) -> dict[str, Reference]:
+        """Of all keys of a series: unless a value is given or exact for it, its own limit."""
+        take_exact = self.rule == "exact" or not self.rule and not series.limit_of_its_own
+        found = {}
+        for key in series.keys():
+            if key in place.given:
+                found[key] = Reference(place.given[key], 0.0, "given")
+            elif take_exact and key in place.exact:
+                found[key] = Reference(place.exact[key], 0.0, "exact")
+            elif self.rule != "exact":
+                found[key] = series.own_limit(key, self.rule == "finest")
+        return found
+
+    def differences(self, place: Place, series: Series) -> dict[str, tuple[float, float]]:
+        """The limits of a model less those of `Place.base`, and the uncertainty of both: relative to the latter, for
+        coefficients to that of friction. Effects of the theory, not of the grid; empty for series of the same model."""
+        if series.model == place.base.model:
+            return {}
+        found, of_base = {}, self.references(place, place.base)
+        # Without creepage half-spaces have no force, and so no entry.
+        none = any(map(is_coefficient, of_base))
+        for key in series.keys():
+            if key not in of_base and not (is_coefficient(key) and none):
+                continue
+            own, of = series.own_limit(key, self.rule == "finest"), of_base.get(key, Reference())
+            if (scale := self.friction if is_coefficient(key) else abs(of.value)) > 0:
+                found[key] = ((own.value - of.value) / scale, (own.uncertainty + of.uncertainty) / scale)
+        return found
+
+    def error(self, key: str, value: float, reference: Reference) -> float:
+        """|value - reference| relative to the reference, for coefficients relative to the coefficient of friction."""
+        scale = self.friction if is_coefficient(key) else abs(reference.value)
+        return abs(value - reference.value) / scale if scale > 0 else abs(value)
+
+    def orders(self, series: Series, key: str, reference: Reference) -> list[float | None]:
+        """At the levels of a series with the key: from the errors of a level and the previous one if the reference is exact
+        or given, otherwise from the last three values, because an extrapolated reference would reproduce its own order."""
+        values = series.values(key)
+        found: list[float | None] = [None] * len(values)
+        for k in range(1, len(values) if series.ratio > 1 else 0):
+            if reference.kind in ("exact", "given"):
+                coarse, fine = (self.error(key, value, reference) for value in values[k - 1:k + 1])
+                found[k] = order_of_errors(coarse, fine, series.ratio)
+            elif k >= 2:
+                found[k] = limit_of(values[k - 2:k + 1], series.ratio).order
+        return found
+
+    def each_series(self) -> Iterator[tuple[Place, Series]]:
+        return ((place, series) for place in self.places for series in place.series)
+
+
+SMALLEST = 1e-9  # smaller errors are rounding
+
+
+def _words(errors: Mapping[str, float]) -> str:
+    """"p0 0.27 %, -F_x/F_z 0.5 % of mu": the largest errors."""
+    kinds: tuple[tuple[str, str, Callable[[str], bool]], ...] = (
+        ("p0", "max_pressure", lambda key: key == "max_pressure"), ("-F_x/F_z", "traction_coefficient", is_coefficient),
+        ("creepage", "longitudinal_creepage", lambda key: "_creepage:" in key))
+    largest = [(name, of, max((abs(error) for key, error in errors.items() if belongs(key)), default=0.0))
+               for name, of, belongs in kinds]
+    return ", ".join(f"{name} {percent(of, error)}" for name, of, error in largest if error > SMALLEST)
+
+
+def verdict(record: Record) -> str:
+    """One line: errors of the finest levels, and the number of sequences of levels that show an order."""
+    errors: dict[str, dict[str, float]] = {}
+    differences: dict[str, dict[str, float]] = {}
+    limits: list[Limit] = []
+
+    def gather(into: dict[str, float], key: str, error: float) -> None:
+        into[key] = max(into.get(key, 0.0), abs(error))
+
+    for place, series in record.each_series():
+        own, other = errors.setdefault(series.name, {}), differences.setdefault(series.name, {})
+        for key, reference in record.references(place, series).items():
+            limits += filter(None, [series.limit(key)])
+            if reference.kind != "finest":
+                gather(own, key, record.error(key, series.values(key)[-1], reference))
+        for key, (difference, _) in record.differences(place, series).items():
+            gather(other, key, difference)
+
+    def listed(beginning: str, of: Mapping[str, Mapping[str, float]]) -> str:
+        text = "; ".join(f"{name} {words}" for name, found in of.items() if (words := _words(found)))
+        return f"{beginning}: {text}. " if text else ""
+
+    fitted = sum(limit.fitted for limit in limits)
+    shown = sum(limit.order is not None for limit in limits) - fitted
+    return (listed("Finest levels against their references", errors)
+            + listed(f"Model differences from {record.places[0].base.model}", differences)
+            + f"Of {len(limits)} sequences of levels {shown} show an order"
+            + (f" and {fitted} a fitted one." if fitted else "."))
+
+
+def _name_of(place: Place, key: str) -> str:
+    name, _, point = key.partition(":")
+    if not point:
+        return QUANTITIES[name].title
+    if not is_coefficient(key):
+        return f"{QUANTITIES[name].title} found at load point {point}"
+    return f"traction coefficient at xi = {100 * place.creepages[int(point) - 1][0]:.4g} %"
+
+
+def _limit_line(limit: Limit | None) -> str:
+    if limit is None:
+        return ""
+    value = f"    limit {limit.value:.7g} +- {limit.uncertainty:.2g}, order "
+    if limit.fitted:
+        return f"{value}{limit.order:.2f} fitted to all levels (of the last three {limit.reason})\n"
+    if limit.order is not None:
+        chance = " (partly coincidence: the method is of order 2)" if limit.order > 2.5 else ""
+        return f"{value}{limit.order:.2f} from the last three levels{chance}\n"
+    if limit.settled:
+        return f"    converged to rounding: finest value +- {limit.uncertainty_of_finest:.2g}\n"
+    return f"    finest value +- {limit.uncertainty_of_finest:.2g}; no order can be claimed: {limit.reason}\n"
+
+
+def _key_table(record: Record, place: Place, series: Series, key: str, reference: Reference) -> str:
+    unit = "" if ":" in key else f" {QUANTITIES[key].unit}"
+    # Labels of quantities refined together are long.
+    width = max(len(text) for text in (series.parameter, *(level.label for level in series.levels)))
+    lines = [f"  {_name_of(place, key)}, reference {reference.value:.7g}{unit} ({reference.kind})",
+             f"    {series.parameter:<{width}}{'unknowns':>10}{'seconds':>10}{'value':>14}{'bar':>12}{'error':>16}{'order':>8}"]
+    levels = [level for level in series.levels if key in level.values]
+    for level, order in zip(levels, record.orders(series, key, reference)):
+        own = level is levels[-1] and reference.kind == "finest"
+        value, bar = level.values[key], level.bars.get(key)
+        error = "reference" if own else percent(key, record.error(key, value, reference))
+        lines.append(f"    {level.label:<{width}}{level.unknowns:>10}{level.seconds:>10.3g}{value:>14.7g}"
+                     f"{'' if bar is None else f'+- {bar:.2g}':>12}{error:>16}{'' if order is None else f'{order:.2f}':>8}")
+    return "\n".join(lines) + "\n" + _limit_line(series.limit(key))
+
+
+def table(record: Record) -> str:
+    """Text for the terminal: a table for each series of each place, and the verdict."""
+    text = ""
+    for place, series in record.each_series():
+        differences = record.differences(place, series)
+        text += f"{place.name}{': ' * bool(place.name)}{series.model}{f', refined in {series.vary}' * bool(series.vary)}\n"
+        text += f"  too coarse: {series.left_out}\n" if series.left_out else ""
+        text += f"  levels without a result: {series.failure}\n" if series.failure else ""
+        for key, reference in record.references(place, series).items():
+            text += _key_table(record, place, series, key, reference)
+            if key in differences:
+                value, uncertainty = differences[key]
+                text += (f"    model difference from {place.base.model}: {'-' if value < 0 else '+'}{percent(key, abs(value))} "
+                         f"+- {100 * uncertainty:.2g}\n")
+    return f"{text}\n{verdict(record)}\n"
+
+
+def _limit_data(limit: Limit) -> dict[str, Any]:
+    order: dict[str, Any] = {"order": limit.order, "fitted": limit.fitted}
+    if limit.order is None:
+        order = {"no_order_because": limit.reason}
+    return {**order, "settled": limit.settled, "value": limit.value, "uncertainty": limit.uncertainty,
+            "uncertainty_of_finest": limit.uncertainty_of_finest}
+
+
+def _references_data(references: Mapping[str, Reference]) -> dict[str, Any]:
+    return {key: {**vars(reference), "relative_to": percent_of(key)} for key, reference in references.items()}
+
+
+def _series_data(record: Record, place: Place, series: Series) -> dict[str, Any]:
+    references = record.references(place, series)
+    limits = {key: _limit_data(limit) for key in references if (limit := series.limit(key))}
+    differences = {key: {"value": value, "uncertainty": uncertainty, "relative_to": percent_of(key)}
+                   for key, (value, uncertainty) in record.differences(place, series).items()}
+    levels = [{name: getattr(level, name) for name in ("label", "parameter", "unknowns", "contact_elements", "seconds")}
+              for level in series.levels]
+    found = {**{name: getattr(series, name) for name in ("model", "vary", "parameter", "ratio", "failure", "left_out")},
+             "levels": levels, "limits": limits, "references": _references_data(references)}
+    return {**found, "model_differences": differences} if differences else found
+
+
+def _place_data(record: Record, place: Place) -> dict[str, Any]:
+    at = {name: place.at[name] for name in ("lateral_shift", "yaw")} if place.at else {}
+    names = ("longitudinal_creepage", "lateral_creepage", "spin")
+    return {"key": place.key, "name": place.name, **at, "points": [dict(zip(names, motion)) for motion in place.creepages],
+            "reference": place.base.model, "references": _references_data(record.references(place, place.base)),
+            "series": [_series_data(record, place, series) for series in place.series]}
+
+
+def study_json(record: Record) -> str:
+    """study.json."""
+    quantities = {name: {"title": q.title, "symbol": q.symbol, "unit": q.unit} for name, q in QUANTITIES.items()}
+    return sealed_json({
+        "format": 4, "kind": "study", **record.head, "title": record.title, "case_file": record.case_file,
+        "case_text": record.case_text, "friction_coefficient": record.friction, "notes": record.notes,
+        "quantities": quantities, "verdict": verdict(record), "places": [_place_data(record, place) for place in record.places]})
+
+
+HEAD = ("place,model,vary,level,parameter,unknowns,contact_elements,seconds [s],quantity,value,error_estimate,reference,"
+        "reference_uncertainty,reference_kind,error [-],relative_to,order [-]\n")
+
+
+def study_csv(record: Record) -> str:
+    """study.csv: one row per place, series, level and key."""
+    text = HEAD
+    for place, series in record.each_series():
+        references = record.references(place, series)
+        orders = {key: iter(record.orders(series, key, reference)) for key, reference in references.items()}
+        for level in series.levels:
+            # Labels of several things refined together have commas.
+            label = quoted(level.label) if "," in level.label else level.label
+            for key in sorted(level.values):
+                value, of = level.values[key], references.get(key)
+                cells: list[Any] = [place.key, series.model, series.vary, label, level.parameter, level.unknowns,
+                         level.contact_elements, level.seconds, key, value, level.bars.get(key)]
+                cells += [None] * 6 if of is None else [of.value, of.uncertainty, of.kind, record.error(key, value, of),
+                                                        percent_of(key), next(orders[key])]
+                text += ",".join(map(cell, cells)) + "\n"
+    return text
