@@ -34,8 +34,8 @@ bool starts_with(const std::string& text, const std::string& start) {
   return text.rfind(start, 0) == 0;
 }
 
-/// Whether the keys are equal, one of them may have a list of load points, and the values of load
-/// keys are equal, which may not.
+/// Whether the keys are equal, some of them may be lists over load points, and the values of load
+/// keys, which may not, are equal.
 bool same_keys(const Point& a, const Point& b) {
   const auto is_load = [](auto& entry) { return starts_with(entry.first, "load."); };
   return !std::all_of(a.begin(), a.end(), is_load) &&
@@ -46,7 +46,7 @@ bool same_keys(const Point& a, const Point& b) {
 
 /// Removes the forces where none is prescribed, and the motion where forces are prescribed in all
 /// points.
-void keep_what_acts(std::vector<Point>& points) {
+void remove_unused_values(std::vector<Point>& points) {
   for (const std::string name : {"longitudinal", "lateral"}) {
     const std::string force = "rolling." + name + "_force";
     const auto prescribed = std::count_if(points.begin(), points.end(), [&](const Point& point) {
@@ -98,7 +98,7 @@ void follow_patch(const Group& group, Equivalent& next) {
       "the patch moves along x in CONTACT's axes: here the axes move with it, and it rolls");
 }
 
-/// The approach of the next step in the first one, whose force leads to it.
+/// Gives the first step the approach of the next one, to which its force leads.
 void press_first_step(Group& group, const Equivalent& next) {
   const auto approach = next.varied.find("history.approach");
   Point& point = group.points.front();
@@ -119,8 +119,8 @@ bool joins(const Group& group, const Equivalent& next) {
          first.history() == next.continues && same_keys(group.points.front(), next.varied);
 }
 
-/// Makes the last steady case, in a group of its own, the first step of the transient that `next`
-/// continues it with; false where it cannot be.
+/// Turns the last steady case, alone in its group, into the first step of the transient that `next`
+/// continues; false if that is impossible.
 bool start_steadily(std::vector<Group>& groups, const Equivalent& next) {
   Group& last = groups.back();
   if (!next.continues || next.problem != "transient" || last.first.problem != "steady")
@@ -147,9 +147,9 @@ bool start_steadily(std::vector<Group>& groups, const Equivalent& next) {
   return true;
 }
 
-/// Whether `next` may join the last group, of which an initial shift or steady case becomes a step
-/// if needed.
-bool admits(std::vector<Group>& groups, const Equivalent& next) {
+/// Whether `next` may join the last group; an initial shift or steady case there becomes a step if
+/// needed.
+bool can_join(std::vector<Group>& groups, const Equivalent& next) {
   Group& group = groups.back();
   if (joins(group, next) || start_steadily(groups, next)) return true;
   if (!next.continues || group.points.size() != 1) return false;
@@ -282,7 +282,7 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
     open = open && follows_chosen;
     if (!is_chosen) continue;
     if (open) follow_patch(groups.back(), made);
-    const bool joined = made.impossible.empty() && open && admits(groups, made);
+    const bool joined = made.impossible.empty() && open && can_join(groups, made);
     if (made.impossible.empty() && made.continues && !joined)
       made.impossible.push_back(
           open ? "digit P = 0: the case continues another one but differs from it in "
@@ -302,7 +302,7 @@ Conversion convert_cases(const std::vector<ContactCase>& cases, const std::strin
   const std::size_t digits =
       std::to_string(cases.size()).size();  // leading zeros, so that files sort
   for (Group& group : groups) {
-    keep_what_acts(group.points);
+    remove_unused_values(group.points);
     const std::string name = groups.size() == 1 && group.cases.size() == cases.size()
                                  ? stem
                                  : fmt::format("{}_{:0{}}", stem, group.cases.front(), digits);

@@ -65,7 +65,6 @@ double forward_speed(const ContactCase& given);
 /// Parts of equivalent_of. Young's modulus and Poisson's ratio of the two bodies in these sections.
 void fill_bodies(const BodyConstants& bodies, const std::array<const char*, 2>& sections,
                  Equivalent& made);
-void fill_single_contact(const ContactCase& given, Equivalent& made);
 /// Entries for the points of digit S with elements starting at (x, y); `sign`: sign of our axes
 /// relative to CONTACT's.
 struct ElementPlaces {
@@ -73,6 +72,5 @@ struct ElementPlaces {
 };
 void fill_stresses(const ContactCase& given, const ElementPlaces& elements, double sign,
                    Equivalent& made);
-void fill_wheel_rail(const ContactCase& given, const std::string& profile_folder, Equivalent& made);
 
 }  // namespace rollfem::convert

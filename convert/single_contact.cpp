@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Module 3: contacts given by their undeformed distance or their ellipse.
+#include "convert/single_contact.hpp"
+
 #include "contact/base/grid.hpp"
 #include "contact/base/material.hpp"
 #include "contact/base/pi.hpp"
@@ -7,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "convert/equivalent.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Module 1: wheel and rail with profiles.
+#include "convert/wheel_rail.hpp"
+
 #include "contact/case/track.hpp"
 
 #include <fmt/format.h>
 
-#include "convert/equivalent.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -9,6 +9,23 @@
 
 namespace rollfem::meshes {
 
+// Quality measures of a hexahedron.
+
+struct CellQuality {
+  /// Scaled Jacobian: minimum over the corners of the Jacobian divided by the product of the three
+  /// edge lengths there; 1 for a box, 0 for a cell that is flat at a corner, negative for an
+  /// inverted one.
+  double scaled_jacobian = 1.0;
+  double shortest_edge = 0.0;  ///< mm
+  double longest_edge = 0.0;   ///< mm
+  /// Aspect ratio: longest over shortest of the three lines that join the centres of opposite
+  /// faces.
+  double aspect_ratio = 1.0;
+};
+
+/// Corners in gmsh's (VTK's) order.
+CellQuality cell_quality(const std::array<std::array<double, 3>, 8>& corners);
+
 /// Surfaces with a meaning; in a gmsh file they are physical groups of these names.
 enum class Side { contact, fixed, symmetry };
 inline constexpr std::array<const char*, 3> side_names{"contact", "fixed", "symmetry"};

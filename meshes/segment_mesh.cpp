@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "meshes/segment_mesh.hpp"
 
-#include "meshes/cell_quality.hpp"
+#include "meshes/hex_mesh.hpp"
 
 #include <utility>
 

@@ -9,8 +9,8 @@
 #include "contact/base/knots.hpp"
 #include "contact/base/pi.hpp"
 #include "contact/base/text_fields.hpp"
-#include "profiles/profile_points.hpp"
 #include "profiles/profile_corners.hpp"
+#include "profiles/profile_points.hpp"
 #include "profiles/profiles.hpp"
 
 #include <fmt/format.h>
@@ -235,9 +235,9 @@ SectionList read_slices(std::string_view text, const std::string& name) {
 /// A feature this close to an end of its section (mm) is that end.
 constexpr double at_end = 0.01;
 
-/// Parameters of a curve at arc lengths from its start. NaN where there is none, and at an end of
-/// the section, which stands for a feature that is missing beside it. Beyond the end: with `ends`
-/// the same, otherwise fewer than lengths are returned.
+/// Parameters of a curve at arc lengths from its start; NaN for missing features and for those at
+/// an end of the section, which takes the place of missing ones anyway. With `ends`, lengths beyond
+/// the end count as the end; otherwise the list stops there.
 std::vector<double> at_lengths(const ProfileCurve& curve, const std::vector<double>& lengths,
                                bool ends) {
   const std::vector<double> places = dense_parameters(curve, 0.05);

@@ -20,10 +20,10 @@ struct ListedSections {
 };
 
 /// Finds the features of sections: the middle of every bend from level (up to 30 degrees) to steep
-/// (from 60 degrees) or back, where a head, a flank or the floor of a groove ends, and kinks. Where
-/// sections have different numbers of them, those of the section with most are compared by kind,
-/// order and place from neighbour to neighbour. Where that is ambiguous no section has features:
-/// returns why, otherwise an empty text.
+/// (from 60 degrees) or back, where a head, a flank or the floor of a groove ends, and kinks. If
+/// sections have different numbers of features, they are matched from neighbour to neighbour by
+/// kind, order and place, beginning with the section with most. If the match is ambiguous, no
+/// section gets features and the reason is returned; otherwise an empty text.
 std::string find_features(std::vector<PlacedSection>& sections);
 
 /// The list that the source names, each section read and repaired as the source says. Throws

@@ -19,8 +19,8 @@ namespace {
 /// Sections repeated beyond each end of a full turn; farther ones have no effect on the spline.
 constexpr std::ptrdiff_t sections_beyond = 6;
 
-/// A part of all sections: the section from which it takes its nodes, that with most knots in it,
-/// where it begins on the surface, and the first and the last section that have it.
+/// A part of all sections: the section with most knots in it, from which it takes its nodes; the
+/// parameter at which it begins; the first and the last section that have it.
 struct Part {
   std::size_t master = 0;
   double from = 0.0, length = 0.0;  ///< parameters of the master

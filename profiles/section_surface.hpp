@@ -19,9 +19,9 @@ namespace rollfem::profiles {
 struct PlacedSection {
   double position = 0.0;  ///< mm along the track, or rad about the axle
   ProfileCurve curve;
-  /// Parameters of the curve at which parts end, without its ends; as many for each section, NaN
-  /// where it lacks one. A part exists where both of its ends do; an end of the section stands for
-  /// the nearest of the features that are missing there.
+  /// Parameters of the curve at which parts end, without its own ends; the same number for each
+  /// section, NaN for missing ones. A part exists if both of its ends do; an end of the section
+  /// takes the place of the nearest missing feature.
   std::vector<double> features;
 };
 

@@ -79,7 +79,7 @@ contact::Field fill_fields(const EllipticPatch& patch, contact::PointResult& poi
 }
 
 /// Values that depend on no grid or number of strips.
-void say_closed_form(const contact::Scene& scene, contact::PointResult& point) {
+void note_closed_form(const contact::Scene& scene, contact::PointResult& point) {
   namespace no_bar = contact::no_bar;
   for (const contact::Quantity& quantity : contact::quantities())
     if (quantity.of_friction() || quantity.name == std::string("adhesion_area"))
@@ -150,7 +150,7 @@ contact::ModelResult run_carter(const contact::Scene& scene, const contact::Prog
     const BrushTotals totals = sum_carter_strips(patch, point.creepage, strips);
     set_totals(totals, patch.grid, rows, point);
     if (scene.geometry.line)
-      say_closed_form(scene, point);
+      note_closed_form(scene, point);
     else
       estimate_error(totals, sum_carter_strips(patch, point.creepage, (strips + 1) / 2), 2, point);
   };

@@ -36,7 +36,7 @@ double polach_gradient(double linear_force, double friction_force);
 /// adhesion and k_S of the slip area, 1 for clean surfaces.
 double polach_saturation(double gradient, double adhesion, double slip);
 
-// The models throw contact::InputError for what the theory does not know: extra rigid slip.
+// The models throw contact::InputError for extra rigid slip, which these theories do not include.
 
 /// The forces follow from Kalker's coefficients (halfspace/closed_forms/kalker.hpp), without a
 /// bound; the tractions are those of the simplified theory without slip, which have the same F_x

@@ -98,7 +98,8 @@ bool is_pass_work(const std::string& quantity) {
   return false;
 }
 
-/// A theory whose fields of traction and slip give the work of friction and its place.
+/// A theory that finds fields of traction and slip, and from them the work of friction and where it
+/// is done.
 contact::Model with_pass_work(const contact::Model& theory) {
   return [=](const Scene& scene, const Progress& progress) {
     ModelResult result = theory(scene, progress);
@@ -146,7 +147,7 @@ Scene rough_scene(const Scene& scene, bool with_friction, std::size_t points) {
   return halfspace::on_few_elements(std::move(rough), elements_of_theories);
 }
 
-bool is_worth_it(const contact::Quantity& quantity, bool with_friction) {
+bool has_error_estimate(const contact::Quantity& quantity, bool with_friction) {
   if (quantity.of_friction() || std::string(quantity.name) == "adhesion_area") return with_friction;
   return quantity.scale == contact::ErrorScale::value;
 }
@@ -175,7 +176,7 @@ void add_errors(const PointResult& half, const Exact& exact, bool with_friction,
     const auto bar = half.error_estimate.find(quantity.name);
     const auto word = half.no_bar.find(quantity.name);
     const bool given = word != half.no_bar.end() && word->second == contact::no_bar::given;
-    if (!value || !other || given || !is_worth_it(quantity, with_friction)) continue;
+    if (!value || !other || given || !has_error_estimate(quantity, with_friction)) continue;
     if (exact.has(quantity)) {
       theory.model_error[quantity.name] = 0.0;
       continue;

@@ -6,6 +6,7 @@
 #include "postprocess/files/result_folder.hpp"
 #include "tables/files/table_files.hpp"
 #include "tables/filling/table_filling.hpp"
+#include "tables/filling/table_grid.hpp"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include "contact/case/case.hpp"
 #include "contact/case/case_reader.hpp"
 #include "tables/files/table_files.hpp"
+#include "tables/files/table_reader.hpp"
 #include "track/pair/wheel_rail_pair.hpp"
 
 #include <fmt/format.h>

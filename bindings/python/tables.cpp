@@ -2,7 +2,9 @@
 #include "bindings/python/caller.hpp"
 #include "models/program/provenance.hpp"
 #include "tables/files/table_files.hpp"
+#include "tables/files/table_reader.hpp"
 #include "tables/filling/table_filling.hpp"
+#include "tables/filling/table_grid.hpp"
 
 #include <algorithm>
 #include <map>

@@ -14,8 +14,8 @@ namespace rollfem::contact {
 struct FallShape {
   static constexpr std::size_t most_constants = 4;
   using Constants = std::array<double, most_constants>;
-  /// A constant of this law alone, for both f_i. It is a pure number, because f_i is a function of
-  /// s / s_hi, and a key of [friction], named as no other.
+  /// A constant of this law alone, for both f_i. It has no unit, because f_i is a function of s /
+  /// s_hi, and is a key of [friction] with a name of its own.
   struct Constant {
     const char* name = nullptr;  ///< null: none
     const char* symbol = "";
@@ -32,7 +32,7 @@ struct FallShape {
 
   const char* word = "";  ///< in case files and results
   Left (*left)(std::size_t i, double s_over_half, const Constants& own) = nullptr;
-  /// Its numbers may be given as Polach's A and B, which are of f_i = exp(-B s).
+  /// The law may be given by Polach's A and B, with f_i = exp(-B s).
   bool polach = false;
   std::array<Constant, most_constants> constants{};
 

@@ -65,7 +65,7 @@ class FrictionNewton {
   void lay_out(Index count);
   void gather(const TangentialField& field, Vector& values) const;
   bool iterate(double scale, double tolerance);
-  // Choice of a solution where there are several (friction_branches.cpp).
+  // Choice of a solution where friction falls so steeply that there are several, and its stability.
   bool falls_steeply();
   bool follow_bounds(double scale);
   bool iterate_briefly(double scale, double tolerance);
@@ -109,7 +109,7 @@ class FrictionNewton {
   Index count_ = 0;
   FrictionState state_;
   bool feels_slip_ = false;
-  /// Part of the way from lagged_bound_ to the bounds of the slip that bounds go; 0: they stay.
+  /// Fraction by which bounds move from lagged_bound_ to the bounds of the slip; 0: they stay.
   double bound_relaxation_ = 1.0;
   Eigen::VectorXd lagged_bound_;
   Eigen::VectorXd first_;  ///< tractions of the first point

@@ -47,14 +47,14 @@ struct FrictionProblem {
   const FrictionLaw& law;
 };
 
-/// Largest fall of mu with |w| of an element that the material passes in this way, mm: where
-/// friction remembers, it follows only a part of the slip.
+/// Largest fall of mu with |w| in an element that the material crosses in `way`, mm: friction with
+/// memory follows only a part of the slip.
 double steepest_fall(const FrictionLaw& law, double way,
                      const std::optional<FrictionMemory>& memory);
 
-/// How much slip an element of this compliance (slip per own traction, 1/MPa) and pressure gains at
-/// most by the friction that it loses with slip, as a part of it; `way`: as FrictionMemory takes
-/// it. Above 1 the element may have several states.
+/// Largest ratio of the slip that an element of this compliance (slip per own traction, 1/MPa) and
+/// pressure gains through falling friction to the slip that makes friction fall; `way`: as in
+/// FrictionMemory. Above 1 the element may have several states.
 double steepness(const FrictionLaw& law, double pressure, double compliance, double way);
 
 // How a layer between the bodies yields (Plasticity) while a particle moves from one contact
@@ -96,7 +96,7 @@ class FrictionState {
 
   bool feels_slip() const { return problem_->law.feels_slip() || hardens(); }
 
-  /// That of the elements; `compliance`: slip of the problem per own traction.
+  /// Largest steepness over the elements; `compliance`: slip of the problem per own traction.
   double steepness(double compliance) const;
 
   /// g at rest.
@@ -118,7 +118,7 @@ class FrictionState {
   void set_bound(const Given& slip, const Given& trial, Vector bound);
   /// Prepares `change` at a slip.
   void linearise(const Given& slip, const Given& trial);
-  /// Adds elements whose layer hardens so fast that they nearly adhere.
+  /// Marks elements whose layer hardens so fast that they nearly adhere.
   void add_stiff(std::vector<char>& adheres) const;
   /// Change of g with that of the slip and of q.
   void change(const Given& slip_change, const Given& trial_change, Vector bound_change) const;
@@ -151,7 +151,7 @@ class FrictionState {
   void find_ways();
   /// u* with which the particle comes.
   double plastic_before(Index e) const;
-  /// tau_c, MPa; at least a sliver of `friction`, so that the traction keeps a direction.
+  /// tau_c, MPa; at least a tiny fraction of `friction`, so that the traction keeps a direction.
   double yield_stress(double plastic, double friction) const;
   /// Of all elements with derivatives.
   void follow(const Given& slip, const Given& trial);

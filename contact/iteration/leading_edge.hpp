@@ -55,8 +55,8 @@ void set_upwind_weights(const ContactGrid& grid, const Field& pressure, GridRuns
 /// adhesion area has its edge there. From 1.1 at -0.75 to -0.3 at 0.75.
 double leading_weight(double beyond_border);
 
-/// How far ahead of its leading border, in elements, the edge of each such leading element lies; 0
-/// at all others and where it is not known.
+/// Distance of the edge ahead of the leading border of each such leading element, in elements; 0
+/// for all other elements and if unknown.
 Field leading_edges(const ContactGrid& grid, const Field& pressure);
 
 /// Weight of the difference of a layer between the bodies at a leading element: tractions held by a

@@ -38,7 +38,7 @@ class ElementOperator {
   /// result = J^-1 p, nearly.
   virtual void precondition(const Given& p, Vector result) = 0;
   /// Slower, but safe where `precondition` stalls the iteration.
-  virtual void precondition_surely(const Given& p, Vector result) {  // NOLINT(*-value-param)
+  virtual void precondition_robustly(const Given& p, Vector result) {  // NOLINT(*-value-param)
     precondition(p, result);
   }
 };

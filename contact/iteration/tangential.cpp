@@ -58,7 +58,7 @@ class GridElements : public ElementOperator {
   void linearise(const Linearisation& at, double r, double drag) override;
   void precondition(const Given& p, Vector result) override;
   /// With the identity in all directions where elements slip.
-  void precondition_surely(const Given& p, Vector result) override;
+  void precondition_robustly(const Given& p, Vector result) override;
 
  private:
   bool slips(Index e) const { return !at_->adheres[static_cast<std::size_t>(e)]; }
@@ -126,7 +126,7 @@ void GridElements::precondition(const Given& p, Vector result) {
   if (slipping_ > 0) add_across(p, result);
 }
 
-void GridElements::precondition_surely(const Given& p, Vector result) {
+void GridElements::precondition_robustly(const Given& p, Vector result) {
   adhering(p, result);
   for (Index e = 0; e < count(); ++e) {
     if (!slips(e)) continue;

@@ -22,8 +22,8 @@ struct FrictionMemory {
 };
 
 /// A layer between the bodies that yields: tractions are at most tau_c = max(0, tau_c0 + k u*), u*
-/// the way by which the particle has yielded since it entered the patch. What moves where tau_c is
-/// below mu p_n is u* and no slip.
+/// the way by which the particle has yielded since it entered the patch. Where tau_c is below mu
+/// p_n, relative motion increases u* and is not slip.
 struct Plasticity {
   double yield_stress = 0.0;  ///< tau_c0, MPa
   double hardening = 0.0;     ///< k, MPa/mm; below 0 it softens
@@ -53,8 +53,8 @@ class FrictionLaw {
   virtual std::shared_ptr<const FrictionLaw> of_row(double) const { return nullptr; }
   virtual bool varies() const { return false; }
 
-  /// mu without slip, the largest where it varies: what forces are scaled with, and all that the
-  /// theories take which know no other law than Coulomb's.
+  /// mu without slip, the largest if it varies: the scale of forces, and the only number of the law
+  /// that theories limited to Coulomb friction use.
   double coefficient() const { return at(0.0).value; }
 
   std::optional<Plasticity> plasticity;  ///< of a layer that yields beside the law; empty: none

@@ -17,7 +17,7 @@ namespace {
 
 /// Largest slope at which a section is a height over y.
 constexpr double steepest = 12.0;
-/// Relative to a radius, of what Newton's method may leave of it.
+/// Tolerance of Newton's method, relative to a radius.
 constexpr double rounding_of_radius = 1e-15;
 /// Knots of the wheel's section; closer where it turns by more than this between two.
 constexpr double knot_distance = 0.05, least_knot_distance = 1e-3;  // mm

@@ -106,8 +106,8 @@ class PatchGeometry {
   /// at x = 0, and distances are those of the surfaces. Either may be empty.
   void set_surfaces(RailSurface rail, WheelSurface wheel);
   bool varies() const { return rail_surface_ || wheel_surface_; }
-  /// Largest difference of that distance from the one of a round wheel and a straight rail of these
-  /// sections over the patch, over the approach; 0 of such bodies.
+  /// Largest difference over the patch between this distance and that of a round wheel on a
+  /// straight rail with these sections, divided by the approach; 0 for such bodies.
   double variation() const { return variation_; }
   void set_variation(double over_approach) { variation_ = over_approach; }
 

@@ -2,7 +2,7 @@
 // Degrees of freedom, constraints and boundary conditions on the mesh of a body.
 #include "fem/discretisation/body.hpp"
 
-#include "fem/discretisation/material_motion.hpp"
+#include "fem/discretisation/elastic_problem.hpp"
 #include "fem/mesh/body_mesh.hpp"
 #include "fem/mesh/coarse_mesh.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/discretisation/elastic_problem.hpp"
 
+#include "fem/mesh/surface_shape.hpp"
+
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/component_mask.h>
 #include <deal.II/fe/fe.h>
@@ -33,6 +35,19 @@ dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<3>& 
 
 Vector make_vector(const dealii::DoFHandler<3>& dofs) {
   return Vector(dofs.locally_owned_dofs(), relevant_dofs(dofs), dofs.get_communicator());
+}
+
+MaterialMotion material_motion(const SurfaceShape& shape, double speed) {
+  MaterialMotion motion;
+  if (!shape.is_revolved()) {
+    motion.velocity[0] = -speed;
+    return motion;
+  }
+  const meshes::AxleTrace axle = shape.axle();
+  const double rotation = speed / shape.rolling_radius;
+  motion.centre = {0, 0, axle.height};
+  motion.rotation = dealii::Tensor<1, 3>({0, rotation * axle.cosine, rotation * axle.sine});
+  return motion;
 }
 
 }  // namespace rollfem::fem

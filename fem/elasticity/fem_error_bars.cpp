@@ -7,7 +7,7 @@
 #include "contact/result/refinement.hpp"
 #include "contact/solve/side_by_side.hpp"
 #include "halfspace/model/error_bars.hpp"
-#include "halfspace/model/level.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/model/step_errors.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ ContactGrid coarsened(const ContactGrid& grid) {
 }
 
 /// Whether grids of elements of twice the size resolve this patch.
-bool bears_coarsening(const ModelResult& level) {
+bool allows_coarsening(const ModelResult& level) {
   constexpr double fewest_across = 7.5;
   return std::all_of(level.points.begin(), level.points.end(), [&](const PointResult& point) {
     return 2.0 * std::min(point.semi_axis_x / level.grid.dx, point.semi_axis_y / level.grid.dy) >=
@@ -107,7 +107,7 @@ struct Beside {
 
   Beside(const Scene& scene, const std::vector<ModelResult>& finite) : levels(without(scene)) {
     const bool two = finite.size() == 2;
-    if (two && bears_coarsening(finite.front()))
+    if (two && allows_coarsening(finite.front()))
       coarsest = levels.solve(coarsened(finite.front().grid));
     for (const ModelResult& level : finite) at.push_back(levels.solve(level.grid));
     if (!two) coarsest = at[finite.size() - 3];
@@ -120,7 +120,8 @@ struct Beside {
     return limit != nullptr && std::all_of(at.begin(), at.end(), [](auto* of) { return of; });
   }
 
-  /// Steps of a transient err as those of half-spaces on the second finest level.
+  /// Adds the error of the length of transient steps, measured with half-spaces on the second
+  /// finest level.
   void count_steps(const Scene& scene, ModelResult& finest) const {
     if (scene.problem != contact::Problem::transient) return;
     if (const LevelResult* whole = at[at.size() - 2]) {

@@ -10,7 +10,7 @@
 #include "contact/result/validity.hpp"
 #include "fem/elasticity/fem_error_bars.hpp"
 #include "fem/elasticity/run_level.hpp"
-#include "fem/linear/first_process.hpp"
+#include "fem/linear/root_process.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/mesh/run_layout.hpp"
 #include "fem/plasticity/yielding_bodies.hpp"
@@ -53,17 +53,17 @@ void exchange(contact::Record& record, ModelResult& result) {
                 result.points);
 }
 
-/// Sends the result of the first process to all, except the bodies, because studies and choices of
+/// Sends the result of the root process to all, except the bodies, because studies and choices of
 /// models depend on it. Collective.
-void tell_all(ModelResult& result) {
+void broadcast_points(ModelResult& result) {
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) return;
   std::vector<std::vector<contact::BodyValues>> bodies;
   for (contact::PointResult& point : result.points)
     bodies.push_back(std::exchange(point.bodies, {}));
   contact::Record record;
   exchange(record, result);
-  contact::Record told(dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, record.bytes()));
-  exchange(told, result);
+  contact::Record received(dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, record.bytes()));
+  exchange(received, result);
   for (std::size_t k = 0; k < bodies.size(); ++k) result.points[k].bodies = std::move(bodies[k]);
 }
 
@@ -120,7 +120,7 @@ class Levels {
       rung.no_finer = error.what();
     }
     bool further = false;
-    first_.run([&] {
+    root_.run([&] {
       further = contact::refine_further(scene_.accuracy, scene_.friction_coefficient(), rung,
                                         levels_.back().points, levels_.back());
     });
@@ -130,7 +130,7 @@ class Levels {
   ModelResult take_finest() {
     ModelResult result = std::move(levels_.back());
     result.notes.push_back(note_on_bars(2.0 * cell_, cell_, beside_half_spaces_));
-    tell_all(result);
+    broadcast_points(result);
     return result;
   }
 
@@ -143,14 +143,14 @@ class Levels {
   void set_bars(double cell) {
     cell_ = cell;
     const contact::Stopwatch watch;
-    first_.run([&] { beside_half_spaces_ = set_error_bars(scene_, levels_); });
+    root_.run([&] { beside_half_spaces_ = set_error_bars(scene_, levels_); });
     estimate_seconds_ += watch.seconds();
   }
 
   const Scene& scene_;
   const contact::Progress& progress_;
   contact::Checkpoint* checkpoint_;
-  FirstProcess first_{MPI_COMM_WORLD};
+  RootProcess root_{MPI_COMM_WORLD};
   std::vector<ModelResult> levels_;
   double cell_ = 0.0, estimate_seconds_ = 0.0;
   bool beside_half_spaces_ = false;

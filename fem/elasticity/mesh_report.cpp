@@ -5,7 +5,7 @@
 #include "fem/linear/solver_choice.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/run_layout.hpp"
-#include "meshes/cell_quality.hpp"
+#include "meshes/hex_mesh.hpp"
 #include "meshes/msh_file.hpp"
 
 #include <deal.II/base/mpi.h>

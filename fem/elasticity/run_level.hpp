@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One level of the finite-element model: bodies and contact grid with cells of one size, every load
-// point of the scene solved on them. model.hpp runs two levels to estimate the error.
+// point of the scene solved on them. fem_model.hpp runs two levels to estimate the error.
 #pragma once
 
 #include "contact/base/checkpoint.hpp"

@@ -117,7 +117,7 @@ std::size_t solves_in_memory(double unknowns) {
   return 1 + static_cast<std::size_t>(contact::available_bytes() / (solve_per_unknown * unknowns));
 }
 
-void hand_back_memory() {
+void return_freed_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif

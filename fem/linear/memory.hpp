@@ -42,6 +42,6 @@ std::size_t solves_in_memory(double unknowns);
 
 /// Returns freed memory held by the C library to the system: after a set-up it is as much as the
 /// memory in use.
-void hand_back_memory();
+void return_freed_memory();
 
 }  // namespace rollfem::fem

@@ -5,8 +5,8 @@
 #include "contact/base/errors.hpp"
 #include "fem/linear/algebraic_multigrid.hpp"
 #include "fem/linear/factorisation.hpp"
-#include "fem/linear/first_process.hpp"
 #include "fem/linear/multigrid.hpp"
+#include "fem/linear/root_process.hpp"
 #include "fem/mesh/body_mesh.hpp"
 #include "fem/mesh/run_layout.hpp"
 
@@ -51,7 +51,7 @@ struct Slowness {
 /// have taken those for SSE3, "Prescott", not knowing the processor. Any other library counts as
 /// the reference BLAS. Measured on 60 000 to 127 000 unknowns; products of matrices reach 43, 12
 /// and 3 GFLOP/s.
-Slowness slowness_of_blas() {
+Slowness blas_slowdown() {
   const auto core_name =
       reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
   if (core_name == nullptr) return {12.0, 1.9};
@@ -127,7 +127,7 @@ bool takes_factorisation(const Scene& scene, MemoryDemand demand) {
       return true;  // multigrid rejects it
   const double solves = solves_for_normal + (scene.yields() ? solves_per_pass : solves_per_point) *
                                                 static_cast<double>(scene.points.size());
-  const Slowness slow = slowness_of_blas();
+  const Slowness slow = blas_slowdown();
   const double coarse =
       has_true_sections(scene)
           ? multigrid_iterations * slow.solve * factor_solve_seconds(coarse_unknowns_of_section)

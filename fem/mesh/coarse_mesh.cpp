@@ -4,9 +4,9 @@
 #include "contact/base/count.hpp"
 #include "contact/base/errors.hpp"
 #include "fem/mesh/chart.hpp"
-#include "meshes/cell_quality.hpp"
 #include "meshes/gmsh_sections.hpp"
 #include "meshes/grading.hpp"
+#include "meshes/hex_mesh.hpp"
 #include "meshes/msh_file.hpp"
 
 #include <deal.II/base/mpi.h>

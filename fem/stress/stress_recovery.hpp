@@ -23,8 +23,8 @@ struct NodalStress {
 /// What plastic strain does to a body, at its nodes, with ghost values; plastic strain in the
 /// global frame.
 struct YieldedFields {
-  /// 2 G eps_p less the residual stress before the first pass, MPa: what the stress of the total
-  /// displacement has too much.
+  /// 2 G eps_p less the residual stress before the first pass, MPa, subtracted from the stress of
+  /// the total displacement.
   NodalStress too_much;
   NodalStress strain;    ///< plastic
   NodalStress residual;  ///< stress by plastic strain alone

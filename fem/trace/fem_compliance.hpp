@@ -10,13 +10,39 @@
 #include "contact/scene/contact_surface.hpp"
 #include "fem/discretisation/body.hpp"
 #include "fem/linear/linear_solver.hpp"
-#include "fem/trace/surface_coupling.hpp"
+#include "fem/trace/lattice_deficit.hpp"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rollfem::fem {
+
+/// One body's part. Tractions and displacement are along the lateral tangent and the normal of the
+/// common contact surface, so that the loads on both bodies are equal and opposite; along rolling
+/// the frame turns with the body's streamlines. FemCompliance handles their sign in the difference
+/// (wheel +, rail -, load -).
+class SurfaceCoupling {
+ public:
+  /// `grid`: contact elements in (s, t), t the lateral coordinate y; `surface`: the common surface.
+  /// A half body includes its mirror image: elements at t < 0 mirror those at t > 0 (x and n
+  /// components even, y component odd). Throws contact::InputError when the grid extends beyond the
+  /// body's surface or its elements are finer than the FE faces under them.
+  SurfaceCoupling(const Body& body, const contact::ContactGrid& grid,
+                  const contact::ContactSurface& surface);
+  ~SurfaceCoupling();
+  /// b = B^T p.
+  void load(const contact::SurfaceField& traction, Vector& b) const;
+  /// Mean displacement over each element; the same on every process.
+  contact::SurfaceField sample(const Vector& displacement) const;
+  /// The cells under the grid, if every element consists of whole faces of equal size.
+  std::optional<Lattice> lattice() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
 
 /// Far boundary of the segments (far_field.hpp).
 using FarBoundary = contact::FarBoundary;
@@ -48,8 +74,8 @@ class FemCompliance : public contact::Compliance {
   /// for a rigid body.
   std::vector<Vector> body_displacements(const contact::SurfaceField& traction) const;
   int solves() const;  ///< apply() calls of this copy so far
-  /// What bodies do beyond their elastic displacement, given that: the further displacement of
-  /// each, mm, with ghost values; empty: nothing. Collective.
+  /// Displacement of each body beyond the elastic one (mm, with ghost values) as a function of the
+  /// elastic one; empty: none. Collective.
   using Beyond = std::function<std::vector<Vector>(const std::vector<Vector>& elastic)>;
   /// Added to every response of this copy.
   void set_beyond_elastic(Beyond beyond);

@@ -25,8 +25,8 @@ using Eigen::Index;
 using Eigen::Matrix3cd;
 using Eigen::MatrixXcd;
 
-/// Waves along each side: midpoints of [0, pi], of which the kernel is the mean. Its reach is a
-/// third of the period of 24 waves.
+/// Number of waves along each side, at midpoints of [0, pi]; the kernel is the mean over them and
+/// reaches a third of their period.
 constexpr int waves = 12;
 
 /// Layers of cells, 2^8: the longest wave has decayed to 1e-20 there.

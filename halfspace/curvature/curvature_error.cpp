@@ -7,7 +7,6 @@
 #include "halfspace/curvature/curved_compliance.hpp"
 #include "halfspace/elasticity/preconditioned_elasticity.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/model/level.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
 #include <fmt/format.h>

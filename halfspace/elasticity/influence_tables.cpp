@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace rollfem::halfspace {
 
@@ -44,6 +45,108 @@ InfluenceTable table_of(int nx, int ny, double ratio, const contact::CombinedMat
   return table;
 }
 
+#define ROLLFEM_INLINE inline __attribute__((always_inline))
+
+/// A register of this many bytes, also for unaligned memory.
+template <int bytes>
+struct Register {
+  static constexpr int lanes = bytes / static_cast<int>(sizeof(double));
+  using type [[gnu::vector_size(bytes)]] = double;
+  using anywhere [[gnu::vector_size(bytes), gnu::aligned(sizeof(double)), gnu::may_alias]] = double;
+
+  static ROLLFEM_INLINE const anywhere& at(const double* place) {
+    return *reinterpret_cast<const anywhere*>(place);
+  }
+};
+
+/// A result of up to `columns`.
+template <int bytes, int columns>
+ROLLFEM_INLINE void convolve_columns(const InfluenceRows& influence, const Source* first,
+                                     const Source* last, int nx, int ny, double* result) {
+  using In = Register<bytes>;
+  constexpr int registers = (columns + In::lanes - 1) / In::lanes;
+  static_assert(registers * In::lanes <= most_columns + static_cast<int>(read_beyond) / 2);
+  for (int l = 0; l < ny; ++l) {
+    typename In::type sum[registers] = {};
+    for (const Source* source = first; source != last; ++source) {
+      const double* at = influence.middle + influence.to_next * std::abs(l - source->j) - source->i;
+      for (int r = 0; r < registers; ++r) sum[r] += source->value * In::at(at + r * In::lanes);
+    }
+    double* const row = result + static_cast<std::ptrdiff_t>(l) * nx;
+    for (int r = 0; r < registers; ++r)
+      for (int k = 0; k < In::lanes && r * In::lanes + k < nx; ++k)
+        row[r * In::lanes + k] = sum[r][k];
+  }
+}
+
+template <int bytes>
+ROLLFEM_INLINE void convolve(const InfluenceRows& influence, const Source* first,
+                             const Source* last, int nx, int ny, double* result) {
+  if (nx <= 16) return convolve_columns<bytes, 16>(influence, first, last, nx, ny, result);
+  if (nx <= 20) return convolve_columns<bytes, 20>(influence, first, last, nx, ny, result);
+  convolve_columns<bytes, most_columns>(influence, first, last, nx, ny, result);
+}
+
+template <int bytes, int rows>
+ROLLFEM_INLINE void multiply_rows(const double* matrix, std::ptrdiff_t stride,
+                                  std::ptrdiff_t columns, const double* x, double* y) {
+  using In = Register<bytes>;
+  typename In::type sum[rows] = {};
+  std::ptrdiff_t k = 0;
+  for (; k + In::lanes <= columns; k += In::lanes) {
+    const typename In::type at = In::at(x + k);
+    for (int r = 0; r < rows; ++r) sum[r] += In::at(matrix + r * stride + k) * at;
+  }
+  for (int r = 0; r < rows; ++r) {
+    double all = 0.0;
+    for (int lane = 0; lane < In::lanes; ++lane) all += sum[r][lane];
+    for (std::ptrdiff_t rest = k; rest < columns; ++rest)
+      all += matrix[r * stride + rest] * x[rest];
+    y[r] = all;
+  }
+}
+
+template <int bytes>
+ROLLFEM_INLINE void multiply(const double* matrix, std::ptrdiff_t stride, std::ptrdiff_t rows,
+                             std::ptrdiff_t columns, const double* x, double* y) {
+  constexpr int together = 4;
+  std::ptrdiff_t row = 0;
+  for (; row + together <= rows; row += together)
+    multiply_rows<bytes, together>(matrix + row * stride, stride, columns, x, y + row);
+  for (; row < rows; ++row)
+    multiply_rows<bytes, 1>(matrix + row * stride, stride, columns, x, y + row);
+}
+
+// Attributes cannot stand in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define ROLLFEM_VARIANT(name, bytes, attribute)                                                    \
+  attribute void convolve_##name(const InfluenceRows& influence, const Source* first,              \
+                                 const Source* last, int nx, int ny, double* result) {             \
+    convolve<bytes>(influence, first, last, nx, ny, result);                                       \
+  }                                                                                                \
+  attribute void multiply_##name(const double* matrix, std::ptrdiff_t stride, std::ptrdiff_t rows, \
+                                 std::ptrdiff_t columns, const double* x, double* y) {             \
+    multiply<bytes>(matrix, stride, rows, columns, x, y);                                          \
+  }                                                                                                \
+  constexpr ElementSums sums_##name{&convolve_##name, &multiply_##name};
+// NOLINTEND(bugprone-macro-parentheses)
+
+ROLLFEM_VARIANT(sse2, 16, )
+#ifdef __x86_64__
+ROLLFEM_VARIANT(avx2, 32, __attribute__((target("avx2,fma"))))
+ROLLFEM_VARIANT(avx512, 64, __attribute__((target("avx512f,avx512dq,avx512vl,fma"))))
+#endif
+
+const ElementSums& of_this_processor() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return sums_avx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return sums_avx2;
+#endif
+  return sums_sse2;
+}
+
 }  // namespace
 
 InfluenceTables::InfluenceTables(int nx, int ny, const contact::CombinedMaterial& material)
@@ -77,6 +180,11 @@ bool InfluenceTables::interpolate(double ratio, InfluenceTable& table) const {
       to[k] = part[0] * a[k] + part[1] * b[k] + part[2] * c[k] + part[3] * d[k];
   }
   return true;
+}
+
+const ElementSums& element_sums() {
+  static const ElementSums& sums = of_this_processor();
+  return sums;
 }
 
 }  // namespace rollfem::halfspace

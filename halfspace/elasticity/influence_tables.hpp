@@ -5,12 +5,42 @@
 #pragma once
 
 #include "contact/base/material.hpp"
-#include "halfspace/elasticity/element_sums.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace rollfem::halfspace {
+
+// Inner loops of few_elements.hpp, compiled for each width of vector registers; the widest
+// supported by the processor is chosen at run time.
+
+/// A nonzero element.
+struct Source {
+  int i = 0, j = 0;  ///< column, row
+  double value = 0.0;
+};
+
+/// Padding read beyond the end of a list of influence coefficients, without effect on results.
+inline constexpr std::size_t read_beyond = 16;
+/// Largest number of columns of a grid.
+inline constexpr int most_columns = 28;
+
+/// Influence coefficients by distance, as in InfluenceTable.
+struct InfluenceRows {
+  const double* middle = nullptr;  ///< of the row of distance 0
+  std::ptrdiff_t to_next = 0;      ///< from row to row
+};
+
+struct ElementSums {
+  /// result[l nx + m] = sum over sources of value influence(|l - j|)[m - i].
+  void (*convolve)(const InfluenceRows& influence, const Source* first, const Source* last, int nx,
+                   int ny, double* result);
+  /// y = M x, M row by row with `stride` between rows.
+  void (*multiply)(const double* matrix, std::ptrdiff_t stride, std::ptrdiff_t rows,
+                   std::ptrdiff_t columns, const double* x, double* y);
+};
+
+const ElementSums& element_sums();
 
 /// For elements of 1 by `ratio`; an element's effect `i` columns and `j` rows farther is at
 /// row(j)[i], |i| <= nx, 0 <= j < ny. The normal coefficient times dx applies to elements of dx;

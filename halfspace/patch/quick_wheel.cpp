@@ -29,7 +29,7 @@ constexpr int fewest_turns_of_several = 3;
 /// comes into contact, so the force may jump across the required share, which no iterate then
 /// meets.
 constexpr int turns_until_kept = 5;
-constexpr int most_rounds = 8;
+constexpr int most_wheel_rounds = 8;
 /// Step of the derivatives by the sinking, relative: a power law keeps four digits, and the step
 /// smooths over elements that enter the contact.
 constexpr double sinking_step = 0.05;
@@ -87,7 +87,7 @@ QuickOutcome QuickWheel::solve(const std::vector<QuickContact>& contacts,
 
 /// Finds the frictionless patches, each on a few elements over the overlap of the bodies.
 bool QuickWheel::find_patches(double force) {
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_wheel_rounds; ++round) {
     for (QuickPatch* patch : loaded_)
       if (!patch->lay_over_box()) return false;
     set_problem();

@@ -36,8 +36,8 @@ void start(int& argc, char**& argv) {
   // always the same, so that results do not depend on the threads in use (within_threads).
   constexpr unsigned int most_threads = 64;
   session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(count, own, most_threads);
-  // The end of the session empties deal.II's stores of vectors. When the process ends they must
-  // still be there: what is made first goes last.
+  // The end of the session empties deal.II's stores of vectors, so they must outlive it. Objects
+  // created first are destroyed last.
   dealii::GrowingVectorMemory<Vector<double>>::release_unused_memory();
   dealii::GrowingVectorMemory<Vector<float>>::release_unused_memory();
 }

@@ -4,24 +4,27 @@
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
 #include "contact/scene/below_surface.hpp"
+#include "contact/scene/scene.hpp"
 #include "fem/discretisation/case_bodies.hpp"
 #include "fem/linear/factorisation.hpp"
 #include "fem/linear/multigrid.hpp"
 #include "fem/mesh/run_layout.hpp"
-#include "fem/trace/far_error.hpp"
 #include "fem/trace/far_field.hpp"
 #include "fem/trace/fem_compliance.hpp"
+#include "halfspace/elasticity/influence.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "hybrid/correction/below_parts.hpp"
-#include "hybrid/correction/flat_body.hpp"
 #include "hybrid/correction/flat_twin.hpp"
 
+#include <Eigen/Core>
 #include <Eigen/QR>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace rollfem::hybrid {
 
@@ -32,6 +35,7 @@ using contact::Field;
 using contact::Scene;
 using contact::SurfaceField;
 using Eigen::Index;
+using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using fem::Body;
 using fem::BodyOptions;
@@ -40,6 +44,99 @@ using fem::RunLayout;
 using fem::Vector;
 using halfspace::SmoothBox;
 using halfspace::SmoothMap;
+
+// The correction of a flat body in the frame of the common surface, without a mesh: the
+// body is a half-space itself, but loaded and evaluated along the local tangents and
+// normals of a surface that is curved where the other body is.
+
+/// Elements in a line along rolling.
+struct Row {
+  double middle;  ///< mm, across
+  double width;   ///< mm
+  Matrix3d axes;  ///< columns: tangents along rolling and across, normal
+  double force;   ///< of traction times area in the plane
+};
+
+/// [displacement][traction] in axes of the plane.
+Matrix3d block(const halfspace::Influence& h) {
+  Matrix3d values;
+  values << h.xx, h.xy, h.xn, h.xy, h.yy, h.yn, -h.xn, -h.yn, h.nn;
+  return values;
+}
+
+/// For a surface with dz/dy = climb.
+Matrix3d local_axes(double climb) {
+  const double stretch = contact::stretch_of(climb);
+  Matrix3d axes;
+  axes << 1.0, 0.0, 0.0, 0.0, 1.0 / stretch, -climb / stretch, 0.0, climb / stretch, 1.0 / stretch;
+  return axes;
+}
+
+/// One row for each element, so that sums run contiguously over the shapes.
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Adds `sign` times the displacement of a half-space in the axes of its rows.
+void add_displacement(const ContactGrid& grid, const std::vector<Row>& rows,
+                      const contact::CombinedMaterial& material, const RowMajor& shapes,
+                      double sign, std::array<RowMajor, 3>& sums) {
+  const auto add = [&](const Matrix3d& values, int at, int from) {
+    if (shapes.row(from).isZero(0.0)) return;
+    for (Index p = 0; p < 3; ++p)
+      for (Index u = 0; u < 3; ++u)
+        sums[static_cast<std::size_t>(p)].row(u * grid.size() + at) +=
+            values(u, p) * shapes.row(from);
+  };
+  for (int j = 0; j < grid.ny; ++j)
+    for (int k = 0; k < grid.ny; ++k)
+      for (int apart = 1 - grid.nx; apart < grid.nx; ++apart) {
+        const Row &at = rows[static_cast<std::size_t>(j)],
+                  &from = rows[static_cast<std::size_t>(k)];
+        const Matrix3d values =
+            sign * from.force * at.axes.transpose() *
+            block(halfspace::rectangle_influence(apart * grid.dx, at.middle - from.middle, grid.dx,
+                                                 from.width, material)) *
+            from.axes;
+        for (int i = std::max(0, apart); i < std::min(grid.nx, grid.nx + apart); ++i)
+          add(values, grid.index(i, j), grid.index(i - apart, k));
+      }
+}
+
+/// Whether a body has a plane surface and is so large that it has no far boundary.
+bool is_half_space(const contact::Scene& scene, bool wheel) {
+  const contact::ContactSurface& surface = scene.geometry.surface;
+  if (surface.profiles || fem::far_boundary_of(scene) != contact::FarBoundary::point_load)
+    return false;
+  return wheel ? std::isinf(surface.wheel_transverse_radius) && std::isinf(surface.rolling_radius)
+               : std::isinf(surface.rail_transverse_radius) && !surface.rail_is_roller();
+}
+
+/// Contribution of the body to u_wheel - u_rail, mm: the displacement of its plane less that of the
+/// rolled-out half-space, under tractions on the wheel. `shapes`: a row for each element of the
+/// grid (laid along the plane), a column for each traction, MPa. Returned for tractions along x, y
+/// and n: a column for each shape, with u_x, then u_y, then u_n of all elements. `arc`: arc length
+/// of the common surface, at least over the grid.
+std::array<MatrixXd, 3> beyond_flat_body(const contact::Scene& scene, bool wheel,
+                                         const ContactGrid& grid, const ArcLength& arc,
+                                         const MatrixXd& shapes) {
+  const contact::Material rigid = contact::rigid_material();
+  const contact::CombinedMaterial material =
+      wheel ? combine(scene.wheel.material, rigid) : combine(rigid, scene.rail.material);
+  const contact::PatchShape shape = contact::patch_shape(scene.geometry.surface, grid);
+  std::vector<Row> plane, rolled_out;
+  for (int j = 0; j < grid.ny; ++j) {
+    const double y = grid.y(j), lower = arc.at(y - 0.5 * grid.dy),
+                 upper = arc.at(y + 0.5 * grid.dy);
+    const int element = grid.index(0, j);
+    plane.push_back({y, grid.dy, local_axes(shape.climb[element]), shape.stretch[element]});
+    rolled_out.push_back({0.5 * (lower + upper), upper - lower, Matrix3d::Identity(), 1.0});
+  }
+  const RowMajor loads = shapes;
+  std::array<RowMajor, 3> sums;
+  for (RowMajor& sum : sums) sum = RowMajor::Zero(3 * grid.size(), shapes.cols());
+  add_displacement(grid, plane, material, loads, 1.0, sums);
+  add_displacement(grid, rolled_out, material, loads, -1.0, sums);
+  return {sums[0], sums[1], sums[2]};
+}
 
 /// Degrees of the polynomials: tractions (times Hertz's ellipsoid) and fit of displacements.
 constexpr int load_degree = 4;
@@ -66,9 +163,10 @@ constexpr double room = 1.05;
 constexpr double below_beside = 1.5;
 constexpr double below_depth = 3.0;
 
-/// Bodies whose factors take more than this, bytes (four are held at a time), are solved by
-/// multigrid, which takes longer for 45 loads; this concerns very long patches. A residual of 1e-8
-/// is 1e-4 of the difference between body and twin, which is a hundredth of the displacement.
+/// Bodies with factors larger than this, in bytes (four are held at a time), are solved by
+/// multigrid, which takes longer for 45 loads; this happens only for very long patches. A residual
+/// of 1e-8 is 1e-4 of the difference between body and twin, which is a hundredth of the
+/// displacement.
 constexpr double largest_factor = 3e9;
 
 std::unique_ptr<LinearSolver> make_solver(const Body& body) {
@@ -238,16 +336,16 @@ struct Pair {
 };
 
 /// Coefficients of body less twin, one column for each traction.
-struct Answers {
+struct Responses {
   MatrixXd surface;
   MatrixXd below;  ///< empty: not requested
 };
 
-Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
+Responses responses(const Basis& basis, Pair& pair, const BelowParts* below) {
   const double sign = pair.body.shape().is_wheel ? 1.0 : -1.0;
   const auto powers = halfspace::polynomial_powers(load_degree);
   const Index ins = basis.in.cols();
-  Answers result;
+  Responses result;
   result.surface = MatrixXd::Zero(3 * basis.out.cols(), 3 * ins);
   if (below != nullptr) result.below = MatrixXd::Zero(below->terms(), 3 * ins);
   const Field none = Field::Zero(basis.grid.size());
@@ -280,7 +378,7 @@ Answers answers(const Basis& basis, Pair& pair, const BelowParts* below) {
 }
 
 /// On the surface of a body that is itself a half-space.
-MatrixXd answers_of_half_space(const Scene& scene, const Basis& basis, bool wheel) {
+MatrixXd half_space_responses(const Scene& scene, const Basis& basis, bool wheel) {
   const auto fields = beyond_flat_body(scene, wheel, basis.grid, basis.arc,
                                        basis.ellipsoid.asDiagonal() * basis.in);
   const Index ins = basis.in.cols();
@@ -308,7 +406,7 @@ void find_maps(const Basis& basis, Pair& pair, const contact::BelowSurface* coor
   std::optional<BelowParts> below;
   if (coordinates != nullptr)
     below.emplace(*coordinates, pair.body, pair.twin, basis.flat, basis.below, basis.deep);
-  const Answers found = answers(basis, pair, below ? &*below : nullptr);
+  const Responses found = responses(basis, pair, below ? &*below : nullptr);
   map = {basis.loads, basis.fields, load_degree, field_degree, of_moments(basis, found.surface)};
   if (below)
     map_below = {
@@ -326,7 +424,7 @@ void add_half_space(const Scene& scene, const Basis& basis, bool wheel, SmoothMa
                     std::vector<std::string>& notes) {
   if ((wheel ? scene.wheel : scene.rail).material.rigid()) return;
   map = {basis.loads, basis.fields, load_degree, field_degree,
-         of_moments(basis, answers_of_half_space(scene, basis, wheel))};
+         of_moments(basis, half_space_responses(scene, basis, wheel))};
   notes.push_back(
       fmt::format("the {} is flat: a half-space, which is not meshed", wheel ? "wheel" : "rail"));
 }

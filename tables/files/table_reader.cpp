@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "tables/files/table_reader.hpp"
+
 #include "contact/base/errors.hpp"
-#include "tables/files/creep_table.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,19 @@
 namespace rollfem::tables {
 
 namespace {
+
+bool increasing(const std::vector<double>& values) {
+  return !values.empty() &&
+         std::adjacent_find(values.begin(), values.end(),
+                            [](double a, double b) { return !(a < b); }) == values.end();
+}
+
+void refuse_shape(const std::string& what) {
+  throw contact::InputError("table: " + what + "; do: use a file written by rollfem table");
+}
+
+constexpr double let_pass = 1e-3;        // of ratio, load and speed, relative
+constexpr double shift_let_pass = 1e-9;  // mm
 
 /// Weights along the creepage axes, for forces smooth at 0 and for forces bent at 0.
 using CreepageWeights = std::array<std::array<AxisWeights, 2>, 3>;
@@ -75,6 +89,216 @@ void widen(TableForces& near, const TableForces& beyond) {
 }
 
 }  // namespace
+
+CreepTableReader::CreepTableReader(CreepTable table) : table_(std::move(table)) {
+  if (!increasing(table_.first_axis())) refuse_shape("its first axis does not increase");
+  check_creepages();
+  for (std::size_t q = 0; q < 3; ++q)
+    for (const double x : table_.creepage[q]) coordinate_[q].push_back(table_coordinate(x));
+  const bool shifts = table_.over_shifts();
+  if (!shifts && table_.axis_ratio.front() <= 0.0) refuse_shape("its ratios are not positive");
+  check_conditions();
+  if (table_.forces.size() != table_.size() || table_.bars.size() != table_.size() ||
+      table_.scale.size() != (shifts ? table_.loads() : 1) * table_.first_axis().size())
+    refuse_shape("its forces do not fit its axes");
+  if (shifts) check_wheels();
+  find_stretches();
+}
+
+void CreepTableReader::check_conditions() const {
+  for (const std::vector<double>* axis : {&table_.load, &table_.speed})
+    if (!axis->empty() && (!increasing(*axis) || !is_positive(axis->front())))
+      refuse_shape("its loads or speeds are not positive or do not increase");
+  const bool shifts = table_.over_shifts();
+  if (!shifts && table_.only_for.empty()) return;
+  if (!shifts && (table_.load.empty() || table_.mean_axis.size() != table_.axis_ratio.size()))
+    refuse_shape("its ellipses have no load or no size");
+  if (!is_positive(table_.shear_modulus) || !is_positive(table_.friction_coefficient))
+    refuse_shape("it has no stiffness or no friction");
+}
+
+void CreepTableReader::find_stretches() {
+  const bool shifts = table_.over_shifts();
+  const auto jumps = [&](std::size_t a, std::size_t b) {
+    return shifts && contact_jumps(table_.wheels[a], table_.wheels[b]);
+  };
+  const auto add = [](Stretches& stretches, std::size_t node, bool anew, double x) {
+    if (node == 0 || anew) stretches.push_back({node, {}});
+    stretches.back().nodes.push_back(x);
+  };
+  const std::size_t firsts = table_.first_axis().size();
+  first_.resize(shifts ? table_.loads() : 1);
+  for (std::size_t l = 0; l < first_.size(); ++l)
+    for (std::size_t k = 0; k < firsts; ++k)
+      add(first_[l], k,
+          shifts && k > 0 && table_.wheels[table_.pressed(l, k - 1)].jump_after != 0.0,
+          shifts ? table_.lateral_shift[k] : std::log(table_.axis_ratio[k]));
+  load_.resize(shifts ? firsts : 1);
+  for (std::size_t k = 0; k < load_.size(); ++k)
+    for (std::size_t l = 0; l < table_.loads(); ++l)
+      add(load_[k], l, l > 0 && jumps(table_.pressed(l - 1, k), table_.pressed(l, k)),
+          table_.load.empty() ? 0.0 : std::log(table_.load[l]));
+  for (std::size_t n = 0; n < table_.speeds(); ++n)
+    add(speed_, n, false, table_.speed.empty() ? 0.0 : std::log(table_.speed[n]));
+}
+
+void CreepTableReader::check_creepages() const {
+  for (const std::vector<double>& axis : table_.creepage)
+    if (axis.size() < 2 || !increasing(axis)) refuse_shape("its creepages do not increase");
+  for (std::size_t q = table_.over_shifts() ? 0 : 2; q < 3; ++q) {
+    const std::vector<double>& both = table_.creepage[q];
+    for (std::size_t k = 0; k < both.size(); ++k)
+      if (both[k] != -both[both.size() - 1 - k])
+        refuse_shape("its creepages are not of both signs");
+  }
+  if (!table_.over_shifts() &&
+      (table_.creepage[0].front() != 0.0 || table_.creepage[1].front() != 0.0))
+    refuse_shape("its creepages do not begin with 0");
+}
+
+void CreepTableReader::check_wheels() const {
+  if (table_.wheels.size() != table_.scale.size() || table_.along_normal.size() != table_.size())
+    refuse_shape("its wheels do not fit its lateral shifts");
+  for (const TableWheel& wheel : table_.wheels)
+    if (!is_positive(wheel.semi_axis_x) || !is_positive(wheel.semi_axis_y) ||
+        !is_positive(wheel.normal_force))
+      refuse_shape("a wheel has no contact");
+}
+
+double CreepTableReader::first_coordinate(double place) const {
+  const double low = table_.first_axis().front(), high = table_.first_axis().back();
+  if (table_.over_shifts()) {
+    if (!(place >= low - shift_let_pass && place <= high + shift_let_pass))
+      throw contact::InputError(
+          fmt::format("table: lateral shift {:g} mm: allowed: {:g} to {:g}; do: make a table with "
+                      "[table] lateral_shift that covers it",
+                      place, low, high));
+    return std::clamp(place, low, high);
+  }
+  if (!(place >= low * (1.0 - let_pass) && place <= high * (1.0 + let_pass)))
+    throw contact::InputError(
+        fmt::format("table: a/b = {:g}: allowed: {:g} to {:g}; do: make a table with [table] "
+                    "axis_ratio that covers it",
+                    place, low, high));
+  return std::log(std::clamp(place, low, high));
+}
+
+/// The coordinate on the axis of loads or speeds.
+double CreepTableReader::condition(const char* name, const char* unit,
+                                   const std::vector<double>& axis, double given) const {
+  if (axis.empty()) {
+    if (given == 0.0) return 0.0;
+    throw contact::InputError(
+        fmt::format("table: {} {:g} {}: its forces are of no {}; allowed: "
+                    "tables with [table] {}; do: leave it out",
+                    name, given, unit, name, name));
+  }
+  if (given == 0.0 && axis.size() == 1) given = axis.front();
+  const double low = axis.front(), high = axis.back();
+  if (!(given >= low * (1.0 - let_pass) && given <= high * (1.0 + let_pass)))
+    throw contact::InputError(fmt::format(
+        "table: {} {:g} {}{}: allowed: {:g} to {:g}; do: {}make a table with [table] {} that "
+        "covers it",
+        name, given, unit,
+        table_.over_shifts() ? "" : " on the bodies of the table, at equal friction", low, high,
+        given == 0.0 ? "give it, or " : "", name));
+  return std::log(std::clamp(given, low, high));
+}
+
+CreepTableReader::OnAxis CreepTableReader::on_axis(const Stretches& stretches, double x) {
+  const auto at_end = [](std::size_t node) {
+    Nodes end;
+    end.weights.first = static_cast<int>(node);
+    end.weights.weight[0] = 1.0;
+    end.around = {node, node};
+    return end;
+  };
+  std::size_t s = 0;
+  while (s + 1 < stretches.size() && x > stretches[s].nodes.back()) ++s;
+  const Stretch& stretch = stretches[s];
+  if (x < stretch.nodes.front() && s > 0) {  // in the gap before this stretch
+    const Nodes before = at_end(stretch.first - 1), after = at_end(stretch.first);
+    const double middle = 0.5 * (stretches[s - 1].nodes.back() + stretch.nodes.front());
+    return x < middle ? OnAxis{before, after} : OnAxis{after, before};
+  }
+  Nodes nodes{axis_weights(stretch.nodes, x, false), {}};
+  nodes.around = around(nodes.weights, stretch.nodes.size());
+  nodes.weights.first += static_cast<int>(stretch.first);
+  for (std::size_t& node : nodes.around) node += stretch.first;
+  return {nodes, {}};
+}
+
+CreepTableReader::Place CreepTableReader::locate(const TablePlace& place) const {
+  const double x = first_coordinate(place.first);
+  std::size_t nearest = 0;  // shift
+  if (table_.over_shifts())
+    for (std::size_t k = 1; k < table_.lateral_shift.size(); ++k)
+      if (std::abs(table_.lateral_shift[k] - x) < std::abs(table_.lateral_shift[nearest] - x))
+        nearest = k;
+  const OnAxis load = on_axis(load_[nearest], condition("load", "N", table_.load, place.load));
+  Side near, beyond;
+  near.load = load.near.weights;
+  near.speed = on_axis(speed_, condition("speed", "mm/s", table_.speed, place.speed)).near.weights;
+  beyond = near;
+  bool jumps = load.beyond.has_value();
+  if (jumps) beyond.load = load.beyond->weights;
+  const auto first_at = [&](std::size_t at_load) {
+    return on_axis(first_[table_.over_shifts() ? at_load : 0], x);
+  };
+  each_node(near.load, [&](std::size_t node, double, std::size_t slot) {
+    const OnAxis found = first_at(node);
+    near.first[slot] = found.near;
+    if (!load.beyond) beyond.first[slot] = found.beyond.value_or(found.near);
+    jumps = jumps || found.beyond;
+  });
+  if (load.beyond)
+    each_node(beyond.load, [&](std::size_t node, double, std::size_t slot) {
+      beyond.first[slot] = first_at(node).near;
+    });
+  if (jumps) return {near, beyond};
+  return {near, {}};
+}
+
+/// A place at which the wheel and the scales are those of the given one.
+TablePlace CreepTableReader::at_any_speed(TablePlace place) const {
+  if (!table_.speed.empty()) place.speed = table_.speed.front();
+  if (!table_.over_shifts() && !table_.load.empty()) place.load = table_.load.front();
+  return place;
+}
+
+double CreepTableReader::mean_axis_at(const TablePlace& place) const {
+  double logarithm = 0.0;
+  each_node(on_axis(first_.front(), first_coordinate(place.first)).near.weights,
+            [&](std::size_t first, double weight, std::size_t) {
+              logarithm += weight * std::log(table_.mean_axis[first]);
+            });
+  const double load = place.load == 0.0 ? table_.load.front() : place.load;
+  return std::exp(logarithm) * std::cbrt(load / table_.load.front());
+}
+
+/// The bodies of the table at another load and speed have the friction of this ellipse.
+TablePlace CreepTableReader::place_of(double ratio, double c, double shear_modulus,
+                                      double friction_bound, double speed) const {
+  if (table_.only_for.empty()) return {ratio, 0.0, speed};
+  if (std::abs(shear_modulus / table_.shear_modulus - 1.0) > let_pass)
+    throw contact::InputError(fmt::format(
+        "table: shear modulus {:g}: the table holds for {}; allowed: {:g} MPa, with mm and N; do: "
+        "give it, or make another table",
+        shear_modulus, table_.only_for, table_.shear_modulus));
+  const double first = table_.load.front();
+  const double force = friction_bound / table_.friction_coefficient / first,
+               size = c / mean_axis_at({ratio, first}), pressure = force / (size * size);
+  // Size and pressure of the table are in proportion to the cube root of its load.
+  const double sets[] = {1.0, size, pressure, std::sqrt(size * pressure), std::cbrt(force)};
+  const double root = sets[static_cast<std::size_t>(table_.load_sets)];
+  if (table_.load_sets == LoadSets::all && std::abs(size / root - 1.0) > let_pass)
+    throw contact::InputError(fmt::format(
+        "table: sqrt(a b) = {:g} mm: the table holds for {}; allowed: {:g} mm at this a/b and mu "
+        "F_n; do: make a table with bodies of this curvature",
+        c, table_.only_for, c * root / size));
+  if (speed == 0.0 && table_.speed.size() == 1) speed = table_.speed.front();
+  return {ratio, first * root * root * root, speed * pressure / root};
+}
 
 void CreepTableReader::refuse_other_kind(bool wanted_shifts) const {
   if (table_.over_shifts() == wanted_shifts) return;

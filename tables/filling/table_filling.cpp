@@ -296,8 +296,8 @@ void solve_checks(const CreepTableReader& reader, const TableSource& source, con
   solve_parts(parts, progress, checkpoint);
 }
 
-void look_between(CreepTable& table, const TableSource& source, int count,
-                  const contact::Progress& progress, contact::Checkpoint* checkpoint) {
+void check_interpolation(CreepTable& table, const TableSource& source, int count,
+                         const contact::Progress& progress, contact::Checkpoint* checkpoint) {
   CreepTableReader reader(std::move(table));  // avoids a second copy of a large table
   std::vector<Check> checks = points_between(reader, count);
   std::array<double, 6> by_axis{};
@@ -362,7 +362,7 @@ void fill_table(CreepTable& table, const contact::Case& input, const contact::Pr
     forecast(table, *source, input.table.check_points, progress, share);
   fill_grid(table, *source, progress, checkpoint, share);
   if (!share.whole()) return;
-  look_between(table, *source, input.table.check_points, progress, checkpoint);
+  check_interpolation(table, *source, input.table.check_points, progress, checkpoint);
 }
 
 }  // namespace rollfem::tables

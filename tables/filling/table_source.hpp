@@ -4,7 +4,7 @@
 
 #include "contact/base/progress.hpp"
 #include "contact/case/case.hpp"
-#include "tables/files/creep_table.hpp"
+#include "tables/files/table_reader.hpp"
 
 #include <array>
 #include <memory>

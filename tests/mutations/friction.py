@@ -26,7 +26,7 @@ FRICTION = [
              "std::max(0.0, piece.part)", "std::max(0.5, piece.part)",
              "friction is not linear between points over the rail",
              ("verification_friction_over_rail",)),
-    Mutation("branch_of_friction", "contact/iteration/friction_branches.cpp",
+    Mutation("branch_of_friction", "contact/iteration/friction_newton.cpp",
              "    point_->bound = bound_;\n", "    state_.set_bound(rigid_slip_, point_->bound);\n",
              "of several states the one that comes from fast sliding is given",
              ("verification_several_states:SeveralStates.*",)),

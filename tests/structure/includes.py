@@ -160,7 +160,7 @@ def self_test():
     assert verdict("postprocess/write/a.cpp", '"contact/iteration/normal.hpp')
     assert verdict("profiles/a.cpp", '"contact/iteration/tangential.hpp')
     assert verdict("track/search/a.cpp", '"track/motion/placed_scenes.hpp')
-    assert verdict("halfspace/patch/a.cpp", '"halfspace/model/level.hpp')
+    assert verdict("halfspace/patch/a.cpp", '"halfspace/model/halfspace_model.hpp')
     assert verdict("halfspace/model/a.cpp", '"theories/strip.hpp')
     assert verdict("halfspace/model/a.cpp", '"track/motion/placed_scenes.hpp')
     assert verdict("app/a.cpp", '"fem/linear/multigrid.hpp')

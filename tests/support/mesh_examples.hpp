@@ -2,7 +2,7 @@
 // Small hexahedral meshes for the tests.
 #pragma once
 
-#include "meshes/cell_quality.hpp"
+#include "meshes/hex_mesh.hpp"
 #include "meshes/msh_file.hpp"
 
 #include "support/temporary_folder.hpp"

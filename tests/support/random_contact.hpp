@@ -6,7 +6,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/model/level.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
 #include "tests/support/random_draws.hpp"

@@ -4,7 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/curvature/curvature_error.hpp"
 #include "halfspace/curvature/curved_compliance.hpp"
-#include "halfspace/model/level.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 
 #include "support/half_space_models.hpp"
 #include "support/test.hpp"

@@ -5,7 +5,6 @@
 #include "contact/solve/contact_run.hpp"
 #include "halfspace/elasticity/halfspace_compliance.hpp"
 #include "halfspace/model/halfspace_model.hpp"
-#include "halfspace/model/level.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 
 #include "support/test.hpp"

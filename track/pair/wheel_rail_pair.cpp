@@ -3,7 +3,7 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/result/validity.hpp"
-#include "halfspace/model/level.hpp"
+#include "halfspace/model/halfspace_model.hpp"
 #include "halfspace/patch/correction_scene.hpp"
 #include "halfspace/patch/load_sharing.hpp"
 #include "track/balance/position.hpp"

@@ -28,12 +28,6 @@ struct LocusPoint {
   double relative_radius = 0.0;  ///< mm, of the parabola along x that is as wide at 0.1 mm
 };
 
-/// A height of the points over y, with its slope at a fixed x.
-contact::HeightCurve curve_over(const std::vector<LocusPoint>& locus, double LocusPoint::*height,
-                                double LocusPoint::*slope);
-/// What these slopes change by along the locus, where x changes with y: dz/dx dx/dy of each point.
-std::vector<double> climb_over_y(const std::vector<LocusPoint>& locus);
-
 /// Height of a surface in some frame, with its slopes by x and y.
 struct SlopedHeight {
   double z = -contact::infinity, along = 0.0, across = 0.0;
@@ -85,8 +79,8 @@ class BodiesAlongWay {
 
  private:
   struct Rail;
-  /// Both bodies in a level frame, with the places along x that are looked at, and those of y at
-  /// which a section begins another piece.
+  /// Both bodies in a level frame, with the x at which they are compared and the y at which a
+  /// section begins another piece.
   struct Level {
     SurfaceFrame frame;
     contact::PatchGeometry bodies;

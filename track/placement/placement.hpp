@@ -41,8 +41,8 @@ struct RailPlace {
   double angle = 0.0;
   double shift_y = 0.0;  ///< mm
   double shift_z = 0.0;  ///< mm
-  /// Of this, what the displacement of the rail turns (rad), with the axle of a roller; and the
-  /// shift along z before it.
+  /// Part of this angle (rad) that comes from the displacement of the rail, with the axle of a
+  /// roller, and the shift along z before it.
   double roll = 0.0, upright_z = 0.0;
   /// Parameters of the tops of the heads and of the bottoms of the grooves between them, in order;
   /// only the top for an ordinary rail.

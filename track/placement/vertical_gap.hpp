@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The gap between a wheel and the rail under it: the outline of the wheel seen along the rail, and
-// its height above the rail.
+// The outline of a wheel seen along the rail.
 //
 // A straight rail is the same at every x, so wheel and rail touch where the rail touches the
 // outline of the wheel seen along x: for every point of the wheel's profile, the point of its
@@ -8,13 +7,17 @@
 // without yaw the outline is the profile itself. Along a roller, its circles take the place of x:
 // the normal has no component along them, and heights are radial, from the roller's radius at z =
 // 0.
+//
+// The vertical gap between the outline of a wheel and the rail under it, and its minima. Sinking of
+// the wheelset changes this gap by a constant, so its minima are the points of first contact for
+// any height: their tangents are parallel.
 #pragma once
 
 #include "contact/scene/patch_geometry.hpp"
 #include "profiles/profile_curve.hpp"
 #include "track/placement/along_way.hpp"
-#include "track/placement/placement.hpp"
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -63,10 +66,6 @@ class Silhouette {
   double roller_axle_z_;
 };
 
-// The vertical gap between the outline of a wheel and the rail under it, and its minima. Sinking of
-// the wheelset changes this gap by a constant, so its minima are the points of first contact for
-// any height: their tangents are parallel.
-
 /// A local minimum of the gap.
 struct GapMinimum {
   double y = 0.0;                  ///< mm, side frame
@@ -110,7 +109,7 @@ class VerticalGap {
 
   /// All local minima, in order of y.
   const std::vector<GapMinimum>& minima() const { return minima_; }
-  /// The lowest of them, the first of several; none where the gap is infinite.
+  /// The lowest of them, the first if there are several; infinitely high if the gap is infinite.
   GapMinimum lowest() const;
   /// Smallest gap, minima and ends taken together, mm.
   double smallest() const;
@@ -122,7 +121,8 @@ class VerticalGap {
   std::array<double, 2> below(double limit, double y, double lower, double upper) const;
 
   /// From the first to the last y in [lower, upper] with a gap below `limit`, regardless of the gap
-  /// between them; {y, y} where there is none. `y`: a point below the limit, or the closest to it.
+  /// between them; {y, y} if there is no such y. `y`: a point below the limit, or the closest to
+  /// it.
   std::array<double, 2> span_below(double limit, double y, double lower, double upper) const;
 
   const contact::HeightCurve& rail() const { return rail_; }
@@ -147,8 +147,8 @@ class VerticalGap {
 /// The head of a placed rail as z over y: the part about its highest point.
 contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail);
 
-/// A rail with several heads as z over y: the parts about these places (RailPlace), joined by
-/// steep walls, of which the higher one hides what it overhangs.
+/// A rail with several heads as z over y: the parts about these places (RailPlace), joined by steep
+/// walls. A higher part hides what it overhangs.
 contact::HeightCurve rail_heights(const profiles::ProfileCurve& rail,
                                   const std::vector<double>& tops_and_grooves);
 

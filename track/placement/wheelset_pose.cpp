@@ -29,8 +29,8 @@ std::string where(const Case& input, int position, bool left) {
       contact::side_word(left));
 }
 
-/// What a user may have mistaken, for messages.
-const char* what_places(const Case& input) {
+/// Keys that a user may have set wrongly, for messages.
+const char* place_keys(const Case& input) {
   return input.wheelset.on_rail ? "lateral_position"
                                 : "gauge, flange_back_distance and lateral_shift";
 }
@@ -65,7 +65,7 @@ void check_support(const Case& input, const SearchScene& scene, const VerticalGa
     throw contact::SolveError(
         fmt::format("{}: the wheel stands on the tip of its flange (wheel y = {:.2f} mm) and has "
                     "left the rail; do: check {}",
-                    where(input, position, left), first.profile_y, what_places(input)));
+                    where(input, position, left), first.profile_y, place_keys(input)));
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ VerticalGap make_gap(const Case& input, const SearchScene& scene, const Wheelset
             roller_axle(scene.rail(left).place, input.rail.rolling_radius).point[2]};
   } catch (const contact::SolveError& error) {
     throw contact::SolveError(fmt::format("{}: {}; do: check {}", where(input, position, left),
-                                          error.what(), what_places(input)));
+                                          error.what(), place_keys(input)));
   }
 }
 
@@ -144,7 +144,7 @@ void fail_where_head_ends(const Case& input, int position, bool left) {
       where(input, position, left), what, inner ? "flange-side" : "field-side",
       wheel_ends ? "wheel" : "rail", inner ? gap.first() : gap.last(),
       input.wheelset.on_rail ? "origin of the rail's profile" : "middle of the track",
-      wheel_ends ? "wheel" : "rail", what_places(input), wheel_ends ? "wheel" : "rail"));
+      wheel_ends ? "wheel" : "rail", place_keys(input), wheel_ends ? "wheel" : "rail"));
 }
 
 VerticalGap touching_gap(const Case& input, const SearchScene& scene, WheelsetPose& pose,

@@ -41,7 +41,7 @@ Choices<Value> words_of(std::initializer_list<Value> members) {
   return choices;
 }
 
-/// What a member that may be absent holds; otherwise the member itself.
+/// Type of the value of an optional member; of other members the type itself.
 template <class Member>
 struct Held {
   using Value = Member;
@@ -89,8 +89,7 @@ KeyValue value_of(const Member& member) {
     return member;
 }
 
-/// nan, where it is allowed, stands for no number. Of a file of points the reader fills in the
-/// rest.
+/// nan, where it is allowed, means no number. The reader fills in the values of a file of points.
 template <class Member>
 void assign(Member& member, const KeyValue& value) {
   if constexpr (std::is_same_v<Member, std::optional<double>>) {
@@ -158,14 +157,14 @@ inline constexpr TraitOf<std::string> example{&Key::example};
 /// Behaviour without the key, if there is no default value.
 inline constexpr TraitOf<std::string> otherwise{&Key::when_absent};
 inline constexpr TraitOf<Words> among{&Key::words};
-/// Lists with the same `per` have equal length, that of one which `counts` them if it is given; a
-/// single number of another one applies to all entries.
+/// Lists with the same `per` have equal length: that of the list that `counts` them, if it is
+/// given. A single number in another list applies to all entries.
 inline constexpr TraitOf<std::string> per{&Key::per};
 inline constexpr Trait<bool> counts{&Key::counts, true};
 inline constexpr Trait<bool> ascending{&Key::ascending, true};
 inline constexpr Trait<bool> names_file{&Key::names_file, true};
 inline constexpr Trait<bool> or_empty{&Key::empty, true};
-/// `check` says nothing of the key where its member is as without it.
+/// `check` omits the key if its member has the value that it has without the key.
 struct Silent {};
 inline constexpr Silent silent_default;
 
@@ -180,7 +179,8 @@ inline Bounds between(double lower, double upper) {
 inline Bounds positive() {
   return between(smallest, largest);
 }
-/// Lengths, velocities and densities that may vanish, but not almost: work grows as their inverse.
+/// Lengths, velocities and densities that may be 0 but not nearly 0, because the work grows with
+/// their inverse.
 inline Bounds zero_or(double lower, double upper) {
   return {lower, upper, false, false, false, true};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables through rollfem.h: the numbers of the C++ reader, and refusals.
 #include "tables/files/table_files.hpp"
+#include "tables/files/table_reader.hpp"
 
 #include "rollfem/rollfem.h"
 #include "support/shifted_table.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables of creep forces: between their points, under reversal and in the mirror, beyond their end,
 // and through their files.
-#include "tables/files/creep_table.hpp"
-
 #include "contact/base/errors.hpp"
 #include "tables/files/axis_weights.hpp"
 #include "tables/files/table_files.hpp"
+#include "tables/files/table_reader.hpp"
 
 #include "support/temporary_folder.hpp"
 

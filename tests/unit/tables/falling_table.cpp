@@ -3,7 +3,9 @@
 // of its slip velocity, and what the table does not hold for is refused.
 #include "contact/base/errors.hpp"
 #include "tables/files/table_files.hpp"
+#include "tables/files/table_reader.hpp"
 #include "tables/filling/table_filling.hpp"
+#include "tables/filling/table_grid.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"

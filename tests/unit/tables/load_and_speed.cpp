@@ -5,7 +5,9 @@
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
 #include "tables/files/table_files.hpp"
+#include "tables/files/table_reader.hpp"
 #include "tables/filling/table_filling.hpp"
+#include "tables/filling/table_grid.hpp"
 
 #include "support/temporary_folder.hpp"
 #include "support/worn_wheels.hpp"

@@ -5,6 +5,7 @@
 
 #include "contact/base/errors.hpp"
 #include "tables/files/table_files.hpp"
+#include "tables/files/table_reader.hpp"
 
 #include "support/temporary_folder.hpp"
 #include <tuple>

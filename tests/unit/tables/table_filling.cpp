@@ -7,6 +7,8 @@
 #include "contact/case/case_reader.hpp"
 #include "halfspace/closed_forms/kalker.hpp"
 #include "halfspace/model/rolling_ellipse.hpp"
+#include "tables/files/table_reader.hpp"
+#include "tables/filling/table_grid.hpp"
 
 #include "support/records_in_memory.hpp"
 

@@ -4,7 +4,9 @@
 #include "contact/base/errors.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
 #include "halfspace/model/halfspace_model.hpp"
+#include "tables/files/table_reader.hpp"
 #include "tables/filling/table_filling.hpp"
+#include "tables/filling/table_grid.hpp"
 #include "track/motion/placed_scenes.hpp"
 
 #include "support/records_in_memory.hpp"

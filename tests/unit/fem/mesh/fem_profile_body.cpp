@@ -6,7 +6,7 @@
 #include "fem/linear/multigrid.hpp"
 #include "fem/mesh/chart.hpp"
 #include "fem/mesh/run_layout.hpp"
-#include "meshes/cell_quality.hpp"
+#include "meshes/hex_mesh.hpp"
 #include "meshes/true_section.hpp"
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One process works for all: the others obey its orders, sleep between them, and end as it ends.
+// One process works for all: the others execute its commands, sleep between them, and end as it ends.
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
-#include "fem/linear/first_process.hpp"
+#include "fem/linear/root_process.hpp"
 
 #include <deal.II/base/mpi.h>
 
@@ -28,7 +28,7 @@ double cpu_seconds() {
 /// What arrives on this process when the work of the first one throws `error`.
 template <class Arriving, class Error>
 std::string arriving(const Error& error) {
-  fem::FirstProcess first(MPI_COMM_WORLD);
+  fem::RootProcess first(MPI_COMM_WORLD);
   try {
     first.run([&] { throw error; });
   } catch (const Arriving& caught) {
@@ -37,19 +37,19 @@ std::string arriving(const Error& error) {
   return "nothing";
 }
 
-TEST(FirstProcess, CallsAllInTheOrderOfItsWork) {
-  fem::FirstProcess first(MPI_COMM_WORLD);
+TEST(RootProcess, CallsAllInTheOrderOfItsWork) {
+  fem::RootProcess first(MPI_COMM_WORLD);
   std::vector<std::string> done;
   std::vector<double> sums;
-  const auto together = [&](const std::string& order) {
-    done.push_back(order);
+  const auto together = [&](const std::string& command) {
+    done.push_back(command);
     sums.push_back(dealii::Utilities::MPI::sum(1.0, MPI_COMM_WORLD));
   };
   int works = 0;
   first.run(
       [&] {
         ++works;
-        for (const std::string order : {"", "a", "bc"}) first.call(order, [&] { together(order); });
+        for (const std::string command : {"", "a", "bc"}) first.call(command, [&] { together(command); });
       },
       together);
   EXPECT_EQ(works, first.here() ? 1 : 0);
@@ -57,7 +57,7 @@ TEST(FirstProcess, CallsAllInTheOrderOfItsWork) {
   EXPECT_EQ(sums, std::vector<double>(3, processes()));
 }
 
-TEST(FirstProcess, WhatItThrowsIsThrownOnAll) {
+TEST(RootProcess, WhatItThrowsIsThrownOnAll) {
   EXPECT_EQ(arriving<contact::InputError>(contact::InputError("input")), "input");
   EXPECT_EQ(arriving<contact::SolveError>(contact::SolveError("solve")), "solve");
   EXPECT_EQ(arriving<contact::UnfitGrid>(contact::UnfitGrid("grid")), "grid");
@@ -65,17 +65,17 @@ TEST(FirstProcess, WhatItThrowsIsThrownOnAll) {
   EXPECT_NE(arriving<std::bad_alloc>(std::bad_alloc()), "nothing");
 }
 
-TEST(FirstProcess, WhatAllThrowTogetherEndsTheWorkOnce) {
-  fem::FirstProcess first(MPI_COMM_WORLD);
-  const auto together = [](const std::string& order) { throw contact::SolveError(order); };
+TEST(RootProcess, WhatAllThrowTogetherEndsTheWorkOnce) {
+  fem::RootProcess first(MPI_COMM_WORLD);
+  const auto together = [](const std::string& command) { throw contact::SolveError(command); };
   for (int round = 0; round < 2; ++round)
     EXPECT_THROW(first.run([&] { first.call("fails", [&] { together("fails"); }); }, together),
                  contact::SolveError);
   EXPECT_EQ(dealii::Utilities::MPI::sum(1, MPI_COMM_WORLD), processes());
 }
 
-TEST(FirstProcess, OthersSleepWhileItWorks) {
-  fem::FirstProcess first(MPI_COMM_WORLD);
+TEST(RootProcess, OthersSleepWhileItWorks) {
+  fem::RootProcess first(MPI_COMM_WORLD);
   MPI_Barrier(MPI_COMM_WORLD);
   const double begin = cpu_seconds();
   constexpr std::chrono::milliseconds work(500);
@@ -90,7 +90,7 @@ TEST(FirstProcess, OthersSleepWhileItWorks) {
 }
 
 /// Not the CPU time, which yielding does not take either on a busy machine.
-TEST(FirstProcess, OthersSleepInAnyCallOfMpi) {
+TEST(RootProcess, OthersSleepInAnyCallOfMpi) {
   const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   MPI_Barrier(MPI_COMM_WORLD);
   rusage begin{}, end{};
@@ -103,9 +103,9 @@ TEST(FirstProcess, OthersSleepInAnyCallOfMpi) {
   }
 }
 
-TEST(FirstProcess, HasTheThreadsOfAllWhileItWorksAlone) {
+TEST(RootProcess, HasTheThreadsOfAllWhileItWorksAlone) {
   const int own = contact::threads();
-  fem::FirstProcess first(MPI_COMM_WORLD);
+  fem::RootProcess first(MPI_COMM_WORLD);
   int alone = 0;
   first.run([&] { alone = contact::threads(); });
   const int cores = std::min(static_cast<int>(std::thread::hardware_concurrency()),

@@ -10,31 +10,31 @@
 
 namespace rollfem::fem {
 
-class FirstProcess {
+class RootProcess {
  public:
-  using Order = std::string;
+  using Command = std::string;
 
   /// Collective.
-  explicit FirstProcess(MPI_Comm communicator);
+  explicit RootProcess(MPI_Comm communicator);
 
-  /// Runs `work` on the first process, with all cores and threads of the processes on its machine.
-  /// The others sleep except when executing orders, and return when it ends. Its exceptions are
+  /// Runs `work` on the root process (rank 0), with all cores and threads of the processes on its machine.
+  /// The others sleep except when executing commands, and return when it ends. Its exceptions are
   /// thrown on all processes. Collective.
-  void run(const std::function<void()>& work, const std::function<void(const Order&)>& obey = {});
+  void run(const std::function<void()>& work, const std::function<void(const Command&)>& execute = {});
 
-  /// Within `work`: collective work, done by the others in `obey(order)`. It throws on all of them
+  /// Within `work`: collective work, done by the others in `execute(command)`. It throws on all of them
   /// or on none.
-  void call(const Order& order, const std::function<void()>& own);
+  void call(const Command& command, const std::function<void()>& own);
 
-  /// Whether this is the first process.
+  /// Whether this is the root process.
   bool here() const { return rank_ == 0; }
 
  private:
   void meet() const;
   void lead(const std::function<void()>& work);
-  void follow(const std::function<void(const Order&)>& obey) const;
+  void listen(const std::function<void(const Command&)>& execute) const;
   void end(char letter, const std::string& text);
-  std::string from_first(const std::string& said) const;
+  std::string from_root(const std::string& message) const;
 
   MPI_Comm communicator_;
   int rank_ = 0;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "fem/linear/first_process.hpp"
-
 #include "contact/base/errors.hpp"
 #include "contact/base/threads.hpp"
+#include "fem/linear/root_process.hpp"
 
 #include <deal.II/base/mpi.h>
 
@@ -17,8 +16,8 @@ namespace rollfem::fem {
 
 namespace {
 
-/// The first letter of a message of the first process: an order, the end of its work, or its error.
-constexpr char order_letter = 'o', end_letter = 'e', input_letter = 'i', unfit_letter = 'u',
+/// The first letter of a message of the root process: a command, the end of its work, or its error.
+constexpr char command_letter = 'o', end_letter = 'e', input_letter = 'i', unfit_letter = 'u',
                solve_letter = 's', memory_letter = 'm', other_letter = 'x';
 
 char letter_of(const std::exception& error) {
@@ -52,7 +51,7 @@ class OnCores {
 
 }  // namespace
 
-FirstProcess::FirstProcess(MPI_Comm communicator) : communicator_(communicator) {
+RootProcess::RootProcess(MPI_Comm communicator) : communicator_(communicator) {
   MPI_Comm_rank(communicator, &rank_);
   MPI_Comm_size(communicator, &processes_);
   if (processes_ == 1) return;
@@ -68,18 +67,18 @@ FirstProcess::FirstProcess(MPI_Comm communicator) : communicator_(communicator) 
   MPI_Comm_free(&machine);
 }
 
-void FirstProcess::run(const std::function<void()>& work,
-                       const std::function<void(const Order&)>& obey) {
+void RootProcess::run(const std::function<void()>& work,
+                       const std::function<void(const Command&)>& execute) {
   if (processes_ == 1)
     work();
   else if (here())
     lead(work);
   else
-    follow(obey);
+    listen(execute);
 }
 
 /// Waits for all processes. Waiting in MPI calls would occupy a core.
-void FirstProcess::meet() const {
+void RootProcess::meet() const {
   constexpr std::chrono::microseconds longest(1000);
   std::chrono::microseconds nap(20);
   MPI_Request request;
@@ -93,17 +92,17 @@ void FirstProcess::meet() const {
   }
 }
 
-std::string FirstProcess::from_first(const std::string& said) const {
+std::string RootProcess::from_root(const std::string& message) const {
   meet();
-  return dealii::Utilities::MPI::broadcast(communicator_, said);
+  return dealii::Utilities::MPI::broadcast(communicator_, message);
 }
 
-void FirstProcess::end(char letter, const std::string& text) {
+void RootProcess::end(char letter, const std::string& text) {
   if (together_) return;  // the others throw the same error
-  from_first(letter + text);
+  from_root(letter + text);
 }
 
-void FirstProcess::lead(const std::function<void()>& work) {
+void RootProcess::lead(const std::function<void()>& work) {
   together_ = false;
   try {
     const OnCores cores(cores_of_machine_, cores_);
@@ -116,20 +115,20 @@ void FirstProcess::lead(const std::function<void()>& work) {
   end(end_letter, "");
 }
 
-void FirstProcess::follow(const std::function<void(const Order&)>& obey) const {
+void RootProcess::listen(const std::function<void(const Command&)>& execute) const {
   for (;;) {
-    std::string said = from_first({});
-    const char letter = said.front();
-    said.erase(0, 1);
+    std::string message = from_root({});
+    const char letter = message.front();
+    message.erase(0, 1);
     if (letter == end_letter) return;
-    if (letter != order_letter) throw_of(letter, said);
-    obey(said);
+    if (letter != command_letter) throw_of(letter, message);
+    execute(message);
   }
 }
 
-void FirstProcess::call(const Order& order, const std::function<void()>& own) {
+void RootProcess::call(const Command& command, const std::function<void()>& own) {
   if (processes_ == 1) return own();
-  from_first(order_letter + order);
+  from_root(command_letter + command);
   const OnCores cores(cores_, cores_of_machine_);
   together_ = true;
   own();
