@@ -15,9 +15,11 @@ import rollfem
 from rollfem.commands import benching, comparing, refinement
 from rollfem.commands.convergence import limit_of, order_of_errors
 from rollfem.figures.catalogue import build
+from rollfem.figures.published import published
 from rollfem.files import rows_of
 from rollfem.model import ModelResult
 from rollfem.outputs import Study
+from rollfem.result import Head, Result
 
 
 def sequence(order, levels, ratio=2.0, limit=3.0):
@@ -397,6 +399,36 @@ class Comparisons(unittest.TestCase):
         rows = rows_of(comparing.compare_csv(record))[1]
         self.assertEqual(len(rows), len(numbers(example())))
         self.assertEqual({len(row) for row in rows}, {18})
+
+
+class Published(unittest.TestCase):
+    """Published values stand beside the case and the place that they belong to only."""
+
+    STEEL = {f"{body}_{name}": value for body in ("wheel", "rail") for name, value in
+             (("young_modulus", 210e3), ("poisson_ratio", 0.3))}
+    CASE = {**STEEL, "friction_coefficient": 0.55, "problem": "steady", "prescribed_forces": "", "normal_force": 50e3,
+            "wheel_rolling_radius": 405.0, "rail_transverse_radius": 2000.0, "wheel_transverse_radius": math.inf}
+    PLACED = {"vertical_force": 100e3, "wheel_rolling_radius": 450.0, "wheel_profile": "S1002", "rail_profile": "UIC60-manchester"}
+    LEFT = {"wheel": "left", "position": 1, "patch": 1, "patches": 1, "lateral_shift": 2.0, "yaw": 0.0, "roll": 0.0,
+            "y_track": -755.7}
+
+    def names(self, inputs, place=None):
+        head = Head({}, {**self.CASE, **inputs}, {}, {})
+        found = published(Result("", "", "", [ModelResult(model("hertz", [], place))], _head=head))
+        return [row["name"] for row in found["patch"] + found["creep_curve"]]
+
+    def test_cases_of_the_thesis_are_known_by_their_numbers(self):
+        self.assertIn("thesis: Hertz, from a diagram", self.names({}))
+        for rail, wheel in ((500.0, math.inf), (2000.0, 105.263), (50.0, -51.282)):
+            self.assertEqual(self.names({"rail_transverse_radius": rail, "wheel_transverse_radius": wheel})[:1], ["Hertz, exact"])
+        for other in ({"rail_transverse_radius": 501.0}, {"normal_force": 60e3}):
+            self.assertEqual(self.names(other), [])
+
+    def test_values_of_profiles_belong_to_a_place(self):
+        self.assertIn("thesis: SRS (FE)", self.names(self.PLACED, self.LEFT))
+        # Another shift; another gauge or inclination.
+        for other in ({"lateral_shift": 3.0}, {"y_track": -750.0}):
+            self.assertEqual(self.names(self.PLACED, {**self.LEFT, **other}), [])
 
 
 class Benches(unittest.TestCase):
