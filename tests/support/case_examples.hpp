@@ -66,19 +66,4 @@ inline std::string rolling(const std::string& creepages, int across,
          "\n[contact_grid]\nelements_across = " + std::to_string(across) + "\n";
 }
 
-/// What is wrong with the text of a case file, in the words of the program.
-inline std::string error_of(const std::string& text) {
-  return refusal<contact::InputError>([&] {
-    contact::parse_case(text, "case.toml", {{"hertz", "halfspace", "fem"}, {}});
-  });
-}
-
-/// One line that says all parts and what to do.
-inline void expect_error(const std::string& text, const std::vector<std::string>& parts) {
-  const std::string message = error_of(text);
-  EXPECT_TRUE(says(message, parts));
-  EXPECT_TRUE(says(message, "; do: "));
-  EXPECT_FALSE(says(message, "\n"));
-}
-
 }  // namespace rollfem::testing

@@ -69,3 +69,12 @@ TEST(FieldInAMessage, IsShortAndPrintable) {
   EXPECT_EQ(printable("a\tb\xff"), "a?b?");
   EXPECT_EQ(printable(std::string(100, 'x')).size(), 40u);
 }
+
+TEST(TextFields, NearestNameIsOnlyGivenWhenItIsNear) {
+  const std::vector<std::string> names{"normal_force", "approach"};
+  EXPECT_EQ(contact::nearest_name("normalforce", names), "normal_force");
+  EXPECT_EQ(contact::nearest_name("force", names), "normal_force");
+  EXPECT_EQ(contact::nearest_name("aproach", names), "approach");
+  EXPECT_EQ(contact::nearest_name("quux", names), "");
+  EXPECT_EQ(contact::nearest_name(std::string(100000, 'a'), names), "");
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Case files of shifts, transients, prescribed forces, given pressures and points below the
-// surface: the resulting cases, and the message of each contradiction.
+// surface: the resulting cases.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/lattice.hpp"
@@ -58,31 +58,6 @@ TEST(History, LoadOfTheStepsSizesTheGridByItsLargest) {
   EXPECT_EQ(input.load.normal_force, 30.0);
 }
 
-TEST(History, ContradictionsAreNamed) {
-  expect_error(
-      plus("[history]\nstep_length = 1.0\n"),
-      {"history.step_length = 1.0: is a step of a history, but rolling.problem is steady"});
-  expect_error(plus("[rolling]\nproblem = \"transient\"\n"), {"history.step_length: is missing"});
-  expect_error(plus("[rolling]\nproblem = \"transient\"\n[history]\nstep_length = 1.0\n"
-                    "lateral_shift = 0.1\n"),
-               {"history.lateral_shift = 0.1: belongs to the problem shift"});
-  expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nstep_length = 1.0\n"),
-               {"history.step_length = 1.0: belongs to the problem transient"});
-  expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nstart = \"steady\"\n"),
-               {"history.start = \"steady\": belongs to the problem transient"});
-  expect_error(plus("[rolling]\nproblem = \"shift\"\nspin = 0.1\n"),
-               {"rolling.spin = 0.1: has no meaning without rolling"});
-  expect_error(plus("[rolling]\nproblem = \"frictionless\"\nspin = 0.1\n"),
-               {"rolling.spin = 0.1: has no effect without friction"});
-  expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nnormal_force = [1, 2]\n"),
-               {"history.normal_force = [1, 2]: contradicts load.normal_force = 50e3 of line 2"});
-  expect_error(plus("[rolling]\nproblem = \"shift\"\n[history]\nsteps = 3\n"
-                    "longitudinal_shift = [0.1, 0.2]\n"),
-               {"has 2 entries, but history.steps of line 13 has 3"});
-  expect_error(plus("[rolling]\nproblem = \"shift\"\nextra_slip = \"file\"\n"),
-               {"rolling.extra_slip = \"file\": has no meaning with the problem shift"});
-}
-
 TEST(PrescribedForce, ArrivesForEveryLoadPoint) {
   const Case input = parse_case(
       plus("[rolling]\nlongitudinal_force = [-1e3, -2e3]\nlateral_creepage = 0.001\n"), "c.toml");
@@ -103,29 +78,6 @@ TEST(PrescribedForce, LeavesLoadPointsToTheCreepage) {
   EXPECT_EQ(scene.points.at(0).creepage.longitudinal, 0.0);  // is found
   EXPECT_EQ(scene.points.at(1).creepage.longitudinal, 0.001);
   EXPECT_TRUE(says(contact::describe(input), "[-1000, nan]"));
-  EXPECT_EQ(error_of(plus("[rolling]\nproblem = \"shift\"\nlateral_force = [1.0, nan]\n[history]\n"
-                          "lateral_shift = 0.1\n")),
-            "");
-  expect_error(plus("[rolling]\nlongitudinal_creepage = [0.1, nan]\n"), {"nan", "is not a number"});
-}
-
-TEST(PrescribedForce, BeyondFrictionOrBesideItsCreepageIsRefused) {
-  // mu F_z = 27 500 N.
-  EXPECT_EQ(error_of(plus("[rolling]\nlongitudinal_force = 27499\n")), "");
-  expect_error(plus("[rolling]\nlongitudinal_force = [0, 27500]\n"),
-               {"rolling.longitudinal_force = [0, 27500]: asks for 27500 N at load point 2",
-                "below 27500 N"});
-  expect_error(plus("[rolling]\nlongitudinal_force = 20e3\nlateral_force = -20e3\n"),
-               {"asks for 28284.3 N"});
-  expect_error(
-      plus("[rolling]\nlongitudinal_force = 1.0\nlongitudinal_creepage = 0.0\n"),
-      {"rolling.longitudinal_force = 1.0: contradicts rolling.longitudinal_creepage = 0.0 of "
-       "line 12"});
-  expect_error(plus("[rolling]\nproblem = \"shift\"\nlateral_force = 1.0\n[history]\n"
-                    "lateral_shift = 0.1\n"),
-               {"rolling.lateral_force = 1.0: contradicts history.lateral_shift"});
-  expect_error(plus("[rolling]\nproblem = \"frictionless\"\nlateral_force = 1.0\n"),
-               {"is not possible without friction"});
 }
 
 TEST(RigidBody, OneIsAllowedTwoAreNot) {
@@ -137,21 +89,6 @@ TEST(RigidBody, OneIsAllowedTwoAreNot) {
   EXPECT_DOUBLE_EQ(material.contact_modulus, 210e3 / 0.91);
   EXPECT_DOUBLE_EQ(material.shear_modulus, 2.0 * 210e3 / 2.6);
   EXPECT_DOUBLE_EQ(material.difference, 0.5 * (1.0 - 0.6));
-  expect_error(with("[rail]\n", "young_modulus = inf\n[rail]\nyoung_modulus = inf\n"),
-               {"rail.young_modulus = inf: makes both bodies rigid"});
-  expect_error(with("[rail]\n", "[rail]\nyoung_modulus = inf\nmesh = \"rail.msh\"\n"),
-               {"rail.mesh = \"rail.msh\": belongs to a rigid body, which is not meshed"});
-}
-
-TEST(KeysWithoutEffect, AreRefused) {
-  expect_error(plus("[output]\nfields = false\nbody_fields = \"all\"\n"),
-               {"output.body_fields = \"all\": has no effect, because output.fields is false"});
-  EXPECT_NO_THROW(parse_case(plus("[output]\nfields = false\nbody_fields = \"none\"\n"), "c.toml"));
-  for (const char* mesh : {"", "mesh = \"structured\"\n", "mesh = \"gmsh\"\n"})
-    expect_error(plus("[fem]\nrim_thickness = 60.0\n" + std::string(mesh)),
-                 {"fem.rim_thickness = 60.0: is of the wheel's true section"});
-  EXPECT_NO_THROW(
-      parse_case(wheel_on_rail + "[fem]\nrim_thickness = 60.0\nmesh = \"gmsh\"\n", "c.toml"));
 }
 
 TEST(GivenPressure, TakesForceOrPressureAndNeedsNoRadii) {
@@ -164,20 +101,6 @@ TEST(GivenPressure, TakesForceOrPressureAndNeedsNoRadii) {
       "c.toml");
   EXPECT_NEAR(*by_pressure.load.normal_force, 2.0 / 3.0 * M_PI * 18.0 * 1000.0, 1e-8);
   EXPECT_TRUE(says(contact::describe(by_force), "[given_pressure]"));
-}
-
-TEST(GivenPressure, ContradictionsAreNamed) {
-  expect_error(pressure, {"load.normal_force: is missing, and given_pressure.max_pressure too"});
-  expect_error(pressure + "max_pressure = 1e3\n[load]\nnormal_force = 1e3\n",
-               {"given_pressure.max_pressure = 1e3: contradicts load.normal_force = 1e3"});
-  expect_error(pressure + "max_pressure = 1e3\n[load]\napproach = 0.1\n",
-               {"load.approach = 0.1: does not go together with [given_pressure]"});
-  expect_error(pressure + "max_pressure = 1e3\n[undeformed_distance]\nquadratic = [1e-3, 1e-3]\n",
-               {"contradicts given_pressure.semi_axis_x"});
-  expect_error(
-      "[friction]\ncoefficient = 0.3\n[load]\nnormal_force = 1\n[given_pressure]\n"
-      "semi_axis_x = 1\n",
-      {"case.toml:5:1: given_pressure.semi_axis_y: is missing"});
 }
 
 TEST(UndeformedDistance, QuadraticTakesThePlaceOfTheRadii) {
@@ -228,16 +151,6 @@ TEST_F(PointFiles, AreFoundBesideTheCaseFileAndEvaluated) {
                contact::InputError);
 }
 
-TEST_F(PointFiles, ThatAreMissingOrUnusedAreNamed) {
-  expect_error(plus("[undeformed_distance]\nfile = \"no.csv\"\n"),
-               {"no.csv: there is no such file"});
-  expect_error(plus("[rolling]\nextra_slip_file = \"slip.csv\"\n"),
-               {"rolling.extra_slip_file = \"slip.csv\": is not used, because extra_slip is auto"});
-  expect_error(plus("[rolling]\nextra_slip = \"file\"\n"), {"names no file"});
-  expect_error(plus("[undeformed_distance]\nfile = \"h.csv\"\nquadratic = [1e-3, 1e-3]\n"),
-               {"contradicts undeformed_distance.quadratic"});
-}
-
 /// The small case as a line contact, with lines under [geometry] and sections behind.
 std::string line_case(const std::string& under, const std::string& sections = "") {
   return "[load]\nnormal_force = 50e3\n[friction]\ncoefficient = 0.3\n[geometry]\nshape = "
@@ -253,38 +166,10 @@ TEST(LineContact, NeedsARadiusAlongRollingAndNoneAcross) {
   const Case by_wheel = parse_case(line_case("", "[wheel]\nrolling_radius = 460.0\n"), "c.toml");
   EXPECT_EQ(by_wheel.wheel.rolling_radius, 460.0);
   EXPECT_EQ(by_wheel.geometry.width, 1.0);
-  expect_error(line_case(""), {"geometry.relative_radius: is missing"});
-}
-
-TEST(LineContact, ContradictionsAreNamed) {
-  const std::string radius = "relative_radius = 25.0\n";
-  expect_error(plus("[geometry]\nwidth = 10.0\n"),
-               {"geometry.width = 10.0: applies to line contact, but geometry.shape is point"});
-  expect_error(line_case(radius, "[rail]\ntransverse_radius = 300.0\n"),
-               {"rail.transverse_radius = 300.0: applies to contacts of finite width"});
-  expect_error(line_case(radius, "[rolling]\nspin = 1e-4\n"),
-               {"rolling.spin = 1e-4: is a rotation"});
-  expect_error(line_case(radius, "[undeformed_distance]\nquadratic = [0.1, 0.1]\n"),
-               {"undeformed_distance.quadratic", "geometry.shape is line"});
-  expect_error(line_case(radius, "[contact_grid]\ncell_size = [0.1, 0.1]\n"),
-               {"contact_grid.cell_size = [0.1, 0.1]: is not a single row of elements as wide as "
-                "geometry.width, 1 mm"});
-  expect_error(line_case(radius, "[halfspace]\nmodel_error = true\n"), {"halfspace.model_error"});
-  std::string pressed = line_case(radius);
-  pressed.replace(pressed.find("normal_force = 50e3"), 19, "approach = 3.0");
-  expect_error(pressed, {"load.approach = 3.0: is not small against the smallest radius, 25 mm"});
 }
 
 TEST(LargestPressure, IsOfHertzsContactsAlone) {
   const std::string stated = "max_pressure = 1e3";
-  expect_error(with("[friction]", stated + "\n[friction]"),
-               {"load.max_pressure = 1e3: contradicts load.normal_force = 50e3"});
-  expect_error(pressure + "[load]\n" + stated,
-               {"load.max_pressure = 1e3: does not go together with [given_pressure]"});
-  expect_error("[load]\n" + stated + "\n[undeformed_distance]\nfile = \"h.csv\"\n",
-               {"load.max_pressure = 1e3: is that of Hertz's ellipse or line"});
-  expect_error("[load]\n" + stated + "\n[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n",
-               {"load.max_pressure = 1e3: is that of Hertz's ellipse or line", "give a force"});
   // 2/3 pi a^2 p0 with a = pi p0 R/(2 E*), R = 100 mm.
   const Scene circle = parse_case("[load]\n" + stated +
                                       "\n[friction]\ncoefficient = 0.3\n[undeformed_distance]\n"
@@ -320,27 +205,6 @@ TEST(Subsurface, SectionsAreReadInTheOrderOfTheFile) {
   EXPECT_TRUE(says(text, "[[subsurface.plane]]"));
 }
 
-TEST(Subsurface, ErrorsNameSectionLineAndKey) {
-  const std::string line = "[[subsurface.line]]\nfrom = [0, 0, 1]\nto = [0, 0, 5]\n";
-  expect_error(plus(line), {"case.toml:10:1: subsurface.line.points: is missing"});
-  expect_error(plus(line + "points = 1\n"), {"subsurface.line.points = 1: is out of bounds"});
-  expect_error(plus(line + "points = 9\nbody = \"rail\"\n"),
-               {"case.toml:11:8: subsurface.line.from = [0, 0, 1]: z = 1 is not in the rail"});
-  expect_error(plus("[[subsurface.point]]\nat = [0, 0]\n"), {"has 2 entries, not 3"});
-  expect_error(plus("[[subsurface.point]]\nwhere = [0, 0, 1]\n"),
-               {"subsurface.point.where: is not a key", "allowed: body, at"});
-  expect_error(plus("[subsurface.point]\nat = [0, 0, 1]\n"), {"is not a known list of sections"});
-  expect_error(plus("[[subsurface.box]]\nat = [0, 0, 1]\n"),
-               {"subsurface.box", "point, line, plane"});
-  expect_error(plus("[subsurface]\npoint = 3\n"), {"subsurface.point: is not a known list"});
-  expect_error(plus("[[subsurface.plane]]\nfrom = [0, 0, 1]\nto = [1, 0, 1]\nacross = [0, 1, 1]\n"
-                    "points = [2.5, 3]\n"),
-               {"2.5 is not a whole number"});
-  expect_error(plus("[[subsurface.plane]]\nfrom = [0, 0, 3]\nto = [1, 0, 1]\nacross = [0, 1, 1]\n"
-                    "points = [2, 3]\n"),
-               {"the fourth corner, z = -1, is outside the body"});
-}
-
 TEST(Subsurface, PointsOfAConcaveBodyMayLieBeyondTheMiddleButNotInTheHalfSpace) {
   // Wheel of -40 mm across: its surface is 40 - sqrt(40^2 - 6^2) = 0.453 mm below z = 0 at y = 6.
   const auto concave = [](const std::string& place) {
@@ -350,10 +214,6 @@ TEST(Subsurface, PointsOfAConcaveBodyMayLieBeyondTheMiddleButNotInTheHalfSpace) 
   };
   const Case input = parse_case(concave("[0, 6, -0.4]"), "case.toml");
   EXPECT_EQ(input.subsurface.at(0).from[2], -0.4);
-  // In the middle, and further out than any finite element, they are outside.
-  expect_error(concave("[0, 0, -0.4]"), {"z = -0.4 is not in the wheel", "in a concave body"});
-  expect_error(concave("[0, 6, -1.6]"), {"z = -1.6 is not in the wheel"});
-  expect_error(plus("[[subsurface.point]]\nat = [0, 6, -0.1]\n"), {"z = -0.1 is not in the wheel"});
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Case files with profiles: track, wheelset and vertical force, and the message of each
-// contradiction.
+// Case files with profiles: track, wheelset and vertical force.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
@@ -78,59 +77,9 @@ TEST(Track, IsSaidBackByCheck) {
                    "vertical_force", "both wheels touch their rails"));
 }
 
-TEST(TrackErrors, InclinationIsNotAssumed) {
-  expect_error(with_pair("inclination = \"1:40\"\n", ""),
-               {"case.toml:10:1: track.inclination: is missing", "\"none\", \"1:20\", \"1:40\""});
-}
-
-TEST(TrackErrors, InclinationIsAWordARatioOrAnAngle) {
-  for (const char* wrong :
-       {"\"1:x\"", "\"1:\"", "\"2:40\"", "\"1:0.5\"", "\"1:-40\"", "\"steep\"", "1.0", "true"})
-    expect_error(with_pair("\"1:40\"", wrong),
-                 {"track.inclination",
-                  "allowed: \"none\", a ratio such as \"1:40\", or an angle from "
-                  "-0.5 to 0.5 rad"});
-}
-
-TEST(TrackErrors, ListsOfPositionsHaveOneLength) {
-  expect_error(
-      pair + "[wheelset]\nlateral_shift = [0.0, 1.0]\nyaw = [0.0, 0.1, 0.2]\n",
-      {"case.toml:14", "wheelset.yaw", "has 3 entries", "a single number for all positions"});
-}
-
-TEST(TrackErrors, TrackWheelsetAndVerticalForceNeedProfiles) {
-  const std::string radii =
-      "[load]\nnormal_force = 1e4\n[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 450\n"
-      "transverse_radius = inf\n[rail]\ntransverse_radius = 300\n";
-  expect_error(radii + "[track]\ngauge = 1435\n", {"case.toml:11", "track.gauge", "has none"});
-  expect_error(radii + "[wheelset]\nyaw = 0.01\n", {"wheelset.yaw", "has none"});
-  std::string vertical = radii;
-  vertical.replace(vertical.find("normal_force"), 12, "vertical_force");
-  expect_error(vertical, {"load.vertical_force", "has none", "write `normal_force` instead"});
-}
-
-TEST(TrackErrors, OneProfileNeedsTheOther) {
-  expect_error(with_pair("profile = \"UIC60-manchester\"", "transverse_radius = 300.0"),
-               {"wheel.profile", "rail.profile is missing"});
-}
-
-TEST(TrackErrors, LoadIsGivenOnce) {
-  expect_error(with_pair("vertical_force = 100e3", "vertical_force = 100e3\nnormal_force = 5e4"),
-               {"contradicts load.", "exactly one of normal_force, approach, vertical_force"});
-  expect_error(with_pair("vertical_force = 100e3", ""),
-               {"is missing", "exactly one of normal_force, approach, vertical_force",
-                "vertical_force = 50e3"});
-}
-
 const std::string wheel_alone =
     "[friction]\ncoefficient = 0.3\n[wheel]\nrolling_radius = 460.0\nprofile = \"S1002\"\n"
     "[rail]\nprofile = \"60E1\"\n";
-
-TEST(Roller, ARingIsLargerThanItsWheel) {
-  expect_error(wheel_alone + "rolling_radius = -460.0\n[placement]\nheight = 0.1\n",
-               {"rail.rolling_radius = -460.0", "not larger than the wheel in it, 460 mm"});
-  parse_case(wheel_alone + "rolling_radius = -600.0\n[placement]\nheight = 0.1\n", "c.toml");
-}
 
 TEST(Placement, NeedsNoTrack) {
   const Case input = parse_case(
@@ -141,42 +90,6 @@ TEST(Placement, NeedsNoTrack) {
   EXPECT_EQ(input.wheelset.side, contact::WheelSide::right);
   EXPECT_EQ(input.wheelset.height, (std::vector<double>{0.1, 0.1}));
   EXPECT_EQ(input.wheelset.lateral_shift, (std::vector<double>{1.0, 2.0}));
-}
-
-TEST(Placement, StandsInPlaceOfTrackAndWheelset) {
-  for (const char* other : {"[wheelset]\nlateral_shift = 1.0\n", "[track]\ngauge = 1435.0\n",
-                            "[wheel_displacement]\nlateral = [0.0, 1.0]\n"})
-    expect_error(wheel_alone + "[placement]\nheight = 0.1\n" + other,
-                 {"[placement] gives the pose of a wheel on the rail"});
-}
-
-TEST(Placement, HeightReplacesTheLoad) {
-  expect_error(wheel_alone + "[load]\nvertical_force = 1e4\n[placement]\nheight = 0.1\n",
-               {"placement.height", "contradicts load.vertical_force", "exactly one of"});
-  expect_error(wheel_alone + "[placement]\nyaw = 0.0\n",
-               {"is missing", "wheelset.height or placement.height"});
-}
-
-TEST(TrackErrors, OneThingDecidesTheRotation) {
-  expect_error(pair +
-                   "[wheelset]\nrotation_change = 0.001\n[rolling]\n"
-                   "longitudinal_creepage = 0.001\n",
-               {"rolling.longitudinal_creepage", "contradicts wheelset.rotation_change = 0.001"});
-  expect_error(pair + "[wheelset]\nfree_rolling = \"force\"\nrotation_change = 0.001\n",
-               {"wheelset.rotation_change", "contradicts wheelset.free_rolling"});
-  expect_error(pair +
-                   "[wheelset]\nfree_rolling = \"force\"\n[rolling]\n"
-                   "longitudinal_force = -100.0\n",
-               {"rolling.longitudinal_force", "contradicts wheelset.free_rolling"});
-  parse_case(pair + "[wheelset]\nfree_rolling = \"none\"\nrotation_change = 0.001\n", "c.toml");
-  expect_error(
-      pair + "[wheelset]\nfree_rolling = \"force\"\n[rolling]\nproblem = \"frictionless\"\n",
-      {"wheelset.free_rolling", "has no effect without friction"});
-}
-
-TEST(TrackErrors, TorqueNeedsBothWheels) {
-  expect_error(pair + "[wheelset]\nfree_rolling = \"torque\"\n",
-               {"wheelset.free_rolling", "needs both wheels", "side = \"both\""});
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Case files of friction that falls with the slip velocity and of a layer: what they become, and
-// what is refused.
+// Case files of friction that falls with the slip velocity and of a layer: what they become.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/scene/scene.hpp"
@@ -58,45 +57,6 @@ TEST(FrictionKeys, ALayerMayYieldWithoutBeingElastic) {
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->yield_stress, 200.0);
   EXPECT_EQ(layer->hardening, -40.0);
-  expect_error(plus("[layer]\nhardening = 40.0\n"), {"layer.yield_stress: is missing"});
-  expect_error(plus("[layer]\nyield_stress = 0.0\n"),
-               {"layer.yield_stress = 0.0: is out of bounds"});
-}
-
-TEST(FrictionKeys, AShiftNeedsNoSpeed) {
-  EXPECT_NO_THROW(parse_case(
-      falling(exponential, "problem = \"shift\"\n", "[history]\nlongitudinal_shift = 1e-3\n"),
-      "case.toml"));
-}
-
-TEST(FrictionKeys, RefuseInconsistentLaws) {
-  expect_error(falling(exponential, ""),
-               {"rolling.speed: is missing, and the friction depends on the slip velocity",
-                "do: add `speed = 10e3`"});
-  expect_error(falling(exponential, "speed = 0.0\n"),
-               {"rolling.speed = 0.0: leaves the friction at rest", "above 0 mm/s"});
-  expect_error(falling("half_velocity = 900.0"),
-               {"friction.half_velocity = 900.0: is of friction that falls", "law is constant"});
-  expect_error(falling("law = \"linear\"\nhalf_velocity = 900.0"),
-               {"friction.kinetic_coefficient: is missing"});
-  expect_error(falling("law = \"linear\"\nkinetic_coefficient = 0.2"),
-               {"friction.half_velocity: is missing"});
-  expect_error(falling("law = \"linear\"\npolach_a = 0.5\nhalf_velocity = 900.0"),
-               {"friction.polach_a = 0.5: is of the exponential law, but friction.law is linear"});
-  expect_error(falling(exponential + "polach_a = 0.5"),
-               {"contradicts friction.kinetic_coefficient"});
-  expect_error(falling("law = \"linear\"\nkinetic_coefficient = 0.5\nhalf_velocity = 900.0"),
-               {"friction.kinetic_coefficient = 0.5: does not fit friction.coefficient = 0.4",
-                "0.004 to 0.4"});
-  expect_error(falling(exponential + "second_part = 0.3\nsecond_half_velocity = 9e3"),
-               {"friction.second_part = 0.3: is more than friction falls, 0.2"});
-  expect_error(falling(exponential + "second_part = 0.1"),
-               {"friction.second_half_velocity: is missing"});
-  expect_error(falling(exponential + "memory_velocity = 5.0"),
-               {"friction.memory_velocity = 5.0: is not used"});
-  expect_error(plus("[layer]\nthickness = 0.02\n"), {"layer.shear_modulus: is missing"});
-  expect_error(plus("[layer]\nthickness = 0.0\nshear_modulus = 1.0\n"),
-               {"layer.thickness = 0.0: is out of bounds"});
 }
 
 /// A case of profiles with these keys of friction and of the wheelset.
@@ -137,35 +97,6 @@ TEST(FrictionKeys, BetweenPointsTheNumbersAreLinearAndOutsideConstant) {
   EXPECT_NEAR(law_at(-1.4)->coefficient(), 0.1, 1e-15);
   EXPECT_NEAR(law_at(0.3)->coefficient(), 0.4, 1e-15);
   EXPECT_NEAR(contact::friction_of(input)->coefficient(), 0.4, 1e-15);
-}
-
-TEST(FrictionKeys, RefuseInconsistentFrictionOverTheRail) {
-  const std::string two = "coefficient = [0.1, 0.4]\n";
-  expect_error(over_rail(two), {"friction.inclination: is missing", "nothing says where"});
-  expect_error(
-      over_rail(two + "inclination = -0.4"),
-      {"friction.coefficient = [0.1, 0.4]: has 2 entries, but friction.inclination", "has 1"});
-  expect_error(over_rail(two + "inclination = [-1.2, -0.4, 0.0]"),
-               {"friction.coefficient", "has 2 entries, but friction.inclination", "has 3"});
-  expect_error(over_rail(two + "inclination = [0.0, -0.4]"),
-               {"friction.inclination = [0.0, -0.4]: does not ascend: -0.4 follows 0"});
-  expect_error(over_rail(two + "inclination = [-0.4, 0.0]\ntrack_position = [0.0, 1e3]",
-                         "track_position = 0.0"),
-               {"contradicts friction.inclination"});
-  expect_error(over_rail(two + "lateral_position = [-5.0, 5.0]"),
-               {"friction.lateral_position = [-5.0, 5.0]: is of contacts without profiles"});
-  expect_error(over_rail(two + "track_position = [0.0, 1e3]"),
-               {"wheelset.track_position: is missing"});
-  expect_error(over_rail("coefficient = 0.3", "track_position = 5.0"),
-               {"wheelset.track_position = 5.0: is not used"});
-  expect_error(over_rail("coefficient = [1e-5, 0.4]\ninclination = [-0.4, 0.0]"),
-               {"friction.coefficient = [1e-5, 0.4]: has next to no friction at a point"});
-  expect_error(over_rail("coefficient = [0.1, 0.4]\ninclination = [-0.4, 0.0]\nlaw = \"linear\"\n"
-                         "kinetic_coefficient = 0.2\nhalf_velocity = 500.0"),
-               {"kinetic_coefficient = 0.2: does not fit friction.coefficient = 0.1"});
-  expect_error(with("coefficient = 0.55", "coefficient = [0.1, 0.4]\ninclination = [-0.4, 0.0]"),
-               {"friction.inclination = [-0.4, 0.0]: is of friction that varies over the rail, but "
-                "this case has no profiles"});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The keys of profiles in a case file: what they set, and which combinations are refused.
+// The keys of profiles in a case file: what they set.
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 
@@ -72,36 +72,6 @@ TEST(ProfileKeys, NothingIsMendedUnlessTold) {
   EXPECT_FALSE(wheel.drop_duplicates || wheel.drop_zigzag);
   EXPECT_EQ(wheel.rounding + wheel.smoothing + wheel.thinning + wheel.rotation, 0.0);
   EXPECT_EQ(wheel.unit, contact::LengthUnit::mm);
-}
-
-TEST(ProfileKeys, WhatContradictsIsRefused) {
-  struct Wrong {
-    std::string text;
-    std::vector<std::string> parts;
-  };
-  const std::string both = "profile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n";
-  for (const Wrong& wrong : std::vector<Wrong>{
-           {"profile = \"S1002\"\ntransverse_radius = 300.0\n[rail]\nprofile = \"60E1\"\n",
-            {"case.toml:7:", "wheel.profile", "contradicts wheel.transverse_radius"}},
-           {"profile = \"S1002\"\nround_to = 0.8\n[rail]\nprofile = \"60E1\"\n",
-            {"case.toml:7:", "wheel.profile", "contradicts wheel.round_to"}},
-           {"[rail]\nprofile = \"60E1\"\n",
-            {"rail.profile", "is given alone: wheel.profile is missing", "\"arcs\""}},
-           {"profile = \"\"\n[rail]\nprofile = \"60E1\"\n", {"wheel.profile", "is empty"}},
-           {"transverse_radius = inf\n[rail]\nprofile = \"60E1\"\n[wheel_profile]\nflip = true\n",
-            {"wheel_profile.flip", "wheel.profile is missing"}},
-           {both + "[rail_profile]\nradii = [300.0]\n",
-            {"rail_profile.radii", "is not used with rail.profile = \"60E1\"", "arcs"}},
-           {both + "[wheel_profile]\nsmoothing = 0.01\n",
-            {"wheel_profile.smoothing", "is not used with", "from files"}},
-           {both + "[wheel_profile]\ncoefficients = [1.0]\n", {"polynomial"}},
-           {both + "[wheel_profile]\nsmoothing = -1\n", {"wheel_profile.smoothing = -1", "bounds"}},
-           {both + "[undeformed_distance]\nquadratic = [1e-3, 1e-3]\n",
-            {"wheel.profile", "contradicts undeformed_distance"}}}) {
-    expect_error(rest + wrong.text, wrong.parts);
-  }
-  EXPECT_EQ(error_of(rest + both + track), "");
-  EXPECT_EQ(error_of(rest + both + track + "[wheel_profile]\nmirror = true\n"), "");
 }
 
 }  // namespace

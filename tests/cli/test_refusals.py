@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every error in an input gives one message with file, line, key, value, allowed values and advice; none crashes. The
+inputs are rows of tests/refusals, each a test of its own."""
+
+import os
+import re
+
+import pytest
+from program import SMALL, SOURCE, package, says, toml
+
+
+def plain(text):
+    """A text of the rows as bytes: with the escapes of C."""
+    return text.encode().decode("unicode_escape").encode("latin-1")
+
+
+def changed(text, change):
+    """A base with the changes of a row."""
+    for step in re.split(r"(?:^|(?<= ))&& ", change) if change else []:
+        step = step.removesuffix(" ")
+        if step[:2] in ("+ ", "^ "):
+            lines = plain(step[2:]) + b"\n"
+            text = text + lines if step[0] == "+" else lines + text
+        else:
+            piece, _, other = (step + " ").partition(" => ")
+            assert plain(piece) in text, f"no {piece}"
+            text = text.replace(plain(piece), plain(other[:-1] if other else ""), 1)
+    return text
+
+
+def rows(name):
+    """(text, parts of the message) of the rows of a file, named by line and change."""
+    bases, base, entries = {}, "", []
+    for number, line in enumerate((SOURCE / "tests/refusals" / name).read_text("utf-8").splitlines(), 1):
+        if line.startswith("@"):
+            base = line[1:]
+            bases[base] = b""
+        elif line.startswith("    ! "):
+            entries[-1][3].extend(line[6:].split(" ! "))
+        elif line.startswith("    "):
+            bases[base] += line[4:].encode() + b"\n"
+        elif line and not line.startswith("# "):
+            change, *parts = re.split(r"(?:^| )! ", line)
+            entries.append((number, base, change, parts))
+    assert len(entries) > 5
+    return [pytest.param(bases[base], change, parts, id=f"{number}: {change[:60]}") for number, base, change, parts in entries]
+
+
+def refusal(call, *arguments):
+    """What the compiled module of the package says against a call, "" if nothing."""
+    rollfem = package()
+    try:
+        getattr(rollfem._core, call)(*arguments)
+    except (rollfem.InputError, rollfem.FileError) as error:
+        return str(error)
+    return ""
+
+
+def message(text):
+    return refusal("parse_case", text, "case.toml")
+
+
+def expect(said, parts):
+    """One line without control characters that has the parts and says what to do; nothing where there are none."""
+    if parts:
+        says(said, *parts, "; do: ")
+        assert said.isprintable()
+    else:
+        assert said == ""
+
+
+@pytest.mark.parametrize("base, change, parts", rows("case.txt"))
+def test_case(base, change, parts):
+    expect(message(changed(base, change)), parts)
+
+
+DEEP = "a" + 63 * ".a"
+
+
+@pytest.mark.parametrize("text, parts", [
+    (toml({"title": "x" * 300} | SMALL), ["longer than 200"]),
+    (toml({"title": "." * 150} | SMALL) + "# " + "." * 150, []),
+    (toml(SMALL | {"rolling.spin": [0] * 1001}), ["rolling.spin", "more than 1000 entries"]),
+    ("a." * 100000 + "a = 1\n", ["case.toml:1: the line is longer than"]),
+    ("a = " + "[" * 9000, ["case.toml:1:70: ", "nested more than 64 deep"]),
+    ("a = " + ("[" * 9000 + "\n") * 100, ["case.toml:1:70: not valid TOML", "nested more than 64 deep"]),
+    ("a = " + "[" * 70 + "]" * 70, ["case.toml:1:70: not valid TOML in `", "nested more than 64"]),
+    ("a" + "." * 200, ["case.toml:1:3: not valid TOML in `", "expected a key"]),
+    (DEEP + " = 1", ["case.toml:1:1: a: is not a key"]),
+    (f"[{DEEP}.a]", ["case.toml:1:130: not valid TOML", "nested more than 64 deep"]),
+    # Whatever stands before it in quotes or in a comment.
+    *((f"{before}{DEEP}.a = 1", [f"case.toml:{1 + before.count(chr(10))}:129: not valid", "nested more than 64 deep"])
+      for before in ("", "x = '''\n'a''''\n", "x = \"\\\"\" # '\n", "'=\"'.x = 1\n", 'x = \"\"\"\\\"\"\"\"\n')),
+    ("title = 'a\x1b[31m\x07'\n" + toml(SMALL), ["control characters"]),
+    ('"\\u001b[2J\\n" = 1\n' + toml(SMALL), ["case.toml:1:1: ?[2J?: is not a key"]),
+    ("a = i\n", ["case.toml:1:6: not valid TOML"]),
+    ("#" * (2**20 + 1), ["larger than 1 MB"]),
+    ("", ["case.toml: is empty"]),
+    (" \r\n\t\n", ["case.toml: is empty"])], ids=lambda value: ascii(value)[1:40] if isinstance(value, str) else "")
+def test_extreme_case(text, parts):
+    expect(message(text), parts)
+
+
+def test_a_case_may_have_letters_beyond_ascii_in_texts_and_comments():
+    text = "# \u00b5 = friction\ntitle = '\u00dcbergang, \u00b5 = 0.3'\n" + toml(SMALL)
+    assert package()._core.parse_case(text, "case.toml").title == "\u00dcbergang, \u00b5 = 0.3"
+
+
+@pytest.mark.parametrize("file, said", [("/nowhere/case.toml", "/nowhere/case.toml: there is no such file"),
+                                        ("/", "/: is a folder"), ("/dev/zero", "is not a regular file"),
+                                        ("", "there is no such file")])
+def test_what_is_no_file_is_refused(file, said):
+    says(refusal("read_case", file), said)
+
+
+def test_a_huge_file_is_refused_without_reading_it(tmp_path):
+    huge = tmp_path / "huge.toml"
+    huge.touch()
+    os.truncate(huge, 2**40)  # sparse: takes no space
+    says(refusal("read_case", str(huge)), "larger than 1 MB")
