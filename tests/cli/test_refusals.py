@@ -48,10 +48,11 @@ def rows(name):
 
 def refusal(call, *arguments):
     """What the compiled module of the package says against a call, "" if nothing."""
-    rollfem = package()
+    package()
+    from rollfem import _core, errors
     try:
-        getattr(rollfem._core, call)(*arguments)
-    except (rollfem.InputError, rollfem.FileError) as error:
+        getattr(_core, call)(*arguments)
+    except (errors.InputError, errors.FileError) as error:
         return str(error)
     return ""
 
