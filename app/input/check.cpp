@@ -5,7 +5,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/checks/plausibility.hpp"
-#include "contact/case/keys/case_keys.hpp"
 #include "contact/scene/scene.hpp"
 #include "models/registry.hpp"
 #include "models/solving/auto_model.hpp"
@@ -18,12 +17,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iostream>
-#include <type_traits>
-#include <variant>
 
 namespace rollfem::app {
 
@@ -100,42 +96,11 @@ std::vector<std::string> warnings_of(const contact::Case& input) {
   return warnings;
 }
 
-/// inf, which JSON has no number for, becomes a text as in a case file.
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
-}
-
-/// Values of all keys that the case gives or that have a default, by path; [[subsurface]] is left
-/// out.
-Json keys_json(const contact::Case& input) {
-  Json keys = Json::object();
-  for (const contact::Section& section : contact::case_sections()) {
-    if (section.repeated || !section.applies_to(input)) continue;
-    for (const contact::Key& key : section)
-      std::visit(
-          [&](const auto& value) {
-            using Value = std::decay_t<decltype(value)>;
-            if constexpr (std::is_same_v<Value, double>) {
-              keys[key.path()] = key.kind == contact::KeyKind::integer
-                                     ? Json(static_cast<long long>(value))
-                                     : number(value);
-            } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-              keys[key.path()] = Json::array();
-              for (const double one : value) keys[key.path()].push_back(number(one));
-            } else if constexpr (!std::is_same_v<Value, std::monostate>) {
-              keys[key.path()] = value;
-            }
-          },
-          key.get(input));
-  }
-  return keys;
-}
-
 Json case_json(const contact::Case& input, const std::vector<std::string>& warnings,
                const Scenes& scenes, const contact::ModelRegistry& models) {
   Json json = result_head("check");
   json["case_file"] = input.file;
-  json["keys"] = keys_json(input);
+  json["keys"] = postprocess::json_of(postprocess::keys_tree(input), true);
   json["warnings"] = warnings;
   for (const contact::ModelInfo& model : models.all())
     if (!scenes.empty()) json["cannot"][model.name] = reason_against(model, scenes);

@@ -13,9 +13,10 @@ namespace rollfem::python {
 namespace py = pybind11;
 using Shared = std::shared_ptr<Result>;
 
-/// Results as dictionaries, one for each model and patch, in the order of the run. Arrays are views
-/// of the result without copies; each keeps the whole result alive.
-py::list models_of(const Shared& result);
+/// A result as results.h5 holds it, (attributes, entries, parts) with dictionaries by name, parts
+/// being such tuples. Arrays are views of the result without copies; each keeps the whole result
+/// alive.
+py::tuple contents_of(const Shared& result);
 
 /// The state of a pickled result, and the result of a state.
 py::tuple packed(const Result& result);
@@ -29,7 +30,7 @@ py::dict quantities();
 /// {name: (unit, description, sign)}
 py::dict fields();
 
-/// Where a patch is, with the numbers of postprocess::place_scalars; None without a place.
+/// Where a patch is, by the names of all files; None without a place.
 py::object place_of(const std::optional<contact::ContactPlace>& place);
 
 /// The class CreepTable, on which rollfem.Table is made, and `fill_table`.

@@ -42,15 +42,6 @@ std::string written(const Result& result, const std::string& folder, bool report
   return write(folder, result, report);
 }
 
-/// The bytes of results.h5 without its models: what figures need beside the arrays.
-py::bytes head_of(const Result& result) {
-  Result head;
-  head.input = result.input;
-  head.provenance = result.provenance;
-  head.pairs = result.pairs;
-  return postprocess::results_hdf5(head);
-}
-
 /// All [(section, key, unit)] of the case file.
 std::vector<std::tuple<std::string, std::string, std::string>> keys() {
   std::vector<std::tuple<std::string, std::string, std::string>> found;
@@ -155,9 +146,8 @@ PYBIND11_MODULE(_core, module) {
   module.def("threads", [] { return python::wanted_threads().load(); });
   module.def("use_threads", [](int number) { python::wanted_threads() = number; });
   module.def("solve", &python::solved);
-  module.def("models_of", &python::models_of);
+  module.def("contents_of", &python::contents_of);
   module.def("write", &python::written);
-  module.def("head", &python::head_of);
   module.def("keys", &python::keys);
   module.def("quantities", &python::quantities);
   module.def("fields", &python::fields);

@@ -12,32 +12,10 @@ namespace {
 
 using contact::Record;
 
-/// A list whose entries `each` exchanges.
-template <class Entry, class Each>
-void list(Record& record, std::vector<Entry>& entries, const Each& each) {
-  std::size_t count = entries.size();
-  record.value(count);
-  entries.resize(count);
-  for (Entry& entry : entries) each(entry);
-}
-
-void exchange(Record& record, ModelResult& model) {
-  record.values(model.name, model.label, model.seconds, model.unknowns, model.contact_elements,
-                model.grid, model.rows.y_wheel, model.rows.y_rail, model.rows.width, model.points,
-                model.bodies, model.notes, model.model_error_source, model.choice, model.shortfall,
-                model.place);
-}
-
 /// All but the case.
 void exchange(Record& record, Result& result) {
-  postprocess::Provenance& made = result.provenance;
-  record.values(made.version, made.commit, made.host, made.started, made.command, made.processes,
-                made.labels, result.verdict);
-  list(record, result.models, [&](ModelResult& model) { exchange(record, model); });
-  list(record, result.pairs, [&](postprocess::PlacedPair& pair) {
-    record.values(pair.left, pair.position, pair.rail, pair.wheel);
-  });
-  record.values(result.wheelset, result.rigid_row);
+  record.values(result.provenance, result.verdict, result.models, result.pairs, result.wheelset,
+                result.rigid_row);
 }
 
 std::string program() {

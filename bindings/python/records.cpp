@@ -1,177 +1,83 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/python/bindings.hpp"
-#include "contact/result/derived.hpp"
+#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
-#include "postprocess/write/point_table.hpp"
+#include "postprocess/write/contents.hpp"
 
-#include <algorithm>
+#include <array>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 namespace rollfem::python {
 
-using namespace py::literals;
-
 namespace {
 
+using postprocess::Array;
+using postprocess::Tree;
+using Owner = std::shared_ptr<const void>;
+
 /// A read-only array on the memory of the result.
-template <class Number>
-py::array view(const Number* data, std::vector<py::ssize_t> shape, const Shared& owner) {
-  const py::capsule keeper(new Shared(owner),
-                           [](void* kept) { delete static_cast<Shared*>(kept); });
-  py::array_t<Number> array(std::move(shape), data, keeper);
-  array.attr("flags").attr("writeable") = false;
-  return std::move(array);
+py::array view(const Array& array, const Owner& result) {
+  const std::array types{py::dtype::of<double>(), py::dtype::of<float>(), py::dtype::of<int>(),
+                         py::dtype::of<unsigned char>()};
+  const py::capsule keeper(new Owner(array.own ? array.own : result),
+                           [](void* kept) { delete static_cast<Owner*>(kept); });
+  py::array found(types[static_cast<std::size_t>(array.type)],
+                  std::vector<py::ssize_t>(array.shape.begin(), array.shape.end()), array.first,
+                  keeper);
+  found.attr("flags").attr("writeable") = false;
+  return found;
 }
 
-template <class Number, std::size_t width>
-py::array rows(const std::vector<std::array<Number, width>>& values, const Shared& owner) {
-  const auto count = static_cast<py::ssize_t>(values.size());
-  return view(count > 0 ? values.front().data() : nullptr, {count, static_cast<py::ssize_t>(width)},
-              owner);
-}
-
-/// None for an empty one.
-py::object column(const contact::Field& values) {
-  if (values.size() == 0) return py::none();
-  return py::array_t<double>(values.size(), values.data());
-}
-
-py::object scalar(const contact::Quantity& quantity, double value) {
-  switch (quantity.member.kind) {
-    case contact::QuantityKind::count:
-      return py::int_(static_cast<long>(value));
-    case contact::QuantityKind::truth:
-      return py::bool_(value != 0.0);
-    default:
-      return py::float_(value);
-  }
-}
-
-py::dict scalars_of(const PointResult& point) {
+py::dict attributes_of(const Tree& tree) {
   py::dict found;
-  for (const contact::Quantity& quantity : contact::quantities())
-    if (const auto value = quantity.value(point)) found[quantity.name] = scalar(quantity, *value);
+  for (const auto& [name, value] : tree.attributes) found[name.c_str()] = py::cast(value);
   return found;
 }
 
-py::dict fields_of(const contact::ContactGrid& grid, const PointResult& point,
-                   const Shared& owner) {
-  const std::vector<py::ssize_t> shape{grid.ny, grid.nx};
+py::dict entries_of(const Tree& tree, const Owner& result) {
   py::dict found;
-  for (const postprocess::PointField& field : postprocess::point_fields()) {
-    const contact::Field& values = field.value(point.fields);
-    if (values.size() > 0) found[field.name] = view(values.data(), shape, owner);
-  }
-  const auto& state = point.fields.state;
-  if (!state.empty())
-    found["state"] = view(reinterpret_cast<const unsigned char*>(state.data()), shape, owner);
+  for (const postprocess::Entry& entry : tree.entries)
+    if (const auto* array = std::get_if<Array>(&entry.values))
+      found[entry.name.c_str()] = view(*array, result);
+    else if (const auto* text = std::get_if<std::string>(&entry.values))
+      found[entry.name.c_str()] = *text;
+    else
+      found[entry.name.c_str()] = std::get<std::vector<std::string>>(entry.values);
   return found;
 }
 
-py::list subsurface_of(const PointResult& point, const Shared& owner) {
-  py::list found;
-  for (const contact::SubsurfaceField& field : point.subsurface)
-    found.append(py::dict(
-        "kind"_a = word_of(field.request.kind), "body"_a = field.request.wheel ? "wheel" : "rail",
-        "points"_a = rows(field.points, owner), "displacement"_a = rows(field.displacement, owner),
-        "stress"_a = rows(field.stress, owner)));
-  return found;
-}
-
-py::list maxima_of(const PointResult& point) {
-  py::list found;
-  for (const contact::StressMaximum& maximum : point.stress_maxima)
-    found.append(py::dict("body"_a = maximum.body, "measure"_a = maximum.measure,
-                          "value"_a = maximum.value, "place"_a = maximum.place));
-  return found;
-}
-
-/// Numbers one after another as an array of this shape.
-template <class Number>
-py::array_t<double> shaped(const Number* values, const std::vector<py::ssize_t>& shape) {
-  py::array_t<double> array(shape);
-  std::copy(values, values + array.size(), array.mutable_data());
-  return array;
-}
-
-/// Bodies that yield, their streamlines as [down, across].
-py::dict yielded_of(const PointResult& point) {
-  py::dict found;
-  for (const contact::YieldedSection& body : point.yielded) {
-    const std::vector<py::ssize_t> section{body.down, body.across},
-        tensors{body.down, body.across, 6};
-    const std::vector<py::ssize_t> surface{static_cast<py::ssize_t>(body.surface_y.size())};
-    py::dict values("verdict"_a = body.verdict, "from_pass"_a = body.from_pass,
-                    "iterations"_a = body.iterations, "y"_a = shaped(body.y.data(), section),
-                    "depth"_a = shaped(body.depth.data(), section),
-                    "accumulated"_a = shaped(body.accumulated.data(), section),
-                    "strain"_a = shaped(body.strain.front().data(), tensors),
-                    "stress"_a = shaped(body.stress.front().data(), tensors),
-                    "surface_y"_a = shaped(body.surface_y.data(), surface),
-                    "groove"_a = shaped(body.groove.data(), surface),
-                    "forward_flow"_a = shaped(body.forward_flow.data(), surface));
-    for (const auto& [name, value] : contact::scalars_of(body)) values[name] = value;
-    found[body.body.c_str()] = values;
-  }
-  return found;
-}
-
-py::dict bodies_of(const ModelResult& model, const PointResult& point, const Shared& owner) {
-  py::dict found;
-  for (std::size_t b = 0; b < point.bodies.size() && b < model.bodies.size(); ++b)
-    found[model.bodies[b].name.c_str()] =
-        py::dict("points"_a = rows(model.bodies[b].points, owner),
-                 "cells"_a = rows(model.bodies[b].cells, owner),
-                 "displacement"_a = rows(point.bodies[b].displacement, owner),
-                 "stress"_a = rows(point.bodies[b].stress, owner));
-  return found;
-}
-
-py::dict point_of(const ModelResult& model, const PointResult& point, const Shared& owner) {
-  return py::dict("scalars"_a = scalars_of(point), "fields"_a = fields_of(model.grid, point, owner),
-                  "error_estimate"_a = point.error_estimate, "no_bar"_a = point.no_bar,
-                  "model_error"_a = point.model_error, "richardson"_a = point.richardson,
-                  "subsurface"_a = subsurface_of(point, owner),
-                  "stress_maxima"_a = maxima_of(point),
-                  "pass_work"_a = column(contact::pass_work(model.grid, point)),
-                  "yielded"_a = yielded_of(point), "bodies"_a = bodies_of(model, point, owner));
-}
-
-py::dict model_of(const ModelResult& model, const Shared& owner) {
-  py::array_t<double> x(model.grid.nx), y(model.grid.ny);
-  for (int i = 0; i < model.grid.nx; ++i) x.mutable_at(i) = model.grid.x(i);
-  for (int j = 0; j < model.grid.ny; ++j) y.mutable_at(j) = model.grid.y(j);
-  py::list points;
-  for (const PointResult& point : model.points) points.append(point_of(model, point, owner));
-  return py::dict("name"_a = model.name, "label"_a = model.label, "key"_a = model.key(),
-                  "seconds"_a = model.seconds, "unknowns"_a = model.unknowns,
-                  "contact_elements"_a = model.contact_elements, "notes"_a = model.notes,
-                  "choice"_a = model.choice, "shortfall"_a = model.shortfall,
-                  "model_error_source"_a = model.model_error_source, "dx"_a = model.grid.dx,
-                  "dy"_a = model.grid.dy, "x"_a = x, "y"_a = y,
-                  "y_wheel"_a = column(model.rows.y_wheel), "y_rail"_a = column(model.rows.y_rail),
-                  "width"_a = column(model.rows.width), "place"_a = place_of(model.place),
-                  "points"_a = points);
+/// (attributes, entries, parts)
+py::tuple tuple_of(const Tree& tree, const Owner& result) {
+  py::dict parts;
+  for (const Tree& part : tree.parts) parts[part.name.c_str()] = tuple_of(part, result);
+  return py::make_tuple(attributes_of(tree), entries_of(tree, result), parts);
 }
 
 }  // namespace
 
-py::list models_of(const Shared& result) {
-  py::list found;
-  for (const ModelResult& model : result->models) found.append(model_of(model, result));
-  return found;
+py::tuple contents_of(const Shared& result) {
+  py::tuple whole = tuple_of(postprocess::head_tree(*result), result);
+  py::dict models;
+  for (const ModelResult& model : result->models) {
+    py::tuple one = tuple_of(postprocess::model_tree(model, result->input), result);
+    one[0]["model"] = model.name;
+    one[0]["order"] = models.size();
+    py::dict points;
+    for (std::size_t k = 0; k < model.points.size(); ++k) {
+      const Tree point = postprocess::point_tree(model, k, true);
+      points[point.name.c_str()] = tuple_of(point, result);
+    }
+    one[2]["points"] = py::make_tuple(py::dict(), py::dict(), points);
+    models[model.key().c_str()] = one;
+  }
+  whole[2]["models"] = py::make_tuple(py::dict(), py::dict(), models);
+  return whole;
 }
 
 py::object place_of(const std::optional<contact::ContactPlace>& place) {
   if (!place) return py::none();
-  py::dict found;
-  found["wheel"] = place->side();
-  for (const postprocess::PlaceScalar& one : postprocess::place_scalars())
-    found[one.name] = one.value(*place);
-  for (const char* count : {"position", "patch", "patches"})
-    found[count] = py::int_(static_cast<int>(found[count].cast<double>()));
-  return found;
+  return attributes_of(postprocess::place_tree(*place));
 }
 
 py::dict quantities() {
@@ -184,10 +90,9 @@ py::dict quantities() {
 
 py::dict fields() {
   py::dict found;
-  for (const postprocess::PointField& field : postprocess::point_fields())
+  for (const contact::PointField& field : contact::point_fields())
     found[field.name] = py::make_tuple(field.unit, field.description, field.sign);
-  found["state"] =
-      py::make_tuple("-", "state of the element", "0 exterior, 1 adhesion, 2 slip, 3 plastic");
+  found["state"] = py::make_tuple("-", contact::state_meaning, "");
   return found;
 }
 

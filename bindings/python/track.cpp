@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/python/bindings.hpp"
 #include "contact/base/errors.hpp"
-#include "postprocess/write/wheelset_rows.hpp"
+#include "contact/result/rigid_wheelset.hpp"
 #include "profiles/profile_format.hpp"
 #include "profiles/profiles.hpp"
 #include "track/balance/balance.hpp"
@@ -47,9 +47,11 @@ py::dict wheelset_of(const Case& input, double reach, double step) {
     rows = track::wheelset_rows(input, track::search_scene_of(input), reach, step);
   }
   py::dict found;
-  for (const postprocess::RigidColumn& one : postprocess::rigid_columns())
-    found[one.name] =
-        column(rows, [&](const track::RigidWheelset& row) { return or_nan(one.value(row)); });
+  contact::for_members<contact::RigidWheelset>([&](const auto& each) {
+    if constexpr (std::decay_t<decltype(each)>::kept != contact::Kept::within)
+      found[each.name] = column(
+          rows, [&](const auto& row) { return or_nan(std::invoke(each.part, row)); });
+  });
   return found;
 }
 

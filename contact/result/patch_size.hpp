@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/base/members.hpp"
 
 #include <vector>
 
@@ -50,13 +51,19 @@ struct ContactFields;
 /// that of the grid (arc length where it is one) and the forces are the sums of the tractions along
 /// the local tangents and normal.
 struct PatchPart {
-  double x = 0.0, y = 0.0;          ///< mm, centre of pressure
-  double length = 0.0;              ///< mm, extent in x, found below the element size
-  double width = 0.0;               ///< mm, extent in y
-  double normal_force = 0.0;        ///< N
-  double longitudinal_force = 0.0;  ///< N, on the wheel
-  double lateral_force = 0.0;       ///< N, on the wheel
-  double max_pressure = 0.0;        ///< MPa
+  double x = 0.0, y = 0.0, length = 0.0, width = 0.0;
+  double normal_force = 0.0, longitudinal_force = 0.0, lateral_force = 0.0, max_pressure = 0.0;
+
+  static constexpr auto members() {
+    using P = PatchPart;
+    return std::tuple(
+        member("x", &P::x, "mm", "centre of pressure"), member("y", &P::y, "mm", "the same"),
+        member("length", &P::length, "mm", "extent in x, found below the element size"),
+        member("width", &P::width, "mm", "extent in y"), member("normal_force", &P::normal_force, "N"),
+        member("longitudinal_force", &P::longitudinal_force, "N", "on the wheel"),
+        member("lateral_force", &P::lateral_force, "N", "on the wheel"),
+        member("max_pressure", &P::max_pressure, "MPa"));
+  }
 };
 
 /// The most loaded first. Empty without pressure.

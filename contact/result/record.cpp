@@ -2,6 +2,7 @@
 #include "contact/result/record.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 
 #include <cmath>
@@ -57,10 +58,9 @@ void Record::value(PointResult& p) {
     if (reading_ && (number || !quantity.member.may_be_absent))
       quantity.member.set(p, number.value_or(std::nan("")));
   }
-  values(p.error_estimate, p.no_bar, p.model_error, p.richardson);
-  ContactFields& f = p.fields;
-  values(f.traction, f.slip, f.traction_bound, f.gap, f.displacement, f.work, f.state);
-  values(p.subsurface, p.stress_maxima, p.yielded, p.bodies);
+  for (const PointField& field : point_fields()) value(field.member(p.fields));
+  value(p.fields.state);
+  for_members<PointResult>([&](const auto& each) { value(p.*each.part); });
 }
 
 unsigned long long checksum(std::string_view bytes, unsigned long long begin) {

@@ -7,6 +7,7 @@
 #include "contact/base/checkpoint.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/grid.hpp"
+#include "contact/base/members.hpp"
 #include "contact/result/result.hpp"
 
 #include <map>
@@ -80,24 +81,13 @@ class Record {
   }
   void value(SurfaceField& field) { values(field.x, field.y, field.n); }
   void value(Response& response) { values(response.displacement, response.curvature_slip); }
-  void value(SubsurfaceField& field) {
-    values(field.request, field.points, field.displacement, field.stress);
-  }
-  void value(StressMaximum& maximum) {
-    values(maximum.body, maximum.measure, maximum.value, maximum.place);
-  }
-  void value(YieldedSection& s) {
-    values(s.body, s.verdict, s.cycle, s.from_pass, s.iterations, s.residual, s.increment,
-           s.net_increment, s.cycle_increment, s.cycle_net_increment, s.plastic_strain,
-           s.plastic_work, s.utilisation, s.across, s.down, s.y, s.depth, s.strain, s.stress,
-           s.accumulated, s.surface_y, s.groove, s.forward_flow, s.memory);
-  }
-  void value(BodyValues& body) {
-    values(body.displacement, body.stress, body.plastic_strain, body.residual_stress,
-           body.accumulated);
-  }
-  void value(BodyField& body) {
-    values(body.name, body.points, body.cells, body.displacement, body.stress);
+  /// A struct that lists its members.
+  template <class Whole,
+            std::enable_if_t<has_members<Whole> && !std::is_trivially_copyable_v<Whole>, int> = 0>
+  void value(Whole& whole) {
+    for_members<Whole>([&](const auto& each) {
+      if constexpr (std::is_member_object_pointer_v<decltype(each.part)>) value(whole.*each.part);
+    });
   }
   void value(PointResult& point);
 

@@ -2,6 +2,7 @@
 #include "contact/result/result.hpp"
 
 #include "contact/result/patch_size.hpp"
+#include "contact/result/stress_measures.hpp"
 
 #include <fmt/format.h>
 
@@ -61,6 +62,12 @@ double mean_stretch(const PatchShape& shape, const Field& pressure) {
 }
 
 }  // namespace
+
+std::vector<double> SubsurfaceField::von_mises() const {
+  std::vector<double> values;
+  for (const auto& each : stress) values.push_back(contact::von_mises(Stress::from_array(each)));
+  return values;
+}
 
 std::string ModelResult::key() const {
   return place ? name + '_' + place->key() : name;

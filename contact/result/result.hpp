@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
+#include "contact/base/members.hpp"
 #include "contact/result/yielded_section.hpp"
 #include "contact/scene/scene.hpp"
 
@@ -33,58 +34,84 @@ struct ContactFields {
 /// fastest.
 struct SubsurfaceField {
   SubsurfaceRequest request;
-  std::vector<std::array<double, 3>> points;        ///< mm, global frame
-  std::vector<std::array<double, 3>> displacement;  ///< mm, of the body's own material point
-  std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz
+  std::vector<std::array<double, 3>> points, displacement;
+  std::vector<std::array<double, 6>> stress;
+  std::string kind() const { return word_of(request.kind); }
+  std::string body() const { return request.wheel ? "wheel" : "rail"; }
+  int points_along() const { return request.points[0]; }
+  int points_across() const { return request.points[1]; }
+  std::vector<double> von_mises() const;
+
+  static constexpr Listed listed = Listed::numbered;
+  static constexpr auto members() {
+    using S = SubsurfaceField;
+    return std::tuple(
+        member_within("request", &S::request), member("kind", &S::kind), member("body", &S::body),
+        member("points_along", &S::points_along, "-"),
+        member("points_across", &S::points_across, "-"),
+        member("points", &S::points, "mm", "x, y, z in the global frame, z into the wheel"),
+        member("displacement", &S::displacement, "mm", "displacement of the material, x, y, z"),
+        member("stress", &S::stress, "MPa", "stress: xx, yy, zz, xy, yz, xz; tension positive"),
+        member("von_mises", &S::von_mises, "MPa", "von Mises stress"));
+  }
 };
 
 /// Largest value of a scalar stress measure in a body (stress_measures.hpp), with its position.
 struct StressMaximum {
-  std::string body;               ///< "wheel", "rail"
-  std::string measure;            ///< "von_mises", "tresca", "orthogonal_shear", "principal_1"
-  double value = 0.0;             ///< MPa
-  std::array<double, 3> place{};  ///< mm, global frame
+  std::string body;
+  std::string measure;
+  double value = 0.0;
+  std::array<double, 3> place{};
+
+  static constexpr Listed listed = Listed::as_table;
+  static constexpr auto members() {
+    using S = StressMaximum;
+    return std::tuple(
+        member("body", &S::body, "", "wheel or rail"),
+        member("measure", &S::measure, "", "stress measure"),
+        member("value", &S::value, "MPa", "largest value"),
+        member("place", &S::place, "mm", "x, y, z in the global frame, z into the wheel"));
+  }
 };
 
 /// Displacement and stress at the nodes of a body under one load point. Single precision: relative
 /// error 6e-8, far below the accuracy of the elements, at half the memory and file size.
 struct BodyValues {
-  std::vector<std::array<float, 3>> displacement;  ///< mm
-  std::vector<std::array<float, 6>> stress;        ///< MPa: xx yy zz xy yz xz
-  // Of a body that yields, else empty.
-  std::vector<std::array<float, 6>> plastic_strain{};   ///< in the order of stress
-  std::vector<std::array<float, 6>> residual_stress{};  ///< MPa, by plastic strain alone
-  std::vector<float> accumulated{};                     ///< plastic strain
+  std::vector<std::array<float, 3>> displacement;
+  std::vector<std::array<float, 6>> stress;
+  // Of a body that yields, else empty: in the order of stress, by plastic strain alone (MPa), and
+  // the accumulated strain.
+  std::vector<std::array<float, 6>> plastic_strain{}, residual_stress{};
+  std::vector<float> accumulated{};
+
+  static constexpr auto members() {
+    using S = BodyValues;
+    return std::tuple(
+        member("displacement", &S::displacement, "mm", "displacement of the nodes, x, y, z"),
+        member("stress", &S::stress, "MPa", "stress: xx, yy, zz, xy, yz, xz; tension positive"),
+        member_within("plastic_strain", &S::plastic_strain),
+        member_within("residual_stress", &S::residual_stress),
+        member_within("accumulated", &S::accumulated));
+  }
 };
 
-/// One load point of one model: the entries of summary.json and the fields behind them. Its scalars
-/// are declared in quantities.hpp.
+/// One load point of one model: the entries of summary.json and the fields behind them. What its
+/// scalars are, with unit and sign, stands in quantities.cpp.
 struct PointResult {
-  Creepage creepage;  ///< as prescribed, or as found for a prescribed force
-  int step = 0;       ///< 1, 2, ... in a history (problems shift and transient), else 0
-  double longitudinal_shift = 0.0;  ///< mm, of the wheel over the rail since the beginning
-  double lateral_shift = 0.0;       ///< mm, since the beginning
-  double spin_shift = 0.0;          ///< rad, since the beginning
-  double distance = 0.0;            ///< mm rolled since the beginning
-  double normal_force = 0.0;        ///< N
-  double longitudinal_force = 0.0;  ///< F_x, N, on the wheel
-  double lateral_force = 0.0;       ///< F_y, N, on the wheel
-  double lateral_pressure = 0.0;    ///< N, part of it carried by the pressure of a curved patch
-  double spin_moment = 0.0;         ///< M_z, N mm, about the origin
+  Creepage creepage;
+  int step = 0;
+  double longitudinal_shift = 0.0, lateral_shift = 0.0, spin_shift = 0.0, distance = 0.0;
+  double normal_force = 0.0, longitudinal_force = 0.0, lateral_force = 0.0;
+  double lateral_pressure = 0.0;
+  double spin_moment = 0.0;
   double traction_coefficient = 0.0;
-  double max_pressure = 0.0;    ///< MPa
-  double max_traction = 0.0;    ///< largest |p_t|, MPa
-  double max_traction_x = 0.0;  ///< largest |p_x|, MPa
-  double approach = 0.0;        ///< mm
-  double semi_axis_x = 0.0;     ///< mm, found below the element size
-  double semi_axis_y = 0.0;
-  double contact_length = 0.0;  ///< mm, extent of the patch in x
-  double contact_width = 0.0;   ///< mm, extent across, along the surface
-  double contact_area = 0.0;    ///< mm^2
-  double adhesion_area = 0.0;   ///< mm^2
-  int patch_count = 1;          ///< regions that do not touch each other
-  int iterations = 0;           ///< outer iterations (FE solves) or Newton steps
-  double residual = 0.0;        ///< relative residual at which the iteration stopped
+  double max_pressure = 0.0, max_traction = 0.0, max_traction_x = 0.0;
+  double approach = 0.0;
+  double semi_axis_x = 0.0, semi_axis_y = 0.0;
+  double contact_length = 0.0, contact_width = 0.0, contact_area = 0.0, adhesion_area = 0.0;
+  int patch_count = 1;
+  int iterations = 0;
+  double residual = 0.0;
   double seconds = 0.0;
   bool converged = false;
   /// Error bars: quantity -> estimated absolute error of its value from grid and solver, in its
@@ -95,73 +122,102 @@ struct PointResult {
   std::map<std::string, double> model_error;
   std::map<std::string, double> richardson;  ///< quantity -> value extrapolated to cells of 0
   // Quantities that not every model gives.
-  std::optional<double> elastic_energy;   ///< N mm
-  std::optional<double> frictional_work;  ///< N mm per mm rolled; steady rolling only
-  std::optional<double> creepage_work;    ///< equal for half-spaces
-  /// N/mm, largest of pass_work (contact/result/derived.hpp), and where, y in the coordinates of
-  /// the profiles, mm.
-  std::optional<double> max_pass_work, pass_work_y_wheel, pass_work_y_rail;
-  std::optional<double> revolution_work;  ///< J, frictional work per revolution of the wheel
-  /// mm, middle of the extents of the patch, with profiles, where it differs from the origin.
-  std::optional<double> patch_x_middle;
-  std::optional<double> patch_y_middle;
-  // With profiles, in the track frame.
-  std::optional<double> vertical_force;       ///< N, on the wheel, up, friction included
-  std::optional<double> lateral_force_track;  ///< N, on the wheel, to the right
-  std::optional<double> loaded_height;        ///< mm, of the axle's middle, as ContactPlace::height
+  std::optional<double> elastic_energy, frictional_work, creepage_work;
+  std::optional<double> max_pass_work, pass_work_y_wheel, pass_work_y_rail, revolution_work;
+  std::optional<double> patch_x_middle, patch_y_middle;
+  std::optional<double> vertical_force, lateral_force_track, loaded_height;
   // After a pass over bodies that yield, of the body with the largest.
   std::optional<double> plastic_strain, plastic_increment, net_plastic_increment;
-  std::optional<double> residual_stress;  ///< MPa, largest compression along rolling
-  std::optional<double> groove_depth;     ///< mm
-  std::optional<double> forward_flow;     ///< mm, of the surface, along +x where it is largest
-  std::optional<double> plastic_work;     ///< N mm per mm of track, of both bodies
+  std::optional<double> residual_stress, groove_depth, forward_flow, plastic_work;
   ContactFields fields;
   std::vector<SubsurfaceField> subsurface;   ///< as requested by the case
   std::vector<StressMaximum> stress_maxima;  ///< of both bodies
   std::vector<YieldedSection> yielded;       ///< of bodies that yield
   /// In the order of ModelResult::bodies; empty if not stored, and for models other than fem.
   std::vector<BodyValues> bodies;
+
+  /// Beside the scalars and the fields (quantities.hpp).
+  static constexpr auto members() {
+    using S = PointResult;
+    return std::tuple(
+        member("error_estimate", &S::error_estimate, "",
+               "Attributes: estimated error by quantity, in its unit"),
+        member("no_bar", &S::no_bar, "",
+               "Attributes: why a quantity has no error estimate, docs/results.md"),
+        member_if_given("model_error", &S::model_error, "",
+                        "Attributes: model error by quantity, in its unit"),
+        member_if_given("richardson", &S::richardson, "",
+                        "Attributes: values extrapolated to cells of size 0"),
+        member_if_given("subsurface", &S::subsurface, "",
+                        "Points below the surface, as requested, first side fastest"),
+        member_if_given("stress_maxima", &S::stress_maxima, "",
+                        "Largest stresses of wheel and rail, with their places"),
+        member_if_given("yielded", &S::yielded, "",
+                        "Bodies that yield after this pass: the section behind the load, "
+                        "streamlines [down, across] with y fastest"),
+        member_within("bodies", &S::bodies));
+  }
 };
 
 /// A body as hexahedra with eight corners each, with or without values at its nodes.
 struct BodyField {
-  std::string name;                                 ///< "wheel", "rail"
-  std::vector<std::array<double, 3>> points;        ///< mm
-  std::vector<std::array<int, 8>> cells;            ///< VTK_HEXAHEDRON order
-  std::vector<std::array<double, 3>> displacement;  ///< mm, per point
-  std::vector<std::array<double, 6>> stress;        ///< MPa: xx yy zz xy yz xz, per point
+  std::string name;  ///< "wheel", "rail"
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 8>> cells;  ///< VTK_HEXAHEDRON order
+  std::vector<std::array<double, 3>> displacement;
+  std::vector<std::array<double, 6>> stress;
+
+  static constexpr auto members() {
+    using S = BodyField;
+    return std::tuple(member_within("name", &S::name),
+                      member("points", &S::points, "mm",
+                             "x, y, z of the undeformed nodes in the global frame, z into the "
+                             "wheel"),
+                      member("cells", &S::cells, "-",
+                             "nodes of every hexahedron, from 0, in VTK's order"),
+                      member_within("displacement", &S::displacement),
+                      member_within("stress", &S::stress));
+  }
 };
 
-/// The rows of a contact grid on the profiles, mm: y in the coordinates of their files (without
-/// profiles y of the patch frame), and width along the surface.
+/// The rows of a contact grid on the profiles: y in the coordinates of their files (without
+/// profiles y of the patch frame), and width.
 struct ProfileRows {
   Field y_wheel, y_rail, width;
+
+  static constexpr auto members() {
+    using S = ProfileRows;
+    return std::tuple(
+        member_if_given("y_wheel", &S::y_wheel, "mm", "of the rows, on the wheel's profile"),
+        member_if_given("y_rail", &S::y_rail, "mm", "of the rows, on the rail's profile"),
+        member_if_given("width", &S::width, "mm", "of the rows, along the surface"));
+  }
 };
 
 struct ModelResult {
-  std::string name;                       ///< "hertz", "linear", ... "halfspace", "fem"
-  std::string label;                      ///< name in figures; empty: the name
+  std::string name;   ///< "hertz", "linear", ... "halfspace", "fem"
+  std::string label;  ///< name in figures; empty: the name
+  std::optional<ContactPlace> place;      ///< with profiles: the patch, one ModelResult for each
   std::map<std::string, double> seconds;  ///< total, setup, normal, tangential, ...
   long unknowns = 0;
   int contact_elements = 0;
-  ContactGrid grid;
-  ProfileRows rows;  ///< empty for theories without slip
-  std::vector<PointResult> points;
-  std::vector<BodyField> bodies;   ///< undeformed, without values (PointResult::bodies); fem only
-  std::vector<std::string> notes;  ///< notes for the reader: domain, symmetry, limits
-  /// Source of PointResult::model_error, or why there is none.
-  std::string model_error_source;
-  /// Whether a load point has the model error of a quantity.
-  bool has_model_error() const;
-  /// False for Hertz and other theories of the normal problem.
-  bool has_friction() const;
-  double total_seconds() const;  ///< 0: not measured
   /// Why `auto` chose this model and grid; empty if it did not.
   std::string choice;
   /// A request that was not met although the results are valid; otherwise empty. The run then ends
   /// with status 1 after writing them.
   std::string shortfall;
-  std::optional<ContactPlace> place;  ///< with profiles: the patch, one ModelResult for each
+  std::vector<std::string> notes;  ///< notes for the reader: domain, symmetry, limits
+  /// Source of PointResult::model_error, or why there is none.
+  std::string model_error_source;
+  ContactGrid grid;
+  ProfileRows rows;  ///< empty for theories without slip
+  std::vector<PointResult> points;
+  std::vector<BodyField> bodies;  ///< undeformed, without values (PointResult::bodies); fem only
+  /// Whether a load point has the model error of a quantity.
+  bool has_model_error() const;
+  /// False for Hertz and other theories of the normal problem.
+  bool has_friction() const;
+  double total_seconds() const;  ///< 0: not measured
   /// Unique key of a result in a run: "halfspace", or "halfspace_left_3_1" for the first patch of
   /// the left wheel at position 3.
   std::string key() const;
@@ -169,6 +225,21 @@ struct ModelResult {
   BodyField body_at(std::size_t point, std::size_t body) const;
   /// Load points that store the values of all bodies, from 0.
   std::vector<std::size_t> points_with_bodies() const;
+
+  static constexpr auto members() {
+    using S = ModelResult;
+    return std::tuple(
+        member_within("name", &S::name), member_if_given("label", &S::label),
+        member_if_given("place", &S::place, "",
+                        "Attributes: place of the patch on the track and on the profiles"),
+        member("seconds", &S::seconds, "", "Attributes: seconds by stage"),
+        member("unknowns", &S::unknowns, "-"), member("contact_elements", &S::contact_elements, "-"),
+        member_if_given("choice", &S::choice), member_if_given("shortfall", &S::shortfall),
+        member("notes", &S::notes, "", "Notes: domain, symmetry, limits"),
+        member("model_error_source", &S::model_error_source), member_within("grid", &S::grid),
+        member_within("rows", &S::rows), member_within("points", &S::points),
+        member_within("bodies", &S::bodies));
+  }
 };
 
 /// Force of tractions on the wheel along x, y, z of the patch frame, N. On a curved patch (`shape`)

@@ -4,6 +4,7 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/free_ends.hpp"
 #include "contact/result/patch_size.hpp"
+#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 
 #include <fmt/format.h>
@@ -57,15 +58,8 @@ void check_fields(const ValidatedPoint& at) {
     refuse(at,
            what + " that are not finite; do: check the case for extremely large or small values");
   };
-  const ContactFields& fields = point.fields;
-  for (const auto& [field, what] :
-       {std::pair{&fields.traction.n, "pressures"}, std::pair{&fields.traction.x, "tractions"},
-        std::pair{&fields.traction.y, "tractions"}, std::pair{&fields.slip.x, "slips"},
-        std::pair{&fields.slip.y, "slips"}, std::pair{&fields.gap, "gaps"},
-        std::pair{&fields.displacement.x, "displacements"},
-        std::pair{&fields.displacement.y, "displacements"},
-        std::pair{&fields.displacement.n, "displacements"}})
-    if (!field->allFinite()) fail(what);
+  for (const PointField& field : point_fields())
+    if (!field.value(point.fields).allFinite()) fail(std::string(field.name) + ": values");
   for (const SubsurfaceField& field : point.subsurface)
     if (!all_finite(field.stress) || !all_finite(field.displacement)) fail("stresses");
   for (const StressMaximum& maximum : point.stress_maxima)

@@ -5,6 +5,7 @@
 // of the true profiles follow from it (docs/track.md).
 #pragma once
 
+#include "contact/base/members.hpp"
 #include "contact/scene/height_curve.hpp"
 
 #include <array>
@@ -183,29 +184,15 @@ inline const char* side_word(bool left) {
 /// Profile coordinates are those of the profile files: y towards the field side positive, z down,
 /// of the wheel outward.
 struct ContactPlace {
-  bool left = true;            ///< wheel
-  int position = 1;            ///< 1, 2, ... of the wheelset in the case
-  int patch = 1;               ///< 1, 2, ... of this wheel at this position, the most loaded first
-  int patches = 1;             ///< of this wheel
-  double lateral_shift = 0.0;  ///< mm, of the wheelset, positive to the right
-  double yaw = 0.0;            ///< rad, of the wheelset, positive from x to y
-  double roll = 0.0;           ///< rad, of the wheelset, positive from y to z
-  double height = 0.0;         ///< mm, z of the middle of the axle plus the nominal radius
-  double y_track = 0.0;        ///< mm
-  double z_track = 0.0;        ///< mm
-  double y_rail = 0.0;         ///< mm, profile coordinate
-  double y_wheel = 0.0;        ///< mm, profile coordinate
-  double contact_angle = 0.0;  ///< rad, of the contact's plane against the track plane, positive
-                               ///< where it falls towards the middle of the track
-  /// rad, by which the contact's plane rises along the track, of a rail that changes along it.
-  double climb = 0.0;
-  double rolling_radius = 0.0;  ///< mm, of the contact point
-  double x_track = 0.0;         ///< mm, ahead of the axle's middle
-  double rail_turn = 0.0;       ///< rad, of the rail's profile from y to z, as it stands
+  bool left = true;  ///< wheel
+  int position = 1, patch = 1, patches = 1;
+  double lateral_shift = 0.0, yaw = 0.0, roll = 0.0, height = 0.0;
+  double x_track = 0.0, y_track = 0.0, z_track = 0.0, y_rail = 0.0, y_wheel = 0.0;
+  double contact_angle = 0.0, climb = 0.0, rolling_radius = 0.0, separation = 0.0;
+  double rail_turn = 0.0;  ///< rad, of the rail's profile from y to z, as it stands
   /// mm along the common surface of wheel and rail across, outward; only differences between
   /// contacts of one wheel are meaningful.
   double way_across = 0.0;
-  double separation = 0.0;      ///< mm, distance at first contact (0: touches; > 0: near miss)
   double vertical_force = 0.0;  ///< N, of this patch with friction, 0: unknown
   /// Direction of the patch frame's y along way_across: to the field side on the left wheel, to the
   /// middle on the right.
@@ -222,6 +209,42 @@ struct ContactPlace {
   /// "left, position 3, patch 1 of 2", with a `noun` "left wheel, position 3"; empty parts left
   /// out.
   std::string label(const std::string& noun = "") const;
+
+  static constexpr auto members() {
+    using P = ContactPlace;
+    return std::tuple(
+        member_within("left", &P::left), member("wheel", &P::side, "", "left or right"),
+        member("position", &P::position, "-", "number of the wheelset's position, from 1"),
+        member("patch", &P::patch, "-",
+               "number of the patch of this wheel at this position, from 1, the most loaded first"),
+        member("patches", &P::patches, "-", "number of patches of this wheel at this position"),
+        member("lateral_shift", &P::lateral_shift, "mm",
+               "of the wheelset, positive to the right"),
+        member("yaw", &P::yaw, "rad",
+               "of the wheelset, positive from x to y of the track (to the right)"),
+        member("roll", &P::roll, "rad",
+               "of the wheelset, positive from y to z of the track (right wheel down)"),
+        member("height", &P::height, "mm",
+               "z of the middle of the axle (down) plus the nominal rolling radius"),
+        member("x_track", &P::x_track, "mm",
+               "contact point in the track frame, ahead of the middle of the axle"),
+        member("y_track", &P::y_track, "mm", "contact point in the track frame, y to the right"),
+        member("z_track", &P::z_track, "mm",
+               "contact point in the track frame, z down from the top of the rails"),
+        member("y_rail", &P::y_rail, "mm", "contact point in the rail's profile coordinates"),
+        member("y_wheel", &P::y_wheel, "mm", "contact point in the wheel's profile coordinates"),
+        member("contact_angle", &P::contact_angle, "rad",
+               "of the contact plane, positive where it falls towards the middle of the track, as "
+               "at a flange"),
+        member("climb", &P::climb, "rad",
+               "rise of the contact plane ahead, on a rail that changes along the track"),
+        member("rolling_radius", &P::rolling_radius, "mm",
+               "distance of the contact point from the axle"),
+        member("separation", &P::separation, "mm",
+               "distance along the normal at first contact of the wheel"),
+        member_within("rail_turn", &P::rail_turn), member_within("way_across", &P::way_across),
+        member_within("vertical_force", &P::vertical_force));
+  }
 };
 
 /// Angle between the planes of two contacts of a wheel, rad: positive where the rail is convex and

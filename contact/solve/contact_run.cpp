@@ -39,11 +39,6 @@ const char* stage_of(Problem problem) {
   return problem == Problem::transient ? "transient" : "rolling";
 }
 
-/// Memories of bodies are for checkpoints alone.
-void forget(PointResult& point) {
-  for (YieldedSection& body : point.yielded) body.memory = {};
-}
-
 bool rolls(Problem problem) {
   return problem == Problem::steady || problem == Problem::transient;
 }
@@ -308,11 +303,11 @@ Vector2d ContactRun::find_force(std::size_t k) {
 /// A load point solved by an earlier run, with the state from which the next one starts.
 bool ContactRun::take_up(std::size_t k) {
   PointResult point;
-  if (!store_->find(k, result_.grid, point, state_)) return false;
+  std::string memory;
+  if (!store_->find(k, result_.grid, point, state_, memory)) return false;
   remember(k);
   motion_->take_up(point);
-  elasticity_->take_up(point);
-  forget(point);
+  elasticity_->take_up(memory);
   result_.pressure = state_.normal.pressure;
   result_.contact_elements = state_.normal.contact_elements;
   ProgressEvent event = event_of(k);
@@ -341,8 +336,7 @@ void ContactRun::solve_point(std::size_t k) {
   remember(k);
   if (holds_patch(scene_, result_.grid, state_.normal.pressure)) elasticity_->complete(k, point);
   point.seconds = watch.seconds();
-  if (store_) store_->keep(k, point, state_);
-  forget(point);
+  if (store_) store_->keep(k, point, state_, elasticity_->memory());
 
   if (rolls(scene_.problem)) event.creepage = point.creepage.longitudinal;
   describe(event, state_);

@@ -45,10 +45,12 @@ class Elasticity {
   virtual Eigen::Vector2d shift_stiffness(const PatchSize& patch) const = 0;
   /// Throws when the bodies are not known at the patch.
   virtual void check_patch(const PatchSize&) const {}
-  /// A load point that an earlier run has solved and completed; may be called before prepare().
-  virtual void take_up(const PointResult&) {}
   /// Adds model-specific results to a solved load point: stresses, errors.
   virtual void complete(std::size_t, PointResult&) {}
+  /// What the next load point needs of the completed one beside its state, for checkpoints.
+  virtual std::string memory() const { return {}; }
+  /// Goes on from the memory that an earlier run has kept; may be called before prepare().
+  virtual void take_up(const std::string& /*memory*/) {}
 };
 
 /// State that a finer level takes over from a coarser one besides its results: p_t over g at rest,

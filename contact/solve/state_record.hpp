@@ -44,13 +44,14 @@ class PointStore {
   /// `prefix`: of the names of its records. Not `usable`: earlier ones are not found.
   PointStore(Checkpoint& checkpoint, std::string prefix, bool usable = true)
       : checkpoint_(checkpoint), prefix_(std::move(prefix)), usable_(usable) {}
-  /// Load point k, counted from 0.
-  bool find(std::size_t k, const ContactGrid& grid, PointResult& point, ContactState& state) {
+  /// Load point k, counted from 0, with the memory of its elasticity.
+  bool find(std::size_t k, const ContactGrid& grid, PointResult& point, ContactState& state,
+            std::string& memory) {
     if (!usable_) return false;
     PointResult stored;
     ContactState its_state;
     const auto read = [&](Record& record) {
-      record.values(stored, its_state);
+      record.values(stored, its_state, memory);
       record.demand(is_whole(stored, its_state, grid));
     };
     if (!found(checkpoint_, name(k), read, grid.size())) return false;
@@ -58,8 +59,9 @@ class PointStore {
     state = std::move(its_state);
     return true;
   }
-  void keep(std::size_t k, const PointResult& point, const ContactState& state) {
-    checkpoint_.keep(name(k), record_of(point, state));
+  void keep(std::size_t k, const PointResult& point, const ContactState& state,
+            const std::string& memory) {
+    checkpoint_.keep(name(k), record_of(point, state, memory));
   }
 
  private:

@@ -116,7 +116,8 @@ class SharedLevel {
     });
   }
   void complete(const FemCompliance& of_point, std::size_t k, PointResult& point);
-  void take_up(const PointResult& point) { last_pass_ = point.yielded; }
+  std::string memory() const { return yielding_ ? yielding_->memory() : std::string(); }
+  void take_up(const std::string& memory) { last_pass_ = memory; }
   std::size_t most_beside() const;
   /// Adds the displacement by plastic flow to the responses of a compliance.
   void let_yield(FemCompliance& of_point) const {
@@ -151,8 +152,8 @@ class SharedLevel {
   CaseBodies bodies_;
   bool factorisation_ = false;
   Solvers solvers_;
-  std::unique_ptr<YieldingBodies> yielding_;        ///< null: elastic
-  std::vector<contact::YieldedSection> last_pass_;  ///< of an earlier run that is resumed
+  std::unique_ptr<YieldingBodies> yielding_;  ///< null: elastic
+  std::string last_pass_;                     ///< memory of an earlier run that is resumed
   std::unique_ptr<StressOutput> stresses_;
 };
 
@@ -182,7 +183,8 @@ class LevelElasticity : public contact::Elasticity {
   Eigen::Vector2d shift_stiffness(const PatchSize& patch) const override {
     return halfspace::shift_stiffness(patch, level_->scene.material);
   }
-  void take_up(const PointResult& point) override { level_->take_up(point); }
+  std::string memory() const override { return level_->memory(); }
+  void take_up(const std::string& memory) override { level_->take_up(memory); }
   void complete(std::size_t k, PointResult& point) override { level_->complete(*own_, k, point); }
 
  private:

@@ -96,22 +96,9 @@ class YieldingBody {
     if (extrapolates_ && results_.cycle_ended())
       limit_.approach(residual_behind_load(), before_.leaving);
     last_strain_.clear();  // the next pass begins as in a run that is resumed
-    contact::Record record;
-    exchange(record);
-    section.memory = record.bytes();
     return section;
   }
-  void recall(const std::string& memory) {
-    contact::Record record(memory);
-    exchange(record);
-    now_ = before_;
-  }
-
-  /// By plastic strain, mm, with ghost values.
-  const Vector& displacement() const { return now_.displacement; }
-  const YieldedFields& fields() const { return results_.fields(); }
-
- private:
+  /// What the next pass starts from; by reading it the body goes on from there.
   void exchange(contact::Record& record) {
     results_.exchange(record);
     limit_.exchange(record);
@@ -123,8 +110,14 @@ class YieldingBody {
       std::copy(numbers.begin(), numbers.end(), vector->begin());
       vector->update_ghost_values();
     }
+    if (record.reading()) now_ = before_;
   }
 
+  /// By plastic strain, mm, with ghost values.
+  const Vector& displacement() const { return now_.displacement; }
+  const YieldedFields& fields() const { return results_.fields(); }
+
+ private:
   /// Deviator, MPa, on every streamline.
   std::vector<Deviator> residual_behind_load() const {
     const std::vector<Deviator> strain = streamlines_.strains(now_.displacement);
@@ -205,10 +198,18 @@ void YieldingBodies::finish_pass(const std::vector<Vector>& elastic, contact::Po
   sum_up(point);
 }
 
-void YieldingBodies::recall(const std::vector<contact::YieldedSection>& sections) {
-  for (const contact::YieldedSection& section : sections)
-    if (!section.memory.empty())
-      parts_[section.body == body_names[0] ? 0 : 1]->recall(section.memory);
+std::string YieldingBodies::memory() const {
+  contact::Record record;
+  for (const auto& part : parts_)
+    if (part) part->exchange(record);
+  return record.bytes();
+}
+
+void YieldingBodies::recall(const std::string& memory) {
+  if (memory.empty()) return;
+  contact::Record record(memory);
+  for (const auto& part : parts_)
+    if (part) part->exchange(record);
 }
 
 const YieldedFields* YieldingBodies::fields(std::size_t body) const {

@@ -12,6 +12,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rollfem::fem {
@@ -42,8 +43,10 @@ class YieldingBodies {
   /// point, and is the state that the next one meets. Throws YieldsBeyondStreamlines.
   void finish_pass(const std::vector<Vector>& elastic, contact::PointResult& point);
 
-  /// Goes on from the memories of a finished pass, in a single process; nothing without them.
-  void recall(const std::vector<contact::YieldedSection>& sections);
+  /// What the next pass starts from, in a single process, as bytes; and going on from it, if there
+  /// is one.
+  std::string memory() const;
+  void recall(const std::string& memory);
 
   /// Of the pass that was finished last; body 0 is the wheel. Null: the body stays elastic.
   const YieldedFields* fields(std::size_t body) const;

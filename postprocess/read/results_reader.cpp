@@ -3,12 +3,13 @@
 
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
+#include "contact/case/keys/case_keys.hpp"
+#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/scene/geometry.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/hdf5/hdf5_objects.hpp"
 #include "postprocess/write/output.hpp"
-#include "postprocess/write/point_table.hpp"
 
 #include <fmt/format.h>
 
@@ -84,26 +85,29 @@ auto guarded(const std::string& path, const Read& read) {
   }
 }
 
+/// The case as its keys give it, without lists of words.
 contact::Case read_case(hid_t file) {
-  const Handle group = open_group(file, "case");
-  const auto numbers = read_numbers(group);
-  const auto put = [&](double& value, const char* name) {
-    const auto found = numbers.find(name);
-    if (found != numbers.end()) value = found->second;
-  };
+  const Handle group = open_group(file, "case"), keys = open_group(group, "keys");
+  const auto numbers = read_numbers(keys);
+  const auto texts = read_texts(keys);
   contact::Case input;
+  for (const contact::Key& key : contact::case_keys()) {
+    if (const auto text = texts.find(key.path()); text != texts.end()) key.set(input, text->second);
+    const bool listed = key.kind == contact::KeyKind::numbers;
+    if (listed && has_member(keys, key.path()))
+      key.set(input, read_dataset(keys, key.path()).values);
+    const auto number = numbers.find(key.path());
+    if (number == numbers.end()) continue;
+    if (key.kind == contact::KeyKind::boolean)
+      key.set(input, number->second != 0.0);
+    else if (listed)
+      key.set(input, std::vector<double>{number->second});
+    else
+      key.set(input, number->second);
+  }
   input.title = read_text(group, "title");
   input.file = read_text(group, "file");
   for (const std::string& text : read_lines(group, "text")) input.text += text;
-  input.friction_coefficient = read_number(group, "friction_coefficient");
-  put(input.wheel.rolling_radius, "wheel_rolling_radius");
-  put(input.wheel.transverse_radius, "wheel_transverse_radius");
-  put(input.rail.rolling_radius, "rail_rolling_radius");
-  put(input.rail.transverse_radius, "rail_transverse_radius");
-  input.wheel.material.young_modulus = read_number(group, "wheel_young_modulus");
-  input.wheel.material.poisson_ratio = read_number(group, "wheel_poisson_ratio");
-  input.rail.material.young_modulus = read_number(group, "rail_young_modulus");
-  input.rail.material.poisson_ratio = read_number(group, "rail_poisson_ratio");
   return input;
 }
 
@@ -112,8 +116,14 @@ std::optional<contact::ContactPlace> read_place(hid_t model) {
   const Handle group = open_group(model, "place");
   contact::ContactPlace place;
   place.left = read_text(group, "wheel") == "left";
-  for (const PlaceScalar& scalar : place_scalars())
-    if (has_attribute(group, scalar.name)) scalar.set(place, read_number(group, scalar.name));
+  contact::for_members<contact::ContactPlace>([&](const auto& each) {
+    using Part = decltype(each.part);
+    if constexpr (std::is_member_object_pointer_v<Part> &&
+                  std::decay_t<decltype(each)>::kept != contact::Kept::within)
+      if (has_attribute(group, each.name))
+        place.*each.part =
+            static_cast<std::decay_t<decltype(place.*each.part)>>(read_number(group, each.name));
+  });
   return place;
 }
 
@@ -180,13 +190,11 @@ void read_fields(hid_t point, const contact::ContactGrid& grid, contact::Contact
       throw std::runtime_error(fmt::format("dataset {} has {} values for a grid of {}", name,
                                            numbers.values.size(), grid.size()));
   };
-  for (const PointField& field : point_fields()) {
+  for (const contact::PointField& field : contact::point_fields()) {
     if (!has_member(point, field.name)) continue;
     const Numbers numbers = read_dataset(point, field.name);
     check(numbers, field.name);
-    // The table gives const access for writers; here `fields` may be changed.
-    const_cast<Field&>(field.value(fields)) =
-        Eigen::Map<const Field>(numbers.values.data(), grid.size());
+    field.member(fields) = Eigen::Map<const Field>(numbers.values.data(), grid.size());
   }
   if (!has_member(point, "state")) return;
   const Numbers state = read_dataset(point, "state");

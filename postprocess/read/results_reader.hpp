@@ -28,7 +28,7 @@ class ResultsFile {
   explicit ResultsFile(const std::string& path);
 
   const std::string& path() const { return path_; }
-  /// Only title, file, text, friction coefficient, radii and materials of the case.
+  /// The case, without what its keys name in lists of words and what its files hold.
   const contact::Case& input() const { return input_; }
   /// Models in the order of the run.
   const std::vector<StoredModel>& models() const { return models_; }

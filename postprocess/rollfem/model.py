@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results of one model on one patch."""
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Annotated, Any
 
 import numpy as np
 
 from . import plot
 from .frames import Gridded, Labelled, documented, html_table
+from .node import Node
 from .point import FIELDS, QUANTITIES, Named, Point, array_of, columns_of, known
 
 #: What tables of notebooks show.
@@ -49,12 +50,21 @@ class ModelResult(Gridded, Named):
 
     _found: dict[tuple[Any, ...], Point] | None = None  # points by key, created on first use
 
-    def __init__(self, record: Mapping[str, Any], by_number: str = "") -> None:
+    def __init__(self, key: str, node: Node, by_number: str = "") -> None:
         """`by_number`: as of Point."""
-        self.__dict__.update(record)
+        about, grid = node.attributes, node.parts["grid"]
+        self.key, self.name, self.place = key, about["model"], node.parts["place"].attributes if "place" in node.parts else None
+        self.seconds, self.notes = node.parts["seconds"].attributes, node.entries["notes"]
+        self.unknowns, self.contact_elements = about["unknowns"], about["contact_elements"]
+        for text in ("label", "choice", "shortfall", "model_error_source"):
+            setattr(self, text, about.get(text, ""))
+        self.dx, self.dy = grid.attributes["dx"], grid.attributes["dy"]
+        for column in ("x", "y", "y_wheel", "y_rail", "width"):
+            setattr(self, column, grid.entries.get(column))
+        points = sorted(node.parts["points"].parts.items(), key=lambda item: int(item[0]))
         # Hertz always has a single point.
-        self.points = [Point(point, number, by_number if self.name != "hertz" else "", self.place)
-                       for number, point in enumerate(record["points"])]
+        self.points = [Point(point, number, by_number if self.name != "hertz" else "", self.place, node.parts.get("bodies"))
+                       for number, (_, point) in enumerate(points)]
 
     @property
     def has_friction(self) -> bool:

@@ -13,6 +13,7 @@ from typing import Annotated, Any, Generic, TypeVar
 import numpy as np
 
 from .frames import documented
+from .node import Node
 
 #: Values of the field `state`.
 EXTERIOR, ADHESION, SLIP, PLASTIC = 0, 1, 2, 3
@@ -74,6 +75,33 @@ QUANTITIES: Mapping[str, Quantity] = Described(Quantity, "quantities")
 FIELDS: Mapping[str, Field] = Described(Field, "fields")
 
 
+class Bodies(Mapping[str, dict[str, np.ndarray]]):
+    """{"wheel": ..., "rail": ...} of finite elements under one load: dicts of `points` [n, 3] mm undeformed, `cells` [m, 8]
+    numbers of points in VTK's order of a hexahedron, `displacement` [n, 3] mm, `stress` [n, 6] MPa (xx, yy, zz, xy, yz,
+    xz; tension positive). They are large, so every look-up reads from the file."""
+
+    def __init__(self, nodes: Node, values: Node) -> None:
+        self._nodes, self._values = nodes.parts, values.parts
+
+    def __getitem__(self, name: str) -> dict[str, np.ndarray]:
+        return {**{part: self._nodes[name].entries[part] for part in ("points", "cells")},
+                **{part: self._values[name].entries[part].astype(float) for part in ("displacement", "stress")}}
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(sorted(self._values))
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+
+def _section(node: Node) -> dict[str, Any]:
+    """A body that yields: streamlines as [down, across]."""
+    about = dict(node.attributes)
+    down, across = about.pop("down"), about.pop("across")
+    return {**about, **{name: array.astype(float).reshape(*(down, across) if len(array) == down * across else array.shape[:1],
+                                                          *array.shape[1:]) for name, array in node.entries.items()}}
+
+
 class Named:
     """What has attributes by the names of quantities, which `api` makes when it is first loaded."""
 
@@ -114,8 +142,19 @@ class Point(Named):
     by_number: Annotated[str, 'what this number counts if it identifies the load point: "load point" (steps of a history, '
                          'prescribed forces) or "pass" (bodies that yield); otherwise ""']
 
-    def __init__(self, record: Mapping[str, Any], number: int, by_number: str, place: dict[str, Any] | None) -> None:
-        self.__dict__.update(record)
+    def __init__(self, node: Node, number: int, by_number: str, place: dict[str, Any] | None, bodies: Node | None) -> None:
+        """`bodies`: the nodes and cells of wheel and rail."""
+        parts = node.parts
+        self.scalars = {name: value for name, value in node.attributes.items() if value == value}  # nan: no solution
+        self.fields = {name: array for name, array in node.entries.items() if name != "pass_work"}
+        self.pass_work = node.entries.get("pass_work")
+        for name in ("error_estimate", "no_bar", "model_error", "richardson"):
+            setattr(self, name, parts[name].attributes if name in parts else {})
+        self.subsurface = [{**part.attributes, **part.entries} for part in parts["subsurface"].parts.values()
+                           ] if "subsurface" in parts else []
+        self.stress_maxima = node.rows("stress_maxima")
+        self.yielded = {body: _section(part) for body, part in parts["yielded"].parts.items()} if "yielded" in parts else {}
+        self.bodies = Bodies(bodies, parts["bodies"]) if bodies is not None and "bodies" in parts else {}
         self.number, self.by_number, self.place = number, by_number, place
 
     def __getitem__(self, name: str) -> Any:

@@ -11,23 +11,14 @@ import numpy as np
 
 from . import plot
 from .errors import InputError
-from .frames import Written, documented, forwarded, html_table
+from .frames import Written, documented, html_table
 from .model import SHOWN, ModelResult, count, heads
+from .node import Node
 from .point import Point, Quantity
 
 if TYPE_CHECKING:
     from ._core import Result as CoreResult
     from .case import Case
-
-
-@dataclass
-class Head:
-    """What results.h5 says before the models."""
-
-    provenance: dict[str, Any]
-    inputs: dict[str, Any]
-    quantities: dict[str, Quantity]
-    profiles: dict[tuple[str, int], dict[str, np.ndarray]]
 
 
 @documented
@@ -44,10 +35,17 @@ class Result(Written):
     missing: Annotated[list[tuple[str, str, bool]], "model, reason, whether it failed, of the models without a result, in "
                        "comparisons"] = field(default_factory=list)
     folder: Annotated[str, "of results that were read"] = ""
+    provenance: Annotated[dict[str, Any], "version, commit, host, started, command, processes"] = field(default_factory=dict)
+    inputs: Annotated[dict[str, Any], "the keys of the case that it gives or that have a default, by path: "
+                      "\"wheel.rolling_radius\"; lists are arrays"] = field(default_factory=dict)
+    friction_law: Annotated[np.ndarray | None, "[n, 2] where friction falls: slip velocity (mm/s; in a shift slip in mm), "
+                            "coefficient"] = None
+    quantities: Annotated[dict[str, Quantity], "what the numbers are"] = field(default_factory=dict)
+    profiles: Annotated[dict[tuple[str, int], dict[str, np.ndarray]], "by wheel and position rail and wheel [n, 2], y and z "
+                        "on the track (mm)"] = field(default_factory=dict)
     reference: str = ""  # name of the reference model of figures, if the user has chosen one
     default_reference: str = ""  # that of the command, otherwise the best one of the run
     _core: "CoreResult | None" = None
-    _head: "Head | None" = None
 
     kind = "result"
     first_figure = "creep_curve"
@@ -56,11 +54,43 @@ class Result(Written):
     def of(cls, case: "Case", core: "CoreResult", missing: Sequence[tuple[str, str, bool]] = ()) -> "Result":
         """From results of the library."""
         from . import _core
-        rolling = case.data.get("rolling", {})
-        models = models_of(_core.models_of(core), rolling.get("problem"), {"longitudinal_force", "lateral_force"} & set(rolling))
-        made = cls(case.title, case.file, case.text, models, core.verdict, list(missing), _core=core)
-        made.__dict__["case"] = case
+        made = cls.made_of(Node.of(_core.contents_of(core)), missing=list(missing), _core=core)
+        made.case_file, made.__dict__["case"] = case.file, case
         return made
+
+    @classmethod
+    def made_of(cls, root: Node, **others: Any) -> "Result":
+        """From what a file or the library holds."""
+        case, about, none = root.parts["case"], root.attributes, Node({}, {}, {})
+        keys = case.parts.get("keys", none)
+        columns = [root.parts["quantities"].entries[n] for n in ("name", "title", "symbol", "unit", "meaning", "percent_of")]
+        pairs = root.parts["profiles"].parts.values() if "profiles" in root.parts else ()
+        made = cls(case.attributes["title"], case.attributes["file"], case.entries["text"], [], about.get("verdict", ""),
+                   provenance=root.parts["provenance"].attributes, inputs={**keys.attributes, **keys.entries},
+                   friction_law=case.entries.get("friction_law"),
+                   quantities={name: Quantity(*row) for name, *row in zip(*columns)},
+                   profiles={(pair.attributes["wheel"], pair.attributes["position"]): pair.entries for pair in pairs}, **others)
+        models = sorted(root.parts["models"].parts.items(), key=lambda item: int(item[1].attributes["order"]))
+        by_number = "load point" if made.inputs.get("rolling.problem") in ("shift", "transient") or made.prescribed_forces else ""
+        if any("yielded" in point.parts for _, model in models for point in model.parts["points"].parts.values()):
+            by_number = "pass"
+        made.models = [ModelResult(key, model, by_number) for key, model in models]
+        return made
+
+    @property
+    def prescribed_forces(self) -> bool:
+        """Whether creepages (shifts) were found for prescribed forces."""
+        return not {"rolling.longitudinal_force", "rolling.lateral_force"}.isdisjoint(self.inputs)
+
+    @property
+    def friction_coefficient(self) -> float:
+        """At rest; the largest where it varies."""
+        return float(np.max(self.inputs["friction.coefficient"]))
+
+    @property
+    def slip_speed(self) -> float:
+        """Slip velocity over slip, mm/s: the rolling speed; a shift has none, its slip in mm is taken as that of a second."""
+        return 1.0 if self.inputs["rolling.problem"] == "shift" else float(self.inputs["rolling.speed"])
 
     def __reduce__(self) -> Any:
         return super().__reduce__() if self._core is None else (Result.of, (self.case, self._core, self.missing))
@@ -70,21 +100,6 @@ class Result(Written):
         """What was solved."""
         from .case import StoredCase
         return StoredCase(self.case_file, self.title, self.case_text)
-
-    @property
-    def head(self) -> Head:
-        """What its results.h5 says, or would say, before the models; ImportError without h5py."""
-        if self._head is None:
-            from . import _core
-            from .reader import head_of
-            self._head = head_of(_core.head(self._core))
-        return self._head
-
-    provenance = forwarded("head.provenance", "Version, commit, host, ... of the run.")
-    inputs = forwarded("head.inputs", "The main numbers of the case.")
-    quantities = forwarded("head.quantities", "What the numbers are.")
-    profiles = forwarded(
-        "head.profiles", "By wheel and position rail and wheel [n, 2], y and z on the track (mm).")
 
     def __getitem__(self, key: str | int) -> ModelResult:
         """A model by its key, or the first of that name; or by number."""
@@ -167,15 +182,6 @@ class Result(Written):
         return html_table(repr(self), ["model", "point_index", *heads()],
                           ([model.key, k, *(model.values(name)[k] for name in SHOWN)]
                            for model in self.models for k in range(len(model))))
-
-
-def models_of(records: Sequence[dict[str, Any]], problem: str | None, prescribed_forces: Any) -> list[ModelResult]:
-    """Models from what files or the library say of them; with numbered load points (Point.by_number) where creepages
-    repeat, are results, or bodies yield."""
-    by_number = "load point" if problem in ("shift", "transient") or prescribed_forces else ""
-    if any(point["yielded"] for record in records for point in record["points"]):
-        by_number = "pass"
-    return [ModelResult(record, by_number) for record in records]
 
 
 def place_label(place: Mapping[str, Any] | None) -> str:

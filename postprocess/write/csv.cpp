@@ -4,16 +4,17 @@
 #include "contact/result/bars.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/patch_size.hpp"
+#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "postprocess/write/point_table.hpp"
+#include "postprocess/write/columns.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 namespace rollfem::postprocess {
 namespace {
@@ -24,8 +25,40 @@ using contact::ModelResult;
 using contact::PointResult;
 using contact::Quantity;
 
-std::string header(const std::string& name, const std::string& unit) {
-  return fmt::format(",{} [{}]", name, unit);
+/// A load point as a row of a table.
+struct Line {
+  const ModelResult* model;
+  std::size_t number;
+  const PointResult& point() const { return model->points[number]; }
+  const contact::ContactPlace& place() const { return *model->place; }
+};
+
+std::vector<Line> lines_of(const RunRecord& run) {
+  std::vector<Line> lines;
+  for (const ModelResult& model : run.models)
+    for (std::size_t number = 0; number < model.points.size(); ++number)
+      lines.push_back({&model, number});
+  return lines;
+}
+
+Columns<Line> model_and_point() {
+  Columns<Line> columns;
+  columns.add("model", [](const Line& line) { return line.model->name; });
+  columns.add("point", [](const Line& line) { return line.number + 1; });
+  return columns;
+}
+
+/// Where the patch is, with profiles, then model and load point.
+Columns<Line> first_columns(const RunRecord& run) {
+  Columns<Line> columns;
+  if (std::any_of(run.models.begin(), run.models.end(),
+                  [](const ModelResult& model) { return model.place.has_value(); })) {
+    columns.add("wheel", [](const Line& line) { return line.place().side(); });
+    columns.add("position", [](const Line& line) { return line.place().position; });
+    columns.add("patch", [](const Line& line) { return line.place().patch; });
+  }
+  columns.append(model_and_point());
+  return columns;
 }
 
 /// Whether a quantity has a column for its bar: not counts and times, but given values, which may
@@ -35,61 +68,47 @@ bool may_have_bar(const Quantity& quantity) {
   return word.empty() || word == contact::no_bar::given;
 }
 
+void add_value(Columns<Line>& columns, const Quantity& quantity) {
+  columns.add(heading(quantity.name, quantity.unit),
+              [&quantity](const Line& line) { return quantity.value(line.point()); });
+}
+
 /// The bar, or the word instead of it; empty without a value.
 std::string bar_cell(const PointResult& point, const std::string& name) {
   if (const auto bar = point.error_estimate.find(name); bar != point.error_estimate.end())
-    return fmt::format(",{}", bar->second);
+    return csv_cell(bar->second);
   const auto word = point.no_bar.find(name);
-  return word == point.no_bar.end() ? "," : "," + word->second;
+  return word == point.no_bar.end() ? "" : word->second;
 }
 
-std::string model_error_cell(const PointResult& point, const std::string& name) {
-  const auto error = point.model_error.find(name);
-  return error == point.model_error.end() ? "," : fmt::format(",{}", error->second);
+void add_bar(Columns<Line>& columns, const Quantity& quantity) {
+  columns.add(heading(std::string("error_estimate ") + quantity.name, quantity.unit),
+              [name = std::string(quantity.name)](const Line& line) {
+                return bar_cell(line.point(), name);
+              });
 }
 
-/// Whether rows have columns for the patch, as with profiles.
-bool has_places(const RunRecord& run) {
-  return std::any_of(run.models.begin(), run.models.end(),
-                     [](const ModelResult& model) { return model.place.has_value(); });
+void add_model_error(Columns<Line>& columns, const Quantity& quantity) {
+  columns.add(heading(std::string("model_error ") + quantity.name, quantity.unit),
+              [name = std::string(quantity.name)](const Line& line) -> std::optional<double> {
+                const auto error = line.point().model_error.find(name);
+                if (error == line.point().model_error.end()) return {};
+                return error->second;
+              });
 }
 
-std::string place_head(const RunRecord& run) {
-  return has_places(run) ? "wheel,position,patch," : "";
-}
-
-std::string place_cells(const ModelResult& model) {
-  return model.place ? model.place->key(',') + ',' : "";
-}
-
-/// Mean over the middle rows or columns at position k along the path.
-double along_path(const ContactGrid& grid, const Field& field, Path path,
-                  const std::vector<int>& lines, int k) {
-  double sum = 0.0;
-  for (const int line : lines)
-    sum += field[path == Path::x ? grid.index(k, line) : grid.index(line, k)];
-  return sum / static_cast<double>(lines.size());
-}
-
-void append_path(std::string& text, const ModelResult& model, std::size_t number, Path path) {
-  const ContactGrid& grid = model.grid;
-  const PointResult& point = model.points[number];
-  const std::vector<int> lines = path == Path::x ? middle_lines(grid.y_first, grid.dy, grid.ny)
-                                                 : middle_lines(grid.x_first, grid.dx, grid.nx);
-  if (lines.empty()) return;
-  const int count = path == Path::x ? grid.nx : grid.ny;
-  for (int k = 0; k < count; ++k) {
-    fmt::format_to(std::back_inserter(text), "{}{},{},{},{},{},{}", place_cells(model), model.name,
-                   number + 1, point.creepage.longitudinal, point.creepage.lateral,
-                   point.creepage.spin, path == Path::x ? grid.x(k) : grid.y(k));
-    for (const PointField& field : point_fields()) {
-      const Field& values = field.value(point.fields);
-      text += ',';
-      if (values.size() > 0)
-        fmt::format_to(std::back_inserter(text), "{}", along_path(grid, values, path, lines, k));
-    }
-    text += '\n';
+/// Rows of the parts of load points, `parts_of(line)`; without any empty, or the head alone.
+template <class Part, class Parts>
+std::string table_of_parts(const RunRecord& run, const Columns<Part>& columns,
+                           const Parts& parts_of, bool head_alone = false) {
+  const Columns<Line> first = first_columns(run);
+  std::string text;
+  for (const Line& line : lines_of(run)) {
+    const std::string begin = first.line(line) + ',';
+    for (const Part& part : parts_of(line)) text += begin + columns.line(part) + '\n';
   }
+  if (text.empty() && !head_alone) return text;
+  return first.head() + ',' + columns.head() + '\n' + text;
 }
 
 }  // namespace
@@ -107,10 +126,6 @@ std::vector<int> middle_lines(double first, double step, int count) {
   return low == high ? std::vector<int>{low} : std::vector<int>{low, high};
 }
 
-std::string csv_cell(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : std::string();
-}
-
 std::string quoted(const std::string& text) {
   // A spreadsheet would compute a text that begins like a formula.
   const bool formula =
@@ -121,161 +136,189 @@ std::string quoted(const std::string& text) {
 }
 
 std::string creep_curve_csv(const RunRecord& run) {
-  std::string text = place_head(run) + "model,point";
-  for (const Quantity& quantity : contact::quantities())
-    text += header(quantity.name, quantity.unit);
-  std::vector<Quantity> with_bar;
-  for (const Quantity& quantity : contact::quantities())
-    if (may_have_bar(quantity)) with_bar.push_back(quantity);
-  for (const char* what : {"error_estimate", "model_error"})
-    for (const Quantity& quantity : with_bar)
-      text += header(fmt::format("{} {}", what, quantity.name), quantity.unit);
-  text += '\n';
-  for (const ModelResult& model : run.models)
-    for (std::size_t k = 0; k < model.points.size(); ++k) {
-      const PointResult& point = model.points[k];
-      text += fmt::format("{}{},{}", place_cells(model), model.name, k + 1);
-      for (const Quantity& quantity : contact::quantities())
-        text += ',' + csv_cell(quantity.value(point));
-      for (const Quantity& quantity : with_bar) text += bar_cell(point, quantity.name);
-      for (const Quantity& quantity : with_bar) text += model_error_cell(point, quantity.name);
-      text += '\n';
-    }
-  return text;
-}
-
-std::string subsurface_columns() {
-  return "distance [mm],x [mm],y [mm],z [mm],displacement_x [mm],displacement_y "
-         "[mm],displacement_z [mm],xx [MPa],yy [MPa],zz [MPa],xy [MPa],yz [MPa],xz "
-         "[MPa],hydrostatic [MPa],von_mises [MPa],tresca [MPa],orthogonal_shear "
-         "[MPa],principal_1 [MPa],principal_2 [MPa],principal_3 [MPa]";
-}
-
-std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k) {
-  const auto& at = field.points[k];
-  const auto& from = field.points.front();
-  std::string text =
-      fmt::format("{},{},{},{}", std::hypot(at[0] - from[0], at[1] - from[1], at[2] - from[2]),
-                  at[0], at[1], at[2]);
-  for (const double value : field.displacement[k])
-    fmt::format_to(std::back_inserter(text), ",{}", value);
-  for (const double value : field.stress[k]) fmt::format_to(std::back_inserter(text), ",{}", value);
-  const contact::Stress stress = contact::Stress::from_array(field.stress[k]);
-  const auto main = contact::principal(stress);
-  fmt::format_to(std::back_inserter(text), ",{},{},{},{},{},{},{}", contact::hydrostatic(stress),
-                 contact::von_mises(stress), contact::tresca(stress),
-                 contact::orthogonal_shear(stress), main[0], main[1], main[2]);
-  return text;
+  Columns<Line> columns = first_columns(run);
+  for (const Quantity& quantity : contact::quantities()) add_value(columns, quantity);
+  for (const auto add : {add_bar, add_model_error})
+    for (const Quantity& quantity : contact::quantities())
+      if (may_have_bar(quantity)) add(columns, quantity);
+  return columns.head() + '\n' + columns.lines(lines_of(run));
 }
 
 namespace {
 
-void append_subsurface(std::string& text, const std::string& model, std::size_t number,
-                       std::size_t set, const contact::SubsurfaceField& field) {
-  for (std::size_t k = 0; k < field.points.size(); ++k)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", model, number + 1, set,
-                   field.request.wheel ? "wheel" : "rail", subsurface_row(field, k));
+/// A point below the surface.
+struct Below {
+  const contact::SubsurfaceField* field;
+  std::size_t k;
+};
+
+const Columns<Below>& below_columns() {
+  static const Columns<Below> all = [] {
+    Columns<Below> columns;
+    columns.add("distance [mm]", [](const Below& below) {
+      const auto &at = below.field->points[below.k], &from = below.field->points.front();
+      return std::hypot(at[0] - from[0], at[1] - from[1], at[2] - from[2]);
+    });
+    const auto add = [&](const auto& names, const char* unit, auto member) {
+      std::size_t c = 0;
+      for (const char* name : names) {
+        columns.add(heading(name, unit), [member, c](const Below& below) {
+          return (below.field->*member)[below.k][c];
+        });
+        ++c;
+      }
+    };
+    using F = contact::SubsurfaceField;
+    add(std::array{"x", "y", "z"}, "mm", &F::points);
+    add(std::array{"displacement_x", "displacement_y", "displacement_z"}, "mm", &F::displacement);
+    add(std::array{"xx", "yy", "zz", "xy", "yz", "xz"}, "MPa", &F::stress);
+    const auto add_measure = [&](const char* name, auto measure) {
+      columns.add(heading(name, "MPa"), [measure](const Below& below) {
+        return measure(contact::Stress::from_array(below.field->stress[below.k]));
+      });
+    };
+    add_measure("hydrostatic", contact::hydrostatic);
+    add_measure("von_mises", contact::von_mises);
+    add_measure("tresca", contact::tresca);
+    add_measure("orthogonal_shear", contact::orthogonal_shear);
+    for (std::size_t c = 0; c < 3; ++c)
+      add_measure(std::array{"principal_1", "principal_2", "principal_3"}[c],
+                  [c](const contact::Stress& stress) { return contact::principal(stress)[c]; });
+    return columns;
+  }();
+  return all;
 }
 
 }  // namespace
 
+std::string subsurface_columns() {
+  return below_columns().head();
+}
+
+std::string subsurface_row(const contact::SubsurfaceField& field, std::size_t k) {
+  return below_columns().line({&field, k});
+}
+
 std::string subsurface_csv(const RunRecord& run) {
-  std::string text;
-  for (const ModelResult& model : run.models)
-    for (std::size_t k = 0; k < model.points.size(); ++k) {
-      const auto& fields = model.points[k].subsurface;
-      for (std::size_t set = 0; set < fields.size(); ++set)
-        if (fields[set].request.kind != contact::SubsurfaceRequest::Kind::plane)
-          append_subsurface(text, place_cells(model) + model.name, k, set, fields[set]);
-    }
-  if (text.empty()) return text;
-  return place_head(run) + "model,point,set,body," + subsurface_columns() + "\n" + text;
+  using InSet = std::pair<std::size_t, Below>;
+  Columns<InSet> columns;
+  columns.add("set", [](const InSet& row) { return row.first; });
+  columns.add("body", [](const InSet& row) { return row.second.field->body(); });
+  columns.append(below_columns(), &InSet::second);
+  return table_of_parts(run, columns, [](const Line& line) {
+    std::vector<InSet> rows;
+    const auto& fields = line.point().subsurface;
+    for (std::size_t set = 0; set < fields.size(); ++set)
+      if (fields[set].request.kind != contact::SubsurfaceRequest::Kind::plane)
+        for (std::size_t k = 0; k < fields[set].points.size(); ++k)
+          rows.push_back({set, {&fields[set], k}});
+    return rows;
+  });
 }
 
 std::string contacts_csv(const RunRecord& run) {
-  if (!has_places(run)) return {};
   static const char* const main_results[] = {
       "longitudinal_creepage", "lateral_creepage", "spin",           "normal_force",
       "longitudinal_force",    "lateral_force",    "max_pressure",   "contact_length",
       "contact_width",         "approach",         "vertical_force", "lateral_force_track",
       "loaded_height"};
-  std::string text = "wheel";
-  for (const PlaceScalar& scalar : place_scalars()) text += header(scalar.name, scalar.unit);
-  const std::vector<WayScalar> ways = ways_of(run.input);
-  for (const WayScalar& way : ways) text += header(way.name, way.unit);
-  text += ",model,point";
-  for (const char* name : main_results) text += header(name, contact::quantity_named(name).unit);
-  text += ",contact_elements [-]";
-  for (const char* name : main_results)
-    text += header(std::string("error_estimate ") + name, contact::quantity_named(name).unit);
-  text += '\n';
-  for (const ModelResult& model : run.models) {
-    if (!model.place) continue;
-    std::string place = model.place->side();
-    for (const PlaceScalar& scalar : place_scalars())
-      place += fmt::format(",{}", scalar.value(*model.place));
-    for (const WayScalar& way : ways)
-      place += fmt::format(",{}", way.at(run.input, model.place->position));
-    for (std::size_t k = 0; k < model.points.size(); ++k) {
-      text += fmt::format("{},{},{}", place, model.name, k + 1);
-      for (const char* name : main_results)
-        text += ',' + csv_cell(contact::quantity_named(name).value(model.points[k]));
-      text += fmt::format(",{}", model.contact_elements);
-      for (const char* name : main_results) text += bar_cell(model.points[k], name);
-      text += '\n';
-    }
-  }
-  return text;
+  Columns<Line> columns;
+  columns.add_members<contact::ContactPlace>(
+      [](const Line& line) -> const contact::ContactPlace& { return line.place(); });
+  for (const WayScalar& way : ways_of(run.input))
+    columns.add(heading(way.name, way.unit), [&run, way](const Line& line) {
+      return way.at(run.input, line.place().position);
+    });
+  columns.append(model_and_point());
+  for (const char* name : main_results) add_value(columns, contact::quantity_named(name));
+  columns.add("contact_elements [-]", [](const Line& line) { return line.model->contact_elements; });
+  for (const char* name : main_results) add_bar(columns, contact::quantity_named(name));
+  std::vector<Line> lines;
+  for (const Line& line : lines_of(run))
+    if (line.model->place) lines.push_back(line);
+  return lines.empty() ? "" : columns.head() + '\n' + columns.lines(lines);
 }
 
 std::string patches_csv(const RunRecord& run) {
-  std::string text;
-  for (const ModelResult& model : run.models)
-    for (std::size_t k = 0; k < model.points.size(); ++k) {
-      if (model.points[k].patch_count < 2) continue;
-      int number = 0;
-      for (const auto& part : contact::patch_parts(model.grid, model.points[k].fields))
-        text += fmt::format("{}{},{},{},{},{},{},{},{},{},{},{},{}\n", place_cells(model),
-                            model.name, k + 1, ++number, part.x, part.y, part.length, part.width,
-                            part.normal_force, part.longitudinal_force, part.lateral_force,
-                            part.max_pressure, contact::no_bar::one_grid);
-    }
-  if (text.empty()) return text;
-  return place_head(run) +
-         "model,point,region [-],x [mm],y [mm],length [mm],width [mm],normal_force [N],"
-         "longitudinal_force [N],lateral_force [N],max_pressure [MPa],error_estimate\n" +
-         text;
+  using Region = std::pair<std::size_t, contact::PatchPart>;
+  Columns<Region> columns;
+  columns.add("region [-]", &Region::first);
+  columns.add_members<contact::PatchPart>(&Region::second);
+  columns.add("error_estimate", [](const Region&) { return contact::no_bar::one_grid; });
+  return table_of_parts(run, columns, [](const Line& line) {
+    std::vector<Region> regions;
+    if (line.point().patch_count > 1)
+      for (const auto& part : contact::patch_parts(line.model->grid, line.point().fields))
+        regions.push_back({regions.size() + 1, part});
+    return regions;
+  });
 }
 
 std::string pass_work_csv(const RunRecord& run) {
-  std::string text;
-  for (const ModelResult& model : run.models)
-    for (std::size_t k = 0; k < model.points.size(); ++k) {
-      const Field work = contact::pass_work(model.grid, model.points[k]);
-      const contact::ProfileRows& rows = model.rows;
-      for (int j = 0; j < static_cast<int>(work.size()); ++j)
-        if (work[j] != 0.0)
-          text += fmt::format("{}{},{},{},{},{},{},{}{}\n", place_cells(model), model.name, k + 1,
-                              model.grid.y(j), rows.y_wheel[j], rows.y_rail[j], rows.width[j],
-                              work[j], bar_cell(model.points[k], "max_pass_work"));
-    }
-  if (text.empty()) return text;
-  return place_head(run) +
-         "model,point,y [mm],y_wheel [mm],y_rail [mm],width [mm],pass_work [N/mm],error_estimate "
-         "[N/mm]\n" +
-         text;
+  struct Row {
+    double y, y_wheel, y_rail, width, work;
+    std::string bar;
+  };
+  Columns<Row> columns;
+  columns.add("y [mm]", &Row::y);
+  columns.add("y_wheel [mm]", &Row::y_wheel);
+  columns.add("y_rail [mm]", &Row::y_rail);
+  columns.add("width [mm]", &Row::width);
+  columns.add("pass_work [N/mm]", &Row::work);
+  columns.add("error_estimate [N/mm]", &Row::bar);
+  return table_of_parts(run, columns, [](const Line& line) {
+    const Field work = contact::pass_work(line.model->grid, line.point());
+    const contact::ProfileRows& at = line.model->rows;
+    std::vector<Row> rows;
+    for (int j = 0; j < static_cast<int>(work.size()); ++j)
+      if (work[j] != 0.0)
+        rows.push_back({line.model->grid.y(j), at.y_wheel[j], at.y_rail[j], at.width[j], work[j],
+                        bar_cell(line.point(), "max_pass_work")});
+    return rows;
+  });
 }
 
 std::string path_csv(const RunRecord& run, Path path) {
-  std::string text =
-      place_head(run) + "model,point,longitudinal_creepage [-],lateral_creepage [-],spin [rad/mm]";
-  text += header(path == Path::x ? "x" : "y", "mm");
-  for (const PointField& field : point_fields()) text += header(field.name, field.unit);
-  text += '\n';
-  for (const ModelResult& model : run.models)
-    for (std::size_t k = 0; k < model.points.size(); ++k)
-      if (run.input.output.keeps_grid(k, model.points.size())) append_path(text, model, k, path);
-  return text;
+  /// Element k along the path; values are the mean over the middle rows or columns.
+  struct Row {
+    const Line* line;
+    Path path;
+    const std::vector<int>* across;
+    int k;
+    const ContactGrid& grid() const { return line->model->grid; }
+    std::optional<double> mean(const Field& field) const {
+      if (field.size() == 0) return {};
+      double sum = 0.0;
+      for (const int at : *across)
+        sum += field[path == Path::x ? grid().index(k, at) : grid().index(at, k)];
+      return sum / static_cast<double>(across->size());
+    }
+  };
+  Columns<Row> columns;
+  for (const char* name : {"longitudinal_creepage", "lateral_creepage", "spin"}) {
+    const Quantity& motion = contact::quantity_named(name);
+    columns.add(heading(name, motion.unit),
+                [&motion](const Row& row) { return motion.value(row.line->point()); });
+  }
+  columns.add(path == Path::x ? "x [mm]" : "y [mm]", [](const Row& row) {
+    return row.path == Path::x ? row.grid().x(row.k) : row.grid().y(row.k);
+  });
+  for (const contact::PointField& field : contact::point_fields())
+    columns.add(heading(field.name, field.unit), [&field](const Row& row) {
+      return row.mean(field.value(row.line->point().fields));
+    });
+  std::vector<int> across;
+  const auto rows_of = [&](const Line& line) {
+    const ContactGrid& grid = line.model->grid;
+    across = path == Path::x ? middle_lines(grid.y_first, grid.dy, grid.ny)
+                             : middle_lines(grid.x_first, grid.dx, grid.nx);
+    std::vector<Row> rows;
+    if (run.input.output.keeps_grid(line.number, line.model->points.size()) && !across.empty())
+      for (int k = 0; k < (path == Path::x ? grid.nx : grid.ny); ++k)
+        rows.push_back({&line, path, &across, k});
+    return rows;
+  };
+  return table_of_parts(run, columns, rows_of, true);
 }
 
 }  // namespace rollfem::postprocess

@@ -3,6 +3,7 @@
 // file each, with units in the column headers.
 #pragma once
 
+#include "postprocess/write/columns.hpp"
 #include "postprocess/write/output.hpp"
 
 #include <optional>
@@ -10,8 +11,6 @@
 
 namespace rollfem::postprocess {
 
-/// A cell: the number, or nothing.
-std::string csv_cell(const std::optional<double>& value);
 /// A text that may hold commas, in quotation marks; an apostrophe goes before one that begins like
 /// a formula of a spreadsheet.
 std::string quoted(const std::string& text);

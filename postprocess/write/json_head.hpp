@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What JSON files have in common: the kind of file and its provenance, headings, places.
+// What JSON files have in common: the kind of file and its provenance, headings, places, trees.
 #pragma once
 
 #include "contact/result/quantities.hpp"
-#include "postprocess/write/output.hpp"
+#include "postprocess/write/contents.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -20,6 +20,10 @@ nlohmann::ordered_json headings_json(const std::vector<contact::Quantity>& quant
 
 /// Wheel, position and patch.
 nlohmann::ordered_json place_json(const contact::ContactPlace& place);
+
+/// What summary.json has of a tree: attributes, lines, lists of parts and rows of tables; `arrays`:
+/// arrays, too. No nan; inf, which JSON has no number for, is a text as in a case file.
+nlohmann::ordered_json json_of(const Tree& tree, bool arrays = false);
 
 /// The file's text with its checksum; invalid UTF-8 becomes replacement characters.
 std::string json_text(const nlohmann::ordered_json& json, int indent = 1);

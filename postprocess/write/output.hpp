@@ -16,22 +16,38 @@ namespace rollfem::postprocess {
 
 /// Program, version, machine and time of a result.
 struct Provenance {
-  std::string version;
-  std::string commit;
-  std::string host;
-  std::string started;  ///< ISO 8601, UTC
-  std::string command;
+  std::string version, commit, host, started, command;
   int processes = 1;
   /// Labels of the models in figures, by name, for comparisons and studies.
   std::map<std::string, std::string> labels = {};
+
+  static constexpr auto members() {
+    using contact::member, contact::member_within, P = Provenance;
+    return std::tuple(member("version", &P::version), member("commit", &P::commit),
+                      member("host", &P::host),
+                      member("started", &P::started, "", "ISO 8601, UTC"),
+                      member("command", &P::command), member("processes", &P::processes, "-"),
+                      member_within("labels", &P::labels));
+  }
 };
 
-/// Wheel and rail in position on the track, for drawings: y to the right and z down, mm.
+/// Wheel and rail in position on the track, for drawings.
 struct PlacedPair {
   bool left = true;
   int position = 1;
-  std::vector<std::array<double, 2>> rail;
-  std::vector<std::array<double, 2>> wheel;
+  std::vector<std::array<double, 2>> rail, wheel;
+  std::string side() const { return contact::side_word(left); }
+  std::string key() const { return side() + '_' + std::to_string(position); }
+
+  static constexpr contact::Listed listed = contact::Listed::by_first;
+  static constexpr auto members() {
+    using contact::member, contact::member_within, P = PlacedPair;
+    return std::tuple(member("key", &P::key), member_within("left", &P::left),
+                      member("wheel", &P::side),
+                      member("position", &P::position, "-"),
+                      member("rail", &P::rail, "mm", "y to the right, z down"),
+                      member("wheel", &P::wheel, "mm", "y to the right, z down"));
+  }
 };
 
 using contact::RigidWheelset;
@@ -63,7 +79,7 @@ std::string summary_json(const RunRecord& run);
 /// refuse the file.
 inline constexpr int hdf5_format_version = 2;
 /// Incremented when something is added; readers of the version may ignore it.
-inline constexpr int hdf5_format_minor = 2;
+inline constexpr int hdf5_format_minor = 3;
 
 /// The bytes of results.h5: grid, fields per load point, scalars and provenance, self-describing
 /// (units, signs and descriptions are attributes and comments). The file is created in memory, so

@@ -3,7 +3,6 @@
 
 #include "contact/base/threads.hpp"
 #include "contact/result/stress_measures.hpp"
-#include "postprocess/write/point_table.hpp"
 
 #include <fmt/core.h>
 

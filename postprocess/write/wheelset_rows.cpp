@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "postprocess/write/wheelset_rows.hpp"
 
-#include "contact/result/quantities.hpp"
+#include "postprocess/write/columns.hpp"
 #include "postprocess/write/csv.hpp"
-#include "postprocess/write/point_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace rollfem::postprocess {
 
@@ -40,41 +40,92 @@ std::string rigid_text(const std::optional<RigidWheelset>& rigid) {
          column(of(&RigidWheelset::conicity_wave), 9, 4) + column(length, 8, 1);
 }
 
-std::string wheel_cells(const WheelAt& wheel, std::size_t k) {
-  if (!wheel.main) return ",,,,,,,,,,,";
-  const contact::PointResult& point = wheel.main->points[k];
-  return fmt::format(",{},{},{},{},{},{},{},{},{},{},{}", wheel.patches,
-                     wheel.main->place->rolling_radius, wheel.main->place->contact_angle,
-                     point.contact_length, point.contact_width, wheel.area, wheel.max_pressure,
-                     wheel.vertical_force, wheel.longitudinal_force, wheel.lateral_force_track,
-                     csv_cell(point.loaded_height));
+/// A row of wheelset.csv: a position of the wheelset at a load point of a model.
+struct Row {
+  const RunRecord* run;
+  std::size_t position;  ///< from 0
+  std::string model;
+  std::size_t point;
+  WheelAt left, right;
+  std::optional<RigidWheelset> rigid;
+};
+
+/// The columns of one wheel.
+void add_wheel(Columns<Row>& columns, const std::string& side, WheelAt Row::*wheel) {
+  const auto add = [&](const std::string& head, auto value) {
+    columns.add(side + ' ' + head, [wheel, value](const Row& row) -> std::optional<double> {
+      const WheelAt& at = row.*wheel;
+      if (!at.main) return {};
+      return std::invoke(value, at);
+    });
+  };
+  const auto of_place = [](double contact::ContactPlace::*member) {
+    return [member](const WheelAt& at) { return (*at.main->place).*member; };
+  };
+  using P = PointResult;
+  const auto of_point = [](auto member) {
+    return [member](const WheelAt& at) { return at.main->points[at.point].*member; };
+  };
+  add("patches [-]", &WheelAt::patches);
+  add("rolling_radius [mm]", of_place(&contact::ContactPlace::rolling_radius));
+  add("contact_angle [rad]", of_place(&contact::ContactPlace::contact_angle));
+  add("contact_length [mm]", of_point(&P::contact_length));
+  add("contact_width [mm]", of_point(&P::contact_width));
+  add("contact_area [mm2]", &WheelAt::area);
+  add("max_pressure [MPa]", &WheelAt::max_pressure);
+  add("vertical_force [N]", &WheelAt::vertical_force);
+  add("longitudinal_force [N]", &WheelAt::longitudinal_force);
+  add("lateral_force_track [N]", &WheelAt::lateral_force_track);
+  add("loaded_height [mm]", of_point(&P::loaded_height));
 }
 
-std::string head(const std::vector<WayScalar>& ways) {
-  std::string text = "position [-],lateral_shift [mm],yaw [rad]";
-  for (const WayScalar& way : ways) text += fmt::format(",{} [{}]", way.name, way.unit);
-  text += ",model,point";
-  for (const char* wheel : {"left", "right"})
-    for (const char* what :
-         {"patches [-]", "rolling_radius [mm]", "contact_angle [rad]", "contact_length [mm]",
-          "contact_width [mm]", "contact_area [mm2]", "max_pressure [MPa]", "vertical_force [N]",
-          "longitudinal_force [N]", "lateral_force_track [N]", "loaded_height [mm]"})
-      text += fmt::format(",{} {}", wheel, what);
-  return text +
-         ",radius_difference [mm],rigid_radius_difference [mm],conicity_harmonic [-],conicity_wave "
-         "[-],wave_length [mm]\n";
-}
-
-std::string conicity_cells(const RigidWheelset& rigid) {
-  return fmt::format(",{},{},{}", csv_cell(rigid.conicity_harmonic), csv_cell(rigid.conicity_wave),
-                     csv_cell(rigid.wave_length));
+Columns<Row> wheelset_columns(const RunRecord& run) {
+  Columns<Row> columns;
+  const auto of_position = [](std::vector<double> contact::Wheelset::*list) {
+    return [list](const Row& row) { return (row.run->input.wheelset.*list)[row.position]; };
+  };
+  columns.add("position [-]", [](const Row& row) { return row.position + 1; });
+  columns.add("lateral_shift [mm]", of_position(&contact::Wheelset::lateral_shift));
+  columns.add("yaw [rad]", of_position(&contact::Wheelset::yaw));
+  for (const WayScalar& way : ways_of(run.input))
+    columns.add(heading(way.name, way.unit), of_position(way.list));
+  columns.add("model", &Row::model);
+  columns.add("point", [](const Row& row) { return row.point + 1; });
+  add_wheel(columns, "left", &Row::left);
+  add_wheel(columns, "right", &Row::right);
+  columns.add("radius_difference [mm]",
+              [](const Row& row) { return loaded_radius_difference(row.left, row.right); });
+  const auto add_rigid = [&](const char* head, auto member) {
+    columns.add(head, [member](const Row& row) -> std::optional<double> {
+      if (!row.rigid) return {};
+      return std::invoke(member, *row.rigid);
+    });
+  };
+  add_rigid("rigid_radius_difference [mm]", &RigidWheelset::radius_difference);
+  add_rigid("conicity_harmonic [-]", &RigidWheelset::conicity_harmonic);
+  add_rigid("conicity_wave [-]", &RigidWheelset::conicity_wave);
+  add_rigid("wave_length [mm]", &RigidWheelset::wave_length);
+  return columns;
 }
 
 }  // namespace
 
+std::vector<WayScalar> ways_of(const contact::Case& input) {
+  using W = contact::Wheelset;
+  std::vector<WayScalar> ways;
+  for (const WayScalar& way :
+       {WayScalar{"track_position", "mm", "where along the track the wheel is", &W::track_position},
+        WayScalar{"wheel_angle", "rad",
+                  "of the section of the wheel that points down; grows as it rolls forward",
+                  &W::wheel_angle}})
+    if (!(input.wheelset.*way.list).empty()) ways.push_back(way);
+  return ways;
+}
+
 WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int position,
                  std::size_t point) {
   WheelAt wheel;
+  wheel.point = point;
   for (const ModelResult& patch : run.models) {
     if (!patch.place || patch.name != model || patch.place->left != left ||
         patch.place->position != position || point >= patch.points.size())
@@ -141,69 +192,25 @@ std::string wheelset_csv(const RunRecord& run) {
     return std::any_of(at.begin(), at.end(), [&](double value) { return value != at.front(); });
   });
   if (run.wheelset.empty() && !moves_along) return {};
-  std::string text = head(ways);
-  for (std::size_t p = 0; p < run.input.wheelset.positions(); ++p) {
-    std::string way_cells;
-    for (const WayScalar& way : ways)
-      way_cells += fmt::format(",{}", way.at(run.input, static_cast<int>(p) + 1));
+  std::vector<Row> rows;
+  for (std::size_t p = 0; p < run.input.wheelset.positions(); ++p)
     for (const std::string& model : model_names(run))
       for (std::size_t k = 0;; ++k) {
         const int position = static_cast<int>(p) + 1;
-        const WheelAt left = wheel_at(run, model, true, position, k);
-        const WheelAt right = wheel_at(run, model, false, position, k);
-        if (!left.main && !right.main) break;
-        const std::optional<RigidWheelset> rigid =
-            run.wheelset.empty() ? std::nullopt : run.wheelset[p];
-        text += fmt::format(
-            "{},{},{}{},{},{}{}{},{}{}\n", position, run.input.wheelset.lateral_shift[p],
-            run.input.wheelset.yaw[p], way_cells, model, k + 1, wheel_cells(left, k),
-            wheel_cells(right, k), csv_cell(loaded_radius_difference(left, right)),
-            rigid ? fmt::format(",{}{}", rigid->radius_difference(), conicity_cells(*rigid))
-                  : ",,,,");
+        Row row{&run, p, model, k, wheel_at(run, model, true, position, k),
+                wheel_at(run, model, false, position, k), {}};
+        if (!row.left.main && !row.right.main) break;
+        if (!run.wheelset.empty()) row.rigid = run.wheelset[p];
+        rows.push_back(std::move(row));
       }
-  }
-  return text;
-}
-
-namespace {
-
-template <auto Member>
-std::optional<double> member_of(const RigidWheelset& wheelset) {
-  return wheelset.*Member;
-}
-
-}  // namespace
-
-const std::vector<RigidColumn>& rigid_columns() {
-  using W = RigidWheelset;
-  static const std::vector<RigidColumn> columns{
-      {"lateral_shift", "mm", member_of<&W::lateral_shift>},
-      {"roll", "rad", member_of<&W::roll>},
-      {"radius_left", "mm", member_of<&W::radius_left>},
-      {"radius_right", "mm", member_of<&W::radius_right>},
-      {"radius_difference", "mm",
-       [](const W& wheelset) { return std::optional(wheelset.radius_difference()); }},
-      {"angle_left", "rad", member_of<&W::angle_left>},
-      {"angle_right", "rad", member_of<&W::angle_right>},
-      {"y_wheel_left", "mm", member_of<&W::y_wheel_left>},
-      {"y_wheel_right", "mm", member_of<&W::y_wheel_right>},
-      {"conicity_harmonic", "-", member_of<&W::conicity_harmonic>},
-      {"conicity_wave", "-", member_of<&W::conicity_wave>},
-      {"wave_length", "mm", member_of<&W::wave_length>}};
-  return columns;
+  const Columns<Row> columns = wheelset_columns(run);
+  return columns.head() + '\n' + columns.lines(rows);
 }
 
 std::string rigid_wheelset_csv(const std::vector<RigidWheelset>& rows) {
-  std::string text;
-  const auto line = [&](const auto& cell) {
-    for (const RigidColumn& column : rigid_columns())
-      text += (&column == &rigid_columns().front() ? "" : ",") + cell(column);
-    text += '\n';
-  };
-  line([](const RigidColumn& column) { return fmt::format("{} [{}]", column.name, column.unit); });
-  for (const RigidWheelset& row : rows)
-    line([&](const RigidColumn& column) { return csv_cell(column.value(row)); });
-  return text;
+  Columns<RigidWheelset> columns;
+  columns.add_members<RigidWheelset>([](const auto& row) -> const auto& { return row; });
+  return columns.head() + '\n' + columns.lines(rows);
 }
 
 }  // namespace rollfem::postprocess

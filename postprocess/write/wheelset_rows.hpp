@@ -11,9 +11,21 @@
 
 namespace rollfem::postprocess {
 
+/// Where along its way a wheel is, a number for each position of the case.
+struct WayScalar {
+  const char *name, *unit, *description;
+  std::vector<double> contact::Wheelset::*list;
+  double at(const contact::Case& input, int position) const {
+    return (input.wheelset.*list).at(static_cast<std::size_t>(position) - 1);
+  }
+};
+/// Those that the case gives, because bodies or friction change along the way.
+std::vector<WayScalar> ways_of(const contact::Case& input);
+
 /// A wheel at one position and load point, with the sums over its patches.
 struct WheelAt {
   const contact::ModelResult* main = nullptr;  ///< the most loaded patch
+  std::size_t point = 0;
   int patches = 0;
   double vertical_force = 0.0;       ///< N
   double longitudinal_force = 0.0;   ///< N, on the wheel
@@ -28,14 +40,6 @@ WheelAt wheel_at(const RunRecord& run, const std::string& model, bool left, int 
 
 /// Rolling radius of the right wheel minus that of the left one at the most loaded patches, mm.
 std::optional<double> loaded_radius_difference(const WheelAt& left, const WheelAt& right);
-
-/// A column of a table of rigid wheelsets, written by `rollfem wheelset` and by a run beside its
-/// wheelset.csv.
-struct RigidColumn {
-  const char *name, *unit;
-  std::optional<double> (*value)(const RigidWheelset&);
-};
-const std::vector<RigidColumn>& rigid_columns();
 
 /// Names of the models, in the order of the results.
 std::vector<std::string> model_names(const RunRecord& run);

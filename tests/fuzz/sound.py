@@ -42,7 +42,7 @@ def _point(point, cell, asked, flat):
         return f"the pressures carry {pressure.sum() * cell:.9g} N, not {force:.9g} N"
     if flat and asked is not None and abs(force - asked) > ROUNDING * abs(asked):
         return f"{force:.9g} N are carried where {asked:.9g} N were asked for"
-    if asked is not None and point.attrs["approach"] <= 0.0 and "distance_A" not in point.file["case"].attrs:
+    if asked is not None and point.attrs["approach"] <= 0.0 and "undeformed_distance.quadratic" not in point.file["case/keys"]:
         return "bodies under load that have not come together"
     return ""
 
@@ -52,12 +52,13 @@ def unsound(folder):
     if not_finite(json.loads((folder / "summary.json").read_text())):
         return "a number in summary.json that is not finite"
     with h5py.File(folder / "results.h5") as file:
-        asked = file["case"].attrs.get("normal_force")
+        keys = file["case/keys"].attrs
+        asked = keys.get("load.normal_force")
         if b"given_pressure" in file["case/text"][()]:
             asked = None  # the pressure is the load
         for name, model in file["models"].items():
             notes = " ".join(note.decode() for note in model["notes"][()])
-            flat = "curved contact" not in notes and "vertical_force" not in file["case"].attrs
+            flat = "curved contact" not in notes and "load.vertical_force" not in keys
             cell = model["grid"].attrs["dx"] * model["grid"].attrs["dy"]
             for number, point in model["points"].items():
                 wrong = _point(point, cell, asked, flat)

@@ -5,8 +5,9 @@ for which it would wait: everything up to `figures`. Imports within functions, o
 import ast
 
 # Each module may import those before it.
-ORDER = ("errors", "files", "frames", "point", "plot", "stresses", "model", "result", "outputs", "reader", "tables", "figures", "_core",
-         "commands", "names", "case", "patches", "solving", "studies", "sweeping", "track", "wear", "reading", "api", "__main__")
+ORDER = ("errors", "files", "frames", "node", "point", "plot", "stresses", "model", "result", "outputs", "reader", "tables",
+         "figures", "_core", "commands", "names", "case", "patches", "solving", "studies", "sweeping", "track", "wear",
+         "reading", "api", "__main__")
 FIGURES = ("labels", "styles", "panel", "figure", "outline", "published", "page", "load_points", "tables", "stresses", "curves",
            "profiles", "stress_page", "maps", "yielding", "positions", "report", "table", "study", "compare", "catalogue")
 COMMANDS = ("convergence", "refinement", "levels", "comparing", "benching", "line")

@@ -32,7 +32,7 @@ def creep_curve(result):
     """-F_x/F_z of every model with friction, and beside it the difference from the reference model. None if no model
     has two load points that are no passes. With prescribed forces only for a law that falls: found_for_force."""
     models = [m for m in load_points.friction_models(result) if len(m.points) > 1 and m.points[0].by_number != "pass"]
-    found, law = load_points.found_motions(models), result.inputs.get("friction_law")
+    found, law = load_points.found_motions(models), result.friction_law
     if not models or (found and law is None):
         return None
     scalar, factor, axis_label = load_points.creepage_axis([p for m in models for p in m.points])
@@ -40,7 +40,7 @@ def creep_curve(result):
     force = "lateral_force" if scalar.startswith("lateral") else "longitudinal_force"
     ratio = "$-F_y/F_z$" if force == "lateral_force" else "$-F_x/F_z$"
     reference = load_points.reference_for_forces(result)
-    friction = result.inputs["friction_coefficient"]
+    friction = result.friction_coefficient
     figure = Figure(2)
     top = figure.add(400, 270, load_points.key_texts(load_points.all_keys(models))[1], axis_label,
                      f"traction coefficient {ratio} [-]")
@@ -107,10 +107,10 @@ def _draw_fall(figure, result, models):
     """The friction of full sliding under a creep curve, and a panel of its rise with initial slope and peak."""
     found = {model.key: load_points.branch(model) for model in models}
     tops = {key: load_points.peak(*both) for key, both in found.items()}
-    top, friction = figure.panels[0], result.inputs["friction_coefficient"]
+    top, friction = figure.panels[0], result.friction_coefficient
     sign = math.copysign(1, sum(sum(p.creepages[:2]) for m in models for p in m.points))
     at = np.linspace(0, max((both[0][-1] for both in found.values() if len(both[0])), default=0.0), 300)
-    sliding = np.interp(result.inputs["speed"] * at, *result.inputs["friction_law"].T)
+    sliding = np.interp(result.slip_speed * at, *result.friction_law.T)
     look = {"colour": "soft", "width": 1.2, "dash": (1.5, 2.2), "see": False, "name": "full sliding"}
     top.line(sign * 100 * at, sign * sliding, **look)
     top.text(0.99, friction, f"at rest: $\\mu$ = {friction:.3g}", "end", shift=(0, -4), share=(True, False))
@@ -137,15 +137,15 @@ def _draw_fall(figure, result, models):
 
 def friction_law(result):
     """The coefficient of friction over the slip velocity. None for a constant one."""
-    law = result.inputs.get("friction_law")
+    law = result.friction_law
     if law is None:
         return None
     rest, kinetic = law[0, 1], law[-1, 1]
-    rigid = max((result.inputs["speed"] * math.hypot(*p.creepages[:2]) for m in result.models for p in m.points), default=0.0)
+    rigid = max((result.slip_speed * math.hypot(*p.creepages[:2]) for m in result.models for p in m.points), default=0.0)
     end = max(rigid, law[np.argmax(law[:, 1] <= kinetic + 0.06 * (rest - kinetic)), 0])
     shown = law[law[:, 0] <= 1.2 * end]
     figure = Figure(1)
-    panel = figure.add(400, 190, f"friction law ({result.inputs['law']})", "slip velocity $s$ [mm/s]",
+    panel = figure.add(400, 190, f"friction law ({result.inputs['friction.law']})", "slip velocity $s$ [mm/s]",
                        "coefficient of friction $\\mu$ [-]")
     panel.line(shown[:, 0], shown[:, 1], "blue", 1.8)
     panel.x.limits, panel.y.limits = (0.0, 1.05 * end), (0.0, 1.18 * rest)
@@ -156,7 +156,7 @@ def friction_law(result):
         panel.level(rigid, upright=True)
         left = rigid > 0.5 * end
         panel.text(rigid, 0, "rigid slip at the largest creepage", "end" if left else "start", shift=(-4 if left else 4, -5))
-    memory = result.inputs["memory_distance"]
+    memory = result.inputs.get("friction.memory_distance", 0.0)
     panel.text(0.99, rest, f"memory: {1000 * memory:.3g} µm slid" if memory else "no memory", "end", shift=(0, -5),
                share=(True, False))
     return figure

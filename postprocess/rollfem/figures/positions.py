@@ -207,7 +207,7 @@ def _sweep_along(result):
                 yield ([at[m.place["position"]] for m in contact], [value(m) for m in contact],
                        {**look, "colour": PATCH_COLOURS[number % len(PATCH_COLOURS)], "name": ", ".join([*words, span])})
 
-    given = LOAD if "vertical_force" in result.inputs else HEIGHT
+    given = LOAD if "load.vertical_force" in result.inputs else HEIGHT
     for panel in figure.charts((250, 165), [
             (title, label, unit, least, curves(title, value)) for title, unit, least, value in PANELS_ALONG
             if title != given and (title not in FORCES or any(m.has_friction for m in models))]):

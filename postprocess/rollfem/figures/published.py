@@ -34,7 +34,7 @@ def _published_case(result):
     """The entry whose inputs match the result and whose place matches its patch; empty if there is none. A result with
     several patches has none; pass one of its scenes."""
     places = {m.place["wheel"]: m.place for m in result.models if m.place}
-    if len(result.scenes()) > 1 or "rail_rolling_radius" in result.inputs:
+    if len(result.scenes()) > 1 or math.isfinite(result.inputs["rail.rolling_radius"]) or result.prescribed_forces:
         return {}
     for entry in _all_published()["cases"].values():
         wanted = entry.get("place")

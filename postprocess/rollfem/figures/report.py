@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """report.html: the problem, the patch, forces, tractions and stresses of every model."""
+import math
 import re
 from html import escape
+from types import SimpleNamespace
 
+import numpy as np
+
+from ..errors import FileError
 from ..reader import read_result
 from ..result import place_label
 from . import curves, load_points, maps, positions, stresses, styles, tables, yielding
@@ -106,41 +111,52 @@ def captioned(result):
 
 
 # Description of bodies and load, by a key specific to such a case; the last one is the fallback.
-SHAPES = (("given_max_pressure", "Hertz's pressure of {given_max_pressure} MPa given on an ellipse of semi-axes "
-           "{given_semi_axis_x} by {given_semi_axis_y} mm"),
-          ("distance_A", "Undeformed distance A x² + B y² with A = {distance_A}, B = {distance_B} 1/mm"),
-          ("distance_file", "Undeformed distance from {distance_file}"),
-          ("wheel_profile", "Wheel profile {wheel_profile}, nominal radius {wheel_rolling_radius} mm, on rail profile "
-           "{rail_profile}"),
-          ("wheel_transverse_radius", "Wheel of rolling radius {wheel_rolling_radius} mm (transverse "
-           "{wheel_transverse_radius}) on a rail of transverse radius {rail_transverse_radius}"))
-LOADS = (("given_max_pressure", ""), ("vertical_force", "; {vertical_force} N vertically on each wheel"),
-         ("normal_force", "; F<sub>z</sub> = {normal_force} N"), ("approach", "; approach {approach} mm"),
-         ("max_pressure", "; largest pressure {max_pressure} MPa by Hertz"),
-         ("wheel_profile", "; the height of the wheel is given, its load is a result"))
+SHAPES = (("given_pressure.max_pressure", "Hertz's pressure of {given_pressure.max_pressure} MPa given on an ellipse of "
+           "semi-axes {given_pressure.semi_axis_x} by {given_pressure.semi_axis_y} mm"),
+          ("undeformed_distance.quadratic", "Undeformed distance A x² + B y² with A = {undeformed_distance.quadratic[0]}, "
+           "B = {undeformed_distance.quadratic[1]} 1/mm"),
+          ("undeformed_distance.file", "Undeformed distance from {undeformed_distance.file}"),
+          ("wheel.profile", "Wheel profile {wheel.profile}, nominal radius {wheel.rolling_radius} mm, on rail profile "
+           "{rail.profile}"),
+          ("wheel.transverse_radius", "Wheel of rolling radius {wheel.rolling_radius} mm (transverse "
+           "{wheel.transverse_radius}) on a rail of transverse radius {rail.transverse_radius}"))
+LOADS = (("given_pressure.max_pressure", ""), ("load.vertical_force", "; {load.vertical_force} N vertically on each wheel"),
+         ("load.normal_force", "; F<sub>z</sub> = {load.normal_force} N"), ("load.approach", "; approach {load.approach} mm"),
+         ("load.max_pressure", "; largest pressure {load.max_pressure} MPa by Hertz"),
+         ("wheel.profile", "; the height of the wheel is given, its load is a result"))
 PROBLEMS = {"shift": "Load points are steps of a shift without rolling. ", "transient": "Load points are steps of rolling. "}
+
+
+def _words(keys):
+    """The keys of a case in words, as sections with members."""
+    sections = {}
+    for path, value in keys.items():
+        section, _, name = path.rpartition(".")
+        text = "flat" if name == "transverse_radius" and math.isinf(value) else (
+            [tables.plain(number) for number in value] if isinstance(value, np.ndarray) else
+            tables.plain(value) if isinstance(value, (int, float)) else escape(str(value)))
+        if name == "transverse_radius" and text != "flat":
+            text += " mm"
+        setattr(sections.setdefault(section, SimpleNamespace()), name, text)
+    return sections
 
 
 def asked(result):
     """The problem, from the case."""
-    case = dict(result.inputs)
-    if "wheel_profile" in case or "rail_profile" in case:
-        case = {"wheel_profile": "of a circle", "rail_profile": "of a circle", **case}
-    words = {name: tables.plain(value) if isinstance(value, (int, float)) else escape(str(value))
-             for name, value in case.items()}
-    for name in ("wheel_transverse_radius", "rail_transverse_radius"):
-        if name in case:
-            words[name] = "flat" if abs(case[name]) == float("inf") else f"{words[name]} mm"
+    case = result.inputs
+    if "wheel.profile" in case or "rail.profile" in case:
+        case = {"wheel.profile": "of a circle", "rail.profile": "of a circle", **case}
+    words = _words(case)
     said = "".join(next(text for name, text in rows if name in case).format_map(words) for rows in (SHAPES, LOADS))
-    if "rail_rolling_radius" in case:
-        kind = "roller" if case["rail_rolling_radius"] > 0 else "ring around the wheel"
-        said += f"; the rail is a {kind} of radius {words['rail_rolling_radius']} mm"
-    law = "without friction" if case.get("problem") == "frictionless" else (
-        f"friction coefficient {words['friction_coefficient']}") + tables.law_words(result.inputs)
-    what = PROBLEMS.get(case.get("problem"), "")
-    if case.get("prescribed_forces"):
+    if math.isfinite(case["rail.rolling_radius"]):
+        kind = "roller" if case["rail.rolling_radius"] > 0 else "ring around the wheel"
+        said += f"; the rail is a {kind} of radius {words['rail'].rolling_radius} mm"
+    law = "without friction" if case["rolling.problem"] == "frictionless" else (
+        f"friction coefficient {tables.plain(result.friction_coefficient)}") + tables.law_words(result)
+    what = PROBLEMS.get(case["rolling.problem"], "")
+    if result.prescribed_forces:
         what += "Tangential forces are prescribed; creepages are results. "
-    return (f"<p>{said}{';' if 'given_max_pressure' in case else ','} {law}. {what}</p>"
+    return (f"<p>{said}{';' if 'given_pressure.max_pressure' in case else ','} {law}. {what}</p>"
             + case_file(result.case_file, result.case_text))
 
 
@@ -301,12 +317,15 @@ def read(directory, reference="", default_reference=""):
     """The result of a folder. `reference`, `default_reference`: names of the reference model chosen by the user and by the
     command."""
     result = of(read_result(directory))
+    if not result.inputs:
+        raise FileError(f"{directory} was written by an earlier version, without the keys of its case; do: run the case again, or "
+                        "read its numbers with rollfem.read")
     result.reference, result.default_reference = reference, default_reference
     return result
 
 
 def of(result):
-    """From a rollfem.Result."""
+    """A result of the package."""
     styles.know({model.name: model.label for model in result.models})
     return result
 

@@ -225,42 +225,45 @@ def creepage_table(result, quantity):
             return "–"
         if model is reference or not base:
             return with_bar(point, quantity)
-        sliding = full_sliding(base, result.quantities[quantity].percent_of, result.inputs["friction_coefficient"])
+        sliding = full_sliding(base, result.quantities[quantity].percent_of, result.friction_coefficient)
         return with_bar(point, quantity) + against(point, base, quantity, sliding or base[quantity])
 
     return _compared(head, models, reference, [(words(key), lambda model, key=key: cell(model, key))
                                     for key in load_points.shown_keys(models)])
 
 
-def law_words(case):
+def law_words(result):
     """What a case has beside the coefficient: the fall of the law, places, the layer; may be empty."""
-    said = ""
-    if "friction_law" in case:
-        rest, kinetic = case["friction_law"][[0, -1], 1]
-        said += (f" at rest, falling ({escape(case['law'])}) by {plain(rest - kinetic)} to {plain(kinetic)} with the slip "
-                 f"velocity" + f", memory {plain(case['memory_distance'])} mm" * bool(case["memory_distance"]))
-    if "friction_varies" in case:
-        said += f", varying {case['friction_varies']} (this is the largest)"
-    if "layer_thickness" in case:
-        said += (f"; a layer of {plain(case['layer_thickness'])} mm with shear modulus "
-                 f"{plain(case['layer_shear_modulus'])} MPa")
-    if "layer_yield_stress" in case:
-        said += (f"; a layer that yields at {plain(case['layer_yield_stress'])} MPa, hardening "
-                 f"{plain(case.get('layer_hardening', 0.0))} MPa/mm")
+    said, case = "", result.inputs
+    if result.friction_law is not None:
+        rest, kinetic = result.friction_law[[0, -1], 1]
+        memory = case.get("friction.memory_distance", 0.0)
+        said += (f" at rest, falling ({escape(case['friction.law'])}) by {plain(rest - kinetic)} to {plain(kinetic)} with the "
+                 "slip velocity" + f", memory {plain(memory)} mm" * bool(memory))
+    for place, words in (("track_position", "along the track"), ("inclination", "over the inclination of the rail"),
+                         ("lateral_position", "over the lateral position")):
+        if f"friction.{place}" in case:
+            said += f", varying {words} (this is the largest)"
+    if "layer.thickness" in case:
+        said += (f"; a layer of {plain(case['layer.thickness'])} mm with shear modulus "
+                 f"{plain(case['layer.shear_modulus'])} MPa")
+    if "layer.yield_stress" in case:
+        said += (f"; a layer that yields at {plain(case['layer.yield_stress'])} MPa, hardening "
+                 f"{plain(case.get('layer.hardening', 0.0))} MPa/mm")
     return said
 
 
 def fall_table(result):
     """Initial slope, peak and last value of creep curves under friction that falls; empty without such curves."""
     rows = []
-    for model in load_points.friction_models(result) if "friction_law" in result.inputs else []:
+    for model in load_points.friction_models(result) if result.friction_law is not None else []:
         creepages, values = load_points.branch(model)
         if len(values) < 3:
             continue
         top, slope = load_points.peak(creepages, values), load_points.initial_slope(creepages, values)
         ends = [top and (number(100 * top[0], 3), top[1]), (plain(100 * creepages[-1]), values[-1])]
         rows.append([escape(styles.label(model)), number(slope, 3)] + [cell for end in ends for cell in (
-            (number(end[1], 3), f"{100 * end[1] / result.inputs['friction_coefficient']:.1f} %", end[0]) if end else "–––")])
+            (number(end[1], 3), f"{100 * end[1] / result.friction_coefficient:.1f} %", end[0]) if end else "–––")])
     return rows and table(["rise and fall", "initial slope dT/dξ", "peak T", "of μ at rest", "at ξ [%]", "last T",
                            "of μ at rest", "at ξ [%]"], rows) + hint(
         "T: traction coefficient. Initial slope: extrapolated from the three smallest creepages. Peak: of the parabola "

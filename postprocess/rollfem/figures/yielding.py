@@ -32,10 +32,12 @@ def bodies(result):
     return [(m, b) for m, b in found if m is found[0][0]]
 
 
-def _steel(result, body):
-    """Section [rail_plasticity] or [wheel_plasticity] of the case."""
-    import tomllib  # pylint: disable=import-outside-toplevel; most reports do without
-    return tomllib.loads(result.case_text).get(f"{body}_plasticity", {})
+def _stress_before(result, body):
+    """Depth (mm), residual stress along and across (MPa) before the first pass; None without."""
+    depth, along, across = (result.inputs.get(f"{body}_plasticity.residual_{name}") for name in ("depth", "along", "across"))
+    if depth is None:
+        return None
+    return np.broadcast_arrays(depth, *(0.0 if stress is None else stress for stress in (along, across)))
 
 
 def _passes(model, body):
@@ -79,9 +81,8 @@ def passes(result):
             values = np.array([after[name] for *_, after in rows])
             panel.line(at, np.where(values > 0, values, np.nan), name=words,
                        **(look if len(at) <= MOST_MARKED else {**look, "marker": None}))
-        steel, young = _steel(result, body), result.inputs.get(f"{body}_young_modulus")
-        if young and "yield_stress" in steel:
-            strain = steel["yield_stress"] / young
+        if (yields := result.inputs.get(f"{body}_plasticity.yield_stress")) is not None:
+            strain = yields / result.inputs[f"{body}.young_modulus"]
             panel.y.see([strain])
             panel.level(strain)
             panel.text(0.99, strain, f"yield strain {strain:.2g}", "end", shift=(0, -4), share=(True, False))
@@ -91,7 +92,7 @@ def passes(result):
 def residual_stress(result, model, body):
     """Residual stress over depth below the middle of the running band after a few passes."""
     figure = Figure(2)
-    shown, before = _shown(model, body), result.inputs.get(f"{body}_stress_before")
+    shown, before = _shown(model, body), _stress_before(result, body)
     for component, words in ((0, "along"), (1, "across")):
         panel = figure.add(300, 290, f"residual stress {words}", "stress [MPa], tension positive", DEPTH)
         panel.y.flipped, panel.y.margin = True, 0.0
@@ -102,7 +103,7 @@ def residual_stress(result, model, body):
             panel.line(after["stress"][:, column, component], after["depth"][:, column], **look)
         if before is not None:
             depth = shown[-1][2]["depth"][:, 0]
-            panel.line(np.interp(depth, before[:, 0], before[:, 1 + component]), depth, "soft", 1.2, (1, 2),
+            panel.line(np.interp(depth, before[0], before[1 + component]), depth, "soft", 1.2, (1, 2),
                        name="before the first pass")
     figure.entry(f"in the {body}")
     return figure
@@ -165,7 +166,7 @@ def _boundaries(ratio):
 def shakedown_map(result):
     """The passes in the shakedown map. None if nothing yields."""
     found = [(model, body, k) for model, body in bodies(result)
-             if (k := _steel(result, body).get("yield_stress", 0.0) / math.sqrt(3.0))]
+             if (k := result.inputs.get(f"{body}_plasticity.yield_stress", 0.0) / math.sqrt(3.0))]
     if not found:
         return None
     point = found[0][0].points[-1]

@@ -61,10 +61,10 @@ TEST(Validity, RefusesNaNsAndUnfinishedIterations) {
   EXPECT_TRUE(says(refused([&](PointResult& p, ModelResult&) { p.spin_moment = none; }),
                    "load point 2 of 2", "spin_moment = nan", "do: "));
   EXPECT_TRUE(says(refused([&](PointResult& p, ModelResult&) { p.fields.traction.x[3] = none; }),
-                   "load point 2 of 2", "tractions that are not finite"));
+                   "load point 2 of 2", "traction_x: values that are not finite"));
   EXPECT_TRUE(
       says(refused([&](PointResult& p, ModelResult&) { p.fields.gap = Field::Constant(1, none); }),
-           "gaps that are not finite"));
+           "gap: values that are not finite"));
   EXPECT_TRUE(says(refused([&](PointResult& p, ModelResult&) {
                      p.stress_maxima = {{"wheel", "von_mises", none, {}}};
                    }),

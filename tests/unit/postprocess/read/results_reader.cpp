@@ -7,7 +7,7 @@
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/write/output.hpp"
-#include "postprocess/write/point_table.hpp"
+#include "contact/result/point_fields.hpp"
 
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
@@ -81,7 +81,7 @@ void expect_same(const contact::ModelResult& found, const contact::ModelResult& 
     EXPECT_EQ(a.no_bar, b.no_bar);
     EXPECT_EQ(a.model_error, b.model_error);
     EXPECT_EQ(a.richardson, b.richardson);
-    for (const PointField& field : point_fields()) {
+    for (const contact::PointField& field : contact::point_fields()) {
       const contact::Field& values = field.value(a.fields);
       ASSERT_EQ(values.size(), field.value(b.fields).size()) << field.name;
       EXPECT_TRUE(values == field.value(b.fields)) << field.name;

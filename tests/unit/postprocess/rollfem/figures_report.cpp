@@ -188,7 +188,7 @@ TEST_F(FiguresTest, AFallingLawIsDrawnWithInitialSlopeAndPeakOfTheCreepCurve) {
                    "<td>165</td><td>0.500</td><td>90.9 %</td><td>0.420</td>"));
   EXPECT_EQ(said(R"(
 from rollfem.reader import read_result
-law = read_result(sys.argv[1]).inputs['friction_law']
+law = read_result(sys.argv[1]).friction_law
 assert np.allclose(np.interp([0, 1000, 1e9], *law.T), [0.55, 0.375, 0.2], rtol=1e-12)
 )",
                  folder.string()),

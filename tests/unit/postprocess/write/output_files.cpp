@@ -113,20 +113,20 @@ TEST(WriteResults, RefusesAndNamesNonFiniteValuesWrongSizesAndBadFileNames) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [change, named] : std::vector<std::pair<Change, const char*>>{
            {[&](auto& m) { m[1].points[2].max_pressure = nan; },
-            "halfspace/points[2]/max_pressure"},
+            "halfspace/points/0002/max_pressure"},
            {[&](auto& m) { m[2].points[0].fields.slip.x[17] = contact::infinity; },
-            "fem/points[0]/slip_x[17]"},
+            "fem/points/0000/slip_x[0]"},
            {[&](auto& m) {
               m[2].points[5].bodies[0].stress[4][2] = std::numeric_limits<float>::quiet_NaN();
             },
-            "fem/points[5]/wheel/stress[4]"},
+            "fem/points/0005/bodies/wheel/stress[4]"},
            {[&](auto& m) { m[2].points[5].bodies[1].displacement.pop_back(); },
-            "fem/points[5]/rail does not have 12 values"},
-           {[&](auto& m) { m[2].bodies[0].points[1][0] = nan; }, "fem/wheel/points[1]"},
+            "fem/points/0005/bodies/rail/displacement has 33 values, its places 36"},
+           {[&](auto& m) { m[2].bodies[0].points[1][0] = nan; }, "fem/bodies/wheel/points[1]"},
            {[&](auto& m) { m[0].points[0].error_estimate["approach"] = nan; },
-            "hertz/points[0]/error_estimate/approach"},
+            "hertz/points/0000/error_estimate/approach"},
            {[&](auto& m) { m[1].points[0].fields.gap.conservativeResize(5); },
-            "halfspace/points[0]/gap"},
+            "halfspace/points/0000/gap"},
            {[&](auto& m) { m[1].name = "../halfspace"; }, "model name"},
            {[&](auto& m) { m[1].name = "fem"; }, "twice"}}) {
     RunRecord run = synthetic_run();

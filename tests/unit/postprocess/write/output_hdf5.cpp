@@ -21,7 +21,7 @@ print(abs(area * p['traction_x'][:].sum() - p.attrs['longitudinal_force']) < 1e-
 print(abs(area * p['pressure'][:].sum() - p.attrs['normal_force']) < 1e-6)
 print(repr(float(p.attrs['residual'])), p.attrs['converged'], p['error_estimate'].attrs['max_pressure'])
 print(sorted(f['models/hertz/points/0000'].keys()))
-print(f['case/text'][()].decode().splitlines()[0], '|', f['case'].attrs['rail_transverse_radius'])
+print(f['case/text'][()].decode().splitlines()[0], '|', f['case/keys'].attrs['rail.transverse_radius'])
 print(f['models/fem/notes'][0].decode())
 b = f['models/fem/bodies']
 print(f.attrs['format_minor'], b.attrs['load_point'], b['rail/points'].shape, b['wheel/cells'].shape,
@@ -52,7 +52,7 @@ TEST(ResultsHdf5, ReadBackGivesFieldsScalarsUnitsAndProvenance) {
   EXPECT_TRUE(says(printed, "rollfem results 2 1\nTrue MPa\n", "True\nTrue\n", " 1 1.25\n",
                    "['error_estimate', 'model_error', 'no_bar', 'pressure']",
                    "title = \"thesis case a: conforming plane\" | 2000.0", "symmetry plane",
-                   "2 6 (12, 3) (2, 8) mm MPa -102.0\n", "\nxz 90.0 390.0 MPa float32\n",
+                   "3 6 (12, 3) (2, 8) mm MPa -102.0\n", "\nxz 90.0 390.0 MPa float32\n",
                    "\nxz 210.0 510.0 MPa float32\n"));
   EXPECT_FALSE(says(printed, "Error"));
 

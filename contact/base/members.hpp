@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A struct of results lists its members once, with what files say of them:
+//
+//   struct StressMaximum {
+//     std::string body;
+//     double value = 0.0;
+//     static constexpr auto members() {
+//       using S = StressMaximum;
+//       return std::tuple(member("body", &S::body, "", "wheel or rail"),
+//                         member("value", &S::value, "MPa", "largest value"));
+//     }
+//   };
+//
+// Records of unfinished runs, results.h5, summary.json, tables, the check that numbers are finite
+// and Python walk along this list.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace rollfem::contact {
+
+/// How a list of structs stands in files: by number, by the first member of each, or as a table
+/// with a column for each member.
+enum class Listed { numbered, by_first, as_table };
+
+/// Who keeps a member.
+enum class Kept {
+  always,    ///< every file
+  if_given,  ///< every file, where it is not empty
+  within,    ///< records alone: what the program itself needs
+};
+
+/// `part`: a member, or a function of the struct for what follows from them.
+template <Kept who, class Whole, class Part>
+struct Member {
+  static constexpr Kept kept = who;
+  const char* name;  ///< in every file
+  Part Whole::*part;
+  const char* unit;  ///< "-" of a number without one; empty: not a number
+  const char* meaning;
+  const char* sign;
+};
+
+template <class Whole, class Part>
+constexpr Member<Kept::always, Whole, Part> member(const char* name, Part Whole::*part,
+                                                   const char* unit = "", const char* meaning = "",
+                                                   const char* sign = "") {
+  return {name, part, unit, meaning, sign};
+}
+template <class Whole, class Part>
+constexpr Member<Kept::if_given, Whole, Part> member_if_given(const char* name, Part Whole::*part,
+                                                              const char* unit = "",
+                                                              const char* meaning = "") {
+  return {name, part, unit, meaning, ""};
+}
+template <class Whole, class Part>
+constexpr Member<Kept::within, Whole, Part> member_within(const char* name, Part Whole::*part) {
+  return {name, part, "", "", ""};
+}
+
+template <class Whole, class = void>
+inline constexpr bool has_members = false;
+template <class Whole>
+inline constexpr bool has_members<Whole, std::void_t<decltype(Whole::members())>> = true;
+
+/// visit(member) for each member of a struct.
+template <class Whole, class Visit>
+void for_members(const Visit& visit) {
+  std::apply([&](const auto&... each) { (visit(each), ...); }, Whole::members());
+}
+/// visit(member, value) for each.
+template <class Whole, class Visit>
+void for_members(Whole& whole, const Visit& visit) {
+  for_members<std::remove_const_t<Whole>>(
+      [&](const auto& each) { visit(each, std::invoke(each.part, whole)); });
+}
+
+/// Whether the list, in the order of the declarations, fills the struct: none is forgotten.
+template <class Whole>
+constexpr bool lists_all_members() {
+  std::size_t end = 0;
+  const auto follow = [&](std::size_t size, std::size_t alignment) {
+    end = (end + alignment - 1) / alignment * alignment + size;
+  };
+  const auto add = [&](const auto& each) {
+    if constexpr (std::is_member_object_pointer_v<decltype(each.part)>) {
+      using Part = std::remove_reference_t<decltype(std::declval<Whole&>().*each.part)>;
+      follow(sizeof(Part), alignof(Part));
+    }
+  };
+  std::apply([&](const auto&... each) { (add(each), ...); }, Whole::members());
+  follow(0, alignof(Whole));
+  return end == sizeof(Whole);
+}
+
+}  // namespace rollfem::contact

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Structs of results list all their members, so that no file, record or check misses one.
+#include "contact/base/members.hpp"
+
+#include "contact/result/patch_size.hpp"
+#include "contact/result/point_fields.hpp"
+#include "contact/result/rigid_wheelset.hpp"
+#include "postprocess/write/output.hpp"
+
+#include "support/test.hpp"
+
+namespace rollfem::testing {
+namespace {
+
+struct Forgetful {
+  double listed = 0.0, forgotten = 0.0;
+  static constexpr auto members() {
+    return std::tuple(contact::member("listed", &Forgetful::listed));
+  }
+};
+
+TEST(Members, NoneIsForgotten) {
+  static_assert(!contact::lists_all_members<Forgetful>());
+  static_assert(contact::lists_all_members<contact::ContactGrid>());
+  static_assert(contact::lists_all_members<contact::ContactPlace>());
+  static_assert(contact::lists_all_members<contact::SubsurfaceField>());
+  static_assert(contact::lists_all_members<contact::StressMaximum>());
+  static_assert(contact::lists_all_members<contact::YieldedSection>());
+  static_assert(contact::lists_all_members<contact::BodyValues>());
+  static_assert(contact::lists_all_members<contact::BodyField>());
+  static_assert(contact::lists_all_members<contact::ProfileRows>());
+  static_assert(contact::lists_all_members<contact::ModelResult>());
+  static_assert(contact::lists_all_members<contact::PatchPart>());
+  static_assert(contact::lists_all_members<contact::RigidWheelset>());
+  static_assert(contact::lists_all_members<postprocess::Provenance>());
+  static_assert(contact::lists_all_members<postprocess::PlacedPair>());
+}
+
+TEST(Members, TheFieldsOfALoadPointAreAllInTheirTable) {
+  // All but the state of the elements.
+  EXPECT_EQ(contact::point_fields().size() * sizeof(contact::Field) +
+                sizeof(contact::ContactFields::state),
+            sizeof(contact::ContactFields));
+}
+
+}  // namespace
+}  // namespace rollfem::testing
