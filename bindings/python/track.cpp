@@ -49,8 +49,8 @@ py::dict wheelset_of(const Case& input, double reach, double step) {
   py::dict found;
   contact::for_members<contact::RigidWheelset>([&](const auto& each) {
     if constexpr (std::decay_t<decltype(each)>::kept != contact::Kept::within)
-      found[each.name] = column(
-          rows, [&](const auto& row) { return or_nan(std::invoke(each.part, row)); });
+      found[each.name] =
+          column(rows, [&](const auto& row) { return or_nan(std::invoke(each.part, row)); });
   });
   return found;
 }

@@ -97,13 +97,13 @@ struct ContactGrid {
 
   static constexpr auto members() {
     using G = ContactGrid;
-    return std::tuple(
-        member_within("nx", &G::nx), member_within("ny", &G::ny), member("dx", &G::dx, "mm"),
-        member("dy", &G::dy, "mm"), member_within("x_first", &G::x_first),
-        member_within("y_first", &G::y_first), member_within("line_reference", &G::line_reference),
-        member("x", &G::columns, "mm", "element centres along rolling",
-               "material enters at large x"),
-        member("y", &G::rows, "mm", "element centres across rolling"));
+    return std::tuple(member_within("nx", &G::nx), member_within("ny", &G::ny),
+                      member("dx", &G::dx, "mm"), member("dy", &G::dy, "mm"),
+                      member_within("x_first", &G::x_first), member_within("y_first", &G::y_first),
+                      member_within("line_reference", &G::line_reference),
+                      member("x", &G::columns, "mm", "element centres along rolling",
+                             "material enters at large x"),
+                      member("y", &G::rows, "mm", "element centres across rolling"));
   }
 
  private:

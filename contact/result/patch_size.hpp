@@ -59,7 +59,8 @@ struct PatchPart {
     return std::tuple(
         member("x", &P::x, "mm", "centre of pressure"), member("y", &P::y, "mm", "the same"),
         member("length", &P::length, "mm", "extent in x, found below the element size"),
-        member("width", &P::width, "mm", "extent in y"), member("normal_force", &P::normal_force, "N"),
+        member("width", &P::width, "mm", "extent in y"),
+        member("normal_force", &P::normal_force, "N"),
         member("longitudinal_force", &P::longitudinal_force, "N", "on the wheel"),
         member("lateral_force", &P::lateral_force, "N", "on the wheel"),
         member("max_pressure", &P::max_pressure, "MPa"));

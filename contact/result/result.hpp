@@ -169,14 +169,13 @@ struct BodyField {
 
   static constexpr auto members() {
     using S = BodyField;
-    return std::tuple(member_within("name", &S::name),
-                      member("points", &S::points, "mm",
-                             "x, y, z of the undeformed nodes in the global frame, z into the "
-                             "wheel"),
-                      member("cells", &S::cells, "-",
-                             "nodes of every hexahedron, from 0, in VTK's order"),
-                      member_within("displacement", &S::displacement),
-                      member_within("stress", &S::stress));
+    return std::tuple(
+        member_within("name", &S::name),
+        member("points", &S::points, "mm",
+               "x, y, z of the undeformed nodes in the global frame, z into the "
+               "wheel"),
+        member("cells", &S::cells, "-", "nodes of every hexahedron, from 0, in VTK's order"),
+        member_within("displacement", &S::displacement), member_within("stress", &S::stress));
   }
 };
 
@@ -195,8 +194,8 @@ struct ProfileRows {
 };
 
 struct ModelResult {
-  std::string name;   ///< "hertz", "linear", ... "halfspace", "fem"
-  std::string label;  ///< name in figures; empty: the name
+  std::string name;                       ///< "hertz", "linear", ... "halfspace", "fem"
+  std::string label;                      ///< name in figures; empty: the name
   std::optional<ContactPlace> place;      ///< with profiles: the patch, one ModelResult for each
   std::map<std::string, double> seconds;  ///< total, setup, normal, tangential, ...
   long unknowns = 0;
@@ -233,7 +232,8 @@ struct ModelResult {
         member_if_given("place", &S::place, "",
                         "Attributes: place of the patch on the track and on the profiles"),
         member("seconds", &S::seconds, "", "Attributes: seconds by stage"),
-        member("unknowns", &S::unknowns, "-"), member("contact_elements", &S::contact_elements, "-"),
+        member("unknowns", &S::unknowns, "-"),
+        member("contact_elements", &S::contact_elements, "-"),
         member_if_given("choice", &S::choice), member_if_given("shortfall", &S::shortfall),
         member("notes", &S::notes, "", "Notes: domain, symmetry, limits"),
         member("model_error_source", &S::model_error_source), member_within("grid", &S::grid),

@@ -24,25 +24,24 @@ struct RigidWheelset {
 
   static constexpr auto members() {
     using W = RigidWheelset;
-    return std::tuple(
-        member("lateral_shift", &W::lateral_shift, "mm", "to the right"),
-        member("roll", &W::roll, "rad", "positive from y to z"),
-        member("radius_left", &W::radius_left, "mm", "rolling radius"),
-        member("radius_right", &W::radius_right, "mm", "rolling radius"),
-        member("radius_difference", &W::radius_difference, "mm", "right minus left"),
-        member("angle_left", &W::angle_left, "rad",
-               "contact angle, positive where the surfaces fall towards the middle"),
-        member("angle_right", &W::angle_right, "rad", "the same"),
-        member("y_wheel_left", &W::y_wheel_left, "mm", "of the wheel's profile"),
-        member("y_wheel_right", &W::y_wheel_right, "mm", "of the wheel's profile"),
-        member("conicity_harmonic", &W::conicity_harmonic, "-",
-               "equivalent conicity by harmonic linearisation"),
-        member("conicity_wave", &W::conicity_wave, "-",
-               "equivalent conicity by the wave of the free wheelset"),
-        member("wave_length", &W::wave_length, "mm", "of this wave"),
-        member_within("y_track_left", &W::y_track_left),
-        member_within("y_track_right", &W::y_track_right),
-        member_within("rolling_difference", &W::rolling_difference));
+    return std::tuple(member("lateral_shift", &W::lateral_shift, "mm", "to the right"),
+                      member("roll", &W::roll, "rad", "positive from y to z"),
+                      member("radius_left", &W::radius_left, "mm", "rolling radius"),
+                      member("radius_right", &W::radius_right, "mm", "rolling radius"),
+                      member("radius_difference", &W::radius_difference, "mm", "right minus left"),
+                      member("angle_left", &W::angle_left, "rad",
+                             "contact angle, positive where the surfaces fall towards the middle"),
+                      member("angle_right", &W::angle_right, "rad", "the same"),
+                      member("y_wheel_left", &W::y_wheel_left, "mm", "of the wheel's profile"),
+                      member("y_wheel_right", &W::y_wheel_right, "mm", "of the wheel's profile"),
+                      member("conicity_harmonic", &W::conicity_harmonic, "-",
+                             "equivalent conicity by harmonic linearisation"),
+                      member("conicity_wave", &W::conicity_wave, "-",
+                             "equivalent conicity by the wave of the free wheelset"),
+                      member("wave_length", &W::wave_length, "mm", "of this wave"),
+                      member_within("y_track_left", &W::y_track_left),
+                      member_within("y_track_right", &W::y_track_right),
+                      member_within("rolling_difference", &W::rolling_difference));
   }
 };
 

@@ -64,7 +64,9 @@ class Columns {
     append(others, [](const Row& row) -> const Row& { return row; });
   }
 
-  std::string head() const { return joined(heads_, [](const std::string& head) { return head; }); }
+  std::string head() const {
+    return joined(heads_, [](const std::string& head) { return head; });
+  }
   std::string line(const Row& row) const {
     return joined(cells_, [&](const auto& cell) { return cell(row); });
   }

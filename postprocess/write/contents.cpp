@@ -297,7 +297,8 @@ void add_quantities(Tree& tree, const PointResult& point) {
   }
 }
 
-void add_fields(Tree& tree, const contact::ContactGrid& grid, const contact::ContactFields& fields) {
+void add_fields(Tree& tree, const contact::ContactGrid& grid,
+                const contact::ContactFields& fields) {
   const std::vector<std::size_t> shape{static_cast<std::size_t>(grid.ny),
                                        static_cast<std::size_t>(grid.nx)};
   const auto add = [&](Array array, const About& what) {
@@ -324,7 +325,8 @@ Tree keys_tree(const contact::Case& input) {
 Tree head_tree(const RunRecord& run) {
   Tree tree;
   tree.attributes = {{"verdict", run.verdict}};
-  put(tree, {"documentation", "", "Unit and meaning of the attributes of /models/NAME/points/NUMBER"},
+  put(tree,
+      {"documentation", "", "Unit and meaning of the attributes of /models/NAME/points/NUMBER"},
       documentation());
   tree.parts = {quantities_tree(), case_tree(run.input)};
   put(tree, {"provenance", "", "Program, version, machine and time of this result", ""},
@@ -347,13 +349,14 @@ Tree model_tree(const ModelResult& model, const contact::Case& input) {
   if (model.place)
     for (const WayScalar& way : ways_of(input))
       tree.parts.front().attributes.emplace_back(way.name, way.at(input, model.place->position));
-  Tree& grid = tree.parts.emplace_back(
-      Tree{"grid",
-           "Contact grid: centres of the elements (x, y) and their size (attributes dx, dy, in mm); "
-           "fields are [ny, nx], x runs fastest"});
+  Tree& grid = tree.parts.emplace_back(Tree{
+      "grid",
+      "Contact grid: centres of the elements (x, y) and their size (attributes dx, dy, in mm); "
+      "fields are [ny, nx], x runs fastest"});
   grid.summed_up = false;
   fill(grid, model.grid);
   fill(grid, model.rows);
+  grid.attributes.emplace_back("unit", std::string("mm"));
   if (const auto kept = model.points_with_bodies(); !kept.empty())
     tree.parts.push_back(bodies_tree(model, kept.back()));
   return tree;

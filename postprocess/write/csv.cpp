@@ -162,9 +162,8 @@ const Columns<Below>& below_columns() {
     const auto add = [&](const auto& names, const char* unit, auto member) {
       std::size_t c = 0;
       for (const char* name : names) {
-        columns.add(heading(name, unit), [member, c](const Below& below) {
-          return (below.field->*member)[below.k][c];
-        });
+        columns.add(heading(name, unit),
+                    [member, c](const Below& below) { return (below.field->*member)[below.k][c]; });
         ++c;
       }
     };
@@ -226,12 +225,12 @@ std::string contacts_csv(const RunRecord& run) {
   columns.add_members<contact::ContactPlace>(
       [](const Line& line) -> const contact::ContactPlace& { return line.place(); });
   for (const WayScalar& way : ways_of(run.input))
-    columns.add(heading(way.name, way.unit), [&run, way](const Line& line) {
-      return way.at(run.input, line.place().position);
-    });
+    columns.add(heading(way.name, way.unit),
+                [&run, way](const Line& line) { return way.at(run.input, line.place().position); });
   columns.append(model_and_point());
   for (const char* name : main_results) add_value(columns, contact::quantity_named(name));
-  columns.add("contact_elements [-]", [](const Line& line) { return line.model->contact_elements; });
+  columns.add("contact_elements [-]",
+              [](const Line& line) { return line.model->contact_elements; });
   for (const char* name : main_results) add_bar(columns, contact::quantity_named(name));
   std::vector<Line> lines;
   for (const Line& line : lines_of(run))

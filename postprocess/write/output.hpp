@@ -22,10 +22,10 @@ struct Provenance {
   std::map<std::string, std::string> labels = {};
 
   static constexpr auto members() {
-    using contact::member, contact::member_within, P = Provenance;
+    using contact::member, contact::member_within;
+    using P = Provenance;
     return std::tuple(member("version", &P::version), member("commit", &P::commit),
-                      member("host", &P::host),
-                      member("started", &P::started, "", "ISO 8601, UTC"),
+                      member("host", &P::host), member("started", &P::started, "", "ISO 8601, UTC"),
                       member("command", &P::command), member("processes", &P::processes, "-"),
                       member_within("labels", &P::labels));
   }
@@ -41,10 +41,10 @@ struct PlacedPair {
 
   static constexpr contact::Listed listed = contact::Listed::by_first;
   static constexpr auto members() {
-    using contact::member, contact::member_within, P = PlacedPair;
+    using contact::member, contact::member_within;
+    using P = PlacedPair;
     return std::tuple(member("key", &P::key), member_within("left", &P::left),
-                      member("wheel", &P::side),
-                      member("position", &P::position, "-"),
+                      member("wheel", &P::side), member("position", &P::position, "-"),
                       member("rail", &P::rail, "mm", "y to the right, z down"),
                       member("wheel", &P::wheel, "mm", "y to the right, z down"));
   }

@@ -47,8 +47,8 @@ void check_numbers(const std::string& where, const Array& array) {
 }
 
 void check_array(const std::string& where, const Array& array) {
-  const std::size_t expected = std::accumulate(array.shape.begin(), array.shape.end(),
-                                               std::size_t{1}, std::multiplies<>());
+  const std::size_t expected =
+      std::accumulate(array.shape.begin(), array.shape.end(), std::size_t{1}, std::multiplies<>());
   require(array.count == expected, where,
           fmt::format("has {} values, its places {}", array.count, expected));
   if (array.count == 0) return;

@@ -22,17 +22,16 @@ void write_entry(hid_t group, const Entry& entry) {
   if (const auto* array = std::get_if<Array>(&entry.values)) {
     const std::array<hid_t, 4> types{H5T_NATIVE_DOUBLE, H5T_NATIVE_FLOAT, H5T_NATIVE_INT,
                                      H5T_NATIVE_UCHAR};
-    const Handle dataset = write_dataset(
-        group, entry.name, Shape(array->shape.begin(), array->shape.end()),
-        types[static_cast<std::size_t>(array->type)], array->first);
+    const Handle dataset =
+        write_dataset(group, entry.name, Shape(array->shape.begin(), array->shape.end()),
+                      types[static_cast<std::size_t>(array->type)], array->first);
     describe(dataset, entry.unit, entry.description, entry.sign);
     return;
   }
   const auto* text = std::get_if<std::string>(&entry.values);
-  write_comment(text != nullptr
-                    ? write_dataset(group, entry.name, *text)
-                    : write_dataset(group, entry.name,
-                                    std::get<std::vector<std::string>>(entry.values)),
+  write_comment(text != nullptr ? write_dataset(group, entry.name, *text)
+                                : write_dataset(group, entry.name,
+                                                std::get<std::vector<std::string>>(entry.values)),
                 entry.description);
 }
 

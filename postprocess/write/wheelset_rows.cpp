@@ -197,8 +197,13 @@ std::string wheelset_csv(const RunRecord& run) {
     for (const std::string& model : model_names(run))
       for (std::size_t k = 0;; ++k) {
         const int position = static_cast<int>(p) + 1;
-        Row row{&run, p, model, k, wheel_at(run, model, true, position, k),
-                wheel_at(run, model, false, position, k), {}};
+        Row row{&run,
+                p,
+                model,
+                k,
+                wheel_at(run, model, true, position, k),
+                wheel_at(run, model, false, position, k),
+                {}};
         if (!row.left.main && !row.right.main) break;
         if (!run.wheelset.empty()) row.rigid = run.wheelset[p];
         rows.push_back(std::move(row));

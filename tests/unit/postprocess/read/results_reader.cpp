@@ -4,10 +4,10 @@
 #include "postprocess/read/results_reader.hpp"
 
 #include "contact/base/errors.hpp"
+#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/write/output.hpp"
-#include "contact/result/point_fields.hpp"
 
 #include "support/output_python.hpp"
 #include "support/output_synthetic_run.hpp"
