@@ -184,6 +184,12 @@ class Result(Written):
                            for model in self.models for k in range(len(model))))
 
 
+def models_of(core: "CoreResult") -> list[ModelResult]:
+    """The models of a result of the library."""
+    from . import _core
+    return Result.made_of(Node.of(_core.contents_of(core))).models
+
+
 def place_label(place: Mapping[str, Any] | None) -> str:
     """Label of a patch within a run; empty without profiles."""
     if not place:

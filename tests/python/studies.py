@@ -18,8 +18,9 @@ from rollfem.figures.catalogue import build
 from rollfem.figures.published import published
 from rollfem.files import rows_of
 from rollfem.model import ModelResult
+from rollfem.node import Node
 from rollfem.outputs import Study
-from rollfem.result import Head, Result
+from rollfem.result import Result, models_of
 
 
 def sequence(order, levels, ratio=2.0, limit=3.0):
@@ -259,6 +260,17 @@ def model(name, points, place=None):
     return {"name": name, "label": name, "key": name, "seconds": {"total": 0.5}, "place": place, "points": points}
 
 
+def made(record):
+    """The result that such a record stands for."""
+    points = {f"{number:04}": Node(each["scalars"], each["fields"], {name: Node(each[name], {}, {}) for name in (
+        "error_estimate", "no_bar", "model_error")}) for number, each in enumerate(record["points"])}
+    parts = {"seconds": Node(record["seconds"], {}, {}), "grid": Node({"dx": 1.0, "dy": 1.0}, {}, {}), "points": Node({}, {}, points)}
+    if record["place"]:
+        parts["place"] = Node(record["place"], {}, {})
+    about = {"model": record["name"], "label": record["label"], "unknowns": 1, "contact_elements": 1}
+    return ModelResult(record["key"], Node(about, {"notes": []}, parts))
+
+
 REFERENCES = ["halfspace", "fem"]
 BARS = {"max_pressure": 1.0, "traction_coefficient": 0.004}
 
@@ -271,7 +283,7 @@ def example():
 
 
 def compared(records, name="a"):
-    return comparing.Compared(name, "", f"{name}.toml", 0.5, [ModelResult(record) for record in records])
+    return comparing.Compared(name, "", f"{name}.toml", 0.5, [made(record) for record in records])
 
 
 def numbers(records, references=REFERENCES):
@@ -335,7 +347,7 @@ class Comparisons(unittest.TestCase):
         self.assertEqual(found["halfspace", 1, "max_pressure"].reference, "hertz")
         self.assertAlmostEqual(found["halfspace", 1, "max_pressure"].difference, -1 / 101, 12)
         self.assertEqual(found["fastsim", 2, "traction_coefficient"].reference, "halfspace")
-        strip, fem = (ModelResult(model(name, [])) for name in ("strip", "fem"))
+        strip, fem = (made(model(name, [])) for name in ("strip", "fem"))
         self.assertIs(comparing.reference_of([strip, fem], REFERENCES), fem)
         self.assertIs(comparing.reference_of([strip], REFERENCES), strip)
         self.assertIsNone(comparing.reference_of([], REFERENCES))
@@ -404,24 +416,24 @@ class Comparisons(unittest.TestCase):
 class Published(unittest.TestCase):
     """Published values stand beside the case and the place that they belong to only."""
 
-    STEEL = {f"{body}_{name}": value for body in ("wheel", "rail") for name, value in
+    STEEL = {f"{body}.{name}": value for body in ("wheel", "rail") for name, value in
              (("young_modulus", 210e3), ("poisson_ratio", 0.3))}
-    CASE = {**STEEL, "friction_coefficient": 0.55, "problem": "steady", "prescribed_forces": "", "normal_force": 50e3,
-            "wheel_rolling_radius": 405.0, "rail_transverse_radius": 2000.0, "wheel_transverse_radius": math.inf}
-    PLACED = {"vertical_force": 100e3, "wheel_rolling_radius": 450.0, "wheel_profile": "S1002", "rail_profile": "UIC60-manchester"}
+    CASE = {**STEEL, "friction.coefficient": 0.55, "rolling.problem": "steady", "load.normal_force": 50e3, "rail.rolling_radius": math.inf,
+            "wheel.rolling_radius": 405.0, "rail.transverse_radius": 2000.0, "wheel.transverse_radius": math.inf}
+    PLACED = {"load.vertical_force": 100e3, "wheel.rolling_radius": 450.0, "wheel.profile": "S1002",
+              "rail.profile": "UIC60-manchester"}
     LEFT = {"wheel": "left", "position": 1, "patch": 1, "patches": 1, "lateral_shift": 2.0, "yaw": 0.0, "roll": 0.0,
             "y_track": -755.7}
 
     def names(self, inputs, place=None):
-        head = Head({}, {**self.CASE, **inputs}, {}, {})
-        found = published(Result("", "", "", [ModelResult(model("hertz", [], place))], _head=head))
+        found = published(Result("", "", "", [made(model("hertz", [], place))], inputs={**self.CASE, **inputs}))
         return [row["name"] for row in found["patch"] + found["creep_curve"]]
 
     def test_cases_of_the_thesis_are_known_by_their_numbers(self):
         self.assertIn("thesis: Hertz, from a diagram", self.names({}))
         for rail, wheel in ((500.0, math.inf), (2000.0, 105.263), (50.0, -51.282)):
-            self.assertEqual(self.names({"rail_transverse_radius": rail, "wheel_transverse_radius": wheel})[:1], ["Hertz, exact"])
-        for other in ({"rail_transverse_radius": 501.0}, {"normal_force": 60e3}):
+            self.assertEqual(self.names({"rail.transverse_radius": rail, "wheel.transverse_radius": wheel})[:1], ["Hertz, exact"])
+        for other in ({"rail.transverse_radius": 501.0}, {"load.normal_force": 60e3}):
             self.assertEqual(self.names(other), [])
 
     def test_values_of_profiles_belong_to_a_place(self):
@@ -434,7 +446,7 @@ class Published(unittest.TestCase):
 class Benches(unittest.TestCase):
     def solved(self, given, name, across):
         case = rollfem._core.parse_case(f"{given.text}[contact_grid]\nelements_across = {across}\n", "bench")
-        return ModelResult(rollfem._core.models_of(rollfem._core.solve(case, [name], None, False)[0])[0])
+        return models_of(rollfem._core.solve(case, [name], None, False)[0])[0]
 
     def test_known_pressures_are_those_of_hertz(self):
         for given in benching.CASES[:2]:
@@ -450,7 +462,7 @@ class Benches(unittest.TestCase):
 
     def test_errors_are_parts_of_the_whole(self):
         given = benching.CASES[1]  # limits 0.13237 and 0.40478, full sliding 0.55
-        found = benching.errors_of(given, ModelResult(model("m", [point(0.001, 1548.581 * 1.01, 0.13237 - 0.011, 1.0, {}),
+        found = benching.errors_of(given, made(model("m", [point(0.001, 1548.581 * 1.01, 0.13237 - 0.011, 1.0, {}),
                                                                   point(0.004, 1548.581, 0.40478 + 0.0055, 1.0, {})])))
         self.assertAlmostEqual(found["pressure_error"], 0.01, 9)
         self.assertAlmostEqual(found["force_error"], -0.02, 9)

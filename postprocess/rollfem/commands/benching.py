@@ -8,6 +8,7 @@ from typing import Any
 
 from .. import _core
 from ..model import ModelResult
+from ..result import models_of
 from .levels import known, reference_model
 
 # Elements across of the half-space, of theories and the hybrid, cells across of finite elements.
@@ -89,7 +90,7 @@ def case_of(given: BenchCase, model: str, across: int) -> _core.Case:
     if not known()[model]["keeps_bodies"]:
         return parsed(f"[contact_grid]\nelements_across = {across}\n")
     ellipse = _core.solve(parsed(""), ["hertz"], None, False)[0]
-    axes = [_core.models_of(ellipse)[0]["points"][0]["scalars"][name] for name in ("semi_axis_x", "semi_axis_y")]
+    axes = [models_of(ellipse)[0][0][name] for name in ("semi_axis_x", "semi_axis_y")]
     return parsed(f"[fem]\ncell_size = {2 * min(axes) / across!r}\n")
 
 
@@ -123,9 +124,9 @@ def rows(given: BenchCase, work: _core.Computation, quick: bool) -> Iterator[dic
             case, begin = case_of(given, name, across), time.perf_counter()
             result, _ = work.solve(case, [name])
             seconds = time.perf_counter() - begin
-            if records := _core.models_of(result):  # otherwise it cannot take the case
+            if models := models_of(result):  # otherwise it cannot take the case
                 grid = {"elements_across": across} if model["ways"] else {}
-                yield {"case": given.name, "model": name, **grid, **errors_of(given, ModelResult(records[0])), "seconds": seconds}
+                yield {"case": given.name, "model": name, **grid, **errors_of(given, models[0]), "seconds": seconds}
 
 
 def _percent(part: float | None) -> str:

@@ -11,6 +11,7 @@ from typing import Any
 from .. import _core, outputs
 from ..errors import InputError, SolveError
 from ..point import Point
+from ..result import models_of
 from .refinement import RULES, Level, Place, Record, Series, study_csv, study_json, table
 
 
@@ -140,8 +141,7 @@ def _give(word: str, places: Sequence[Place]) -> None:
 
 def _numbers(result: "_core.Result | None", axes: tuple[str, str]) -> Iterator[tuple[str, Point, str]]:
     """(key of the study, load point, quantity) of what the model gives."""
-    record: dict[str, Any] = _core.models_of(result)[0] if result else {"points": []}
-    points = [Point(point, number, "", None) for number, point in enumerate(record["points"])]
+    points = models_of(result)[0].points if result else []
     for name in ("max_pressure", *axes, "approach") if points else ():
         if points[0].scalars.get(name):
             yield name, points[0], name
@@ -154,11 +154,11 @@ def _numbers(result: "_core.Result | None", axes: tuple[str, str]) -> Iterator[t
 
 def _solved(level: Level, result: _core.Result, seconds: float, axes: tuple[str, str]) -> None:
     """Enters a result into its level."""
-    record, numbers = _core.models_of(result)[0], list(_numbers(result, axes))
-    level.unknowns, level.contact_elements, level.seconds = record["unknowns"], record["contact_elements"], seconds
+    model, numbers = models_of(result)[0], list(_numbers(result, axes))
+    level.unknowns, level.contact_elements, level.seconds = model.unknowns, model.contact_elements, seconds
     level.values = {key: point.scalars[name] for key, point, name in numbers}
     level.bars = {key: point.error_estimate[name] for key, point, name in numbers if name in point.error_estimate}
-    level.noise = max((point["scalars"]["residual"] for point in record["points"]), default=0.0)
+    level.noise = max((point["residual"] for point in model), default=0.0)
 
 
 @dataclass

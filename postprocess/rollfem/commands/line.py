@@ -18,6 +18,7 @@ from ..figures.catalogue import build
 from ..model import ModelResult
 from ..outputs import Files
 from ..reader import read_result
+from ..result import models_of
 from . import comparing
 from .benching import bench as measured
 from .comparing import begin_comparison, compared_models, comparison_of
@@ -220,14 +221,14 @@ def _compared(task: Task, work: _core.Computation) -> comparing.Compared:
             raise
         compared.missing = [("every model", str(error), True)]
         return compared
-    records = _core.models_of(result)
+    models = models_of(result)
     compared.missing = [(model, reason if failed else _reason_alone(reason), failed) for model, reason, failed in missing]
-    compared.missing += [(model["name"], model["shortfall"], True) for model in records if model["shortfall"]]
-    if records and work.first:
+    compared.missing += [(model.name, model.shortfall, True) for model in models if model.shortfall]
+    if models and work.first:
         _core.store(task.folder, result)
         if not any(failed for *_, failed in missing):
             work.forget_kept()
-        compared.models = comparing.scalars_of([ModelResult(model) for model in records])
+        compared.models = comparing.scalars_of(models)
     return compared
 
 
