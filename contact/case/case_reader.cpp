@@ -22,6 +22,8 @@
 
 namespace rollfem::contact {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr std::size_t largest_file = 1 << 20;
