@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/plasticity/plastic_law.hpp"
 
+#include "contact/base/root.hpp"
+
 #include <cmath>
 #include <cstddef>
 
@@ -77,35 +79,14 @@ void PlasticLaw::step(PlasticState& state, const Deviator& strain) const {
     }
     return root_of_3_2 * norm(direction) - yield_stress(state.accumulated + dp) - stiffness * dp;
   };
-  // Secants kept between bounds; the elastic strain alone bounds dp from above.
-  double lower = 0.0, of_lower = excess(0.0);
-  double upper = of_lower / (3.0 * shear_modulus_), of_upper = excess(upper);
-  while (of_upper > 0.0) {
-    lower = upper;
-    of_lower = of_upper;
-    upper *= 2.0;
-    of_upper = excess(upper);
-  }
-  const double enough = 1e-13 * parameters_.yield_stress;
-  constexpr int most_iterations = 100;
-  double dp = upper, value = of_upper;
-  bool moved_lower = false, moved_upper = true;
-  for (int k = 0; k < most_iterations && std::abs(value) > enough; ++k) {
-    dp = lower + (upper - lower) * of_lower / (of_lower - of_upper);
-    value = excess(dp);
-    // An end that stays twice counts half (Illinois rule), so that both close in.
-    if (value > 0.0) {
-      lower = dp;
-      of_lower = value;
-      if (moved_lower) of_upper *= 0.5;
-    } else {
-      upper = dp;
-      of_upper = value;
-      if (moved_upper) of_lower *= 0.5;
-    }
-    moved_lower = value > 0.0;
-    moved_upper = !moved_lower;
-  }
+  // The elastic strain alone bounds dp from above, unless the yield stress falls.
+  const double at_rest = excess(0.0);
+  double upper = at_rest / (3.0 * shear_modulus_), at_upper = excess(upper);
+  while (at_upper > 0.0) at_upper = excess(upper *= 2.0);
+  const double enough = 1e-13 * parameters_.yield_stress / (3.0 * shear_modulus_);
+  const double dp =
+      contact::root_between(excess, 0.0, at_rest, upper, at_upper, enough, "plastic strain");
+  excess(dp);
   const double scale = root_of_3_2 * dp / norm(direction);
   for (std::size_t k = 0; k < laws.size(); ++k) {
     const double theta = 1.0 / (1.0 + laws[k].recovery * dp);
