@@ -314,6 +314,20 @@ void add_fields(Tree& tree, const contact::ContactGrid& grid,
 
 }  // namespace
 
+double Array::at(std::size_t k) const {
+  switch (type) {
+    case Type::real:
+      return static_cast<const double*>(first)[k];
+    case Type::single:
+      return static_cast<const float*>(first)[k];
+    case Type::whole:
+      return static_cast<const int*>(first)[k];
+    case Type::byte:
+      return static_cast<const unsigned char*>(first)[k];
+  }
+  return 0.0;
+}
+
 Tree keys_tree(const contact::Case& input) {
   Tree tree{"keys", "The keys that the case gives or that have a default, by their paths"};
   for (const contact::Section& section : contact::case_sections())

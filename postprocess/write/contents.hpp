@@ -23,6 +23,7 @@ struct Array {
   std::size_t count = 0;  ///< what the shape says, in a sound record
   const void* first = nullptr;
   std::shared_ptr<const void> own{};
+  double at(std::size_t k) const;
 };
 
 using Value = std::variant<bool, long, double, std::string>;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace rollfem::postprocess {
@@ -154,35 +155,32 @@ struct Below {
 
 const Columns<Below>& below_columns() {
   static const Columns<Below> all = [] {
+    using F = contact::SubsurfaceField;
     Columns<Below> columns;
     columns.add("distance [mm]", [](const Below& below) {
       const auto &at = below.field->points[below.k], &from = below.field->points.front();
       return std::hypot(at[0] - from[0], at[1] - from[1], at[2] - from[2]);
     });
-    const auto add = [&](const auto& names, const char* unit, auto member) {
-      std::size_t c = 0;
-      for (const char* name : names) {
-        columns.add(heading(name, unit),
+    const auto add = [&](auto member, const char* unit, std::initializer_list<const char*> names) {
+      for (std::size_t c = 0; c < names.size(); ++c)
+        columns.add(heading(names.begin()[c], unit),
                     [member, c](const Below& below) { return (below.field->*member)[below.k][c]; });
-        ++c;
-      }
     };
-    using F = contact::SubsurfaceField;
-    add(std::array{"x", "y", "z"}, "mm", &F::points);
-    add(std::array{"displacement_x", "displacement_y", "displacement_z"}, "mm", &F::displacement);
-    add(std::array{"xx", "yy", "zz", "xy", "yz", "xz"}, "MPa", &F::stress);
-    const auto add_measure = [&](const char* name, auto measure) {
-      columns.add(heading(name, "MPa"), [measure](const Below& below) {
-        return measure(contact::Stress::from_array(below.field->stress[below.k]));
+    add(&F::points, "mm", {"x", "y", "z"});
+    add(&F::displacement, "mm", {"displacement_x", "displacement_y", "displacement_z"});
+    add(&F::stress, "MPa", {"xx", "yy", "zz", "xy", "yz", "xz"});
+    using contact::Stress;
+    for (const contact::StressMeasure& measure : std::initializer_list<contact::StressMeasure>{
+             {"hydrostatic", contact::hydrostatic},
+             {"von_mises", contact::von_mises},
+             {"tresca", contact::tresca},
+             {"orthogonal_shear", contact::orthogonal_shear},
+             {"principal_1", [](const Stress& stress) { return contact::principal(stress)[0]; }},
+             {"principal_2", [](const Stress& stress) { return contact::principal(stress)[1]; }},
+             {"principal_3", [](const Stress& stress) { return contact::principal(stress)[2]; }}})
+      columns.add(heading(measure.name, "MPa"), [value = measure.value](const Below& below) {
+        return value(Stress::from_array(below.field->stress[below.k]));
       });
-    };
-    add_measure("hydrostatic", contact::hydrostatic);
-    add_measure("von_mises", contact::von_mises);
-    add_measure("tresca", contact::tresca);
-    add_measure("orthogonal_shear", contact::orthogonal_shear);
-    for (std::size_t c = 0; c < 3; ++c)
-      add_measure(std::array{"principal_1", "principal_2", "principal_3"}[c],
-                  [c](const contact::Stress& stress) { return contact::principal(stress)[c]; });
     return columns;
   }();
   return all;

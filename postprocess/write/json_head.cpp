@@ -43,28 +43,14 @@ ordered_json number_json(double number) {
   return std::isfinite(number) ? ordered_json(number) : ordered_json(fmt::format("{}", number));
 }
 
-ordered_json number_json(const Array& array, std::size_t k) {
-  switch (array.type) {
-    case Array::Type::real:
-      return number_json(static_cast<const double*>(array.first)[k]);
-    case Array::Type::single:
-      return number_json(static_cast<const float*>(array.first)[k]);
-    case Array::Type::whole:
-      return static_cast<const int*>(array.first)[k];
-    case Array::Type::byte:
-      return static_cast<const unsigned char*>(array.first)[k];
-  }
-  return {};
-}
-
 /// Row k of an entry: a line of text, a number, or a list of numbers.
 ordered_json row_json(const Entry& entry, std::size_t k) {
   if (const auto* lines = std::get_if<std::vector<std::string>>(&entry.values)) return (*lines)[k];
   const Array& array = std::get<Array>(entry.values);
-  if (array.shape.size() == 1) return number_json(array, k);
+  if (array.shape.size() == 1) return number_json(array.at(k));
   ordered_json row = ordered_json::array();
   for (std::size_t c = 0; c < array.shape[1]; ++c)
-    row.push_back(number_json(array, k * array.shape[1] + c));
+    row.push_back(number_json(array.at(k * array.shape[1] + c)));
   return row;
 }
 
