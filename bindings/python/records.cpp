@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bindings/python/bindings.hpp"
-#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/write/contents.hpp"
 

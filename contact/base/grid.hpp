@@ -3,12 +3,9 @@
 // contact area), on which every model has its tractions, and the fields on it.
 #pragma once
 
-#include "contact/base/members.hpp"
-
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <vector>
 
 namespace rollfem::contact {
 
@@ -60,8 +57,6 @@ struct ContactGrid {
   int index(int i, int j) const { return j * nx + i; }
   double x(int i) const { return x_first + i * dx; }
   double y(int j) const { return y_first + j * dy; }
-  std::vector<double> columns() const { return places(nx, x_first, dx); }
-  std::vector<double> rows() const { return places(ny, y_first, dy); }
   double element_area() const { return dx * dy; }
   /// Longer side of an element, mm; elements of a line contact have no side across.
   double longer_side() const { return is_line() ? dx : std::max(dx, dy); }
@@ -93,24 +88,6 @@ struct ContactGrid {
     values.resize(size());
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) values[index(i, j)] = function(x(i), y(j));
-  }
-
-  static constexpr auto members() {
-    using G = ContactGrid;
-    return std::tuple(member_within("nx", &G::nx), member_within("ny", &G::ny),
-                      member("dx", &G::dx, "mm"), member("dy", &G::dy, "mm"),
-                      member_within("x_first", &G::x_first), member_within("y_first", &G::y_first),
-                      member_within("line_reference", &G::line_reference),
-                      member("x", &G::columns, "mm", "element centres along rolling",
-                             "material enters at large x"),
-                      member("y", &G::rows, "mm", "element centres across rolling"));
-  }
-
- private:
-  static std::vector<double> places(int count, double first, double step) {
-    std::vector<double> all;
-    for (int k = 0; k < count; ++k) all.push_back(first + k * step);
-    return all;
   }
 };
 

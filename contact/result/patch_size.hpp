@@ -4,7 +4,7 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
-#include "contact/base/members.hpp"
+#include "contact/scene/members.hpp"
 
 #include <vector>
 

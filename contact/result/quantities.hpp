@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The scalars of a load point, each declared once. Files, checkpoints, `accuracy_of`, comparisons,
-// figures and docs/results.md take them from here; how to add one: docs/developing.md.
+// The scalars and fields of a load point, each declared once. Files, checkpoints, `accuracy_of`,
+// comparisons, figures and docs/results.md take them from here; how to add one: docs/developing.md.
 #pragma once
 
 #include "contact/base/errors.hpp"
@@ -60,6 +60,26 @@ struct Quantity {
 
 /// In the order of the files.
 const std::vector<Quantity>& quantities();
+
+/// A field of a load point over the contact grid.
+struct PointField {
+  const char* name;
+  const char* unit;
+  const char* description;
+  const char* sign;
+  Field& (*member)(ContactFields&);
+  /// Of size 0 where the model does not give it.
+  const Field& value(const ContactFields& fields) const {
+    return member(const_cast<ContactFields&>(fields));  // a member of it
+  }
+};
+
+/// All fields of numbers; ContactFields::state is beside them.
+const std::vector<PointField>& point_fields();
+
+/// Of ContactFields::state.
+inline constexpr const char* state_meaning =
+    "state of the element: 0 exterior, 1 adhesion, 2 slip, 3 plastic";
 
 /// By name; null if unknown.
 const Quantity* find_quantity(const std::string& name);

@@ -2,7 +2,6 @@
 #include "contact/result/record.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 
 #include <cmath>

@@ -7,8 +7,8 @@
 #include "contact/base/checkpoint.hpp"
 #include "contact/base/errors.hpp"
 #include "contact/base/grid.hpp"
-#include "contact/base/members.hpp"
 #include "contact/result/result.hpp"
+#include "contact/scene/members.hpp"
 
 #include <map>
 #include <optional>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "contact/base/grid.hpp"
-#include "contact/base/members.hpp"
 #include "contact/result/yielded_section.hpp"
+#include "contact/scene/members.hpp"
 #include "contact/scene/scene.hpp"
 
 #include <array>

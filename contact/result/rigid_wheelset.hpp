@@ -2,7 +2,7 @@
 // A laterally shifted wheelset whose rigid, unloaded wheels touch their rails.
 #pragma once
 
-#include "contact/base/members.hpp"
+#include "contact/scene/members.hpp"
 
 #include <optional>
 

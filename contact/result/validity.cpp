@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/result/free_ends.hpp"
 #include "contact/result/patch_size.hpp"
-#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // becomes of it with further passes.
 #pragma once
 
-#include "contact/base/members.hpp"
+#include "contact/scene/members.hpp"
 
 #include <array>
 #include <string>

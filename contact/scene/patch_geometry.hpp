@@ -5,8 +5,8 @@
 // of the true profiles follow from it (docs/track.md).
 #pragma once
 
-#include "contact/base/members.hpp"
 #include "contact/scene/height_curve.hpp"
+#include "contact/scene/members.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "contact/base/errors.hpp"
 #include "contact/case/case_reader.hpp"
 #include "contact/case/keys/case_keys.hpp"
-#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/scene/geometry.hpp"
 #include "postprocess/files/seal.hpp"

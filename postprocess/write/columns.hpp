@@ -2,7 +2,7 @@
 // A table for spreadsheets: each column is its heading, with unit, and its cell in a row.
 #pragma once
 
-#include "contact/base/members.hpp"
+#include "contact/scene/members.hpp"
 
 #include <fmt/format.h>
 

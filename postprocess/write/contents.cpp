@@ -3,7 +3,6 @@
 
 #include "contact/case/keys/case_keys.hpp"
 #include "contact/result/derived.hpp"
-#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/scene/friction_law.hpp"
 #include "postprocess/write/wheelset_rows.hpp"
@@ -312,6 +311,12 @@ void add_fields(Tree& tree, const contact::ContactGrid& grid,
       {"state", "-", contact::state_meaning, ""});
 }
 
+std::vector<double> places(int count, double first, double step) {
+  std::vector<double> all;
+  for (int k = 0; k < count; ++k) all.push_back(first + k * step);
+  return all;
+}
+
 }  // namespace
 
 double Array::at(std::size_t k) const {
@@ -368,9 +373,12 @@ Tree model_tree(const ModelResult& model, const contact::Case& input) {
       "Contact grid: centres of the elements (x, y) and their size (attributes dx, dy, in mm); "
       "fields are [ny, nx], x runs fastest"});
   grid.summed_up = false;
-  fill(grid, model.grid);
+  grid.attributes = {{"dx", model.grid.dx}, {"dy", model.grid.dy}, {"unit", std::string("mm")}};
+  put(grid, {"x", "mm", "element centres along rolling", "material enters at large x"},
+      places(model.grid.nx, model.grid.x_first, model.grid.dx));
+  put(grid, {"y", "mm", "element centres across rolling"},
+      places(model.grid.ny, model.grid.y_first, model.grid.dy));
   fill(grid, model.rows);
-  grid.attributes.emplace_back("unit", std::string("mm"));
   if (const auto kept = model.points_with_bodies(); !kept.empty())
     tree.parts.push_back(bodies_tree(model, kept.back()));
   return tree;

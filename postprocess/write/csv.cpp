@@ -4,7 +4,6 @@
 #include "contact/result/bars.hpp"
 #include "contact/result/derived.hpp"
 #include "contact/result/patch_size.hpp"
-#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 #include "contact/result/stress_measures.hpp"
 #include "postprocess/write/columns.hpp"

@@ -6,7 +6,7 @@ import ast
 
 # Each module may import those before it.
 ORDER = ("errors", "files", "frames", "node", "point", "plot", "stresses", "model", "result", "outputs", "reader", "tables",
-         "figures", "_core", "names", "case", "patches", "solving", "studies", "sweeping", "track", "wear",
+         "figures", "_core", "commands", "names", "case", "patches", "solving", "studies", "sweeping", "track", "wear",
          "reading", "api", "__main__")
 FIGURES = ("labels", "styles", "panel", "figure", "outline", "published", "page", "load_points", "tables", "stresses", "curves",
            "profiles", "stress_page", "maps", "yielding", "positions", "report", "table", "study", "compare", "catalogue")

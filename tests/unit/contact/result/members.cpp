@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Structs of results list all their members, so that no file, record or check misses one.
-#include "contact/base/members.hpp"
+#include "contact/scene/members.hpp"
 
 #include "contact/result/patch_size.hpp"
-#include "contact/result/point_fields.hpp"
+#include "contact/result/quantities.hpp"
 #include "contact/result/rigid_wheelset.hpp"
 #include "postprocess/write/output.hpp"
 
@@ -21,7 +21,6 @@ struct Forgetful {
 
 TEST(Members, NoneIsForgotten) {
   static_assert(!contact::lists_all_members<Forgetful>());
-  static_assert(contact::lists_all_members<contact::ContactGrid>());
   static_assert(contact::lists_all_members<contact::ContactPlace>());
   static_assert(contact::lists_all_members<contact::SubsurfaceField>());
   static_assert(contact::lists_all_members<contact::StressMaximum>());

@@ -4,7 +4,6 @@
 #include "postprocess/read/results_reader.hpp"
 
 #include "contact/base/errors.hpp"
-#include "contact/result/point_fields.hpp"
 #include "contact/result/quantities.hpp"
 #include "postprocess/files/seal.hpp"
 #include "postprocess/write/output.hpp"
