@@ -12,17 +12,19 @@ MODULES = ("contact", "halfspace", "theories", "profiles", "track", "meshes", "f
 # commands (app/frame/commands.hpp); parts of the modules of Python and C (bindings.hpp, rollfem.h).
 ENTRIES = re.compile(r"(^|/)main\.cpp$|^hybrid/correction/entry\.cpp$|^contact/case/keys/keys_\w+\.cpp$"
                      r"|^profiles/\w+_format\.cpp$|^app/(input|results|run|study)/\w+\.cpp$|^bindings/")
-# Not yet so: sources of these folders, headers of these names.
-OPEN_FOLDERS = {"app", "contact/solve", "halfspace/patch", "models/study", "postprocess/compare", "postprocess/hdf5",
-                "postprocess/study", "postprocess/write", "track/balance"}
-OPEN_HEADERS = {"load_sharing.hpp", "study.hpp"}
+# Not yet so.
+OPEN_SOURCES = {"app/version_text.cpp", "contact/solve/steep_friction.cpp", "halfspace/patch/potential_area.cpp",
+                "postprocess/hdf5/hdf5_reading.cpp", "postprocess/write/record_check.cpp",
+                "postprocess/write/report.cpp", "postprocess/write/results_hdf5.cpp",
+                "postprocess/write/summary_json.cpp", "track/balance/flange_bending.cpp"}
+OPEN_HEADERS = {"load_sharing.hpp"}
 
 
 def judge(sources, headers):
     """Sentences about paths relative to the root."""
     for path in sources:
         alone = path.with_suffix(".hpp") not in headers and not ENTRIES.search(path.as_posix())
-        if alone and path.parent.as_posix() not in OPEN_FOLDERS:
+        if alone and path.as_posix() not in OPEN_SOURCES:
             yield f"{path} has no header of its name; do: move its declarations into {path.stem}.hpp, or the source into the file whose header declares it"
     for name, count in sorted(collections.Counter(path.name for path in headers).items()):
         if count > 1 and name not in OPEN_HEADERS:
