@@ -68,7 +68,7 @@ class Outcome:
 def says(text, *parts):
     """Holds that a text contains all of these parts."""
     missing = [part for part in parts if part not in text]
-    assert not missing, f"no {missing} in:\n{text}"
+    assert not missing, f"no {missing} in:\n{text[:4000]}"
 
 
 def refused(outcome, part):

@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts of figures and pages of the Python package, one by one: scales, contours, words, the structure of a page."""
+"""Figures and pages of the Python package: their parts one by one, scales, contours, words, the structure of a page; what
+is drawn of a result, whatever it holds; results that are damaged."""
 
 import html.parser
 import math
+import os
 import re
 
 import numpy as np
+import program
 import pytest
-from program import TWO_POSITIONS, package, says
+from program import SMALL, TOY_PROGRAM, TWO_POSITIONS, package, says
 
 package()  # puts it on the path
-from rollfem.figures import labels, positions
+from rollfem.figures import curves, labels, load_points, maps, page, positions, report
 from rollfem.figures.outline import at_points, contour_lines
 from rollfem.figures.panel import Axis, nice_step, tick_text
 from rollfem.figures.profiles import on_scale
 from rollfem.reader import read_result
+from rollfem.stresses import stress_measures
 
 
 def range_of(values, **how):
@@ -128,3 +132,145 @@ def test_a_row_of_shifts_has_its_wheelset_in_a_table_and_a_figure(rollfem):
         drawn = rollfem.text(f"out/figures/{name}.svg")
         assert "[mm]" in drawn and "nan" not in drawn.lower().replace("nance", ""), name
     assert "on the wheel, to the right" in drawn and "width of the patch" in drawn
+
+
+TITLE = "<b>markup</b> & \"quotes\""
+CREEPAGES = [0.0, 0.0005, 0.001, 0.002, 0.003, 0.004, 0.006]
+SOLVED = {"title": TITLE, "models": ["hertz", "strip", "halfspace"]} | SMALL | {
+    "rolling.longitudinal_creepage": CREEPAGES, "contact_grid.elements_across": 16, "output.stress_maxima": True,
+    "subsurface.line": [{"from": [0, 0, 0.5], "to": [0, 0, 6], "points": 5}],
+    "subsurface.plane": [{"from": [-4, 0, 1], "to": [4, 0, 1], "across": [-4, 0, 5], "points": [5, 5]}],
+    "subsurface.surface": [{"body": "rail", "from": [0, -5], "to": [0, 5], "points": 5}]}
+
+
+@pytest.fixture(scope="module")
+def solved():
+    """A folder with a result, of which every test reads its own."""
+    with program.folder() as made:
+        made.done("run", made.case(SOLVED), "-o", "out")
+        yield made
+
+
+def drawn(result, folder):
+    """The names of the figures of a result, which the test has changed, and its report."""
+    report.of(result)
+    figures = page.draw_all(report.captioned(result), str(folder))
+    page.write_page(str(folder / "report.html"), *report.page(result, figures))
+    return {name.removesuffix(".svg") for name in figures.figures}, (folder / "report.html").read_text("utf-8")
+
+
+def test_all_are_drawn_and_the_report_holds_them_without_the_network(solved):
+    figures = {path.stem: path.read_text("utf-8") for path in (solved.work / "out/figures").iterdir()}
+    assert figures.keys() >= {"creep_curve", "path_x", "path_y", "path_lateral", "outlines", "contact_area", "strip_force",
+                              "oblique_px_strip", "oblique_px_halfspace", "oblique_pn_hertz", "stress_1", "stress_3"}
+    # A frictionless model has no tangential tractions to draw, but a pressure; a plane is no line.
+    assert not figures.keys() & {"oblique_px_hertz", "stress_2"}
+    assert all("</svg>" in text and len(text) < 1500000 for text in figures.values())
+    text = solved.text("out/report.html")
+    assert [link for link in ("http:", "https:", 'src="/', "<script", "@import", "url(", "<img") if link in text] == []
+    assert text.count("<figure>") == text.count('role="img" aria-label=') == len(figures)
+    says(text, "name=viewport", "@media print", "normal_force = 50000.0", "&lt;b&gt;markup",
+         "<th scope=row>largest pressure p<sub>0</sub> [MPa]", "<th scope=col>−F<sub>x</sub>/F<sub>z</sub></th>",
+         "<th scope=col>|p<sub>t</sub>| [MPa]</th>", "<th scope=row>contact area [mm²]")
+    assert "not converged" not in text.lower() and "<b>markup" not in text
+
+
+def test_stress_along_lines_is_drawn_and_the_largest_is_tabulated(solved):
+    points = {model["name"]: model["points"] for model in solved.models("out")}["halfspace"]
+    value, creepage = max((each["value"], point["longitudinal_creepage"]) for point in points
+                          for each in point["stress_maxima"] if (each["body"], each["measure"]) == ("wheel", "von_mises"))
+    text = solved.text("out/report.html")
+    says(text, "Stress in the bodies", "wheel: von Mises", "rail: Tresca", "On the surface of the rail")
+    row = text.partition("wheel: von Mises [MPa]")[2].partition("</tr>")[0]
+    assert float(re.search(r"<td>([\d.]+)", row)[1]) == pytest.approx(value, rel=1e-3)
+    says(row, f"mm, ξ = {100 * creepage:g} %")
+    # The measures of the figures are those of the result.
+    part = read_result(str(solved.work / "out"))["halfspace"].points[4].subsurface[0]
+    assert np.allclose(stress_measures(part["stress"])["von_mises"], part["von_mises"])
+
+
+def test_hertz_alone_has_no_creep_curve_and_breaks_nothing(solved, tmp_path):
+    result = read_result(str(solved.work / "out"))
+    result.models = result.models[:1]
+    names, text = drawn(result, tmp_path)
+    assert {"path_x", "outlines"} <= names and not names & {"creep_curve", "path_lateral", "contact_area"}
+    assert "Traction coefficient" not in text
+
+
+@pytest.mark.parametrize("count", [2, 1, 0, None])
+def test_points_without_fields_and_models_without_points_break_nothing(solved, tmp_path, count):
+    result = read_result(str(solved.work / "out"))
+    result.models = [] if count is None else [result["halfspace"]]
+    for model in result.models:
+        model.points = model.points[:count]
+        for point in model.points:
+            point.fields, point.subsurface = {}, []
+    assert drawn(result, tmp_path)
+
+
+def test_a_model_that_did_not_converge_is_named(solved, tmp_path):
+    result = read_result(str(solved.work / "out"))
+    result["halfspace"].points[3].scalars["converged"] = False
+    says(drawn(result, tmp_path)[1], "half-space at ξ = 0.2 %")
+
+
+def test_lateral_creepage_spin_and_an_unknown_model_are_drawn(rollfem):
+    file = rollfem.case(SMALL | {"rolling.lateral_creepage": CREEPAGES, "rolling.spin": 1e-4,
+                                 "contact_grid.elements_across": 10})
+    rollfem.done("run", file, "-m", "stiff", "-o", "out", "--no-report", program=TOY_PROGRAM)
+    rollfem.done("report", "out")
+    assert rollfem.holds("out/figures/creep_curve.svg")
+    says(rollfem.text("out/report.html"), "Lateral force", "stiff half-space")
+
+
+def test_lines_go_through_the_largest_pressure_and_oblique_views_have_room_for_it(rollfem):
+    """A patch that lies 8 mm beside the contact point, as between tread and flange."""
+    rollfem.file("beside.csv", "".join(f"{x} {y} {x * x / 400 + (y - 8) ** 2 / 1000}\n"
+                                       for y in range(-20, 36) for x in range(-20, 21)))
+    rollfem.done("run", rollfem.case({
+        "models": ["halfspace"], "load.normal_force": 50e3, "friction.coefficient": 0.3,
+        "undeformed_distance.file": "beside.csv", "rolling.longitudinal_creepage": 0.001,
+        "contact_grid.cell_size": [0.5, 0.5], "contact_grid.extent": [20.0, 40.0]}), "-o", "out", "--no-report")
+    result = report.of(read_result(str(rollfem.work / "out")))
+    models = load_points.with_pressure(result)
+    at = curves.line_place(models, "x")
+    assert at == pytest.approx(8, abs=models[0].dy) and curves.line_place(models, "y") == pytest.approx(0, abs=models[0].dx)
+    model, = models
+    pressure = model.points[0].fields["pressure"]
+    assert np.nanmax(curves.line_of("x", at)(model, model.points[0], "pressure")[1]) > 0.98 * pressure.max()
+    assert model.line(pressure, "x").max() < 0.9 * pressure.max()
+    assert re.search(r'at <tspan class="it">y</tspan> = [78]', curves.path(result, "x").svg())
+    view = maps._Oblique(model, pressure)
+    assert maps.oblique(result, model).panels[0].y.limits[1] > view(0, model.y[:, None], pressure)[..., 1].max()
+
+
+def test_a_falling_law_is_drawn_with_initial_slope_and_peak_of_the_creep_curve(rollfem, tmp_path):
+    """The rise is Vermeulen and Johnson's with the slope 0.55 * 300, the summit a parabola's."""
+    rollfem.done("run", rollfem.case({"models": ["halfspace"]} | SMALL | {
+        "friction.law": "exponential", "friction.kinetic_coefficient": 0.2, "friction.half_velocity": 1000.0,
+        "friction.memory_distance": 0.003, "rolling.speed": 10e3, "rolling.longitudinal_creepage": CREEPAGES,
+        "contact_grid.elements_across": 10}), "-o", "out", "--no-report")
+    result = read_result(str(rollfem.work / "out"))
+    assert np.allclose(np.interp([0, 1000, 1e9], *result.friction_law.T), [0.55, 0.375, 0.2], rtol=1e-12)
+    for point in result.models[0].points:
+        xi = point["longitudinal_creepage"]
+        tau = 300 * xi
+        point.scalars["traction_coefficient"] = (
+            0.55 * (tau - tau**2 / 3 + tau**3 / 27) if xi < 0.0025 else 0.5 - 2000 * (xi - 0.0042) ** 2)
+        point.scalars["longitudinal_force"] = -point["traction_coefficient"] * point["normal_force"]
+    _, text = drawn(result, tmp_path)
+    says((tmp_path / "figures/friction_law.svg").read_text("utf-8"), "at rest: 0.55", "kinetic: 0.2", "memory: 3 µm")
+    says((tmp_path / "figures/creep_curve.svg").read_text("utf-8"), "0.5 at 0.42 %")
+    says(text, "0.55 at rest, falling (exponential) by 0.35 to 0.2", "memory 0.003 mm",
+         "<td>165</td><td>0.500</td><td>90.9 %</td><td>0.420</td>")
+
+
+def test_a_file_cut_short_is_recognised_and_said(rollfem):
+    rollfem.done("run", rollfem.case(SMALL), "-m", "halfspace", "-o", "out", "--no-report")
+    file = rollfem.work / "out/results.h5"
+    os.truncate(file, file.stat().st_size // 2)
+    outcome = rollfem.call("report", "out")
+    assert outcome.status == 2 and outcome.err.count("\n") == 1, outcome
+    says(outcome.err, "is truncated or damaged", "run the case again")
+    file.unlink()
+    rollfem.refuses("report", "out", says="out holds no result")
