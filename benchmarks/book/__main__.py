@@ -31,6 +31,8 @@ def _parser():
                              "same program and case are reused")
     parser.add_argument("--fresh", action="store_true", help="recompute existing runs")
     parser.add_argument("--png", metavar="DIR", help="folder for additional bitmaps of the figures")
+    parser.add_argument("--check", action="store_true",
+                        help="as a test: judge numbers that need no finite elements, write neither pages nor figures")
     parser.add_argument("--quiet", action="store_true", help="print the verdict only")
     parser.add_argument("--root", help=argparse.SUPPRESS)
     parser.add_argument("--build", help=argparse.SUPPRESS)
@@ -113,17 +115,20 @@ def main():
     results = os.path.abspath(options.results or os.path.join(root, "results", "book"))
     owned = contextlib.ExitStack()
     try:
-        for folder in sorted({directory, results}):
+        for folder in sorted({results} if options.check else {directory, results}):
             owned.enter_context(owner(folder, " ".join(["./rollfem book", *sys.argv[1:]])))
-        os.makedirs(directory, exist_ok=True)
+        if not options.check:
+            os.makedirs(directory, exist_ok=True)
         bench = Bench(root, options.build or os.path.join(root, "build"), results, options.fresh, say)
         style.use()
-        bench.figures, bench.png = directory, options.png
+        bench.figures, bench.png, bench.small = directory, options.png, options.check
+        bench.has_fem = bench.has_fem and not options.check
         done, left_out, failures = _make(bench, wanted, say)
         made = {"command": "./rollfem book" + (f" --only {' '.join(options.only)}" if options.only else ""),
                 "version": bench.version, "host": _machine(), "date": datetime.date.today().isoformat(),
                 "seconds": sum(c.seconds for chapter in done for c in chapter.cost)}
-        page.write_book(directory, done, left_out, made)
+        if not options.check:
+            page.write_book(directory, done, left_out, made)
     except Owned as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
@@ -137,7 +142,7 @@ def main():
         print(f"error: {text}", file=sys.stderr)
     judged = sum(row.allowed is not None for c in done for row in c.rows)
     print(f"{judged} numbers are judged, {len(beyond) or 'none'} beyond their tolerances; "
-          f"{time.time() - begin:.0f} s\nbook: {os.path.join(directory, 'README.md')}")
+          f"{time.time() - begin:.0f} s" + ("" if options.check else f"\nbook: {os.path.join(directory, 'README.md')}"))
     return 1 if failures or beyond else 0
 
 

@@ -182,6 +182,21 @@ def flat_profile(exponent, semi_axis, edge, modulus):
     return 4 * exponent / (2 * exponent + 1) * modulus * depth * semi_axis, depth, pressure
 
 
+def sneddon(exponent, semi_axis, edge, modulus, r):
+    """(force, approach, pressure at r) of the same body from Sneddon's integrals by quadrature."""
+    node, weight = np.polynomial.legendre.leggauss(40)
+    node, weight = (node + 1) / 2, weight / 2
+
+    def depth(t):
+        places = np.multiply.outer(t, np.sin(np.pi / 2 * node))
+        return t * np.pi / 2 * (2 * exponent * edge / semi_axis * (places / semi_axis) ** (2 * exponent - 1) @ weight)
+    reach, step = np.sqrt(semi_axis**2 - r**2), 1e-4 * semi_axis
+    t = np.hypot(r, reach * node)
+    rise = (depth(t + step) - depth(t - step)) / (2 * step)
+    return (2 * modulus * semi_axis * (depth(semi_axis) - depth(semi_axis * node)) @ weight, depth(semi_axis),
+            modulus / np.pi * reach * (rise / t) @ weight)
+
+
 def _bessel(order, argument):
     """J_n by its integral; the rule of midpoints is exact to rounding for a periodic function."""
     t = (np.arange(200) + 0.5) * np.pi / 200

@@ -95,15 +95,14 @@ class Bench:
             raise BookError(f"{self.program} does not exist; do: ./rollfem build")
         self.version = self._version()
         self.figures, self.png = folder, None  # folders of figures and their bitmaps
+        self.small = False  # as a test: fewer numbers, no figures
+        self.has_fem = os.path.exists(os.path.join(build, "fem", "librollfem_fem.so"))
         os.makedirs(folder, exist_ok=True)
 
     def _version(self):
         return subprocess.run([self.program, "--version"], check=True, capture_output=True,
                               text=True).stdout.splitlines()[0]
 
-    @property
-    def has_fem(self):
-        return os.path.exists(os.path.join(self.build, "fem", "librollfem_fem.so"))
 
     def case_text(self, case, settings=None):
         with open(os.path.join(self.root, case), encoding="utf-8") as file:
@@ -165,13 +164,24 @@ class Bench:
 
     def save(self, figure, name):
         """Writes a figure of the book; returns its file name."""
-        style.save(figure, os.path.join(self.figures, name + ".svg"), self.png)
+        if not self.small:
+            style.save(figure, os.path.join(self.figures, name + ".svg"), self.png)
         return name + ".svg"
 
     def run(self, name, case, models=(), settings=None):
         """`rollfem run` of a case, with changed settings if given; returns its Result."""
         options = ["--model", ",".join(models)] if models else []
         return read_run(self._program("run", name, [case], settings, [*options, "--no-report"]))
+
+    def run_text(self, name, text, models=()):
+        """The same of a case given as text."""
+        return self.run(name, self.text_file(name + "_case.toml", text), models)
+
+    def text_file(self, name, text):
+        """Writes a file beside the results; returns its path."""
+        path = os.path.join(os.path.abspath(self.folder), name)
+        _write(path, text)
+        return path
 
     def study(self, name, case, options=(), settings=None):
         """`rollfem study` of a case; returns study.json as a dict."""

@@ -63,6 +63,7 @@ SPENT = (
     ("curvature-slip", "case a: mean slip, first order", "the other hand's figure has three digits, 0.3 %; the rest is not explained"),
     ("curvature-slip", "sphere, a/R = 0.0126", "the next term in a/R, which the first order leaves out"),
     ("thesis-cases", "p0", "cells of a/8: discretisation, all three on the same side"),
+    ("thesis-cases", "case a: largest |p_x|", "40 elements across beside CONTACT's 160"),
     ("nowell-hills", "mu = 0.3", "edges of slip between elements of a/100, of first order, in proportion to mu"),
     ("nowell-hills", "mu = 10", "the patch narrows by half an element at either end"),
     ("cattaneo", "nu = 0.42", "Mindlin's closed form leaves out slip across the shift"),

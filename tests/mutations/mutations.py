@@ -2,8 +2,8 @@
 """The list of mutations: one wrong line each, which a test must detect. run.py applies them.
 
 `find` occurs exactly once in `file` (structure.mutations holds it), and `put` stands in its place.
-`suspects` are the tests that are run first, as GROUP_NAME of tests/GROUP/**/NAME.cpp or GROUP_NAME:FILTER of
-GoogleTest; the others follow only where these find nothing. Mutations that change no result (the sign of a velocity
+`suspects` are the tests that are run first, as GROUP_NAME of tests/GROUP/**/NAME.cpp, GROUP_NAME:FILTER of GoogleTest, or
+book_PART of the book's chapters; the others follow only where these find nothing. Mutations that change no result (the sign of a velocity
 that enters squared, say) do not belong here.
 """
 
@@ -62,7 +62,7 @@ MUTATIONS = [
              "result.xn = -material.difference / material.shear_modulus",
              "result.xn = material.difference / material.shear_modulus",
              "pressure on unlike rollers moves them along the wrong way",
-             ("unit_line_influence", "verification_line_contact")),
+             ("unit_line_influence", "book_rolling")),
     Mutation("line_in_plane_stress", "halfspace/elasticity/influence.cpp",
              "result.xx = result.nn = scale * (1.0 - material.poisson_ratio) * integral;",
              "result.xx = result.nn = scale / (1.0 + material.poisson_ratio) * integral;",
@@ -306,7 +306,7 @@ MUTATIONS = [
              "{point.longitudinal_force, point.lateral_force, point.normal_force,",
              "{point.longitudinal_force, -point.lateral_force, point.normal_force,",
              "the balance has the lateral force of the rail",
-             ("verification_wheelset_balance", "verification_wheelset_manchester")),
+             ("verification_wheelset_balance", "book_profiles")),
     # convert/
     Mutation("converted_turn", "convert/single_contact.cpp",
              "    return -1.0;", "    return 1.0;",

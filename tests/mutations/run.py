@@ -79,6 +79,8 @@ class Workshop:
         group, name = suspect.split(":")[0].split("_", 1)
         if group in ("cli", "python"):
             return "rollfem_program"
+        if group == "book":
+            return "book_tests"
         room = next((ROOT / "tests" / group).rglob(f"{name}.cpp")).parent.relative_to(ROOT / "tests")
         program = "_".join(room.parts)
         return f"{program}_fem" if name.startswith("fem_") and "_fem" not in program else program
@@ -95,7 +97,7 @@ class Workshop:
 
     def first_failure(self, suspect):
         """Name of the first test of a program that fails, or None."""
-        if suspect.startswith(("cli_", "python_")):
+        if suspect.startswith(("cli_", "python_", "book_")):
             test = suspect.replace("_", ".", 1)
             return None if self.passes(test) else test
         ran = run([self.build / "tests" / self.program(suspect), "--gtest_fail_fast", "--gtest_brief=1",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every mutation of tests/mutations finds its text exactly once, and its suspects are test programs."""
 
+import re
 import sys
 
 
@@ -13,6 +14,8 @@ def problems(root):
                 for group in ("unit", "verification", "hard", "cli")
                 for pattern in ("*.cpp", "test_*.py") for path in (root / "tests" / group).rglob(pattern)}
     programs |= {f"python_{path.stem}" for path in (root / "tests/python").glob("*.py")}
+    chapters = re.findall(r"^set\(chapters_(\w+)", (root / "tests/CMakeLists.txt").read_text(), re.MULTILINE)
+    programs |= {f"book_{part}" for part in chapters}
     for mutation in MUTATIONS:
         text = (root / mutation.file).read_text() if (root / mutation.file).is_file() else ""
         if text.count(mutation.find) != 1:
@@ -23,6 +26,6 @@ def problems(root):
         for suspect in mutation.suspects:
             if suspect.split(":")[0] not in programs:
                 yield (f"{mutation.name}: {suspect} is no test program; allowed: GROUP_NAME of "
-                       "tests/GROUP/**/NAME.cpp")
+                       "tests/GROUP/**/NAME.cpp, or book_PART of the book's chapters (tests/CMakeLists.txt)")
     names = [mutation.name for mutation in MUTATIONS]
     yield from (f"{name}: twice in the list" for name in {n for n in names if names.count(n) > 1})

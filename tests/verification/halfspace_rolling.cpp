@@ -55,29 +55,6 @@ TEST(SteadyRolling, SecondOrderReachesTheConvergedForcesAt20Across) {
   EXPECT_NEAR(f.moment, -1150.0, 0.06 * 1150.0);
 }
 
-TEST(SteadyRolling, FirstOrderGivesTheValuesOfTheDesignAndOfContact) {
-  // The design's program took the spin at the middles of elements, as second order does.
-  const double fx[] = {10867.0, 10554.0, 10409.0};
-  const double moment[] = {-3078.0, -2120.0, -1687.0};
-  for (int level = 0; level < 3; ++level) {
-    const Forces f = forces_of_benchmark_9(10 << level, UpwindOrder::first);
-    EXPECT_NEAR(f.x / fx[level], 1.0, 0.005);
-    EXPECT_NEAR(f.moment / moment[level], 1.0, 0.005);
-  }
-  // CONTACT at 80 across: 10 320, -7126, -1364 under the pressure that it finds, here under
-  // Hertz's; digit by digit with the pressure found: verification.DigitsOfContact.
-  const Benchmark9 benchmark;
-  const ContactGrid grid = benchmark.grid(80);
-  const HalfspaceCompliance compliance(grid, Benchmark9::material());
-  const Forces f = rollfem::testing::forces(
-      grid, contact::solve_tangential(compliance.rolling(UpwindOrder::first),
-                                      benchmark.problem(grid, UpwindOrder::first))
-                .traction);
-  EXPECT_NEAR(f.x / 10320.0, 1.0, 0.001);
-  EXPECT_NEAR(f.y / -7126.0, 1.0, 0.002);
-  EXPECT_NEAR(f.moment / -1364.0, 1.0, 0.003);
-}
-
 TEST(SteadyRolling, BothOrdersConvergeToTheSameForces) {
   const Forces first_40 = forces_of_benchmark_9(40, UpwindOrder::first);
   const Forces first_80 = forces_of_benchmark_9(80, UpwindOrder::first);
@@ -188,24 +165,6 @@ ModelResult creep_curve(char name, int across, const std::vector<double>& xi,
   return halfspace::run_halfspace(input, {});
 }
 
-TEST(CreepCurve, OfCaseAIsWithinHalfAPercentOfTheLargest) {
-  std::vector<double> xi = case_a::creepages, exact = case_a::coefficients;
-  xi.insert(xi.begin(), 0.0);
-  exact.insert(exact.begin(), 0.0);
-  const ModelResult result = creep_curve('a', 40, xi);
-  ASSERT_EQ(result.points.size(), xi.size());
-  for (std::size_t k = 0; k < xi.size(); ++k) {
-    const contact::PointResult& point = result.points[k];
-    EXPECT_NEAR(point.traction_coefficient, exact[k], 0.005 * 0.54952) << xi[k];
-    EXPECT_NEAR(point.max_pressure, 578.967, 0.001 * 578.967);
-    EXPECT_NEAR(point.semi_axis_x, 3.79236, 0.005 * 3.79236);
-    EXPECT_NEAR(point.semi_axis_y, 10.87295, 0.005 * 10.87295);
-    EXPECT_NEAR(point.normal_force, 50e3, 1e-8 * 50e3);
-  }
-  EXPECT_GE(result.points[3].max_traction_x, 306.0);
-  EXPECT_LE(result.points[3].max_traction_x, 309.0);
-}
-
 TEST(CreepCurve, ErrorEstimatesCoverTheErrors) {
   const std::vector<double> xi(case_a::creepages.begin(), case_a::creepages.end() - 1);
   const std::vector<double>& exact = case_a::coefficients;
@@ -259,13 +218,13 @@ TEST(CreepCurve, ErrorEstimatesCoverTheErrorsWithSpin) {
   }
 }
 
-/// contact_tangential.csv, case c: CONTACT's Fx/Fz at 40, 80 and 160 elements across.
+/// contact_tangential.csv, case c: CONTACT's Fx/Fz at 40 and 80 elements across.
 struct ContactRow {
-  double xi, at_40, at_80, at_160, max_px_80;
+  double xi, at_40, at_80;
 };
-constexpr ContactRow case_c[] = {{0.001, 0.13514831, 0.13354435, 0.13300248, 500.03487},
-                                 {0.002, 0.24755009, 0.24488792, 0.24396890, 673.20600},
-                                 {0.004, 0.41046727, 0.40748153, 0.40612354, 832.21751}};
+constexpr ContactRow case_c[] = {{0.001, 0.13514831, 0.13354435},
+                                 {0.002, 0.24755009, 0.24488792},
+                                 {0.004, 0.41046727, 0.40748153}};
 
 TEST(CreepCurve, OfCaseCWithFirstOrderIsContactsOnTheSameGrid) {
   for (const int across : {40, 80}) {
@@ -274,16 +233,6 @@ TEST(CreepCurve, OfCaseCWithFirstOrderIsContactsOnTheSameGrid) {
       EXPECT_NEAR(result.points[k].traction_coefficient,
                   across == 40 ? case_c[k].at_40 : case_c[k].at_80, 2e-4)
           << case_c[k].xi << ", " << across;
-  }
-}
-
-TEST(CreepCurve, OfCaseCReachesAt80AcrossWhatContactExtrapolatesTo) {
-  const ModelResult result = creep_curve('c', 80, {0.001, 0.002, 0.004});
-  for (std::size_t k = 0; k < std::size(case_c); ++k) {
-    const ContactRow& row = case_c[k];
-    const double extrapolated = 2.0 * row.at_160 - row.at_80;  // CONTACT is first order
-    EXPECT_NEAR(result.points[k].traction_coefficient, extrapolated, 0.002 * 0.55) << row.xi;
-    EXPECT_NEAR(result.points[k].max_traction_x / row.max_px_80, 1.0, 0.005);
   }
 }
 
