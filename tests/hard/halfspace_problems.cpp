@@ -2,7 +2,6 @@
 // Prescribed forces, unlike materials, histories and shapes where half-space codes tend to fail,
 // each with a known answer.
 #include "contact/base/errors.hpp"
-#include "contact/result/derived.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solve/contact_problem.hpp"
 #include "halfspace/closed_forms/hertz.hpp"
@@ -150,26 +149,6 @@ TEST(HardMaterials, FreeRollingOfUnlikeMaterialsAtAnyFriction) {
         }
       }
   }
-}
-
-TEST(HardMaterials, FrictionalPowerIsWhatTheMotionPutsIn) {
-  // The elastic energy does not change in steady rolling: friction takes the work of the creep
-  // forces and that of the pressure, which unlike materials shift towards an edge (a rolling
-  // resistance): int p_n dh/dx.
-  Case input = thesis_case('b');
-  input.wheel.material = {70e3, 0.33};
-  input.contact_grid.elements_across = 40;
-  input.rolling.creepages = {{2e-3, 1e-3, 1e-4}};
-  const ModelResult result = halfspace::run_halfspace(input, {});
-  const PointResult& point = result.points[0];
-  const contact::PowerBalance balance = contact::power_balance(
-      result.grid, point.fields.traction, point.fields.slip, point.creepage, 1.0);
-  const double slope = 2.0 * contact::relative_curvatures(input).A;
-  const Field x = result.grid.sample([](double at, double) { return at; });
-  const double resistance = slope * result.grid.element_area() * x.dot(point.fields.traction.n);
-  EXPECT_GT(balance.friction, 0.0);
-  EXPECT_GT(std::abs(resistance), 0.05 * balance.friction);
-  EXPECT_NEAR((balance.creepage + resistance) / balance.friction, 1.0, 0.03);
 }
 
 TEST(HardShapes, TwoPatchesWithFrictionShareTheForces) {

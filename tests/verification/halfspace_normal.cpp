@@ -125,35 +125,6 @@ TEST(HalfspaceNormal, IterationsStayFewOnFineGrids) {
   EXPECT_LE(solve_case(input, 160).solution.iterations, 20);
 }
 
-TEST(HalfspaceNormal, GivenForceAndGivenApproachAreTheSameProblem) {
-  Solved run = solve_case(thesis_case('b'), 30);
-  const HalfspaceCompliance compliance(run.grid, rollfem::testing::steel());
-  run.problem.normal_force.reset();
-  run.problem.approach = run.solution.approach;
-  const NormalSolution other = contact::solve_normal(compliance.normal(), run.problem);
-  EXPECT_NEAR(other.normal_force / run.solution.normal_force, 1.0, 1e-7);
-  EXPECT_LT((other.pressure - run.solution.pressure).cwiseAbs().maxCoeff(),
-            1e-5 * run.solution.pressure.maxCoeff());
-  EXPECT_EQ(other.contact_elements, run.solution.contact_elements);
-}
-
-TEST(HalfspaceNormal, HoldsEquilibriumAndComplementarityAtEveryElement) {
-  const Solved run = solve_case(thesis_case('c'), 25);
-  const NormalSolution& s = run.solution;
-  EXPECT_NEAR(s.pressure.sum() * run.grid.element_area(), 50e3, 1e-8 * 50e3);
-  EXPECT_EQ(s.normal_force, s.pressure.sum() * run.grid.element_area());
-  const HalfspaceCompliance compliance(run.grid, rollfem::testing::steel());
-  Field gap;
-  compliance.normal().apply(s.pressure, gap);
-  gap += run.problem.undeformed_distance - Field::Constant(run.grid.size(), s.approach);
-  for (int k = 0; k < run.grid.size(); ++k) {
-    EXPECT_GE(s.pressure[k], 0.0);
-    EXPECT_GE(gap[k], -1e-8 * s.approach);
-    EXPECT_LE(s.pressure[k] > 0.0 ? gap[k] : 0.0, 1e-8 * s.approach);
-    EXPECT_NEAR(s.gap[k], gap[k], 1e-12 * s.approach);
-  }
-}
-
 TEST(HalfspaceNormal, ScalesWithUnitsAndHasTheSymmetryOfThePatch) {
   const contact::Case input = thesis_case('a');
   const Solved run = solve_case(input, 21);

@@ -85,46 +85,6 @@ TEST(SteadyRolling, NewtonTakesFewStepsAndEndsFast) {
   EXPECT_LE(sharp.newton_steps, s.newton_steps + 2);
 }
 
-TEST(SteadyRolling, HoldsCoulombsLawAtEveryElement) {
-  const Benchmark9 benchmark;
-  const ContactGrid grid = benchmark.grid(30);
-  const TangentialProblem problem = benchmark.problem(grid);
-  const TangentialSolution s = solve_benchmark_9(30, UpwindOrder::second);
-  const double rigid = std::hypot(1e-3, 5e-4);
-  int adhesion = 0;
-  for (int k = 0; k < grid.size(); ++k) {
-    const double g = benchmark.friction * problem.pressure[k];
-    const double p = std::hypot(s.traction.x[k], s.traction.y[k]);
-    const double w = std::hypot(s.slip.x[k], s.slip.y[k]);
-    EXPECT_LE(p, g * (1.0 + 1e-5));
-    if (s.state[static_cast<std::size_t>(k)] == ElementState::exterior) {
-      EXPECT_EQ(g, 0.0);
-      EXPECT_EQ(p, 0.0);
-    } else if (s.state[static_cast<std::size_t>(k)] == ElementState::adhesion) {
-      ++adhesion;
-      EXPECT_LE(w, 1e-5 * rigid);
-    } else {
-      EXPECT_NEAR(p / g, 1.0, 1e-5);
-      // Traction against slip: p w = -g |w|.
-      const double work = s.traction.x[k] * s.slip.x[k] + s.traction.y[k] * s.slip.y[k];
-      EXPECT_NEAR(work, -g * w, 1e-5 * g * rigid);
-    }
-  }
-  EXPECT_GT(adhesion, 100);
-}
-
-TEST(SteadyRolling, BrakingGivesANegativeForceOnTheWheel) {
-  const auto forces = [](const contact::Creepage& creepage) {
-    return forces_of_benchmark_9(16, UpwindOrder::second, creepage);
-  };
-  EXPECT_LT(forces({1e-3, 0.0, 0.0}).x, 0.0);
-  EXPECT_LT(forces({0.0, 1e-3, 0.0}).y, 0.0);
-  const Forces spin = forces({0.0, 0.0, 1e-4});
-  // Kalker: F_y = -G c^3 C23 phi, M_z = -G c^4 C33 phi.
-  EXPECT_LT(spin.y, 0.0);
-  EXPECT_LT(spin.moment, 0.0);
-}
-
 TEST(SteadyRolling, ReversedCreepageReversesTractions) {
   const TangentialSolution s = solve_benchmark_9(20, UpwindOrder::second, {-1e-3, 5e-4, 1e-4});
   const TangentialSolution r = solve_benchmark_9(20, UpwindOrder::second, {1e-3, -5e-4, -1e-4});
@@ -146,15 +106,6 @@ TEST(SteadyRolling, MirroredSceneGivesMirroredTractions) {
       EXPECT_NEAR(s.traction.x[k], m.traction.x[l], 1e-4 * scale);
       EXPECT_NEAR(s.traction.y[k], -m.traction.y[l], 1e-4 * scale);
     }
-}
-
-TEST(SteadyRolling, FullSlipIsElementary) {
-  const TangentialSolution s = solve_benchmark_9(20, UpwindOrder::second, {0.05, 0.0, 0.0});
-  const ContactGrid grid = Benchmark9().grid(20);
-  const Field bound = Benchmark9().friction * Benchmark9().problem(grid).pressure;
-  EXPECT_NEAR(rollfem::testing::forces(grid, s.traction).x, -bound.sum() * grid.element_area(),
-              1.0);
-  EXPECT_EQ(std::count(s.state.begin(), s.state.end(), ElementState::adhesion), 0);
 }
 
 /// Creep curve of a thesis case by the model; {xi, Fx/Fz}.

@@ -127,23 +127,6 @@ TEST(QuadraticDistance, OfTheRadiiGivesTheSameResult) {
   }
 }
 
-TEST(DistancePointByPoint, OfTheSameParabolaGivesTheSameContact) {
-  Case radii = parse_case(plus("[contact_grid]\ncell_size = [0.4, 1.2]\n"), "a.toml");
-  Case points = radii;
-  contact::Lattice lattice{"h.csv", 17, 29, -4.8, -16.8, 0.6, 1.2, {{}}};
-  for (int j = 0; j < lattice.ny; ++j)
-    for (int i = 0; i < lattice.nx; ++i)
-      lattice.values[0].push_back(std::pow(lattice.x_first + i * lattice.dx, 2) / 810.0 +
-                                  std::pow(lattice.y_first + j * lattice.dy, 2) / 4000.0);
-  points.undeformed_distance.values = lattice;
-  const auto a = half_space_models().run("halfspace", radii, {}).points.front();
-  const auto b = half_space_models().run("halfspace", points, {}).points.front();
-  // Not the same elements, so only as equal as the grid is good.
-  EXPECT_NEAR(b.max_pressure / a.max_pressure, 1.0, 5e-3);
-  EXPECT_NEAR(b.approach / a.approach, 1.0, 5e-3);
-  EXPECT_THROW(half_space_models().run("hertz", points, {}), contact::InputError);
-}
-
 TEST(SubsurfacePoints, LieOnPointsLinesAndPlanes) {
   contact::SubsurfaceRequest plane;
   plane.kind = contact::SubsurfaceRequest::Kind::plane;
@@ -155,33 +138,6 @@ TEST(SubsurfacePoints, LieOnPointsLinesAndPlanes) {
   ASSERT_EQ(points.size(), 12u);
   EXPECT_EQ(points[1], (std::array<double, 3>{1.0, 0.0, 1.0}));
   EXPECT_EQ(points[11], (std::array<double, 3>{2.0, 3.0, 4.0}));
-}
-
-TEST(SubsurfaceFields, BelowTheMiddleAreContacts) {
-  // reference/contact_subsurface_a.csv: CONTACT, case a: depth, xx, yy, zz.
-  const double rows[][4] = {{1, -276.966, -283.211, -557.459}, {2, -137.465, -194.151, -503.644},
-                            {3, -64.6025, -132.593, -437.695}, {4, -28.1380, -90.6904, -373.829},
-                            {6, -1.13786, -42.7999, -270.821}, {8, 5.22582, -20.2541, -199.750}};
-  const Case input = parse_case(
-      plus(
-          "[contact_grid]\nelements_across = 40\n"
-          "[[subsurface.line]]\nfrom = [0, 0, 1]\nto = [0, 0, 8]\npoints = 8\n"
-          "[[subsurface.line]]\nbody = \"rail\"\nfrom = [0, 0, -1]\nto = [0, 0, -8]\npoints = 8\n"),
-      "a.toml");
-  const auto result = half_space_models().run("halfspace", input, {});
-  const auto& fields = result.points.front().subsurface;
-  ASSERT_EQ(fields.size(), 2u);
-  EXPECT_GT(result.seconds.at("subsurface"), 0.0);
-  for (const auto& field : fields)
-    for (const auto& [depth, xx, yy, zz] : rows) {
-      const auto k = static_cast<std::size_t>(depth) - 1;
-      EXPECT_NEAR(std::abs(field.points[k][2]), depth, 1e-12);
-      EXPECT_NEAR(field.stress[k][0], xx, 2e-3 * 578.967);
-      EXPECT_NEAR(field.stress[k][1], yy, 2e-3 * 578.967);
-      EXPECT_NEAR(field.stress[k][2], zz, 2e-3 * 578.967);
-    }
-  // Like bodies under pressure alone are mirror images.
-  EXPECT_NEAR(fields[0].displacement[3][2], -fields[1].displacement[3][2], 1e-12);
 }
 
 }  // namespace
