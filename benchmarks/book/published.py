@@ -162,6 +162,18 @@ CONTACT_GROOVES = {
     10.05: {"p0": 348.7, "approach": 0.017427, "creepage": -6.4950e-4, "p0_turned_back": 336.1},
     10.02: {"p0": 296.8, "p0_turned_back": 283.6}}
 
+# Traction curve of a locomotive (Eurosprinter, Polach 2005) as CONTACT prints it (user guide, section 5.9; open version r2707):
+# -F_x/(mu F_z) by creepage with layer and memory (cases 31 to 60), and by its modified FASTSIM, mu = 0.36 (91 to 120).
+CONTACT_LOCOMOTIVE = {1e-5: 0.001869, 0.001: 0.1825, 0.002: 0.3495, 0.003: 0.4928, 0.004: 0.6101, 0.005: 0.7029, 0.006:
+    0.7739, 0.007: 0.8268, 0.008: 0.8652, 0.009: 0.8928, 0.010: 0.9119, 0.011: 0.9251, 0.012: 0.9340, 0.013: 0.9395, 0.014:
+    0.9426, 0.015: 0.9442, 0.016: 0.9445, 0.018: 0.9429, 0.020: 0.9393, 0.030: 0.9138, 0.040: 0.8873, 0.050: 0.8622, 0.075:
+    0.8053, 0.100: 0.7559, 0.125: 0.7129, 0.150: 0.6755, 0.175: 0.6430, 0.200: 0.6146, 0.225: 0.5900, 0.250: 0.5685}
+CONTACT_LOCOMOTIVE_FASTSIM = {1e-5: 0.003526, 0.001: 0.2721, 0.002: 0.4388, 0.003: 0.5477, 0.005: 0.6757, 0.007: 0.7441,
+    0.010: 0.7979, 0.014: 0.8298, 0.018: 0.8420, 0.022: 0.8451, 0.030: 0.8390, 0.040: 0.8215, 0.065: 0.7654, 0.100: 0.6874,
+    0.150: 0.5970, 0.200: 0.5329, 0.250: 0.4877}
+# The force at 1e-5 in N without and with the layer.
+CONTACT_LOCOMOTIVE_SLOPE = (247.0, 65.81)
+
 # Dry twin disc, wheel steel R8T on rail steel 900A (Lewis and Dwyer-Joyce 2004): discs of 47 mm, track of 10 mm, 400 rpm,
 # 1500 MPa by Hertz, which is 7198 N. Slip: heat of friction in W; the traction coefficient is heat/(slip V F_n).
 TWIN_DISC = {0.002: 1.3, 0.005: 9.2, 0.01: 25.7, 0.03: 102.6, 0.075: 246.0, 0.1: 327.8, 0.15: 492.1, 0.2: 728.4}

@@ -51,6 +51,8 @@ BASIS = {
                   "(0.03 mm); creepages are over two different speeds (1.3 %) and friction by differences of first and "
                   "second order (0.4 %). On the flange the patch is 3.7 elements wide, which is 2 to 3 % of p0 in either "
                   "program: 5 % for both, more than a test of the method can use.",
+    "falling-friction": "CONTACT has four digits on the same elements; what differs is where its memory begins. The law is exact "
+                        "in full sliding but for elastic strains; FASTSIM's flexibilities are those of another table.",
     "measured": "Carter's closed form is exact, collocation with a layer good to 1e-5 of mu; second order in 80 elements. "
                 "What was measured is known to half a unit of the last printed digit of the heat (4 % at the smallest slip) and "
                 "to scatter of some 10 %: shown, not judged.",

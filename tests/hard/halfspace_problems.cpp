@@ -225,11 +225,4 @@ TEST(HardHistory, AnEmptyStepChangesNothingAndFullSlidingSaturates) {
   EXPECT_NEAR(result.points[3].longitudinal_shift, 1.002, 1e-6);
 }
 
-TEST(HardShapes, AGridBeyondAllMemoryIsRefusedAtOnceWithTheUsersCells) {
-  Case input = thesis_case('a');
-  input.contact_grid.cell_size = {{1e-5, 1e-5}};
-  EXPECT_TRUE(says(refusal<contact::InputError>([&] { halfspace::run_halfspace(input, {}); }),
-                   "[1e-05, 1e-05]"));
-}
-
 }  // namespace

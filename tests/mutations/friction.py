@@ -42,7 +42,7 @@ FRICTION = [
              "coefficients_.front().xx += material.layer;",
              "coefficients_.front().xx += 0.5 * material.layer;",
              "a layer is half as soft along rolling",
-             ("verification_falling_friction:Layer.*",)),
+             ("book_falling",)),
     Mutation("yield_along_the_way", "contact/iteration/friction_state.cpp",
              "const double ahead = step.way * 0.5 * part * part;",
              "const double ahead = 0.0;",

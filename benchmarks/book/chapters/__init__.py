@@ -3,6 +3,7 @@
 from .bodies import elements, incompressible, inertia, persson
 from .conformal import conformal_contact
 from .curvature import curvature_slip
+from .falling import falling_friction
 from .fem import calculix, fem_hertz
 from .friction import cattaneo, creep_frequency, spence, transient
 from .hybrid import hybrid
@@ -17,4 +18,4 @@ from .thesis import half_space_limits, thesis_cases
 ALL = [hertz, grid_order, steuermann, cattaneo, spence, carter, bentall_johnson, nowell_hills, kalker, benchmark_9,
        fastsim, transient, creep_frequency, stress_circle, stress_case_a, elements, persson, fem_hertz, incompressible,
        inertia, thesis_cases, half_space_limits, calculix, hybrid, curvature_slip, conformal_contact, wheel_on_rail,
-       manchester, measured]
+       manchester, measured, falling_friction]

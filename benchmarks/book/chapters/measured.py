@@ -6,6 +6,7 @@ from matplotlib import pyplot as plt
 from .. import closed_forms, layered_cylinders, published, style
 from ..chapter import Chapter, Cost, Row, Table
 from ..page import number, percent
+from .rolling import LARGEST, LOAD, ROLLERS, STEEL
 
 FRICTION, RADIUS, WIDTH = 0.46, 23.5, 10.0  # mm; of cases/twin_disc.toml
 MODULUS = 210e3 / (2 * (1 - 0.3**2))
@@ -89,6 +90,28 @@ def _ends(model):
                  ["slip", "endless", "10 mm wide"], rows)
 
 
+def _adhering(bench):
+    """Rollers of a = 1 mm that adhere, with layers from soft to stiff beside the bodies, and both limits of collocation."""
+    modulus, xi, rows = 82e3 / 0.72, 1e-7, []
+
+    def collocated(compliance):
+        return layered_cylinders.creep_force(1.0, LARGEST, 0.3, modulus, xi, compliance, 400)
+    rows += [Row("collocation, stiff layer: force in full adhesion", "N/mm", closed_forms.carter_force(1.0, LARGEST, 0.3, modulus, xi),
+                 collocated(1e-3 / modulus), 2e-3, by="against Carter"),
+             Row("collocation, soft layer: force in full adhesion", "N/mm", 2 * xi / (1e6 / modulus), collocated(1e6 / modulus),
+                 5e-5, by="against rigid bodies")]
+    for ratio in (0.1, 1.0, 10.0):
+        compliance = 2 / (np.pi * modulus * ratio)
+        for across, allowed in ((40, 5e-3), (80, 2e-3)):
+            text = ROLLERS.format(load=LOAD, friction=0.3, wheel=STEEL, geometry="", across=across,
+                                  rolling=f"longitudinal_creepage = {xi}")
+            text += f"[layer]\nthickness = {82e3 * compliance!r}\nshear_modulus = 82e3\n"
+            point = bench.run_text(f"layer_{ratio:g}_{across}", text, ["halfspace"])["halfspace"].points[0]
+            rows.append(Row(f"2/(pi E* c) = {ratio:g}: force in full adhesion", "N/mm", collocated(compliance),
+                            -point["longitudinal_force"], allowed, by=f"half-space, {across} across, against collocation"))
+    return rows
+
+
 def measured(bench):
     """Measured: the creep curve of a twin-disc machine"""
     case = "cases/twin_disc.toml"
@@ -108,6 +131,7 @@ def measured(bench):
                      by="model carter, against Carter"),
                  Row(f"{at}, with a layer", "", _layered(slip), layered.nearest(slip)["traction_coefficient"], 1e-3,
                      of=FRICTION, of_words="mu", by="half-space, 80 across, against collocation")]
+    rows += _adhering(bench)
     slope = _layered(1e-5) / _carter(1e-5)
     return Chapter(
         "measured", "Measured: the creep curve of a twin-disc machine",
@@ -116,7 +140,8 @@ def measured(bench):
         f"15 %. The layer of {LAYER[0]} mm and {LAYER[1]:g} MPa was fitted to the curve.",
         "measured by Lewis and Dwyer-Joyce (2004), given as the heat of friction at eight slips (the paper itself was not at "
         "hand): T/N = heat/(slip V N). Load and pressure, and speed and rotation, give 47 mm each (first two rows). "
-        "Computed: Carter's closed form, and with a layer collocation (`benchmarks/book/layered_cylinders.py`), which shares nothing with the program.",
+        "Computed: Carter's closed form, and with a layer collocation (`benchmarks/book/layered_cylinders.py`), which shares nothing with the program. Last rows: rollers of 500 mm under 179 N/mm, mu = 0.3, with a layer of the compliance "
+        "c (thickness over shear modulus), at a creepage of 1e-7.",
         rows, tables=[_beside(elastic, layered), _ends(ends)],
         figures=[(_draw(bench, elastic, layered), "Traction over slip: measured, and computed without and with a layer")],
         cost=[Cost("line contact, eight load points", elastic.seconds["total"], elastic.unknowns),
