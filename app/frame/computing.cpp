@@ -35,19 +35,6 @@ void add_division(CLI::App& command, contact::Share& share, int& merge, const st
       ->check(CLI::Range(2, 1000000));
 }
 
-void settle_case_file(ComputingRequest& request, const std::string& command,
-                      const std::vector<std::vector<std::string>*>& lists,
-                      const std::function<bool(const std::string&)>& is_case_file) {
-  for (std::vector<std::string>* list : lists)
-    if (request.case_file.empty() && !list->empty() && is_case_file(list->back())) {
-      request.case_file = list->back();
-      list->pop_back();
-    }
-  if (request.case_file.empty())
-    throw contact::InputError(
-        fmt::format("{0}: no case file is named; do: rollfem {0} CASE.toml", command));
-}
-
 void warn_of_doubts(const contact::Case& input) {
   warn(contact::implausible_values(input));
   warn(profiles::neglected_in_files(input));

@@ -6,9 +6,7 @@
 #include "models/frame/command_frame.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <string>
-#include <vector>
 
 namespace rollfem::app {
 
@@ -27,13 +25,6 @@ void add_report_flags(CLI::App& command, ComputingRequest& request);
 
 /// Adds the options that divide long work among calls (array jobs, machines).
 void add_division(CLI::App& command, contact::Share& share, int& merge, const std::string& items);
-
-/// In `run --model hertz CASE` the list option swallows the case file; this moves it back, unless a
-/// case file is there, from the list that ends with one. Throws contact::InputError if there is
-/// none.
-void settle_case_file(ComputingRequest& request, const std::string& command,
-                      const std::vector<std::vector<std::string>*>& lists,
-                      const std::function<bool(const std::string&)>& is_case_file);
 
 /// Warns of values in the case that look like unit mistakes, even with -q.
 void warn_of_doubts(const contact::Case& input);

@@ -132,8 +132,14 @@ void run_at_once(const RunRequest& request) {
 
 void run(RunRequest& request) {
   const contact::ModelRegistry& models = request.call.models;
-  settle_case_file(request, "run", {&request.models},
-                   [&](const std::string& name) { return models.find(name) == nullptr; });
+  // In `run --model hertz CASE` the list option swallows the case file.
+  if (request.case_file.empty() && !request.models.empty() &&
+      models.find(request.models.back()) == nullptr) {
+    request.case_file = request.models.back();
+    request.models.pop_back();
+  }
+  if (request.case_file.empty())
+    throw contact::InputError("run: no case file is named; do: rollfem run CASE.toml");
   request.models = modelling::checked_names(models, request.models, "--model");
   const contact::Case input = request.read();
   const std::size_t positions = input.has_profiles() ? input.wheelset.positions() : 1;

@@ -65,13 +65,6 @@ std::string sealed_json(std::string text) {
   return text + fmt::format("{}{:08x}\"\n}}\n", json_member, crc_of(text));
 }
 
-bool json_seal_is_intact(std::string_view text) {
-  const std::size_t at = text.rfind(json_member);
-  if (at == text.npos) return false;
-  const std::string wanted = fmt::format("{:08x}\"\n}}\n", crc_of(text.substr(0, at)));
-  return text.substr(at + json_member.size()) == wanted;
-}
-
 std::string sealed_record(std::string_view place, std::string_view record) {
   const auto seal = contact::checksum(record, contact::checksum(place));
   return fmt::format("{:016x}{}", seal, record);

@@ -28,7 +28,6 @@ bool hdf5_seal_is_intact(const std::string& path, const std::string& action);
 
 /// The text of a JSON object with its checksum as the last member.
 std::string sealed_json(std::string text);
-bool json_seal_is_intact(std::string_view text);
 
 /// A record behind a checksum that binds it to where it belongs, such as a program, a case and a
 /// name; anywhere else it counts as damaged.

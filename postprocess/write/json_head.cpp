@@ -25,14 +25,6 @@ ordered_json json_head(int format, const std::string& kind, const Provenance& pr
   return json;
 }
 
-ordered_json headings_json(const std::vector<contact::Quantity>& quantities) {
-  ordered_json json = ordered_json::object();
-  for (const contact::Quantity& quantity : quantities)
-    json[quantity.name] = {
-        {"title", quantity.title}, {"symbol", quantity.symbol}, {"unit", quantity.unit}};
-  return json;
-}
-
 ordered_json place_json(const contact::ContactPlace& place) {
   return {{"wheel", place.side()}, {"position", place.position}, {"patch", place.patch}};
 }

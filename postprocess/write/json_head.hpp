@@ -15,9 +15,6 @@ namespace rollfem::postprocess {
 /// Keys format, kind, program, host, started, command, processes.
 nlohmann::ordered_json json_head(int format, const std::string& kind, const Provenance& provenance);
 
-/// Title, symbol and unit by name, for headings.
-nlohmann::ordered_json headings_json(const std::vector<contact::Quantity>& quantities);
-
 /// Wheel, position and patch.
 nlohmann::ordered_json place_json(const contact::ContactPlace& place);
 

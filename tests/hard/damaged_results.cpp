@@ -53,16 +53,6 @@ TEST(DamagedResults, TablesAreRefusedWithOrWithoutTheirHead) {
   }
 }
 
-TEST(DamagedResults, AJsonFileDoesNotFitItsChecksum) {
-  const std::string sound =
-      postprocess::sealed_json("{\n  \"a\": [1, 2.5, {}],\n  \"b\": \"}\"\n}\n");
-  EXPECT_TRUE(postprocess::json_seal_is_intact(sound));
-  for (int k = 0, files = damaged_files(2000); k < files; ++k) {
-    Damage damage(static_cast<unsigned long long>(k));
-    EXPECT_FALSE(postprocess::json_seal_is_intact(damage.of(sound))) << k;
-  }
-}
-
 /// A folder of records of a case.
 postprocess::CheckpointFolder kept_of(const TemporaryFolder& folder, const std::string& name,
                                       const std::string& case_text, bool resume, int& warnings) {

@@ -16,7 +16,7 @@ from rollfem.commands import benching, comparing, refinement
 from rollfem.commands.convergence import limit_of, order_of_errors
 from rollfem.figures.catalogue import build
 from rollfem.figures.published import published
-from rollfem.files import rows_of
+from rollfem.files import json_is_sound, rows_of, sealed_json
 from rollfem.model import ModelResult
 from rollfem.node import Node
 from rollfem.outputs import Study
@@ -441,6 +441,19 @@ class Published(unittest.TestCase):
         # Another shift; another gauge or inclination.
         for other in ({"lateral_shift": 3.0}, {"y_track": -750.0}):
             self.assertEqual(self.names(self.PLACED, {**self.LEFT, **other}), [])
+
+
+class Seals(unittest.TestCase):
+    def test_a_damaged_file_does_not_fit_its_checksum(self):
+        sound = sealed_json({"a": [1, 2.5, {}], "b": "}", "c": "é"})
+        self.assertTrue(json_is_sound(sound))
+        self.assertEqual({name: value for name, value in json.loads(sound).items() if name != "checksum"},
+                         {"a": [1, 2.5, {}], "b": "}", "c": "é"})
+        random = np.random.default_rng(1)
+        for _ in range(2000):
+            at, other = int(random.integers(len(sound))), chr(random.integers(32, 127))
+            damaged = (sound[:at], sound[:at] + other + sound[at:], sound[:at] + sound[at + 1:])[random.integers(3)]
+            self.assertFalse(json_is_sound(damaged))
 
 
 class Benches(unittest.TestCase):
